@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Axially aligned bounding box. y is up: the top is never below the bottom.
+#pragma once
+
+#include <Shapes/ShapeMath.h>
+
+namespace Shapes {
+
+/// A box given by its top left and bottom right corner, in the user's length unit. Its edges belong to it.
+/// A box with a NaN coordinate intersects nothing.
+class CAabb2D {
+public:
+  /// The empty box: intersects nothing, has no width; `+=` makes it the box of one point.
+  CAabb2D();
+  /// The box with these opposite corners; corners given in another order are put in order.
+  CAabb2D(const Vector2& topleft, const Vector2& bottomright);
+
+  /// Shrinks the box to the point p.
+  CAabb2D& operator=(const Vector2& p);
+  /// Grows the box just enough to contain the point p.
+  CAabb2D& operator+=(const Vector2& p);
+
+  /// Whether the boxes share at least one point.
+  friend bool operator&&(const CAabb2D& a, const CAabb2D& b);
+  /// Whether the point p is in the box.
+  friend bool operator&&(const CAabb2D& a, const Vector2& p);
+
+  /// Moves the box by v.
+  void Translate(const Vector2& v);
+
+  /// Width and height, 0 for the empty box.
+  float GetWidth() const;
+  float GetHt() const;
+  const Vector2& GetTopLeft() const { return m_vTopLeft; }
+  const Vector2& GetBottomRt() const { return m_vBottomRt; }
+
+private:
+  Vector2 m_vTopLeft;
+  Vector2 m_vBottomRt;
+};
+
+// In the header: the broad phase calls it for every node it visits.
+inline bool operator&&(const CAabb2D& a, const CAabb2D& b) {
+  return a.m_vBottomRt.x() >= b.m_vTopLeft.x() && a.m_vTopLeft.x() <= b.m_vBottomRt.x() &&
+         a.m_vBottomRt.y() <= b.m_vTopLeft.y() && a.m_vTopLeft.y() >= b.m_vBottomRt.y();
+}
+
+} // namespace Shapes

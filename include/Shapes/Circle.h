@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Circles: bumpers and posts. A static circle is a ring: a ball may be inside it and bounces off the inside.
+#pragma once
+
+#include <Shapes/LineSeg.h>
+#include <Shapes/Shape.h>
+
+namespace Shapes {
+
+class CCircleDesc : public CShapeDesc {
+public:
+  CCircleDesc() : CShapeDesc(eShape::Circle) {}
+  /// @param p centre, user units  @param r radius, user units  @param e elasticity
+  CCircleDesc(const Vector2& p, float r, float e = 1.0f);
+
+  float m_fRadius = 0.0f;
+};
+
+/// A static circle.
+class CCircle : public CShape {
+public:
+  /// @throws std::invalid_argument naming the field that is not finite, negative or too large
+  explicit CCircle(const CCircleDesc& desc) : CCircle(desc, eShape::Circle, eMotion::Static) {}
+  std::unique_ptr<CShape> Clone() const override;
+
+  float GetRadius() const { return m_fRadius; }
+  /// Whether p is strictly inside the circle.
+  bool PtInCircle(const Vector2& p) const;
+  /// The point of the perimeter closest to p; the topmost one if p is the centre. Error at most 3 ulp of
+  /// |centre| + radius.
+  Vector2 ClosestPt(const Vector2& p) const;
+
+  /// The points in which the tangents through p touch the circle. Seen from p, p0 is to the left of the
+  /// centre and p1 to the right.
+  /// @return false if p is inside the circle or is its centre: there is no tangent then, p0 and p1 are
+  /// unchanged
+  bool Tangents(const Vector2& p, Vector2& p0, Vector2& p1) const;
+
+  /// The outer common tangents of this circle and another, each as the segment between the points in which it
+  /// touches them; t0 is to the right of the way from this centre to the other's, t1 to the left. Equal radii
+  /// give parallel tangents. Both circles are shrunk by the smaller radius, which leaves the tangents'
+  /// directions (J. Casey, A Sequel to the First Six Books of the Elements of Euclid, 1888, pp. 31-32). Only
+  /// the ends of t0 and t1 are set.
+  /// @return false if one circle contains the other (touching inside included): t0 and t1 are unchanged then
+  /// @throws std::invalid_argument if pCircle is null
+  bool Tangents(const CCircle* pCircle, CLineSegDesc& t0, CLineSegDesc& t1) const;
+
+  /// The first of the two outer common tangents, t0 above.
+  bool Tangent(const CCircle* pCircle, CLineSegDesc& t) const;
+
+protected:
+  CCircle(const CCircleDesc& desc, eShape type, eMotion motion);
+  void Update() override;
+
+  float m_fRadius;
+};
+
+/// A circle that turns about its rotation centre.
+class CKinematicCircle : public CCircle {
+public:
+  explicit CKinematicCircle(const CCircleDesc& desc)
+      : CCircle(desc, eShape::Circle, eMotion::Kinematic), m_vInitPos(m_vPos) {}
+  std::unique_ptr<CShape> Clone() const override;
+  void Rotate(const Vector2& center, float angle) override;
+  void Reset() override;
+
+private:
+  Vector2 m_vInitPos;
+};
+
+} // namespace Shapes

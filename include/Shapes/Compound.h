@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Shapes/Shape.h>
+
+#include <vector>
+
+namespace Shapes {
+
+/// Kinematic shapes that turn as one. The shapes belong to whoever made them and must live as long as the
+/// compound; it only points to them.
+class CCompoundShape : public CShapeCommon {
+public:
+  /// Adds a shape. It gets the rotation speed and centre of the compound and is turned to its orientation.
+  /// @throws std::invalid_argument if pShape is null
+  void AddShape(CShape* pShape);
+  const std::vector<CShape*>& GetShapes() const { return m_stdShapes; }
+
+  /// Turns all shapes about center to `angle` radians from their poses at construction.
+  void Rotate(const Vector2& center, float angle);
+  /// Puts all shapes back to their poses at construction.
+  void Reset();
+  /// Moves all shapes by one step.
+  void move();
+
+  float GetOrientation() const { return m_fOrientation; } ///< Radians in [0, 2 pi).
+  void SetOrientation(float angle) { Rotate(m_vRotCenter, angle); }
+  float GetRotSpeed() const { return m_fRotSpeed; } ///< Revolutions per second.
+  void SetRotSpeed(float revsPerSecond);
+  const Vector2& GetRotCenter() const { return m_vRotCenter; }
+  void SetRotCenter(const Vector2& center);
+
+private:
+  std::vector<CShape*> m_stdShapes;
+  float m_fOrientation = 0.0f;
+  float m_fRotSpeed = 0.0f;
+  Vector2 m_vRotCenter = Vector2::Zero();
+};
+
+} // namespace Shapes

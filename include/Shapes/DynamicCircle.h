@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Balls: the only shapes that move by themselves and respond to a collision.
+#pragma once
+
+#include <Shapes/Circle.h>
+
+namespace Shapes {
+
+class CContactDesc;
+
+class CDynamicCircleDesc : public CCircleDesc {
+public:
+  CDynamicCircleDesc() { m_eMotionType = eMotion::Dynamic; }
+  /// @param p centre  @param r radius, user units  @param v velocity, units per second  @param m mass, above
+  /// 0
+  /// @param e elasticity
+  CDynamicCircleDesc(const Vector2& p, float r, const Vector2& v = Vector2::Zero(), float m = 1.0f,
+                     float e = 1.0f);
+
+  Vector2 m_vVel = Vector2::Zero();
+  float m_fMass = 1.0f;
+};
+
+/// A ball. Solid: another ball meets it from outside only.
+class CDynamicCircle : public CCircle {
+public:
+  /// @throws std::invalid_argument naming the field that is not finite, negative or too large, or a mass of 0
+  explicit CDynamicCircle(const CDynamicCircleDesc& desc);
+  std::unique_ptr<CShape> Clone() const override;
+
+  const Vector2& GetVel() const { return m_vVel; }
+  /// @throws std::invalid_argument if v is not finite or faster than g_fMaxSpeed
+  void SetVel(const Vector2& v);
+  float GetMass() const { return m_fMass; }
+  /// Where the ball was before the last move; its position if it was placed by SetPos since.
+  const Vector2& GetPrevPos() const { return m_vPrevPos; }
+  /// Whether a response had to cut the speed of the ball to g_fMaxSpeed since it was made.
+  bool GetSpeedCapped() const { return m_bSpeedCapped; }
+
+  /// One step: v += g dt, then p += v dt (semi-implicit Euler, which does not gain energy in a drop).
+  void move() override;
+
+  /// Answers a collision that CollisionDetected has found with c.m_pCircle == this.
+  /// Static shape: v -= (1+e)(v.n)n if approaching; p += setback n. Kinematic shape: the same in the frame of
+  /// its surface at the POI. Ball: impulse (1+e) m1 m2/(m1+m2) of the approach speed along n, the setback
+  /// shared by m_other/(m1+m2). e is the product of both elasticities. Nothing happens if either is a sensor.
+  /// @throws std::invalid_argument if c is of another ball
+  void CollisionResponse(const CContactDesc& c);
+
+protected:
+  void Translate(const Vector2& d) override;
+
+private:
+  Vector2 m_vVel;
+  Vector2 m_vPrevPos;
+  float m_fMass;
+  bool m_bSpeedCapped = false;
+};
+
+} // namespace Shapes

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Infinite line, for computations inside the library. It is no shape: nothing collides with it.
+#pragma once
+
+#include <Shapes/ShapeMath.h>
+
+namespace Shapes {
+
+/// A line, kept as a point and a unit direction, from which everything is computed. Gradient and intercepts
+/// can be read; no computation goes through them, because they are infinite or lose all digits for steep
+/// lines.
+class CLine {
+public:
+  /// The line of gradient m through p, y = m x + b; m infinite (of either sign) is the vertical line x = p.x.
+  CLine(const Vector2& p, float m);
+
+  /// The one point of both lines; (Inf, Inf) if they are parallel. Nothing in the library uses that value.
+  /// Error grows as 1 / |sin of the angle between them|.
+  Vector2 Intersect(const CLine& line) const;
+  /// The point of the line closest to q. Error at most 8 ulp of |q| + the distance of q to the point that
+  /// defines the line, for every direction.
+  Vector2 ClosestPt(const Vector2& q) const;
+
+  float GetGradient() const;        ///< m; +Inf for a vertical line.
+  float GetInverseGradient() const; ///< 1/m; +Inf for a horizontal line.
+  float GetXIntercept() const;      ///< c in x = y/m + c; Inf for a horizontal line.
+  float GetYIntercept() const;      ///< b in y = m x + b; Inf for a vertical line.
+
+protected:
+  CLine() : m_vPt(Vector2::Zero()), m_vDir(1.0f, 0.0f) {}
+  /// The line through p along the unit vector dir.
+  void SetLine(const Vector2& p, const Vector2& dir);
+
+private:
+  Vector2 m_vPt;
+  Vector2 m_vDir;
+};
+
+} // namespace Shapes

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Line segments. The first end is the left one; of two with equal x it is the lower one.
+#pragma once
+
+#include <Shapes/Line.h>
+#include <Shapes/Shape.h>
+
+namespace Shapes {
+
+class CLineSegDesc : public CShapeDesc {
+public:
+  CLineSegDesc() : CLineSegDesc(Vector2::Zero(), Vector2::Zero()) {}
+  /// @param p0, p1 the ends in any order, user units  @param e elasticity
+  CLineSegDesc(const Vector2& p0, const Vector2& p1, float e = 1.0f);
+
+  /// Sets the ends, given in any order, and the position, their midpoint.
+  void SetEndPts(const Vector2& p0, const Vector2& p1);
+  void GetEndPts(Vector2& p0, Vector2& p1) const;
+  const Vector2& GetEndPt0() const { return m_vPt0; }
+  const Vector2& GetEndPt1() const { return m_vPt1; }
+  /// Unit vector to the left of the way from end 0 to end 1; (0, 1) for a segment of no length.
+  Vector2 GetNormal() const;
+  /// Gradient of the line through the ends; Inf if it is vertical.
+  float GetGradient() const;
+
+  eSides m_eSides = eSides::Both;
+
+private:
+  Vector2 m_vPt0;
+  Vector2 m_vPt1;
+};
+
+/// A static line segment. One whose ends coincide acts as a point.
+class CLineSeg : public CShape, public CLine {
+public:
+  /// @throws std::invalid_argument naming the field that is not finite, negative or too large
+  explicit CLineSeg(const CLineSegDesc& desc) : CLineSeg(desc, eMotion::Static) {}
+  std::unique_ptr<CShape> Clone() const override;
+
+  void GetEndPts(Vector2& p0, Vector2& p1) const;
+  const Vector2& GetEndPt0() const { return m_vPt0; }
+  const Vector2& GetEndPt1() const { return m_vPt1; }
+  /// Unit tangents that point from each end into the segment: t0 from end 0, t1 = -t0 from end 1.
+  void GetTangents(Vector2& t0, Vector2& t1) const;
+  /// Unit normal, the counterclockwise perpendicular of t0 at construction. It turns with a kinematic segment
+  /// and does not flip when the ends change order.
+  const Vector2& GetNormal() const { return m_vNormal; }
+  eSides GetSides() const { return m_eSides; }
+  /// The point of the segment closest to q. Error at most 8 ulp of |q| + length.
+  Vector2 ClosestPt(const Vector2& q) const;
+
+protected:
+  CLineSeg(const CLineSegDesc& desc, eMotion motion);
+  void Translate(const Vector2& d) override;
+  void Update() override;
+
+  Vector2 m_vPt0;
+  Vector2 m_vPt1;
+  Vector2 m_vTangent; // unit, from end 0 to end 1
+  Vector2 m_vNormal;
+  eSides m_eSides;
+};
+
+/// A line segment that turns about its rotation centre: flippers, spinners, gates.
+class CKinematicLineSeg : public CLineSeg {
+public:
+  explicit CKinematicLineSeg(const CLineSegDesc& desc);
+  std::unique_ptr<CShape> Clone() const override;
+  void Rotate(const Vector2& center, float angle) override;
+  void Reset() override;
+
+private:
+  void SetPose(const Vector2& p0, const Vector2& p1, const Vector2& normal);
+
+  Vector2 m_vInitPt0;
+  Vector2 m_vInitPt1;
+  Vector2 m_vInitNormal;
+};
+
+} // namespace Shapes

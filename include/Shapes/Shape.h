@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// What all shapes have in common, and the descriptors from which they are made.
+#pragma once
+
+#include <Shapes/Aabb2D.h>
+#include <Shapes/ShapeMath.h>
+
+#include <memory>
+
+namespace Shapes {
+
+class CContactDesc;
+
+enum class eShape { Unknown, Point, Line, LineSeg, Circle, Arc };
+
+/// Static shapes stay, kinematic shapes turn as told, dynamic shapes (balls) move and respond. Size counts
+/// them.
+enum class eMotion { Static, Kinematic, Dynamic, Size };
+
+/// Which faces of a segment or an arc are solid. Front is the side to which the normal points: to the left of
+/// the way from the first end of a segment to its second, and the outside of an arc. Back is the other one. A
+/// ball that comes from the open side passes (one-way gates).
+enum class eSides { Both, Front, Back };
+
+/// Gravity and time step that CShape::move uses. A game sets them by deriving from this class. A CWorld has
+/// its own and never reads these.
+class CShapeCommon {
+protected:
+  static float
+      m_fGravity; ///< y component of gravity, units per second squared; negative pulls down. Default 0.
+  static float m_fTimeStep; ///< Seconds per call of move. Default 1/60.
+};
+
+/// What every descriptor has. Values are checked where a shape is made from them, not here: NaN, infinite,
+/// negative or overflowing values are refused there with std::invalid_argument naming the field and the
+/// value.
+class CShapeDesc {
+public:
+  eShape m_eShapeType = eShape::Unknown; ///< Set by the constructors of the derived descriptors.
+  Vector2 m_vPos = Vector2::Zero();      ///< Position, user units. Segments: the midpoint, follows the ends.
+  float m_fElasticity = 1.0f;            ///< 0 keeps no normal speed, 1 all of it, above 1 adds (bumpers).
+  eMotion m_eMotionType = eMotion::Static; ///< Static or Kinematic; balls have a descriptor of their own.
+  bool m_bIsSensor = false;                ///< Detects, but neither responds nor causes a response.
+  float m_fRotSpeed = 0.0f;                ///< Kinematic: revolutions per second, counterclockwise.
+  Vector2 m_vRotCenter = Vector2::Zero();  ///< Kinematic: centre of the rotation, user units.
+
+protected:
+  explicit CShapeDesc(eShape e) : m_eShapeType(e) {}
+};
+
+/// Base of all shapes. A shape is made from its descriptor, by the class that fits its motion.
+class CShape : public CShapeCommon {
+public:
+  virtual ~CShape() = default;
+
+  /// A copy with the same pose and properties.
+  virtual std::unique_ptr<CShape> Clone() const = 0;
+
+  eShape GetShapeType() const { return m_eShapeType; }
+  eMotion GetMotionType() const { return m_eMotionType; }
+  /// The smallest box around the shape as it is now, up to 1 ulp outward.
+  const CAabb2D& GetAABB() const { return m_cAabb; }
+
+  const Vector2& GetPos() const { return m_vPos; }
+  /// Moves the shape so that its position is p; the ends of segments and arcs go with it. A kinematic shape
+  /// starts its next rotation from its pose at construction again.
+  /// @throws std::invalid_argument if p is not finite or too large (g_fMaxLength)
+  void SetPos(const Vector2& p);
+
+  bool GetSensor() const { return m_bIsSensor; }
+  void SetSensor(bool b) { m_bIsSensor = b; }
+  bool GetCanCollide() const { return m_bCanCollide; }
+  /// Turns collisions off (a post that sinks into the table) and on again.
+  void SetCanCollide(bool b = true) { m_bCanCollide = b; }
+  float GetElasticity() const { return m_fElasticity; }
+  /// @throws std::invalid_argument unless 0 <= e <= g_fMaxElasticity
+  void SetElasticity(float e);
+  void* GetUserPtr() const { return m_pUser; }
+  void SetUserPtr(void* p) { m_pUser = p; }
+
+  /// Turns a kinematic shape about center to `angle` radians from its pose at construction (not from its
+  /// present one). Static shapes and balls stay as they are.
+  virtual void Rotate(const Vector2& center, float angle);
+  /// Puts a kinematic shape back to its pose at construction, bit for bit.
+  virtual void Reset();
+  /// One step of m_fTimeStep: a kinematic shape turns by its rotation speed about its centre, a ball moves.
+  virtual void move() { Advance(m_fTimeStep); }
+  /// Turns a kinematic shape by its rotation speed for dt seconds. Others stay.
+  void Advance(float dt);
+
+  /// Whether the shape turns by itself: kinematic with a rotation speed other than 0.
+  bool GetRotating() const { return m_eMotionType == eMotion::Kinematic && m_fRotSpeed != 0.0f; }
+  /// Radians from the pose at construction, in [0, 2 pi).
+  float GetOrientation() const { return m_fOrientation; }
+  /// Same as Rotate(GetRotCenter(), angle).
+  void SetOrientation(float angle) { Rotate(m_vRotCenter, angle); }
+  /// Revolutions per second, counterclockwise.
+  float GetRotSpeed() const { return m_fRotSpeed; }
+  /// @throws std::invalid_argument unless |revolutions per second| <= g_fMaxRotSpeed
+  void SetRotSpeed(float revsPerSecond);
+  const Vector2& GetRotCenter() const { return m_vRotCenter; }
+  /// @throws std::invalid_argument if center is not finite or too large (g_fMaxLength)
+  void SetRotCenter(const Vector2& center);
+  /// Radians by which the last move or Advance turned the shape, not reduced; 0 after any other change of
+  /// pose.
+  float GetLastTurn() const { return m_fLastTurn; }
+
+  /// Velocity of the point p of this shape, user units per second: 2 pi rotation speed perp(p - centre) for a
+  /// kinematic shape, zero for a static one.
+  Vector2 GetSurfaceVelocity(const Vector2& p) const;
+
+  /// Whether c.m_pCircle meets this shape, by the default engine; fills in c if so. See
+  /// CBackend::CollisionDetected.
+  bool CollisionDetected(CContactDesc& c);
+
+  /// For engines only: what an engine has worked out about the shape as it is now; empty after every change
+  /// of pose.
+  std::shared_ptr<const void>& EngineCache() const { return m_pEngineCache; }
+
+protected:
+  CShape(const CShapeDesc& desc, eShape type, eMotion motion);
+  CShape(const CShape&) = default;
+  CShape& operator=(const CShape&) = default;
+
+  /// Moves what the derived class holds by d; called after m_vPos has moved.
+  virtual void Translate(const Vector2& d);
+  /// Box and whatever else follows from the pose.
+  virtual void Update() = 0;
+  /// Every change of pose ends here: drops what was known of the old one, then Update.
+  void PoseChanged();
+  /// Remembers a rotation to `angle` radians; @throws std::invalid_argument if an argument is not finite.
+  void SetRotation(const Vector2& center, float angle);
+
+  eShape m_eShapeType;
+  eMotion m_eMotionType;
+  bool m_bIsSensor;
+  bool m_bCanCollide = true;
+  float m_fElasticity;
+  float m_fRotSpeed;
+  float m_fOrientation = 0.0f;
+  float m_fLastTurn = 0.0f;
+  Vector2 m_vPos;
+  Vector2 m_vRotCenter;
+  void* m_pUser = nullptr;
+  CAabb2D m_cAabb;
+  mutable std::shared_ptr<const void> m_pEngineCache;
+};
+
+} // namespace Shapes

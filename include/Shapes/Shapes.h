@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The whole interface.
+#pragma once
+
+#include <Shapes/Aabb2D.h>
+#include <Shapes/Arc.h>
+#include <Shapes/Backend.h>
+#include <Shapes/Circle.h>
+#include <Shapes/Compound.h>
+#include <Shapes/Contact.h>
+#include <Shapes/DynamicCircle.h>
+#include <Shapes/Line.h>
+#include <Shapes/LineSeg.h>
+#include <Shapes/Point.h>
+#include <Shapes/Shape.h>
+#include <Shapes/ShapeMath.h>
+#include <Shapes/Tolerances.h>
+#include <Shapes/World.h>

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Every tolerance and limit of the library: name, unit, reason, consequence. Nothing else holds one.
+#pragma once
+
+namespace Shapes {
+
+/// Largest coordinate, radius and length that is accepted, in the user's unit. Its square (1e36) and the sum
+/// of two squares stay finite in float, so no distance overflows. Anything larger is refused.
+inline constexpr float g_fMaxLength = 1e18f;
+
+/// Largest speed, in units per second. A response that would exceed it (elasticity above 1 between two walls
+/// doubles the speed at each hit) is cut to it and flagged: CDynamicCircle::GetSpeedCapped, CWorldStats.
+inline constexpr float g_fMaxSpeed = 1e18f;
+
+/// Largest mass. The sum of two stays finite.
+inline constexpr float g_fMaxMass = 1e36f;
+
+/// Largest elasticity. The product of two times the largest speed stays finite.
+inline constexpr float g_fMaxElasticity = 1e6f;
+
+/// Longest time step, in seconds: a bound on v dt, far above any use.
+inline constexpr float g_fMaxTimeStep = 1e6f;
+
+/// Fastest rotation, in revolutions per second.
+inline constexpr float g_fMaxRotSpeed = 1e9f;
+
+/// Most substeps in one step: 64 times what the accuracy ladder uses.
+inline constexpr unsigned g_nMaxSubsteps = 4096;
+
+/// Relative error of a cross product that decides on which side of an arc's end ray a point lies,
+/// dimensionless. A point within it counts as in the sector, so rounding cannot open a gap at the end of an
+/// arc.
+inline constexpr float g_fSectorRounding = 4.0f * 1.1920929e-7f;
+
+/// Padding of boxes in the broad phase, relative to their largest coordinate plus the radius of the ball. The
+/// pair kernels err by less, so a contact that they would report is never lost to a box.
+inline constexpr float g_fBoxPadding = 16.0f * 1.1920929e-7f;
+
+/// How far a ball may be moved by responses before its candidates are collected again, in its radii. Larger
+/// collects more candidates at once, smaller collects them more often; the result is the same.
+inline constexpr float g_fCandidateSlack = 0.25f;
+
+/// Default height of an arc above the chords that stand for it on Box2D, in metres: Box2D's own linear slop,
+/// so the polygon is as good as the engine's contact distance. Gives 16 pieces for a half circle of 1 metre
+/// radius.
+inline constexpr float g_fSagittaTolerance = 0.005f;
+
+} // namespace Shapes

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Worlds: descriptors go in, ids come out, Step moves everything, contacts come out as an array.
+#pragma once
+
+#include <Shapes/Arc.h>
+#include <Shapes/Backend.h>
+#include <Shapes/Circle.h>
+#include <Shapes/DynamicCircle.h>
+#include <Shapes/LineSeg.h>
+#include <Shapes/Point.h>
+#include <Shapes/Tolerances.h>
+
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace Shapes {
+
+class CWorldState;
+
+/// What a world is made from. Everything but the last group means the same on every engine.
+class CWorldDesc {
+public:
+  Vector2 m_vGravity = Vector2::Zero(); ///< User units per second squared.
+  float m_fTimeStep = 1.0f / 60.0f;     ///< Seconds per Step, above 0.
+  unsigned m_nSubsteps = 1;             ///< Equal parts into which a Step is cut, 1 .. g_nMaxSubsteps.
+
+  // Read by Box2D only, whose tolerances are in metres.
+  float m_fLengthUnit = 1.0f; ///< User units per metre (100 for 100 pixels per metre), above 0.
+  float m_fSagittaTolerance = g_fSagittaTolerance; ///< Height of arcs above their chords, in metres, above 0.
+  unsigned m_nVelocityIterations = 8;              ///< Per substep, 1 .. 1000.
+  unsigned m_nPositionIterations = 3;              ///< Per substep, 1 .. 1000.
+};
+
+/// Names a shape in its world. Never used again after the shape is removed. The default names none.
+struct CShapeId {
+  std::uint32_t m_nValue = 0;
+  friend auto operator<=>(const CShapeId&, const CShapeId&) = default;
+};
+
+/// A contact of a ball during the last Step.
+struct CContactEvent {
+  CShapeId m_cShape; ///< The shape that was met; of two balls the one that was added later.
+  CShapeId m_cBall;  ///< The ball; of two balls the one that was added first.
+  Vector2 m_vPOI;    ///< Point of impact, user units.
+  Vector2 m_vNorm;   ///< Unit normal from the shape to the ball.
+  float m_fSetback =
+      0.0f;              ///< Native: how far along the normal the ball was set back. Box2D worlds do not: 0.
+  float m_fSpeed = 0.0f; ///< Approach speed before the response, units per second, at least 0.
+  bool m_bIsSensor = false; ///< Either of them is a sensor: there was no response.
+};
+
+/// Counters since the world was made.
+struct CWorldStats {
+  std::uint64_t m_nSteps = 0;
+  std::uint64_t m_nSubsteps = 0;
+  std::uint64_t m_nShapeTests = 0; ///< Native: pair kernels called for a ball and a shape that is not a ball.
+  std::uint64_t m_nBallTests = 0;  ///< Native: pair kernels called for two balls.
+  std::uint64_t m_nContacts = 0;   ///< Contacts that were responded to.
+  std::uint64_t m_nSensorHits = 0; ///< Contacts of sensors.
+  std::uint64_t m_nSpeedsCapped = 0; ///< Responses after which a ball had to be cut to g_fMaxSpeed.
+  std::uint64_t m_nMovesClamped =
+      0; ///< Box2D: ball steps longer than its 2 metres; Box2D slows such a ball down.
+  std::uint64_t m_nTurnsClamped =
+      0; ///< Box2D: shape steps of more than its pi/2 radians; Box2D turns it by less.
+  std::uint64_t m_nArcPieces = 0; ///< Box2D: chords that stand for the arcs that are in the world now.
+};
+
+using CAnyShapeDesc = std::variant<CPointDesc, CLineSegDesc, CCircleDesc, CArcDesc, CDynamicCircleDesc>;
+
+/// A copy of all that a world holds, made by SaveState. Cheap to copy.
+class CSavedState {
+private:
+  friend class CWorld;
+  std::shared_ptr<const CWorldState> m_pState;
+};
+
+/// Owns its shapes and steps them. Functions that take an id throw std::invalid_argument if no shape has it,
+/// or if the shape is not of the kind that the function is for; nothing has changed then. Worlds are made by
+/// CBackend::MakeWorld or MakeWorld below.
+class CWorld {
+public:
+  virtual ~CWorld();
+  CWorld(const CWorld&) = delete;
+  CWorld& operator=(const CWorld&) = delete;
+
+  const CWorldDesc& GetDesc() const { return m_cDesc; }
+  /// @throws std::invalid_argument if g is not finite or too large
+  void SetGravity(const Vector2& g);
+
+  /// Adds a shape; m_eMotionType says whether it is static or kinematic.
+  /// @throws std::invalid_argument naming the field and the value that is not valid; nothing is added then
+  CShapeId Add(const CPointDesc& desc);
+  CShapeId Add(const CLineSegDesc& desc);
+  CShapeId Add(const CCircleDesc& desc);
+  CShapeId Add(const CArcDesc& desc);
+  CShapeId Add(const CDynamicCircleDesc& desc);
+  CShapeId Add(const CAnyShapeDesc& desc);
+  /// Adds a compound: kinematic shapes about one rotation centre with one rotation speed. All or none is
+  /// added.
+  std::vector<CShapeId> AddCompound(std::span<const CAnyShapeDesc> descs, const Vector2& rotCenter,
+                                    float revsPerSecond = 0.0f);
+  void Remove(CShapeId id);
+  bool Contains(CShapeId id) const;
+
+  /// Moves everything by the time step of the description.
+  void Step();
+  /// The contacts of the last Step, in the order in which they were responded to. Valid until the next
+  /// change.
+  std::span<const CContactEvent> GetContacts() const { return m_stdContacts; }
+  const CWorldStats& GetStats() const { return m_cStats; }
+
+  // Of any shape.
+  eShape GetShapeType(CShapeId id) const;
+  eMotion GetMotionType(CShapeId id) const;
+  const Vector2& GetPos(CShapeId id) const;
+  void SetPos(CShapeId id, const Vector2& p);
+  float GetElasticity(CShapeId id) const;
+  void SetElasticity(CShapeId id, float e);
+  bool GetSensor(CShapeId id) const;
+  void SetSensor(CShapeId id, bool b);
+  bool GetCanCollide(CShapeId id) const;
+  void SetCanCollide(CShapeId id, bool b = true);
+  void* GetUserPtr(CShapeId id) const;
+  void SetUserPtr(CShapeId id, void* p);
+
+  // Of shapes that are not balls.
+  /// The shape as it is now, to draw it or ask it. Valid until it is removed or a state is loaded.
+  const CShape& GetShape(CShapeId id) const;
+  float GetOrientation(CShapeId id) const;
+  void SetOrientation(CShapeId id, float angle);
+  float GetRotSpeed(CShapeId id) const;
+  void SetRotSpeed(CShapeId id, float revsPerSecond);
+  const Vector2& GetRotCenter(CShapeId id) const;
+  void SetRotCenter(CShapeId id, const Vector2& center);
+  /// Puts a kinematic shape back to its pose when it was added.
+  void Reset(CShapeId id);
+
+  // Of balls.
+  const Vector2& GetVel(CShapeId id) const;
+  void SetVel(CShapeId id, const Vector2& v);
+  float GetRadius(CShapeId id) const;
+  float GetMass(CShapeId id) const;
+  /// All balls in the order of their ids, one array for each property. Valid until a ball is added or
+  /// removed, or a state is loaded.
+  std::span<const CShapeId> GetBallIds() const;
+  std::span<const Vector2> GetBallPositions() const;
+  std::span<const Vector2> GetBallVelocities() const;
+
+  /// All shapes, their poses and properties, and the gravity; not the statistics or the contacts. A world
+  /// that goes on after SaveState, and one that goes on after LoadState of it, have the same bits on the same
+  /// engine.
+  CSavedState SaveState();
+  /// @throws std::invalid_argument if the state was made by nobody (default constructed)
+  void LoadState(const CSavedState& state);
+
+protected:
+  explicit CWorld(const CWorldDesc& desc);
+
+  CWorldState& State() { return *m_pState; }
+  const CWorldState& State() const { return *m_pState; }
+  void Report(const CContactEvent& event);
+  CWorldStats& Stats() { return m_cStats; }
+
+private:
+  // What an engine does. It is told of every change after it was made.
+  virtual void Substep(float dt) = 0;
+  virtual void OnAdded(CShapeId id) = 0;
+  virtual void OnRemoved(CShapeId id) = 0;
+  virtual void OnChanged(CShapeId id) = 0;
+  virtual void OnSaved() = 0;
+  virtual void OnLoaded() = 0;
+
+  CShape& FindShape(CShapeId id) const;
+  CShape& FindKinematic(CShapeId id, const char* what) const;
+  CShapeId AddShape(std::unique_ptr<CShape> pShape);
+
+  CWorldDesc m_cDesc;
+  std::unique_ptr<CWorldState> m_pState;
+  std::vector<CContactEvent> m_stdContacts;
+  CWorldStats m_cStats;
+};
+
+/// An empty world on the default engine.
+std::unique_ptr<CWorld> MakeWorld(const CWorldDesc& desc);
+
+} // namespace Shapes

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "BoxTree.h"
+
+#include <Shapes/Tolerances.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace Shapes::Native {
+namespace {
+
+CAabb2D Union(CAabb2D a, const CAabb2D& b) {
+  a += b.GetTopLeft();
+  a += b.GetBottomRt();
+  return a;
+}
+
+} // namespace
+
+CAabb2D Padded(const CAabb2D& box, float margin) {
+  const Vector2 &tl = box.GetTopLeft(), &br = box.GetBottomRt();
+  const float size = std::max({std::abs(tl.x()), std::abs(tl.y()), std::abs(br.x()), std::abs(br.y())});
+  const float pad = margin + g_fBoxPadding * (size + margin);
+  return {tl + Vector2(-pad, pad), br + Vector2(pad, -pad)};
+}
+
+void CBoxTree::Build(std::span<const CAabb2D> boxes) {
+  m_stdNodes.clear();
+  if (boxes.empty()) return;
+  std::vector<std::uint32_t> items(boxes.size());
+  std::iota(items.begin(), items.end(), 0u);
+  m_stdNodes.reserve(2 * boxes.size() - 1);
+  BuildNode(boxes, items);
+}
+
+void CBoxTree::BuildNode(std::span<const CAabb2D> boxes, std::span<std::uint32_t> items) {
+  CAabb2D box = boxes[items[0]];
+  for (const std::uint32_t i : items.subspan(1))
+    box = Union(box, boxes[i]);
+  const std::size_t node = m_stdNodes.size();
+  m_stdNodes.push_back({box, 0, items[0]});
+  if (items.size() == 1) return;
+
+  const int axis = box.GetWidth() >= box.GetHt() ? 0 : 1;
+  const auto centre = [&](std::uint32_t i) {
+    return boxes[i].GetTopLeft()[axis] + boxes[i].GetBottomRt()[axis];
+  };
+  const std::size_t half = items.size() / 2;
+  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return centre(a) < centre(b); });
+  BuildNode(boxes, items.first(half));
+  m_stdNodes[node].m_nRight = static_cast<std::uint32_t>(m_stdNodes.size());
+  BuildNode(boxes, items.subspan(half));
+}
+
+void CBoxTree::Refit(std::span<const CAabb2D> boxes) {
+  for (std::size_t i = m_stdNodes.size(); i-- > 0;) {
+    CNode& node = m_stdNodes[i];
+    node.m_cBox = node.m_nRight == 0 ? boxes[node.m_nItem]
+                                     : Union(m_stdNodes[i + 1].m_cBox, m_stdNodes[node.m_nRight].m_cBox);
+  }
+}
+
+void CBoxTree::Query(const CAabb2D& box, std::vector<std::uint32_t>& found) const {
+  if (m_stdNodes.empty()) return;
+  m_stdStack.assign(1, 0);
+  while (!m_stdStack.empty()) {
+    const std::uint32_t i = m_stdStack.back();
+    m_stdStack.pop_back();
+    const CNode& node = m_stdNodes[i];
+    if (!(node.m_cBox && box)) continue;
+    if (node.m_nRight == 0) {
+      found.push_back(node.m_nItem);
+    } else {
+      m_stdStack.push_back(node.m_nRight);
+      m_stdStack.push_back(i + 1);
+    }
+  }
+}
+
+} // namespace Shapes::Native

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Shapes/Aabb2D.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace Shapes::Native {
+
+/// A box that is surely larger than the rounding of any kernel against a shape with this box.
+CAabb2D Padded(const CAabb2D& box, float margin = 0.0f);
+
+/// A tree of boxes over items 0 .. n-1: finds the items whose box meets a box in O(log n + found).
+class CBoxTree {
+public:
+  /// Builds the tree over these boxes by halving the longer axis.
+  void Build(std::span<const CAabb2D> boxes);
+  /// Takes new boxes for the same items and keeps the tree: O(n), for shapes that turn a little.
+  void Refit(std::span<const CAabb2D> boxes);
+  /// Appends to found every item whose box meets this one, in no order.
+  void Query(const CAabb2D& box, std::vector<std::uint32_t>& found) const;
+
+private:
+  // Depth first: the left child of a node is the next one.
+  struct CNode {
+    CAabb2D m_cBox;
+    std::uint32_t m_nRight; // index of the right child; 0 for a leaf
+    std::uint32_t m_nItem;  // leaf only
+  };
+  void BuildNode(std::span<const CAabb2D> boxes, std::span<std::uint32_t> items);
+
+  std::vector<CNode> m_stdNodes;
+  mutable std::vector<std::uint32_t> m_stdStack;
+};
+
+} // namespace Shapes::Native

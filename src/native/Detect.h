@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The pair kernels of the native engine: does a ball overlap a shape where both are now, and if so where is
+// the point of the shape closest to its centre. In all of them the normal is a unit vector from the shape to
+// the ball, moving the ball by setback along it leaves it touching, and a NaN anywhere gives false. Each has
+// a file of its own.
+#pragma once
+
+#include <Shapes/Arc.h>
+#include <Shapes/Circle.h>
+#include <Shapes/LineSeg.h>
+#include <Shapes/Point.h>
+
+namespace Shapes::Native {
+
+/// What a kernel needs to know of a ball.
+struct CBall {
+  Vector2 m_vPos;     ///< centre
+  Vector2 m_vPrevPos; ///< centre at the beginning of the step
+  Vector2 m_vVel;
+  float m_fRadius;
+};
+
+struct CHit {
+  Vector2 m_vPOI;
+  Vector2 m_vNorm;
+  float m_fSetback; ///< r - distance, at least 0
+};
+
+bool DetectPointCircle(const CPoint& point, const CBall& ball, CHit& hit);
+bool DetectLineSegCircle(const CLineSeg& seg, const CBall& ball, CHit& hit);
+/// A ring: a ball that fits into the circle and is inside meets it from inside.
+bool DetectCircleCircle(const CCircle& circle, const CBall& ball, CHit& hit);
+bool DetectCircleArc(const CArc& arc, const CBall& ball, CHit& hit);
+/// Two solid balls; the normal points to `ball`.
+bool DetectBallBall(const CBall& other, const CBall& ball, CHit& hit);
+
+/// A ball against a point at p0: where the other kernels end when their shape has no extent.
+bool DetectPt(const Vector2& p0, const CBall& ball, CHit& hit);
+
+/// Any shape that is not a ball: the one place that goes from type to kernel.
+bool Detect(const CShape& shape, const CBall& ball, CHit& hit);
+
+} // namespace Shapes::Native

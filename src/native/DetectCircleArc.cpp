@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "Detect.h"
+#include "Faces.h"
+
+#include <cmath>
+
+namespace Shapes::Native {
+namespace {
+
+// Whether a ball inside the circle of the arc leaves past an end: it overlaps the nearer end and moves
+// against the tangent there, that is off the arc. Bouncing it there would make it skip around the end.
+bool LeavesPastEnd(const CArc& arc, const CBall& ball) {
+  FailIf(arc.IsFullCircle());
+  const float d0 = Length(ball.m_vPos - arc.GetEndPt0()), d1 = Length(ball.m_vPos - arc.GetEndPt1());
+  FailIf(!(d0 < ball.m_fRadius || d1 < ball.m_fRadius));
+  Vector2 t0, t1;
+  arc.GetTangents(t0, t1);
+  const Vector2 v = ball.m_vVel - arc.GetSurfaceVelocity(d0 <= d1 ? arc.GetEndPt0() : arc.GetEndPt1());
+  return v.dot(d0 <= d1 ? t0 : t1) < 0.0f;
+}
+
+} // namespace
+
+bool DetectCircleArc(const CArc& arc, const CBall& ball, CHit& hit) {
+  const Vector2 p = ball.m_vPos - arc.GetPos();
+  const float d = Length(p), R = arc.GetRadius(), r = ball.m_fRadius;
+  const float s = d - R;
+  FailIf(!(std::abs(s) < r));
+  FailIf(!arc.PtInSector(ball.m_vPos));
+
+  // A ball that does not fit inside cannot touch the inside of the arc, only its ends.
+  const bool inside = s < 0.0f;
+  FailIf(inside && (r >= R || LeavesPastEnd(arc, ball)));
+
+  const Vector2 phat = d > 0.0f ? Normalize(p) : Normalize(-ball.m_vVel);
+  const Vector2 poi = arc.GetPos() + R * phat;
+  const float vn = (ball.m_vVel - arc.GetSurfaceVelocity(poi)).dot(phat);
+  float sign;
+  FailIf(!ChooseFace(arc.GetSides(), s, Length(ball.m_vPrevPos - arc.GetPos()) - R, vn, sign));
+  hit = {poi, sign * phat, r - sign * s};
+  return true;
+}
+
+} // namespace Shapes::Native

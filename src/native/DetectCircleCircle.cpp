@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "Detect.h"
+
+namespace Shapes::Native {
+
+bool DetectCircleCircle(const CCircle& circle, const CBall& ball, CHit& hit) {
+  const Vector2 p = ball.m_vPos - circle.GetPos();
+  const float d = Length(p), R = circle.GetRadius(), r = ball.m_fRadius;
+
+  // A ball too large to fit into the ring is always outside, however deep.
+  const bool inside = d < R && r < R;
+  const float gap = inside ? R - d : d - R;
+  FailIf(!(gap < r));
+
+  const Vector2 phat = d > 0.0f ? Normalize(p) : Normalize(-ball.m_vVel);
+  hit = {circle.GetPos() + R * phat, inside ? Vector2(-phat) : phat, r - gap};
+  return true;
+}
+
+} // namespace Shapes::Native

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "NativeWorld.h"
+
+#include "../shapes/Response.h"
+#include "../shapes/WorldState.h"
+
+#include <algorithm>
+
+namespace Shapes::Native {
+
+CNativeWorld::CNativeWorld(const CWorldDesc& desc) : CWorld(desc) {}
+
+void CNativeWorld::OnAdded(CShapeId id) { OnChanged(id); }
+
+void CNativeWorld::OnRemoved(CShapeId) { m_bShapesChanged = true; }
+
+void CNativeWorld::OnChanged(CShapeId id) {
+  // Balls are looked at where they are in each step; only shapes have boxes that are kept.
+  if (State().FindShape(id) != CWorldState::npos) m_bShapesChanged = true;
+}
+
+void CNativeWorld::Substep(float dt) {
+  if (m_bShapesChanged) SortShapes();
+  AdvanceKinematics(dt);
+  MoveBalls(dt);
+  MeetShapes();
+  MeetBalls();
+}
+
+void CNativeWorld::SortShapes() {
+  m_stdByRank.clear();
+  const auto& shapes = State().m_stdShapes;
+  for (const bool points : {true, false})
+    for (const CShapeEntry& entry : shapes)
+      if ((entry.m_pShape->GetShapeType() == eShape::Point) == points) m_stdByRank.push_back(&entry);
+
+  for (CGroup* pGroup : {&m_cStatic, &m_cKinematic}) {
+    pGroup->m_stdRank.clear();
+    pGroup->m_stdBoxes.clear();
+  }
+  for (std::uint32_t rank = 0; rank < m_stdByRank.size(); ++rank) {
+    const CShape& shape = *m_stdByRank[rank]->m_pShape;
+    CGroup& group = shape.GetMotionType() == eMotion::Kinematic ? m_cKinematic : m_cStatic;
+    group.m_stdRank.push_back(rank);
+    group.m_stdBoxes.push_back(Padded(shape.GetAABB()));
+  }
+  m_cStatic.m_cTree.Build(m_cStatic.m_stdBoxes);
+  m_cKinematic.m_cTree.Build(m_cKinematic.m_stdBoxes);
+  m_bShapesChanged = false;
+}
+
+void CNativeWorld::AdvanceKinematics(float dt) {
+  bool turned = false;
+  for (std::size_t i = 0; i < m_cKinematic.m_stdRank.size(); ++i) {
+    CShape& shape = *m_stdByRank[m_cKinematic.m_stdRank[i]]->m_pShape;
+    if (!shape.GetRotating()) continue;
+    shape.Advance(dt);
+    m_cKinematic.m_stdBoxes[i] = Padded(shape.GetAABB());
+    turned = true;
+  }
+  if (turned) m_cKinematic.m_cTree.Refit(m_cKinematic.m_stdBoxes);
+}
+
+void CNativeWorld::MoveBalls(float dt) {
+  CBallArrays& b = State().m_cBalls;
+  b.m_stdPrevPos = b.m_stdPos;
+  const Vector2 g = State().m_vGravity;
+  for (std::size_t i = 0; i < b.Size(); ++i)
+    MoveBall(b.m_stdPos[i], b.m_stdVel[i], g, dt);
+}
+
+CBall CNativeWorld::Ball(std::size_t i) const {
+  const CBallArrays& b = State().m_cBalls;
+  return {b.m_stdPos[i], b.m_stdPrevPos[i], b.m_stdVel[i], b.m_stdRadius[i]};
+}
+
+void CNativeWorld::CollectShapes(const CBall& ball, std::uint32_t firstRank) {
+  m_stdCandidates.clear();
+  const CAabb2D box = Padded(CAabb2D(ball.m_vPos, ball.m_vPos), ball.m_fRadius * (1.0f + g_fCandidateSlack));
+  for (const CGroup* pGroup : {&m_cStatic, &m_cKinematic}) {
+    m_stdFound.clear();
+    pGroup->m_cTree.Query(box, m_stdFound);
+    for (const std::uint32_t item : m_stdFound)
+      if (pGroup->m_stdRank[item] >= firstRank) m_stdCandidates.push_back(pGroup->m_stdRank[item]);
+  }
+  std::sort(m_stdCandidates.begin(), m_stdCandidates.end());
+}
+
+void CNativeWorld::MeetShapes() {
+  const CBallArrays& b = State().m_cBalls;
+  for (std::size_t i = 0; i < b.Size(); ++i)
+    if (b.m_stdCanCollide[i]) MeetShapes(i);
+}
+
+void CNativeWorld::MeetShapes(std::size_t ball) {
+  const CBallArrays& b = State().m_cBalls;
+  const float slack = g_fCandidateSlack * b.m_stdRadius[ball];
+  Vector2 collectedAt = b.m_stdPos[ball];
+  CollectShapes(Ball(ball), 0);
+  for (std::size_t k = 0; k < m_stdCandidates.size(); ++k) {
+    const std::uint32_t rank = m_stdCandidates[k];
+    MeetShape(ball, *m_stdByRank[rank]);
+    if ((b.m_stdPos[ball] - collectedAt).cwiseAbs().maxCoeff() <= slack) continue;
+    // A response has moved the ball out of the reach of what was collected: the rest again, from where it is
+    // now.
+    collectedAt = b.m_stdPos[ball];
+    CollectShapes(Ball(ball), rank + 1);
+    k = static_cast<std::size_t>(-1);
+  }
+}
+
+void CNativeWorld::MeetShape(std::size_t i, const CShapeEntry& entry) {
+  const CShape& shape = *entry.m_pShape;
+  if (!shape.GetCanCollide()) return;
+  ++Stats().m_nShapeTests;
+  CHit hit;
+  if (!Detect(shape, Ball(i), hit)) return;
+
+  CBallArrays& b = State().m_cBalls;
+  const Vector2 surface = shape.GetSurfaceVelocity(hit.m_vPOI);
+  const bool isSensor = b.m_stdSensor[i] || shape.GetSensor();
+  Report({entry.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
+          ApproachSpeed(b.m_stdVel[i], surface, hit.m_vNorm), isSensor});
+  if (isSensor) return;
+
+  const float e = b.m_stdElasticity[i] * shape.GetElasticity();
+  if (shape.GetMotionType() == eMotion::Kinematic)
+    RespondKinematic(hit.m_vNorm, hit.m_fSetback, e, surface, b.m_stdPos[i], b.m_stdVel[i]);
+  else
+    RespondStatic(hit.m_vNorm, hit.m_fSetback, e, b.m_stdPos[i], b.m_stdVel[i]);
+  Count(CapSpeed(b.m_stdVel[i]));
+}
+
+void CNativeWorld::CollectBalls(std::size_t i, std::uint32_t first) {
+  const CBallArrays& b = State().m_cBalls;
+  m_stdFound.clear();
+  m_stdCandidates.clear();
+  m_cGrid.Query(b.m_stdPos[i], b.m_stdRadius[i], m_stdFound);
+  for (const std::uint32_t j : m_stdFound)
+    if (j >= first && b.m_stdCanCollide[j]) m_stdCandidates.push_back(j);
+  std::sort(m_stdCandidates.begin(), m_stdCandidates.end());
+  m_stdCandidates.erase(std::unique(m_stdCandidates.begin(), m_stdCandidates.end()), m_stdCandidates.end());
+}
+
+void CNativeWorld::MeetBalls() {
+  const CBallArrays& b = State().m_cBalls;
+  if (b.Size() < 2) return;
+  m_cGrid.Build(b.m_stdPos, b.m_stdRadius);
+  for (std::uint32_t i = 0; i + 1 < b.Size(); ++i) {
+    if (!b.m_stdCanCollide[i]) continue;
+    CollectBalls(i, i + 1);
+    for (std::size_t k = 0; k < m_stdCandidates.size(); ++k) {
+      const std::uint32_t j = m_stdCandidates[k];
+      if (!MeetBall(i, j)) continue;
+      m_cGrid.Move(i, b.m_stdPos[i]);
+      m_cGrid.Move(j, b.m_stdPos[j]);
+      CollectBalls(i, j + 1);
+      k = static_cast<std::size_t>(-1);
+    }
+  }
+}
+
+bool CNativeWorld::MeetBall(std::size_t i, std::size_t j) {
+  ++Stats().m_nBallTests;
+  CHit hit;
+  FailIf(!DetectBallBall(Ball(j), Ball(i), hit));
+
+  CBallArrays& b = State().m_cBalls;
+  const bool isSensor = b.m_stdSensor[i] || b.m_stdSensor[j];
+  Report({b.m_stdId[j], b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
+          ApproachSpeed(b.m_stdVel[i], b.m_stdVel[j], hit.m_vNorm), isSensor});
+  FailIf(isSensor);
+
+  RespondDynamic(hit.m_vNorm, hit.m_fSetback, b.m_stdElasticity[i] * b.m_stdElasticity[j], b.m_stdMass[j],
+                 b.m_stdMass[i], b.m_stdPos[j], b.m_stdVel[j], b.m_stdPos[i], b.m_stdVel[i]);
+  Count(CapSpeed(b.m_stdVel[j]));
+  Count(CapSpeed(b.m_stdVel[i]));
+  return true;
+}
+
+} // namespace Shapes::Native

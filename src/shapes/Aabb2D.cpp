@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <Shapes/Aabb2D.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace Shapes {
+namespace {
+
+constexpr float g_fInf = std::numeric_limits<float>::infinity();
+
+// Least and greatest of two, except that a NaN stays a NaN whichever side it came in on.
+float Least(float a, float b) { return b < a || b != b ? b : a; }
+float Greatest(float a, float b) { return b > a || b != b ? b : a; }
+
+} // namespace
+
+CAabb2D::CAabb2D() : m_vTopLeft(g_fInf, -g_fInf), m_vBottomRt(-g_fInf, g_fInf) {}
+
+CAabb2D::CAabb2D(const Vector2& topleft, const Vector2& bottomright)
+    : m_vTopLeft(topleft), m_vBottomRt(bottomright) {
+  if (m_vTopLeft.x() > m_vBottomRt.x()) std::swap(m_vTopLeft.x(), m_vBottomRt.x());
+  if (m_vTopLeft.y() < m_vBottomRt.y()) std::swap(m_vTopLeft.y(), m_vBottomRt.y());
+}
+
+CAabb2D& CAabb2D::operator=(const Vector2& p) {
+  m_vTopLeft = m_vBottomRt = p;
+  return *this;
+}
+
+CAabb2D& CAabb2D::operator+=(const Vector2& p) {
+  m_vTopLeft = {Least(m_vTopLeft.x(), p.x()), Greatest(m_vTopLeft.y(), p.y())};
+  m_vBottomRt = {Greatest(m_vBottomRt.x(), p.x()), Least(m_vBottomRt.y(), p.y())};
+  return *this;
+}
+
+bool operator&&(const CAabb2D& a, const Vector2& p) {
+  return a.m_vTopLeft.x() <= p.x() && p.x() <= a.m_vBottomRt.x() && a.m_vBottomRt.y() <= p.y() &&
+         p.y() <= a.m_vTopLeft.y();
+}
+
+void CAabb2D::Translate(const Vector2& v) {
+  m_vTopLeft += v;
+  m_vBottomRt += v;
+}
+
+float CAabb2D::GetWidth() const { return std::max(0.0f, m_vBottomRt.x() - m_vTopLeft.x()); }
+float CAabb2D::GetHt() const { return std::max(0.0f, m_vTopLeft.y() - m_vBottomRt.y()); }
+
+} // namespace Shapes

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include <Shapes/Arc.h>
+
+#include <Shapes/Tolerances.h>
+
+#include "Validate.h"
+
+#include <cmath>
+
+namespace Shapes {
+
+CArcDesc::CArcDesc(const Vector2& p, float r, float a0, float a1, float e) : CCircleDesc(p, r, e) {
+  m_eShapeType = eShape::Arc;
+  SetAngles(a0, a1);
+}
+
+void CArcDesc::SetAngles(float a0, float a1) {
+  m_fAngle0 = NormalizeAngle(a0);
+  m_fAngle1 = NormalizeAngle(a1);
+}
+
+void CArcDesc::GetEndPts(Vector2& p0, Vector2& p1) const {
+  p0 = m_vPos + m_fRadius * AngleToVector(m_fAngle0);
+  p1 = m_vPos + m_fRadius * AngleToVector(m_fAngle1);
+}
+
+void CArcDesc::GetTangents(Vector2& t0, Vector2& t1) const {
+  t0 = perp(AngleToVector(m_fAngle0));
+  t1 = -perp(AngleToVector(m_fAngle1));
+}
+
+CArc::CArc(const CArcDesc& desc, eMotion motion)
+    : CCircle(desc, eShape::Arc, motion),
+      m_fAngle0(desc.GetAngle0()),
+      m_fSpan(desc.GetAngle1() - desc.GetAngle0()),
+      m_bFull(desc.GetAngle0() == desc.GetAngle1()),
+      m_eSides(desc.m_eSides) {
+  RequireFinite("m_fAngle0", desc.GetAngle0());
+  RequireFinite("m_fAngle1", desc.GetAngle1());
+  if (m_fSpan <= 0.0f) m_fSpan += g_fTwoPi;
+  desc.GetEndPts(m_vPt0, m_vPt1);
+  CArc::Update();
+}
+
+std::unique_ptr<CShape> CArc::Clone() const { return std::make_unique<CArc>(*this); }
+
+float CArc::GetAngle1() const { return m_bFull ? m_fAngle0 : NormalizeAngle(m_fAngle0 + m_fSpan); }
+
+void CArc::GetEndPts(Vector2& p0, Vector2& p1) const {
+  p0 = m_vPt0;
+  p1 = m_vPt1;
+}
+
+void CArc::GetTangents(Vector2& t0, Vector2& t1) const {
+  t0 = perp(Normalize(m_vPt0 - m_vPos));
+  t1 = -perp(Normalize(m_vPt1 - m_vPos));
+}
+
+bool CArc::PtInSector(const Vector2& p) const {
+  if (m_bFull || p == m_vPt0 || p == m_vPt1) return true;
+
+  // Through the end points as they were rounded, not through the exact angles: a point on an end ray then
+  // gives a cross product of 0 within its own rounding.
+  const Vector2 e0 = m_vPt0 - m_vPos, e1 = m_vPt1 - m_vPos, u = p - m_vPos;
+  const auto leftOf = [](const Vector2& a, const Vector2& b) { // b left of a, or on a's line within rounding
+    const float up = a.x() * b.y(), down = a.y() * b.x();
+    return up - down >= -g_fSectorRounding * (std::abs(up) + std::abs(down));
+  };
+  if (m_fSpan <= g_fPi) return leftOf(e0, u) && leftOf(u, e1);
+  return leftOf(e0, u) || leftOf(u, e1);
+}
+
+Vector2 CArc::ClosestPt(const Vector2& p) const {
+  if (PtInSector(p)) return p == m_vPos ? m_vPt0 : CCircle::ClosestPt(p);
+  return Length(p - m_vPt0) <= Length(p - m_vPt1) ? m_vPt0 : m_vPt1;
+}
+
+void CArc::Translate(const Vector2& d) {
+  m_vPt0 += d;
+  m_vPt1 += d;
+}
+
+void CArc::Update() {
+  m_cAabb = m_vPt0;
+  m_cAabb += m_vPt1;
+  for (const Vector2& axis : {Vector2(1, 0), Vector2(0, 1), Vector2(-1, 0), Vector2(0, -1)}) {
+    const Vector2 quadrant = m_vPos + m_fRadius * axis;
+    if (PtInSector(quadrant)) m_cAabb += quadrant;
+  }
+}
+
+CKinematicArc::CKinematicArc(const CArcDesc& desc)
+    : CArc(desc, eMotion::Kinematic),
+      m_vInitPos(m_vPos),
+      m_vInitPt0(m_vPt0),
+      m_vInitPt1(m_vPt1),
+      m_fInitAngle0(m_fAngle0) {}
+
+std::unique_ptr<CShape> CKinematicArc::Clone() const { return std::make_unique<CKinematicArc>(*this); }
+
+void CKinematicArc::Rotate(const Vector2& center, float angle) {
+  SetRotation(center, angle);
+  // The ends are turned as points: adding the angle to both angles could round a short arc to a full circle.
+  m_vPos = RotatePt(m_vInitPos, center, m_fOrientation);
+  m_vPt0 = RotatePt(m_vInitPt0, center, m_fOrientation);
+  m_vPt1 = RotatePt(m_vInitPt1, center, m_fOrientation);
+  m_fAngle0 = NormalizeAngle(m_fInitAngle0 + m_fOrientation);
+  PoseChanged();
+}
+
+void CKinematicArc::Reset() {
+  m_fOrientation = m_fLastTurn = 0.0f;
+  m_vPos = m_vInitPos;
+  m_vPt0 = m_vInitPt0;
+  m_vPt1 = m_vInitPt1;
+  m_fAngle0 = m_fInitAngle0;
+  PoseChanged();
+}
+
+} // namespace Shapes

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <Shapes/Compound.h>
+
+#include <Shapes/Tolerances.h>
+
+#include "Validate.h"
+
+namespace Shapes {
+
+void CCompoundShape::AddShape(CShape* pShape) {
+  if (pShape == nullptr) Refuse("pShape", "null", "a shape");
+  pShape->SetRotSpeed(m_fRotSpeed);
+  pShape->SetRotCenter(m_vRotCenter);
+  if (m_fOrientation != 0.0f) pShape->SetOrientation(m_fOrientation);
+  m_stdShapes.push_back(pShape);
+}
+
+void CCompoundShape::Rotate(const Vector2& center, float angle) {
+  RequireVector("center", center, g_fMaxLength);
+  RequireFinite("angle", angle);
+  m_fOrientation = NormalizeAngle(angle);
+  for (CShape* pShape : m_stdShapes)
+    pShape->Rotate(center, angle);
+}
+
+void CCompoundShape::Reset() {
+  m_fOrientation = 0.0f;
+  for (CShape* pShape : m_stdShapes)
+    pShape->Reset();
+}
+
+void CCompoundShape::move() {
+  for (CShape* pShape : m_stdShapes)
+    pShape->move();
+  m_fOrientation = NormalizeAngle(m_fOrientation + g_fTwoPi * m_fRotSpeed * m_fTimeStep);
+}
+
+void CCompoundShape::SetRotSpeed(float revsPerSecond) {
+  RequireRange("m_fRotSpeed", revsPerSecond, -g_fMaxRotSpeed, g_fMaxRotSpeed);
+  m_fRotSpeed = revsPerSecond;
+  for (CShape* pShape : m_stdShapes)
+    pShape->SetRotSpeed(revsPerSecond);
+}
+
+void CCompoundShape::SetRotCenter(const Vector2& center) {
+  RequireVector("m_vRotCenter", center, g_fMaxLength);
+  m_vRotCenter = center;
+  for (CShape* pShape : m_stdShapes)
+    pShape->SetRotCenter(center);
+}
+
+} // namespace Shapes

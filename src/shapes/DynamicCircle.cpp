@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <Shapes/DynamicCircle.h>
+
+#include <Shapes/Contact.h>
+#include <Shapes/Tolerances.h>
+
+#include "Response.h"
+#include "Validate.h"
+
+namespace Shapes {
+
+CDynamicCircleDesc::CDynamicCircleDesc(const Vector2& p, float r, const Vector2& v, float m, float e)
+    : CCircleDesc(p, r, e), m_vVel(v), m_fMass(m) {
+  m_eMotionType = eMotion::Dynamic;
+}
+
+CDynamicCircle::CDynamicCircle(const CDynamicCircleDesc& desc)
+    : CCircle(desc, eShape::Circle, eMotion::Dynamic),
+      m_vVel(desc.m_vVel),
+      m_vPrevPos(desc.m_vPos),
+      m_fMass(desc.m_fMass) {
+  RequireVector("m_vVel", m_vVel, g_fMaxSpeed);
+  RequirePositive("m_fMass", m_fMass, g_fMaxMass);
+}
+
+std::unique_ptr<CShape> CDynamicCircle::Clone() const { return std::make_unique<CDynamicCircle>(*this); }
+
+void CDynamicCircle::SetVel(const Vector2& v) {
+  RequireVector("m_vVel", v, g_fMaxSpeed);
+  m_vVel = v;
+}
+
+void CDynamicCircle::Translate(const Vector2&) { m_vPrevPos = m_vPos; }
+
+void CDynamicCircle::move() {
+  m_vPrevPos = m_vPos;
+  MoveBall(m_vPos, m_vVel, Vector2(0.0f, m_fGravity), m_fTimeStep);
+  PoseChanged();
+}
+
+void CDynamicCircle::CollisionResponse(const CContactDesc& c) {
+  if (c.m_pCircle != this || c.m_pShape == nullptr)
+    Refuse("c.m_pCircle", "not this ball",
+           "the contact descriptor that CollisionDetected filled in for this ball");
+  CShape& shape = *c.m_pShape;
+  if (m_bIsSensor || shape.GetSensor()) return;
+
+  const float e = m_fElasticity * shape.GetElasticity();
+  switch (shape.GetMotionType()) {
+  case eMotion::Kinematic:
+    RespondKinematic(c.m_vNorm, c.m_fSetback, e, shape.GetSurfaceVelocity(c.m_vPOI), m_vPos, m_vVel);
+    break;
+  case eMotion::Dynamic: {
+    auto& other = static_cast<CDynamicCircle&>(shape);
+    RespondDynamic(c.m_vNorm, c.m_fSetback, e, other.m_fMass, m_fMass, other.m_vPos, other.m_vVel, m_vPos,
+                   m_vVel);
+    other.m_bSpeedCapped |= CapSpeed(other.m_vVel);
+    other.PoseChanged();
+    break;
+  }
+  default: RespondStatic(c.m_vNorm, c.m_fSetback, e, m_vPos, m_vVel); break;
+  }
+  m_bSpeedCapped |= CapSpeed(m_vVel);
+  PoseChanged();
+}
+
+} // namespace Shapes

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include <Shapes/LineSeg.h>
+
+#include <Shapes/Tolerances.h>
+
+#include "Validate.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace Shapes {
+namespace {
+
+Vector2 Midpoint(const Vector2& p0, const Vector2& p1) { return p0 + 0.5f * (p1 - p0); }
+
+// Whether p comes before q in the order of ends: left to right, then bottom to top.
+bool Before(const Vector2& p, const Vector2& q) { return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y()); }
+
+Vector2 Tangent(const Vector2& p0, const Vector2& p1) { return Normalize(p1 - p0, Vector2(1.0f, 0.0f)); }
+
+} // namespace
+
+CLineSegDesc::CLineSegDesc(const Vector2& p0, const Vector2& p1, float e) : CShapeDesc(eShape::LineSeg) {
+  SetEndPts(p0, p1);
+  m_fElasticity = e;
+}
+
+void CLineSegDesc::SetEndPts(const Vector2& p0, const Vector2& p1) {
+  m_vPt0 = p0;
+  m_vPt1 = p1;
+  if (Before(m_vPt1, m_vPt0)) std::swap(m_vPt0, m_vPt1);
+  m_vPos = Midpoint(m_vPt0, m_vPt1);
+}
+
+void CLineSegDesc::GetEndPts(Vector2& p0, Vector2& p1) const {
+  p0 = m_vPt0;
+  p1 = m_vPt1;
+}
+
+Vector2 CLineSegDesc::GetNormal() const { return perp(Tangent(m_vPt0, m_vPt1)); }
+
+float CLineSegDesc::GetGradient() const { return CLineSeg(*this).GetGradient(); }
+
+CLineSeg::CLineSeg(const CLineSegDesc& desc, eMotion motion)
+    : CShape(desc, eShape::LineSeg, motion),
+      m_vPt0(desc.GetEndPt0()),
+      m_vPt1(desc.GetEndPt1()),
+      m_vNormal(desc.GetNormal()),
+      m_eSides(desc.m_eSides) {
+  RequireVector("m_vPt0", m_vPt0, g_fMaxLength);
+  RequireVector("m_vPt1", m_vPt1, g_fMaxLength);
+  m_vPos = Midpoint(m_vPt0, m_vPt1);
+  CLineSeg::Update();
+}
+
+std::unique_ptr<CShape> CLineSeg::Clone() const { return std::make_unique<CLineSeg>(*this); }
+
+void CLineSeg::GetEndPts(Vector2& p0, Vector2& p1) const {
+  p0 = m_vPt0;
+  p1 = m_vPt1;
+}
+
+void CLineSeg::GetTangents(Vector2& t0, Vector2& t1) const {
+  t0 = m_vTangent;
+  t1 = -m_vTangent;
+}
+
+Vector2 CLineSeg::ClosestPt(const Vector2& q) const {
+  if (!((q - m_vPt0).dot(m_vTangent) > 0.0f)) return m_vPt0;
+  if (!((q - m_vPt1).dot(m_vTangent) < 0.0f)) return m_vPt1;
+  return CLine::ClosestPt(q);
+}
+
+void CLineSeg::Translate(const Vector2& d) {
+  m_vPt0 += d;
+  m_vPt1 += d;
+}
+
+void CLineSeg::Update() {
+  m_vTangent = Tangent(m_vPt0, m_vPt1);
+  SetLine(m_vPt0, m_vTangent);
+  m_cAabb = m_vPt0;
+  m_cAabb += m_vPt1;
+}
+
+CKinematicLineSeg::CKinematicLineSeg(const CLineSegDesc& desc)
+    : CLineSeg(desc, eMotion::Kinematic), m_vInitPt0(m_vPt0), m_vInitPt1(m_vPt1), m_vInitNormal(m_vNormal) {}
+
+std::unique_ptr<CShape> CKinematicLineSeg::Clone() const {
+  return std::make_unique<CKinematicLineSeg>(*this);
+}
+
+void CKinematicLineSeg::SetPose(const Vector2& p0, const Vector2& p1, const Vector2& normal) {
+  m_vPt0 = p0;
+  m_vPt1 = p1;
+  if (Before(m_vPt1, m_vPt0)) std::swap(m_vPt0, m_vPt1);
+  m_vPos = Midpoint(m_vPt0, m_vPt1);
+  m_vNormal = normal;
+  PoseChanged();
+}
+
+void CKinematicLineSeg::Rotate(const Vector2& center, float angle) {
+  SetRotation(center, angle);
+  SetPose(RotatePt(m_vInitPt0, center, m_fOrientation), RotatePt(m_vInitPt1, center, m_fOrientation),
+          RotatePt(m_vInitNormal, Vector2::Zero(), m_fOrientation));
+}
+
+void CKinematicLineSeg::Reset() {
+  m_fOrientation = m_fLastTurn = 0.0f;
+  SetPose(m_vInitPt0, m_vInitPt1, m_vInitNormal);
+}
+
+} // namespace Shapes

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include <Shapes/Point.h>
+
+namespace Shapes {
+
+CPointDesc::CPointDesc(const Vector2& p, float e) : CPointDesc() {
+  m_vPos = p;
+  m_fElasticity = e;
+}
+
+CPoint::CPoint(const CPointDesc& desc, eMotion motion) : CShape(desc, eShape::Point, motion) {
+  CPoint::Update();
+}
+
+std::unique_ptr<CShape> CPoint::Clone() const { return std::make_unique<CPoint>(*this); }
+
+void CPoint::Update() { m_cAabb = m_vPos; }
+
+std::unique_ptr<CShape> CKinematicPoint::Clone() const { return std::make_unique<CKinematicPoint>(*this); }
+
+void CKinematicPoint::Rotate(const Vector2& center, float angle) {
+  SetRotation(center, angle);
+  m_vPos = RotatePt(m_vInitPos, center, m_fOrientation);
+  PoseChanged();
+}
+
+void CKinematicPoint::Reset() {
+  m_fOrientation = m_fLastTurn = 0.0f;
+  m_vPos = m_vInitPos;
+  PoseChanged();
+}
+
+} // namespace Shapes

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <Shapes/ShapeMath.h>
+
+#include <cmath>
+
+namespace Shapes {
+
+float Length(const Vector2& v) {
+  // Float squares span twice the exponents of a float; in double none of them over- or underflows.
+  const double x = v.x(), y = v.y();
+  return static_cast<float>(std::sqrt(x * x + y * y));
+}
+
+Vector2 Normalize(const Vector2& v, const Vector2& fallback) {
+  const double x = v.x(), y = v.y();
+  const double d = std::sqrt(x * x + y * y);
+  if (!(d > 0.0)) return fallback;
+  return {static_cast<float>(x / d), static_cast<float>(y / d)};
+}
+
+Vector2 ParallelComponent(const Vector2& v, const Vector2& w) {
+  const Vector2 what = Normalize(w, Vector2::Zero());
+  return v.dot(what) * what;
+}
+
+Vector2 RotatePt(const Vector2& p, const Vector2& center, float angle) {
+  const double c = std::cos(static_cast<double>(angle)), s = std::sin(static_cast<double>(angle));
+  const double x = static_cast<double>(p.x()) - static_cast<double>(center.x());
+  const double y = static_cast<double>(p.y()) - static_cast<double>(center.y());
+  return {static_cast<float>(static_cast<double>(center.x()) + (c * x - s * y)),
+          static_cast<float>(static_cast<double>(center.y()) + (s * x + c * y))};
+}
+
+float NormalizeAngle(float angle) {
+  if (!std::isfinite(angle)) return angle;
+  constexpr double twoPi = 6.28318530717958647692;
+  double a = std::fmod(static_cast<double>(angle), twoPi);
+  if (a < 0.0) a += twoPi;
+  const float f = static_cast<float>(a);
+  return f >= g_fTwoPi ? 0.0f : f + 0.0f; // + 0 turns -0 into 0
+}
+
+Vector2 AngleToVector(float angle) {
+  return {static_cast<float>(std::cos(static_cast<double>(angle))),
+          static_cast<float>(std::sin(static_cast<double>(angle)))};
+}
+
+} // namespace Shapes

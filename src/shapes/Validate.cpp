@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "Validate.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace Shapes {
+namespace {
+
+template <class T>
+std::string ToText(const T& value) {
+  std::ostringstream out;
+  out.precision(9);
+  out << value;
+  return out.str();
+}
+
+} // namespace
+
+void Refuse(const std::string& field, const std::string& value, const std::string& expected) {
+  throw std::invalid_argument(field + " is " + value + ": expected " + expected);
+}
+
+void RequireRange(const char* field, float value, float least, float most) {
+  if (!(value >= least && value <= most))
+    Refuse(field, ToText(value), "a number from " + ToText(least) + " to " + ToText(most));
+}
+
+void RequirePositive(const char* field, float value, float most) {
+  if (!(value > 0.0f && value <= most))
+    Refuse(field, ToText(value), "a number above 0, up to " + ToText(most));
+}
+
+void RequireFinite(const char* field, float value) {
+  if (!std::isfinite(value)) Refuse(field, ToText(value), "a finite number");
+}
+
+void RequireVector(const char* field, const Vector2& v, float most) {
+  if (!(std::abs(v.x()) <= most && std::abs(v.y()) <= most))
+    Refuse(field, "(" + ToText(v.x()) + ", " + ToText(v.y()) + ")",
+           "finite coordinates of at most " + ToText(most) + " in size");
+}
+
+} // namespace Shapes

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Refusal of values that no shape can have, with a message that says which field, which value, and what is
+// expected.
+#pragma once
+
+#include <Shapes/ShapeMath.h>
+
+#include <string>
+
+namespace Shapes {
+
+/// @throws std::invalid_argument "<field> is <value>: expected <what>"
+[[noreturn]] void Refuse(const std::string& field, const std::string& value, const std::string& expected);
+
+void RequireRange(const char* field, float value, float least, float most);
+void RequirePositive(const char* field, float value, float most);
+void RequireFinite(const char* field, float value);
+/// Each component finite and at most `most` in size.
+void RequireVector(const char* field, const Vector2& v, float most);
+
+} // namespace Shapes

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+#include <Shapes/World.h>
+
+#include "Validate.h"
+#include "WorldState.h"
+
+#include <string>
+#include <type_traits>
+
+namespace Shapes {
+namespace {
+
+void RequireCount(const char* field, unsigned value, unsigned most) {
+  if (value < 1 || value > most)
+    Refuse(field, std::to_string(value), "a whole number from 1 to " + std::to_string(most));
+}
+
+[[noreturn]] void RefuseId(CShapeId id, const char* expected) {
+  Refuse("id", std::to_string(id.m_nValue), expected);
+}
+
+// A shape of the class that the motion in the descriptor asks for.
+template <class TStatic, class TKinematic, class TDesc>
+std::unique_ptr<CShape> MakeShape(const TDesc& desc) {
+  if (desc.m_eMotionType == eMotion::Static) return std::make_unique<TStatic>(desc);
+  if (desc.m_eMotionType == eMotion::Kinematic) return std::make_unique<TKinematic>(desc);
+  Refuse("m_eMotionType", "neither static nor kinematic",
+         "Static or Kinematic; balls are made from CDynamicCircleDesc");
+}
+
+std::unique_ptr<CShape> MakeShape(const CPointDesc& desc) { return MakeShape<CPoint, CKinematicPoint>(desc); }
+std::unique_ptr<CShape> MakeShape(const CLineSegDesc& desc) {
+  return MakeShape<CLineSeg, CKinematicLineSeg>(desc);
+}
+std::unique_ptr<CShape> MakeShape(const CCircleDesc& desc) {
+  return MakeShape<CCircle, CKinematicCircle>(desc);
+}
+std::unique_ptr<CShape> MakeShape(const CArcDesc& desc) { return MakeShape<CArc, CKinematicArc>(desc); }
+std::unique_ptr<CShape> MakeShape(const CDynamicCircleDesc&) {
+  Refuse("m_eMotionType", "Dynamic", "Static or Kinematic: a compound has no balls");
+}
+
+} // namespace
+
+CWorld::CWorld(const CWorldDesc& desc) : m_cDesc(desc), m_pState(std::make_unique<CWorldState>()) {
+  RequireVector("m_vGravity", desc.m_vGravity, g_fMaxSpeed);
+  RequirePositive("m_fTimeStep", desc.m_fTimeStep, g_fMaxTimeStep);
+  RequireCount("m_nSubsteps", desc.m_nSubsteps, g_nMaxSubsteps);
+  RequirePositive("m_fLengthUnit", desc.m_fLengthUnit, g_fMaxLength);
+  RequirePositive("m_fSagittaTolerance", desc.m_fSagittaTolerance, g_fMaxLength);
+  RequireCount("m_nVelocityIterations", desc.m_nVelocityIterations, 1000);
+  RequireCount("m_nPositionIterations", desc.m_nPositionIterations, 1000);
+  m_pState->m_vGravity = desc.m_vGravity;
+}
+
+CWorld::~CWorld() = default;
+
+void CWorld::SetGravity(const Vector2& g) {
+  RequireVector("m_vGravity", g, g_fMaxSpeed);
+  m_pState->m_vGravity = m_cDesc.m_vGravity = g;
+}
+
+CShapeId CWorld::AddShape(std::unique_ptr<CShape> pShape) {
+  const CShapeId id{m_pState->m_nNextId++};
+  m_pState->m_stdShapes.emplace_back(id, std::move(pShape));
+  OnAdded(id);
+  return id;
+}
+
+CShapeId CWorld::Add(const CPointDesc& desc) { return AddShape(MakeShape(desc)); }
+CShapeId CWorld::Add(const CLineSegDesc& desc) { return AddShape(MakeShape(desc)); }
+CShapeId CWorld::Add(const CCircleDesc& desc) { return AddShape(MakeShape(desc)); }
+CShapeId CWorld::Add(const CArcDesc& desc) { return AddShape(MakeShape(desc)); }
+
+CShapeId CWorld::Add(const CDynamicCircleDesc& desc) {
+  const CDynamicCircle checked(desc);
+  const CShapeId id{m_pState->m_nNextId++};
+  m_pState->m_cBalls.Add(id, desc);
+  OnAdded(id);
+  return id;
+}
+
+CShapeId CWorld::Add(const CAnyShapeDesc& desc) {
+  return std::visit([this](const auto& d) { return Add(d); }, desc);
+}
+
+std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, const Vector2& rotCenter,
+                                          float revsPerSecond) {
+  std::vector<std::unique_ptr<CShape>> shapes;
+  for (const CAnyShapeDesc& any : descs)
+    shapes.push_back(std::visit(
+        [&](auto desc) {
+          desc.m_eMotionType = eMotion::Kinematic;
+          desc.m_vRotCenter = rotCenter;
+          desc.m_fRotSpeed = revsPerSecond;
+          return MakeShape(desc);
+        },
+        any));
+  std::vector<CShapeId> ids;
+  for (auto& pShape : shapes)
+    ids.push_back(AddShape(std::move(pShape)));
+  return ids;
+}
+
+void CWorld::Remove(CShapeId id) {
+  if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos)
+    m_pState->m_cBalls.Remove(i);
+  else if (const std::size_t j = m_pState->FindShape(id); j != CWorldState::npos)
+    m_pState->m_stdShapes.erase(m_pState->m_stdShapes.begin() + static_cast<std::ptrdiff_t>(j));
+  else
+    RefuseId(id, "the id of a shape in this world");
+  OnRemoved(id);
+}
+
+bool CWorld::Contains(CShapeId id) const {
+  return m_pState->FindBall(id) != CWorldState::npos || m_pState->FindShape(id) != CWorldState::npos;
+}
+
+void CWorld::Step() {
+  m_stdContacts.clear();
+  const float dt = m_cDesc.m_fTimeStep / static_cast<float>(m_cDesc.m_nSubsteps);
+  for (unsigned i = 0; i < m_cDesc.m_nSubsteps; ++i)
+    Substep(dt);
+  m_cStats.m_nSteps += 1;
+  m_cStats.m_nSubsteps += m_cDesc.m_nSubsteps;
+}
+
+void CWorld::Report(const CContactEvent& event) {
+  m_stdContacts.push_back(event);
+  ++(event.m_bIsSensor ? m_cStats.m_nSensorHits : m_cStats.m_nContacts);
+}
+
+CShape& CWorld::FindShape(CShapeId id) const {
+  const std::size_t i = m_pState->FindShape(id);
+  if (i == CWorldState::npos) RefuseId(id, "the id of a shape in this world that is not a ball");
+  return *m_pState->m_stdShapes[i].m_pShape;
+}
+
+CShape& CWorld::FindKinematic(CShapeId id, const char* what) const {
+  CShape& shape = FindShape(id);
+  if (shape.GetMotionType() != eMotion::Kinematic) RefuseId(id, what);
+  return shape;
+}
+
+eShape CWorld::GetShapeType(CShapeId id) const {
+  return m_pState->FindBall(id) != CWorldState::npos ? eShape::Circle : FindShape(id).GetShapeType();
+}
+
+eMotion CWorld::GetMotionType(CShapeId id) const {
+  return m_pState->FindBall(id) != CWorldState::npos ? eMotion::Dynamic : FindShape(id).GetMotionType();
+}
+
+const Vector2& CWorld::GetPos(CShapeId id) const {
+  const std::size_t i = m_pState->FindBall(id);
+  return i != CWorldState::npos ? m_pState->m_cBalls.m_stdPos[i] : FindShape(id).GetPos();
+}
+
+void CWorld::SetPos(CShapeId id, const Vector2& p) {
+  RequireVector("m_vPos", p, g_fMaxLength);
+  if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos)
+    m_pState->m_cBalls.m_stdPos[i] = m_pState->m_cBalls.m_stdPrevPos[i] = p;
+  else
+    FindShape(id).SetPos(p);
+  OnChanged(id);
+}
+
+float CWorld::GetElasticity(CShapeId id) const {
+  const std::size_t i = m_pState->FindBall(id);
+  return i != CWorldState::npos ? m_pState->m_cBalls.m_stdElasticity[i] : FindShape(id).GetElasticity();
+}
+
+void CWorld::SetElasticity(CShapeId id, float e) {
+  RequireRange("m_fElasticity", e, 0.0f, g_fMaxElasticity);
+  if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos)
+    m_pState->m_cBalls.m_stdElasticity[i] = e;
+  else
+    FindShape(id).SetElasticity(e);
+  OnChanged(id);
+}
+
+bool CWorld::GetSensor(CShapeId id) const {
+  const std::size_t i = m_pState->FindBall(id);
+  return i != CWorldState::npos ? m_pState->m_cBalls.m_stdSensor[i] != 0 : FindShape(id).GetSensor();
+}
+
+void CWorld::SetSensor(CShapeId id, bool b) {
+  if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos)
+    m_pState->m_cBalls.m_stdSensor[i] = b;
+  else
+    FindShape(id).SetSensor(b);
+  OnChanged(id);
+}
+
+bool CWorld::GetCanCollide(CShapeId id) const {
+  const std::size_t i = m_pState->FindBall(id);
+  return i != CWorldState::npos ? m_pState->m_cBalls.m_stdCanCollide[i] != 0 : FindShape(id).GetCanCollide();
+}
+
+void CWorld::SetCanCollide(CShapeId id, bool b) {
+  if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos)
+    m_pState->m_cBalls.m_stdCanCollide[i] = b;
+  else
+    FindShape(id).SetCanCollide(b);
+  OnChanged(id);
+}
+
+void* CWorld::GetUserPtr(CShapeId id) const {
+  const std::size_t i = m_pState->FindBall(id);
+  return i != CWorldState::npos ? m_pState->m_cBalls.m_stdUser[i] : FindShape(id).GetUserPtr();
+}
+
+void CWorld::SetUserPtr(CShapeId id, void* p) {
+  if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos)
+    m_pState->m_cBalls.m_stdUser[i] = p;
+  else
+    FindShape(id).SetUserPtr(p);
+}
+
+const CShape& CWorld::GetShape(CShapeId id) const { return FindShape(id); }
+float CWorld::GetOrientation(CShapeId id) const { return FindShape(id).GetOrientation(); }
+float CWorld::GetRotSpeed(CShapeId id) const { return FindShape(id).GetRotSpeed(); }
+const Vector2& CWorld::GetRotCenter(CShapeId id) const { return FindShape(id).GetRotCenter(); }
+
+void CWorld::SetOrientation(CShapeId id, float angle) {
+  FindKinematic(id, "a kinematic shape, to be turned").SetOrientation(angle);
+  OnChanged(id);
+}
+
+void CWorld::SetRotSpeed(CShapeId id, float revsPerSecond) {
+  FindKinematic(id, "a kinematic shape, to be turned").SetRotSpeed(revsPerSecond);
+  OnChanged(id);
+}
+
+void CWorld::SetRotCenter(CShapeId id, const Vector2& center) {
+  FindKinematic(id, "a kinematic shape, to be turned").SetRotCenter(center);
+  OnChanged(id);
+}
+
+void CWorld::Reset(CShapeId id) {
+  FindKinematic(id, "a kinematic shape, to be put back").Reset();
+  OnChanged(id);
+}
+
+namespace {
+
+std::size_t FindBall(const CWorldState& state, CShapeId id) {
+  const std::size_t i = state.FindBall(id);
+  if (i == CWorldState::npos) RefuseId(id, "the id of a ball in this world");
+  return i;
+}
+
+} // namespace
+
+const Vector2& CWorld::GetVel(CShapeId id) const {
+  return m_pState->m_cBalls.m_stdVel[FindBall(*m_pState, id)];
+}
+float CWorld::GetRadius(CShapeId id) const { return m_pState->m_cBalls.m_stdRadius[FindBall(*m_pState, id)]; }
+float CWorld::GetMass(CShapeId id) const { return m_pState->m_cBalls.m_stdMass[FindBall(*m_pState, id)]; }
+
+void CWorld::SetVel(CShapeId id, const Vector2& v) {
+  const std::size_t i = FindBall(*m_pState, id);
+  RequireVector("m_vVel", v, g_fMaxSpeed);
+  m_pState->m_cBalls.m_stdVel[i] = v;
+  OnChanged(id);
+}
+
+std::span<const CShapeId> CWorld::GetBallIds() const { return m_pState->m_cBalls.m_stdId; }
+std::span<const Vector2> CWorld::GetBallPositions() const { return m_pState->m_cBalls.m_stdPos; }
+std::span<const Vector2> CWorld::GetBallVelocities() const { return m_pState->m_cBalls.m_stdVel; }
+
+CSavedState CWorld::SaveState() {
+  CSavedState saved;
+  saved.m_pState = std::make_shared<const CWorldState>(*m_pState);
+  OnSaved();
+  return saved;
+}
+
+void CWorld::LoadState(const CSavedState& state) {
+  if (!state.m_pState) Refuse("state", "empty", "what SaveState returned");
+  m_pState = std::make_unique<CWorldState>(*state.m_pState);
+  m_cDesc.m_vGravity = m_pState->m_vGravity;
+  m_stdContacts.clear();
+  OnLoaded();
+}
+
+} // namespace Shapes
