@@ -12,7 +12,8 @@ inline constexpr float g_fMaxLength = 1e18f;
 /// doubles the speed at each hit) is cut to it and flagged: CDynamicCircle::GetSpeedCapped, CWorldStats.
 inline constexpr float g_fMaxSpeed = 1e18f;
 
-/// Largest mass. The sum of two stays finite.
+/// Range of masses. The sum of two and the inverse of each stay finite.
+inline constexpr float g_fMinMass = 1e-36f;
 inline constexpr float g_fMaxMass = 1e36f;
 
 /// Largest elasticity. The product of two times the largest speed stays finite.
@@ -44,5 +45,17 @@ inline constexpr float g_fCandidateSlack = 0.25f;
 /// so the polygon is as good as the engine's contact distance. Gives 16 pieces for a half circle of 1 metre
 /// radius.
 inline constexpr float g_fSagittaTolerance = 0.005f;
+
+/// Most chords for one arc on Box2D: bounds memory where an arc is huge and the tolerance small. The arc is
+/// coarser than the tolerance then.
+inline constexpr int g_nMaxArcPieces = 4096;
+
+/// Shortest edge that Box2D is given, in metres: twice the distance of vertices below which it stops the
+/// program. Anything shorter becomes a point.
+inline constexpr float g_fShortestEdge = 0.01f;
+
+/// Largest coordinate in a world on Box2D, in metres: its products of three lengths stay finite. Refused
+/// beyond.
+inline constexpr float g_fMaxBox2DLength = 1e12f;
 
 } // namespace Shapes

@@ -165,12 +165,15 @@ protected:
   void Report(const CContactEvent& event);
   CWorldStats& Stats() { return m_cStats; }
 
+  enum class eChange { Pose, Motion, Properties };
+
 private:
-  // What an engine does. It is told of every change after it was made.
+  // What an engine does. It is told of every change after it was made; what it cannot hold it refuses before.
   virtual void Substep(float dt) = 0;
+  virtual void RequireExtent(const CAabb2D&) const {}
   virtual void OnAdded(CShapeId id) = 0;
   virtual void OnRemoved(CShapeId id) = 0;
-  virtual void OnChanged(CShapeId id) = 0;
+  virtual void OnChanged(CShapeId id, eChange what) = 0;
   virtual void OnSaved() = 0;
   virtual void OnLoaded() = 0;
 

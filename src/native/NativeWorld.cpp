@@ -10,13 +10,13 @@ namespace Shapes::Native {
 
 CNativeWorld::CNativeWorld(const CWorldDesc& desc) : CWorld(desc) {}
 
-void CNativeWorld::OnAdded(CShapeId id) { OnChanged(id); }
+void CNativeWorld::OnAdded(CShapeId id) { OnChanged(id, eChange::Pose); }
 
 void CNativeWorld::OnRemoved(CShapeId) { m_bShapesChanged = true; }
 
-void CNativeWorld::OnChanged(CShapeId id) {
+void CNativeWorld::OnChanged(CShapeId id, eChange what) {
   // Balls are looked at where they are in each step; only shapes have boxes that are kept.
-  if (State().FindShape(id) != CWorldState::npos) m_bShapesChanged = true;
+  if (what == eChange::Pose && State().FindShape(id) != CWorldState::npos) m_bShapesChanged = true;
 }
 
 void CNativeWorld::Substep(float dt) {

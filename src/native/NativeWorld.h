@@ -28,7 +28,7 @@ private:
   void Substep(float dt) override;
   void OnAdded(CShapeId id) override;
   void OnRemoved(CShapeId id) override;
-  void OnChanged(CShapeId id) override;
+  void OnChanged(CShapeId id, eChange what) override;
   void OnSaved() override {}
   void OnLoaded() override { m_bShapesChanged = true; }
 

@@ -20,7 +20,7 @@ CDynamicCircle::CDynamicCircle(const CDynamicCircleDesc& desc)
       m_vPrevPos(desc.m_vPos),
       m_fMass(desc.m_fMass) {
   RequireVector("m_vVel", m_vVel, g_fMaxSpeed);
-  RequirePositive("m_fMass", m_fMass, g_fMaxMass);
+  RequireRange("m_fMass", m_fMass, g_fMinMass, g_fMaxMass);
 }
 
 std::unique_ptr<CShape> CDynamicCircle::Clone() const { return std::make_unique<CDynamicCircle>(*this); }

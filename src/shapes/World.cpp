@@ -61,6 +61,7 @@ void CWorld::SetGravity(const Vector2& g) {
 }
 
 CShapeId CWorld::AddShape(std::unique_ptr<CShape> pShape) {
+  RequireExtent(pShape->GetAABB());
   const CShapeId id{m_pState->m_nNextId++};
   m_pState->m_stdShapes.emplace_back(id, std::move(pShape));
   OnAdded(id);
@@ -74,6 +75,7 @@ CShapeId CWorld::Add(const CArcDesc& desc) { return AddShape(MakeShape(desc)); }
 
 CShapeId CWorld::Add(const CDynamicCircleDesc& desc) {
   const CDynamicCircle checked(desc);
+  RequireExtent(checked.GetAABB());
   const CShapeId id{m_pState->m_nNextId++};
   m_pState->m_cBalls.Add(id, desc);
   OnAdded(id);
@@ -96,6 +98,8 @@ std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, 
           return MakeShape(desc);
         },
         any));
+  for (const auto& pShape : shapes)
+    RequireExtent(pShape->GetAABB());
   std::vector<CShapeId> ids;
   for (auto& pShape : shapes)
     ids.push_back(AddShape(std::move(pShape)));
@@ -157,11 +161,12 @@ const Vector2& CWorld::GetPos(CShapeId id) const {
 
 void CWorld::SetPos(CShapeId id, const Vector2& p) {
   RequireVector("m_vPos", p, g_fMaxLength);
+  RequireExtent(CAabb2D(p, p));
   if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos)
     m_pState->m_cBalls.m_stdPos[i] = m_pState->m_cBalls.m_stdPrevPos[i] = p;
   else
     FindShape(id).SetPos(p);
-  OnChanged(id);
+  OnChanged(id, eChange::Pose);
 }
 
 float CWorld::GetElasticity(CShapeId id) const {
@@ -175,7 +180,7 @@ void CWorld::SetElasticity(CShapeId id, float e) {
     m_pState->m_cBalls.m_stdElasticity[i] = e;
   else
     FindShape(id).SetElasticity(e);
-  OnChanged(id);
+  OnChanged(id, eChange::Properties);
 }
 
 bool CWorld::GetSensor(CShapeId id) const {
@@ -188,7 +193,7 @@ void CWorld::SetSensor(CShapeId id, bool b) {
     m_pState->m_cBalls.m_stdSensor[i] = b;
   else
     FindShape(id).SetSensor(b);
-  OnChanged(id);
+  OnChanged(id, eChange::Properties);
 }
 
 bool CWorld::GetCanCollide(CShapeId id) const {
@@ -201,7 +206,7 @@ void CWorld::SetCanCollide(CShapeId id, bool b) {
     m_pState->m_cBalls.m_stdCanCollide[i] = b;
   else
     FindShape(id).SetCanCollide(b);
-  OnChanged(id);
+  OnChanged(id, eChange::Properties);
 }
 
 void* CWorld::GetUserPtr(CShapeId id) const {
@@ -223,22 +228,22 @@ const Vector2& CWorld::GetRotCenter(CShapeId id) const { return FindShape(id).Ge
 
 void CWorld::SetOrientation(CShapeId id, float angle) {
   FindKinematic(id, "a kinematic shape, to be turned").SetOrientation(angle);
-  OnChanged(id);
+  OnChanged(id, eChange::Pose);
 }
 
 void CWorld::SetRotSpeed(CShapeId id, float revsPerSecond) {
   FindKinematic(id, "a kinematic shape, to be turned").SetRotSpeed(revsPerSecond);
-  OnChanged(id);
+  OnChanged(id, eChange::Motion);
 }
 
 void CWorld::SetRotCenter(CShapeId id, const Vector2& center) {
   FindKinematic(id, "a kinematic shape, to be turned").SetRotCenter(center);
-  OnChanged(id);
+  OnChanged(id, eChange::Pose);
 }
 
 void CWorld::Reset(CShapeId id) {
   FindKinematic(id, "a kinematic shape, to be put back").Reset();
-  OnChanged(id);
+  OnChanged(id, eChange::Pose);
 }
 
 namespace {
@@ -261,7 +266,7 @@ void CWorld::SetVel(CShapeId id, const Vector2& v) {
   const std::size_t i = FindBall(*m_pState, id);
   RequireVector("m_vVel", v, g_fMaxSpeed);
   m_pState->m_cBalls.m_stdVel[i] = v;
-  OnChanged(id);
+  OnChanged(id, eChange::Motion);
 }
 
 std::span<const CShapeId> CWorld::GetBallIds() const { return m_pState->m_cBalls.m_stdId; }

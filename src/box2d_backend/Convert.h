@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Between the user's units and the metres of Box2D.
+#pragma once
+
+#include <Shapes/ShapeMath.h>
+
+#include <box2d/box2d.h>
+
+namespace Shapes::Box2D {
+
+/// Box2D's tolerances are lengths in metres; the length unit (user units per metre) puts the user's scene at
+/// the scale for which they were chosen.
+class CScale {
+public:
+  explicit CScale(float unitsPerMetre) : m_fUnit(unitsPerMetre) {}
+  float ToMetres(float f) const { return f / m_fUnit; }
+  b2Vec2 ToMetres(const Vector2& v) const { return {v.x() / m_fUnit, v.y() / m_fUnit}; }
+  float FromMetres(float f) const { return f * m_fUnit; }
+  Vector2 FromMetres(const b2Vec2& v) const { return {v.x * m_fUnit, v.y * m_fUnit}; }
+
+private:
+  float m_fUnit;
+};
+
+} // namespace Shapes::Box2D

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "PairSweep.h"
+
+#include <Shapes/DynamicCircle.h>
+#include <Shapes/Tolerances.h>
+
+#include <box2d/b2_time_of_impact.h>
+
+#include "Pieces.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace Shapes::Box2D {
+namespace {
+
+// Both shapes on their way through the step, in metres about the frame's origin. A is the shape, B the ball.
+struct CMotion {
+  b2Sweep m_cSweepA;
+  b2Sweep m_cSweepB;
+  b2CircleShape m_cBall;
+};
+
+struct CImpact {
+  bool m_bFound = false;
+  float m_fTime = 1.0f;     // fraction of the step; 1 if found at its end only
+  float m_fSetback = -1.0f; // metres
+  b2Vec2 m_vCentre;         // of the ball where it only touches
+  b2Vec2 m_vNorm;
+};
+
+b2Sweep MakeSweep(const b2Vec2& from, const b2Vec2& to, float turn = 0.0f) {
+  b2Sweep sweep;
+  sweep.localCenter.SetZero();
+  sweep.c0 = from;
+  sweep.c = to;
+  sweep.a0 = -turn;
+  sweep.a = 0.0f;
+  sweep.alpha0 = 0.0f;
+  return sweep;
+}
+
+void Collide(const b2EdgeShape& a, const b2Transform& xfA, const b2CircleShape& b, const b2Transform& xfB,
+             b2Manifold& manifold) {
+  b2CollideEdgeAndCircle(&manifold, &a, xfA, &b, xfB);
+}
+
+void Collide(const b2CircleShape& a, const b2Transform& xfA, const b2CircleShape& b, const b2Transform& xfB,
+             b2Manifold& manifold) {
+  b2CollideCircles(&manifold, &a, xfA, &b, xfB);
+}
+
+// Normal from A to B at time t, and how far apart their skins are; false if Box2D sees no contact there (too
+// far, or the open side of a one-sided edge).
+template <class TShape>
+bool Touch(const TShape& shape, const CMotion& motion, float t, b2Vec2& normal, float& separation) {
+  b2Transform xfA, xfB;
+  motion.m_cSweepA.GetTransform(&xfA, t);
+  motion.m_cSweepB.GetTransform(&xfB, t);
+  b2Manifold manifold;
+  Collide(shape, xfA, motion.m_cBall, xfB, manifold);
+  FailIf(manifold.pointCount == 0);
+  b2WorldManifold world;
+  world.Initialize(&manifold, xfA, shape.m_radius, xfB, motion.m_cBall.m_radius);
+  normal = world.normal;
+  separation = world.separations[0];
+  return true;
+}
+
+// The piece's contact, if it is earlier than the best so far, or deeper at the end of the step.
+template <class TShape>
+void SweepPiece(const TShape& shape, const CMotion& motion, CImpact& best) {
+  b2TOIInput input;
+  input.proxyA.Set(&shape, 0);
+  input.proxyB.Set(&motion.m_cBall, 0);
+  input.sweepA = motion.m_cSweepA;
+  input.sweepB = motion.m_cSweepB;
+  input.tMax = 1.0f;
+  b2TOIOutput output;
+  b2TimeOfImpact(&output, &input);
+
+  b2Vec2 normal;
+  float separation;
+  if (output.state == b2TOIOutput::e_touching && output.t < best.m_fTime &&
+      Touch(shape, motion, output.t, normal, separation)) {
+    b2Transform xfA, xfB, endA;
+    motion.m_cSweepA.GetTransform(&xfA, output.t);
+    motion.m_cSweepA.GetTransform(&endA, 1.0f);
+    motion.m_cSweepB.GetTransform(&xfB, output.t);
+    // The point of A that is touched moves on until the end of the step: approaching is relative to it.
+    const b2Vec2 poi = xfB.p - motion.m_cBall.m_radius * normal;
+    const b2Vec2 surface = b2Mul(endA, b2MulT(xfA, poi)) - poi;
+    const b2Vec2 way = motion.m_cSweepB.c - xfB.p;
+    if (b2Dot(way - surface, normal) < 0.0f) {
+      best = {true, output.t, std::max(0.0f, -b2Dot(way, normal)), xfB.p, normal};
+      return;
+    }
+  }
+  if (best.m_fTime == 1.0f && Touch(shape, motion, 1.0f, normal, separation) &&
+      std::max(0.0f, -separation) > best.m_fSetback) {
+    const float setback = std::max(0.0f, -separation);
+    best = {true, 1.0f, setback, motion.m_cSweepB.c + setback * normal, normal};
+  }
+}
+
+// The swept box of B (and of A, if it turns) decides in a few comparisons which edges of a chain are worth a
+// sweep.
+bool MayMeet(const b2EdgeShape& edge, const CMotion& motion) {
+  if (motion.m_cSweepA.a0 != 0.0f) return true;
+  const float reach = motion.m_cBall.m_radius + 2.0f * edge.m_radius;
+  const b2Vec2 r(reach, reach);
+  const b2Vec2 lower = b2Min(motion.m_cSweepB.c0, motion.m_cSweepB.c) - r;
+  const b2Vec2 upper = b2Max(motion.m_cSweepB.c0, motion.m_cSweepB.c) + r;
+  const b2Vec2 edgeLower = b2Min(edge.m_vertex1, edge.m_vertex2),
+               edgeUpper = b2Max(edge.m_vertex1, edge.m_vertex2);
+  return edgeLower.x <= upper.x && edgeLower.y <= upper.y && edgeUpper.x >= lower.x && edgeUpper.y >= lower.y;
+}
+
+std::shared_ptr<const CPieces> GetPieces(const CShape& shape, const Vector2& origin) {
+  auto& cache = shape.EngineCache();
+  if (!cache)
+    cache = std::make_shared<const CPieces>(CPieces::Make(shape, origin, CScale(1.0f), g_fSagittaTolerance));
+  return std::static_pointer_cast<const CPieces>(cache);
+}
+
+b2CircleShape MakeBall(const CDynamicCircle& ball) {
+  b2CircleShape circle;
+  circle.m_radius = ball.GetRadius();
+  return circle;
+}
+
+void Report(const CImpact& best, const Vector2& origin, CContactDesc& c) {
+  const Vector2 centre(best.m_vCentre.x, best.m_vCentre.y);
+  c.m_vNorm = Vector2(best.m_vNorm.x, best.m_vNorm.y);
+  c.m_vPOI = origin + centre - c.m_pCircle->GetRadius() * c.m_vNorm;
+  c.m_fSetback = best.m_fSetback;
+}
+
+} // namespace
+
+bool DetectPair(CContactDesc& c) {
+  const CScale scale(1.0f);
+  const CShape& shape = *c.m_pShape;
+  const CDynamicCircle& ball = *c.m_pCircle;
+
+  // About the shape, or the centre about which it turns, so that large coordinates do not eat the digits.
+  const Vector2 origin = shape.GetMotionType() == eMotion::Kinematic ? shape.GetRotCenter() : shape.GetPos();
+  CMotion motion;
+  motion.m_cBall = MakeBall(ball);
+  motion.m_cSweepB =
+      MakeSweep(scale.ToMetres(ball.GetPrevPos() - origin), scale.ToMetres(ball.GetPos() - origin));
+  CImpact best;
+
+  if (shape.GetMotionType() == eMotion::Dynamic) {
+    const auto& other = static_cast<const CDynamicCircle&>(shape);
+    motion.m_cSweepA = MakeSweep(scale.ToMetres(other.GetPrevPos() - origin), b2Vec2_zero);
+    SweepPiece(MakeBall(other), motion, best);
+    if (best.m_bFound) Report(best, origin, c);
+    return best.m_bFound;
+  }
+
+  motion.m_cSweepA = MakeSweep(b2Vec2_zero, b2Vec2_zero, shape.GetLastTurn());
+  const auto pPieces = GetPieces(shape, origin);
+  for (const b2CircleShape& circle : pPieces->m_stdCircles)
+    SweepPiece(circle, motion, best);
+  for (const b2EdgeShape& edge : pPieces->m_stdEdges)
+    SweepPiece(edge, motion, best);
+  for (const CPieces::CChain& vertices : pPieces->m_stdChains) {
+    b2ChainShape chain;
+    CreateChain(vertices, chain);
+    for (int32 i = 0; i < chain.GetChildCount(); ++i) {
+      b2EdgeShape edge;
+      chain.GetChildEdge(&edge, i);
+      if (MayMeet(edge, motion)) SweepPiece(edge, motion, best);
+    }
+  }
+  if (best.m_bFound) Report(best, origin, c);
+  return best.m_bFound;
+}
+
+} // namespace Shapes::Box2D

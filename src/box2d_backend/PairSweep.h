@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Shapes/Contact.h>
+
+namespace Shapes::Box2D {
+
+/// Box2D's answer to CBackend::CollisionDetected, at one metre per user unit. Both shapes are followed from
+/// where they were before their last move, by b2TimeOfImpact; the POI and the normal are those at the time of
+/// impact, and the setback is the way back to there, along the normal. Where there was no impact on the way,
+/// an overlap at its end counts, by Box2D's collision functions, its skin included.
+bool DetectPair(CContactDesc& c);
+
+} // namespace Shapes::Box2D

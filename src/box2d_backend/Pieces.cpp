@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "Pieces.h"
+
+#include <Shapes/Tolerances.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::Box2D {
+namespace {
+
+b2CircleShape Circle(const b2Vec2& p, float r) {
+  b2CircleShape circle;
+  circle.m_p = p;
+  circle.m_radius = r;
+  return circle;
+}
+
+void MakeLineSeg(const CLineSeg& seg, const Vector2& origin, const CScale& scale, CPieces& pieces) {
+  const b2Vec2 p0 = scale.ToMetres(seg.GetEndPt0() - origin), p1 = scale.ToMetres(seg.GetEndPt1() - origin);
+  if (!(b2Distance(p0, p1) >= g_fShortestEdge)) {
+    pieces.m_stdCircles.push_back(Circle(0.5f * (p0 + p1), 0.0f));
+    return;
+  }
+  b2EdgeShape& edge = pieces.m_stdEdges.emplace_back();
+  if (seg.GetSides() == eSides::Both) {
+    edge.SetTwoSided(p0, p1);
+    return;
+  }
+  // The solid side of an edge is on the right of its way. Its neighbours fold back onto it, which leaves the
+  // ends round.
+  const bool normalIsLeft = Cross(seg.GetEndPt1() - seg.GetEndPt0(), seg.GetNormal()) > 0.0f;
+  if (normalIsLeft == (seg.GetSides() == eSides::Front))
+    edge.SetOneSided(p0, p1, p0, p1);
+  else
+    edge.SetOneSided(p1, p0, p1, p0);
+}
+
+void MakeArc(const CArc& arc, const Vector2& origin, const CScale& scale, float sagitta, CPieces& pieces) {
+  const b2Vec2 centre = scale.ToMetres(arc.GetPos() - origin);
+  const float R = scale.ToMetres(arc.GetRadius());
+  const int n = CountArcPieces(R, arc.GetSpan(), arc.IsFullCircle(), sagitta);
+  if (n == 0) {
+    const Vector2 middle =
+        arc.GetPos() + arc.GetRadius() * AngleToVector(arc.GetAngle0() + 0.5f * arc.GetSpan());
+    pieces.m_stdCircles.push_back(arc.IsFullCircle() ? Circle(centre, R)
+                                                     : Circle(scale.ToMetres(middle - origin), 0.0f));
+    return;
+  }
+  pieces.m_nArcPieces = n;
+  CPieces::CChain outside{{}, arc.IsFullCircle()};
+  for (int i = 0; i < n; ++i) {
+    const float angle = arc.GetAngle0() + arc.GetSpan() * static_cast<float>(i) / static_cast<float>(n);
+    const Vector2 u = AngleToVector(angle);
+    outside.m_stdVertices.push_back(centre + R * b2Vec2(u.x(), u.y()));
+  }
+  if (!arc.IsFullCircle()) outside.m_stdVertices.push_back(scale.ToMetres(arc.GetEndPt1() - origin));
+
+  // Counterclockwise, the right side is the outside.
+  CPieces::CChain inside = outside;
+  std::reverse(inside.m_stdVertices.begin(), inside.m_stdVertices.end());
+  if (arc.GetSides() != eSides::Back) pieces.m_stdChains.push_back(std::move(outside));
+  if (arc.GetSides() != eSides::Front) pieces.m_stdChains.push_back(std::move(inside));
+}
+
+} // namespace
+
+int CountArcPieces(float radius, float span, bool closed, float sagitta) {
+  const double R = radius, s = span;
+  const double byTolerance = s / (2.0 * std::acos(std::max(0.0, 1.0 - static_cast<double>(sagitta) / R)));
+  const double byQuarters = s / (0.5 * static_cast<double>(g_fPi));
+  // A chord is shorter than its arc by at most a tenth up to a quarter turn.
+  const double mostByLength = 0.9 * R * s / static_cast<double>(g_fShortestEdge);
+  double n = std::ceil(std::max({byTolerance, byQuarters, closed ? 3.0 : 1.0}));
+  n = std::min({n, std::floor(mostByLength), static_cast<double>(g_nMaxArcPieces)});
+  return n >= (closed ? 3.0 : 1.0) ? static_cast<int>(n) : 0;
+}
+
+CPieces CPieces::Make(const CShape& shape, const Vector2& origin, const CScale& scale, float sagitta) {
+  CPieces pieces;
+  switch (shape.GetShapeType()) {
+  case eShape::LineSeg: MakeLineSeg(static_cast<const CLineSeg&>(shape), origin, scale, pieces); break;
+  case eShape::Arc: MakeArc(static_cast<const CArc&>(shape), origin, scale, sagitta, pieces); break;
+  case eShape::Circle: {
+    const float r = static_cast<const CCircle&>(shape).GetRadius();
+    pieces.m_stdCircles.push_back(Circle(scale.ToMetres(shape.GetPos() - origin), scale.ToMetres(r)));
+    break;
+  }
+  default: pieces.m_stdCircles.push_back(Circle(scale.ToMetres(shape.GetPos() - origin), 0.0f)); break;
+  }
+  return pieces;
+}
+
+void CreateChain(const CPieces::CChain& chain, b2ChainShape& shape) {
+  const auto& v = chain.m_stdVertices;
+  const auto n = static_cast<int32>(v.size());
+  if (chain.m_bClosed)
+    shape.CreateLoop(v.data(), n);
+  else // neighbours that fold back leave the ends round
+    shape.CreateChain(v.data(), n, v[1], v[v.size() - 2]);
+}
+
+} // namespace Shapes::Box2D
