@@ -54,8 +54,12 @@ inline constexpr int g_nMaxArcPieces = 4096;
 /// program. Anything shorter becomes a point.
 inline constexpr float g_fShortestEdge = 0.01f;
 
-/// Largest coordinate in a world on Box2D, in metres: its products of three lengths stay finite. Refused
-/// beyond.
-inline constexpr float g_fMaxBox2DLength = 1e12f;
+/// Largest coordinate (metres), speed (metres per second; Box2D moves nothing by more than 2 metres a step
+/// anyway) and range of masses in a world on Box2D. Beyond, products inside Box2D overflow and it stops the
+/// program. Refused.
+inline constexpr float g_fMaxBox2DLength = 1e8f;
+inline constexpr float g_fMaxBox2DSpeed = 1e9f;
+inline constexpr float g_fMinBox2DMass = 1e-18f;
+inline constexpr float g_fMaxBox2DMass = 1e18f;
 
 } // namespace Shapes

@@ -158,7 +158,14 @@ public:
   void LoadState(const CSavedState& state);
 
 protected:
-  explicit CWorld(const CWorldDesc& desc);
+  /// What an engine can hold, in user units; anything beyond is refused before it is told of it.
+  struct CLimits {
+    float m_fMaxLength = g_fMaxLength;
+    float m_fMaxSpeed = g_fMaxSpeed;
+    float m_fMinMass = g_fMinMass;
+    float m_fMaxMass = g_fMaxMass;
+  };
+  CWorld(const CWorldDesc& desc, const CLimits& limits);
 
   CWorldState& State() { return *m_pState; }
   const CWorldState& State() const { return *m_pState; }
@@ -168,9 +175,8 @@ protected:
   enum class eChange { Pose, Motion, Properties };
 
 private:
-  // What an engine does. It is told of every change after it was made; what it cannot hold it refuses before.
+  // What an engine does. It is told of every change after it was made.
   virtual void Substep(float dt) = 0;
-  virtual void RequireExtent(const CAabb2D&) const {}
   virtual void OnAdded(CShapeId id) = 0;
   virtual void OnRemoved(CShapeId id) = 0;
   virtual void OnChanged(CShapeId id, eChange what) = 0;
@@ -180,8 +186,10 @@ private:
   CShape& FindShape(CShapeId id) const;
   CShape& FindKinematic(CShapeId id, const char* what) const;
   CShapeId AddShape(std::unique_ptr<CShape> pShape);
+  void RequireExtent(const CAabb2D& box) const;
 
   CWorldDesc m_cDesc;
+  CLimits m_cLimits;
   std::unique_ptr<CWorldState> m_pState;
   std::vector<CContactEvent> m_stdContacts;
   CWorldStats m_cStats;

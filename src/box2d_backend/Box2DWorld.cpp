@@ -2,14 +2,13 @@
 #include "Box2DWorld.h"
 
 #include "../shapes/Response.h"
-#include "../shapes/Validate.h"
 #include "../shapes/WorldState.h"
 
 #include "Pieces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <string>
 
 namespace Shapes::Box2D {
 namespace {
@@ -21,6 +20,10 @@ b2FixtureDef MakeFixtureDef(CShapeId id, const b2Shape& shape) {
   def.friction = 0.0f;
   def.restitutionThreshold = 0.0f;
   return def;
+}
+
+float MaxSpeed(const CWorldDesc& desc) {
+  return std::min(g_fMaxSpeed, g_fMaxBox2DSpeed * desc.m_fLengthUnit);
 }
 
 // Where the point of the shape closest to a ball is, for sensors: Box2D gives them no manifold.
@@ -36,14 +39,11 @@ Vector2 ClosestPt(const CShape& shape, const Vector2& p) {
 } // namespace
 
 CBox2DWorld::CBox2DWorld(const CWorldDesc& desc)
-    : CWorld(desc), m_cScale(desc.m_fLengthUnit), m_cGatherer(m_cScale) {
+    : CWorld(desc, {std::min(g_fMaxLength, g_fMaxBox2DLength * desc.m_fLengthUnit), MaxSpeed(desc),
+                    g_fMinBox2DMass, g_fMaxBox2DMass}),
+      m_cScale(desc.m_fLengthUnit),
+      m_cGatherer(m_cScale) {
   Rebuild();
-}
-
-void CBox2DWorld::RequireExtent(const CAabb2D& box) const {
-  const float most = m_cScale.FromMetres(g_fMaxBox2DLength);
-  RequireVector("the box of the shape (on Box2D at this m_fLengthUnit)", box.GetTopLeft(), most);
-  RequireVector("the box of the shape (on Box2D at this m_fLengthUnit)", box.GetBottomRt(), most);
 }
 
 void CBox2DWorld::Rebuild() {
@@ -191,7 +191,7 @@ void CBox2DWorld::TakeBalls() {
     b2Body& body = *m_stdBodies.at(b.m_stdId[i]).m_pBody;
     b.m_stdPos[i] = m_cScale.FromMetres(body.GetPosition());
     b.m_stdVel[i] = m_cScale.FromMetres(body.GetLinearVelocity());
-    if (!CapSpeed(b.m_stdVel[i])) continue;
+    if (!CapSpeed(b.m_stdVel[i], MaxSpeed(GetDesc()))) continue;
     ++Stats().m_nSpeedsCapped;
     body.SetLinearVelocity(m_cScale.ToMetres(b.m_stdVel[i]));
   }

@@ -27,7 +27,6 @@ private:
   };
 
   void Substep(float dt) override;
-  void RequireExtent(const CAabb2D& box) const override;
   void OnAdded(CShapeId id) override;
   void OnRemoved(CShapeId id) override;
   void OnChanged(CShapeId id, eChange what) override;

@@ -8,7 +8,7 @@
 
 namespace Shapes::Native {
 
-CNativeWorld::CNativeWorld(const CWorldDesc& desc) : CWorld(desc) {}
+CNativeWorld::CNativeWorld(const CWorldDesc& desc) : CWorld(desc, CLimits()) {}
 
 void CNativeWorld::OnAdded(CShapeId id) { OnChanged(id, eChange::Pose); }
 
@@ -136,8 +136,11 @@ void CNativeWorld::CollectBalls(std::size_t i, std::uint32_t first) {
   m_stdFound.clear();
   m_stdCandidates.clear();
   m_cGrid.Query(b.m_stdPos[i], b.m_stdRadius[i], m_stdFound);
-  for (const std::uint32_t j : m_stdFound)
-    if (j >= first && b.m_stdCanCollide[j]) m_stdCandidates.push_back(j);
+  for (const std::uint32_t j : m_stdFound) {
+    if (j < first || !b.m_stdCanCollide[j]) continue;
+    const float reach = (b.m_stdRadius[i] + b.m_stdRadius[j]) * (1.0f + g_fBoxPadding);
+    if ((b.m_stdPos[j] - b.m_stdPos[i]).cwiseAbs().maxCoeff() <= reach) m_stdCandidates.push_back(j);
+  }
   std::sort(m_stdCandidates.begin(), m_stdCandidates.end());
   m_stdCandidates.erase(std::unique(m_stdCandidates.begin(), m_stdCandidates.end()), m_stdCandidates.end());
 }

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "Response.h"
 
-#include <Shapes/Tolerances.h>
-
 namespace Shapes {
 
-bool CapSpeed(Vector2& v) {
-  const float speed = Length(v);
-  FailIf(speed <= g_fMaxSpeed);
-  v = g_fMaxSpeed * Normalize(v);
+bool CapSpeed(Vector2& v, float most) {
+  FailIf(Length(v) <= most);
+  v = most * Normalize(v);
   return true;
 }
 

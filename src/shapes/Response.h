@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Shapes/ShapeMath.h>
+#include <Shapes/Tolerances.h>
 
 #include <algorithm>
 
@@ -20,8 +21,8 @@ inline float ApproachSpeed(const Vector2& v, const Vector2& surface, const Vecto
   return std::max(0.0f, -(v - surface).dot(n));
 }
 
-/// Cuts v to g_fMaxSpeed; returns whether it had to.
-bool CapSpeed(Vector2& v);
+/// Cuts v to the speed `most`; returns whether it had to.
+bool CapSpeed(Vector2& v, float most = g_fMaxSpeed);
 
 /// Ball (p, v) against a static shape.
 void RespondStatic(const Vector2& n, float setback, float e, Vector2& p, Vector2& v);

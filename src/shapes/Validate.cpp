@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "Validate.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 namespace Shapes {
 namespace {
 
-template <class T>
-std::string ToText(const T& value) {
-  std::ostringstream out;
-  out.precision(9);
-  out << value;
-  return out.str();
+// The shortest text that reads back as the same float.
+std::string ToText(float value) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
 }
 
 } // namespace

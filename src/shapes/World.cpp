@@ -42,8 +42,9 @@ std::unique_ptr<CShape> MakeShape(const CDynamicCircleDesc&) {
 
 } // namespace
 
-CWorld::CWorld(const CWorldDesc& desc) : m_cDesc(desc), m_pState(std::make_unique<CWorldState>()) {
-  RequireVector("m_vGravity", desc.m_vGravity, g_fMaxSpeed);
+CWorld::CWorld(const CWorldDesc& desc, const CLimits& limits)
+    : m_cDesc(desc), m_cLimits(limits), m_pState(std::make_unique<CWorldState>()) {
+  RequireVector("m_vGravity", desc.m_vGravity, limits.m_fMaxSpeed);
   RequirePositive("m_fTimeStep", desc.m_fTimeStep, g_fMaxTimeStep);
   RequireCount("m_nSubsteps", desc.m_nSubsteps, g_nMaxSubsteps);
   RequirePositive("m_fLengthUnit", desc.m_fLengthUnit, g_fMaxLength);
@@ -56,8 +57,17 @@ CWorld::CWorld(const CWorldDesc& desc) : m_cDesc(desc), m_pState(std::make_uniqu
 CWorld::~CWorld() = default;
 
 void CWorld::SetGravity(const Vector2& g) {
-  RequireVector("m_vGravity", g, g_fMaxSpeed);
+  RequireVector("m_vGravity", g, m_cLimits.m_fMaxSpeed);
   m_pState->m_vGravity = m_cDesc.m_vGravity = g;
+}
+
+void CWorld::RequireExtent(const CAabb2D& box) const {
+  // Native takes what a shape takes, a box that reaches twice as far included.
+  if (m_cLimits.m_fMaxLength == g_fMaxLength) return;
+  RequireVector("m_vPos and extent (a corner of the box of the shape)", box.GetTopLeft(),
+                m_cLimits.m_fMaxLength);
+  RequireVector("m_vPos and extent (a corner of the box of the shape)", box.GetBottomRt(),
+                m_cLimits.m_fMaxLength);
 }
 
 CShapeId CWorld::AddShape(std::unique_ptr<CShape> pShape) {
@@ -76,6 +86,8 @@ CShapeId CWorld::Add(const CArcDesc& desc) { return AddShape(MakeShape(desc)); }
 CShapeId CWorld::Add(const CDynamicCircleDesc& desc) {
   const CDynamicCircle checked(desc);
   RequireExtent(checked.GetAABB());
+  RequireVector("m_vVel", desc.m_vVel, m_cLimits.m_fMaxSpeed);
+  RequireRange("m_fMass", desc.m_fMass, m_cLimits.m_fMinMass, m_cLimits.m_fMaxMass);
   const CShapeId id{m_pState->m_nNextId++};
   m_pState->m_cBalls.Add(id, desc);
   OnAdded(id);
@@ -264,7 +276,7 @@ float CWorld::GetMass(CShapeId id) const { return m_pState->m_cBalls.m_stdMass[F
 
 void CWorld::SetVel(CShapeId id, const Vector2& v) {
   const std::size_t i = FindBall(*m_pState, id);
-  RequireVector("m_vVel", v, g_fMaxSpeed);
+  RequireVector("m_vVel", v, m_cLimits.m_fMaxSpeed);
   m_pState->m_cBalls.m_stdVel[i] = v;
   OnChanged(id, eChange::Motion);
 }

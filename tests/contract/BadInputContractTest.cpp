@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// What no shape can have is refused before anything is added, with the field and the value in the message.
+#include "Backends.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+namespace Shapes {
+namespace {
+
+constexpr float g_fNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float g_fInf = std::numeric_limits<float>::infinity();
+
+class CBadInputContract : public CEveryBackend {
+protected:
+  void SetUp() override {
+    m_pWorld = Backend().MakeWorld(CWorldDesc());
+    m_cBall = m_pWorld->Add(CDynamicCircleDesc({0, 5}, 0.1f, {0, -1}));
+    m_cFlipper = m_pWorld->Add(Kinematic());
+  }
+
+  static CLineSegDesc Kinematic() {
+    CLineSegDesc desc({0, 0}, {1, 0});
+    desc.m_eMotionType = eMotion::Kinematic;
+    return desc;
+  }
+
+  /// Calls f, which must throw std::invalid_argument whose message has both words in it, and must not have
+  /// changed the world: it steps on as if nothing had been said.
+  void ExpectRefused(const std::function<void()>& f, const std::string& field, const std::string& value) {
+    const CShapeId next{m_cFlipper.m_nValue + 1};
+    try {
+      f();
+      ADD_FAILURE() << field << " = " << value << " was accepted";
+    } catch (const std::invalid_argument& e) {
+      const std::string what = e.what();
+      EXPECT_NE(what.find(field), std::string::npos) << what;
+      EXPECT_NE(what.find(value), std::string::npos) << what;
+      EXPECT_NE(what.find("expected"), std::string::npos) << what;
+    }
+    EXPECT_FALSE(m_pWorld->Contains(next));
+    const Vector2 p = m_pWorld->GetPos(m_cBall), v = m_pWorld->GetVel(m_cBall);
+    const CSavedState saved = m_pWorld->SaveState();
+    m_pWorld->Step();
+    EXPECT_EQ(m_pWorld->GetVel(m_cBall), v);
+    EXPECT_NEAR((m_pWorld->GetPos(m_cBall) - p - v / 60).norm(), 0, 1e-5f);
+    m_pWorld->LoadState(saved);
+  }
+
+  std::unique_ptr<CWorld> m_pWorld;
+  CShapeId m_cBall, m_cFlipper;
+};
+SHAPES_ON_EVERY_BACKEND(CBadInputContract);
+
+TEST_P(CBadInputContract, BallsAreChecked) {
+  const CDynamicCircleDesc good({1, 1}, 0.1f, {1, 0});
+  const auto refuse = [&](auto change, const char* field, const char* value) {
+    CDynamicCircleDesc desc = good;
+    change(desc);
+    ExpectRefused([&] { m_pWorld->Add(desc); }, field, value);
+    EXPECT_THROW(CDynamicCircle{desc}, std::invalid_argument);
+  };
+  for (const auto& [f, text] : {std::pair(g_fNaN, "nan"), std::pair(g_fInf, "inf"), std::pair(-1.0f, "-1"),
+                                std::pair(2e19f, "2e+19")}) {
+    refuse([f = f](auto& d) { d.m_fRadius = f; }, "m_fRadius", text);
+    refuse([f = f](auto& d) { d.m_fElasticity = f; }, "m_fElasticity", text);
+  }
+  for (const auto& [f, text] : {std::pair(g_fNaN, "nan"), std::pair(-g_fInf, "-inf"), std::pair(-1.0f, "-1"),
+                                std::pair(0.0f, "0"), std::pair(2e36f, "2e+36")})
+    refuse([f = f](auto& d) { d.m_fMass = f; }, "m_fMass", text);
+  for (const auto& [f, text] :
+       {std::pair(g_fNaN, "nan"), std::pair(g_fInf, "inf"), std::pair(1e30f, "1e+30")}) {
+    refuse([f = f](auto& d) { d.m_vPos.x() = f; }, "m_vPos", text);
+    refuse([f = f](auto& d) { d.m_vVel.y() = f; }, "m_vVel", text);
+  }
+  EXPECT_NO_THROW(m_pWorld->Add(good)); // the control
+}
+
+TEST_P(CBadInputContract, ShapesAreChecked) {
+  const auto refuse = [&](const CAnyShapeDesc& desc, const char* field, const char* value) {
+    ExpectRefused([&] { m_pWorld->Add(desc); }, field, value);
+  };
+  refuse(CPointDesc(Vector2(g_fNaN, 0)), "m_vPos", "nan");
+  refuse(CPointDesc(Vector2(0, 0), -1), "m_fElasticity", "-1");
+  refuse(CLineSegDesc({0, 0}, {g_fInf, 0}), "m_vP", "inf");
+  refuse(CLineSegDesc({0, 0}, {1, g_fNaN}), "m_vP", "nan");
+  refuse(CCircleDesc({0, 0}, -1), "m_fRadius", "-1");
+  refuse(CCircleDesc({0, 0}, g_fNaN), "m_fRadius", "nan");
+  refuse(CCircleDesc({0, 0}, 2e19f), "m_fRadius", "2e+19");
+  refuse(CArcDesc({0, 0}, 1, g_fNaN, 1), "m_fAngle0", "nan");
+  refuse(CArcDesc({0, 0}, 1, 0, g_fInf), "m_fAngle1", "inf");
+  CLineSegDesc turning = Kinematic();
+  turning.m_fRotSpeed = g_fNaN;
+  refuse(turning, "m_fRotSpeed", "nan");
+  turning.m_fRotSpeed = 0;
+  turning.m_vRotCenter.x() = g_fInf;
+  refuse(turning, "m_vRotCenter", "inf");
+  CCircleDesc dynamic({0, 0}, 1);
+  dynamic.m_eMotionType = eMotion::Dynamic;
+  refuse(dynamic, "m_eMotionType", "neither");
+}
+
+TEST_P(CBadInputContract, SettersAreChecked) {
+  ExpectRefused([&] { m_pWorld->SetPos(m_cBall, {g_fNaN, 0}); }, "m_vPos", "nan");
+  ExpectRefused([&] { m_pWorld->SetVel(m_cBall, {0, g_fInf}); }, "m_vVel", "inf");
+  ExpectRefused([&] { m_pWorld->SetElasticity(m_cBall, g_fNaN); }, "m_fElasticity", "nan");
+  ExpectRefused([&] { m_pWorld->SetElasticity(m_cFlipper, -1); }, "m_fElasticity", "-1");
+  ExpectRefused([&] { m_pWorld->SetRotSpeed(m_cFlipper, g_fInf); }, "m_fRotSpeed", "inf");
+  ExpectRefused([&] { m_pWorld->SetRotCenter(m_cFlipper, {g_fNaN, 0}); }, "m_vRotCenter", "nan");
+  ExpectRefused([&] { m_pWorld->SetOrientation(m_cFlipper, g_fNaN); }, "angle", "nan");
+  ExpectRefused([&] { m_pWorld->SetGravity({0, g_fNaN}); }, "m_vGravity", "nan");
+}
+
+TEST_P(CBadInputContract, UnknownIdsAreRefused) {
+  const CShapeId unknown{77};
+  ExpectRefused([&] { m_pWorld->Remove(unknown); }, "id", "77");
+  ExpectRefused([&] { m_pWorld->SetPos(unknown, {0, 0}); }, "id", "77");
+  ExpectRefused([&] { m_pWorld->SetVel(unknown, {0, 0}); }, "id", "77");
+  ExpectRefused([&] { m_pWorld->GetShape(unknown); }, "id", "77");
+}
+
+TEST_P(CBadInputContract, WorldDescriptionsAreChecked) {
+  const auto refuse = [&](auto change, const char* field, const char* value) {
+    CWorldDesc desc;
+    change(desc);
+    ExpectRefused([&] { Backend().MakeWorld(desc); }, field, value);
+  };
+  refuse([](auto& d) { d.m_fTimeStep = 0; }, "m_fTimeStep", "0");
+  refuse([](auto& d) { d.m_fTimeStep = -1; }, "m_fTimeStep", "-1");
+  refuse([](auto& d) { d.m_fTimeStep = g_fNaN; }, "m_fTimeStep", "nan");
+  refuse([](auto& d) { d.m_fTimeStep = g_fInf; }, "m_fTimeStep", "inf");
+  refuse([](auto& d) { d.m_vGravity.y() = g_fNaN; }, "m_vGravity", "nan");
+  refuse([](auto& d) { d.m_nSubsteps = 0; }, "m_nSubsteps", "0");
+  refuse([](auto& d) { d.m_fLengthUnit = 0; }, "m_fLengthUnit", "0");
+  refuse([](auto& d) { d.m_fSagittaTolerance = -1; }, "m_fSagittaTolerance", "-1");
+  refuse([](auto& d) { d.m_nVelocityIterations = 0; }, "m_nVelocityIterations", "0");
+}
+
+TEST_P(CBadInputContract, LargestAndSmallestValuesAreStepped) {
+  // At the limits of what is accepted nothing aborts and nothing is NaN. Box2D's are narrower; beyond them it
+  // would abort the program, so they are refused.
+  const float most = IsNative() ? g_fMaxLength : 0.9f * g_fMaxBox2DLength;
+  const float speed = IsNative() ? g_fMaxSpeed : g_fMaxBox2DSpeed;
+  const float heavy = IsNative() ? g_fMaxMass : g_fMaxBox2DMass,
+              light = IsNative() ? g_fMinMass : g_fMinBox2DMass;
+  m_pWorld->Add(CCircleDesc({0, 0}, most));
+  m_pWorld->Add(CLineSegDesc({-most, -most}, {most, most}));
+  m_pWorld->Add(CArcDesc({most / 2, 0}, most / 2, 0, 0));
+  m_pWorld->Add(CPointDesc(Vector2(most, -most)));
+  m_pWorld->Add(CDynamicCircleDesc({most, most}, 1, {-speed, -speed}, heavy));
+  m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0, {0, speed}, light));
+  m_pWorld->Add(CDynamicCircleDesc({0, 0}, 1e-30f, {0, 1e-30f}, 1));
+  for (int i = 0; i < 20; ++i)
+    m_pWorld->Step();
+  for (const Vector2& p : m_pWorld->GetBallPositions())
+    EXPECT_TRUE(p.allFinite()) << p.transpose();
+  for (const Vector2& v : m_pWorld->GetBallVelocities())
+    EXPECT_TRUE(v.allFinite()) << v.transpose();
+
+  const auto add = [&](float x, float v, float m) {
+    m_pWorld->Add(CDynamicCircleDesc({x, 0}, 1, {v, 0}, m));
+  };
+  if (IsNative()) {
+    EXPECT_NO_THROW(add(1e10f, 1e10f, 1e20f));
+    return;
+  }
+  EXPECT_THROW(add(1e10f, 0, 1), std::invalid_argument);
+  EXPECT_THROW(add(0, 1e10f, 1), std::invalid_argument);
+  EXPECT_THROW(add(0, 0, 1e20f), std::invalid_argument);
+}
+
+} // namespace
+} // namespace Shapes

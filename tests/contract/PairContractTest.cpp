@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+// CollisionDetected and CollisionResponse, the same on every engine.
+#include "Backends.h"
+
+#include <memory>
+#include <stdexcept>
+
+namespace Shapes {
+namespace {
+
+constexpr float g_fDt = 1.0f / 60.0f;
+
+class CPairContract : public CEveryBackend {
+protected:
+  void SetUp() override { CGameClock::Set(g_fDt, 0.0f); }
+
+  /// A ball of radius r that has just moved to `to` with velocity v, from `to` - v dt.
+  static CDynamicCircle Arrive(const Vector2& to, const Vector2& v, float r = 0.1f) {
+    CDynamicCircle ball(CDynamicCircleDesc(to - v * g_fDt, r, v));
+    ball.move();
+    return ball;
+  }
+
+  /// The ball comes straight down on a surface whose top is at the origin, and overlaps it by .03.
+  void ExpectHitFromAbove(CShape& shape) {
+    CDynamicCircle ball = Arrive({0, 0.07f}, {0, -6});
+    CContactDesc c(&shape, &ball);
+    ASSERT_TRUE(Backend().CollisionDetected(c));
+    EXPECT_NEAR(c.m_vNorm.x(), 0.0f,
+                0.1f); // Box2D: an arc is a chain of chords, up to .1 rad off at 16 pieces
+    EXPECT_NEAR(c.m_vNorm.norm(), 1.0f, 1e-6f);
+    EXPECT_GT(c.m_vNorm.y(), 0.99f);
+    EXPECT_NEAR(c.m_vPOI.x(), 0.0f, Skin());
+    EXPECT_NEAR(c.m_vPOI.y(), 0.0f, Skin());
+    EXPECT_NEAR(c.m_fSetback, 0.03f, Skin());
+    EXPECT_NEAR(c.m_fSpeed, 6.0f, 0.07f); // 6 cos(.1) and up
+    ball.CollisionResponse(c);
+    EXPECT_NEAR(ball.GetVel().y(), 6.0f, 0.13f); // 6 cos(.2) and up
+    EXPECT_NEAR(ball.GetPos().y(), 0.1f, Skin());
+  }
+};
+SHAPES_ON_EVERY_BACKEND(CPairContract);
+
+TEST_P(CPairContract, PointIsHitFromAbove) {
+  CPoint point(CPointDesc(Vector2(0, 0)));
+  ExpectHitFromAbove(point);
+}
+
+TEST_P(CPairContract, SegmentIsHitFromAbove) {
+  CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
+  ExpectHitFromAbove(seg);
+}
+
+TEST_P(CPairContract, CircleIsHitFromOutside) {
+  CCircle circle(CCircleDesc({0, -1}, 1));
+  ExpectHitFromAbove(circle);
+}
+
+TEST_P(CPairContract, ArcIsHitFromOutside) {
+  CArc arc(CArcDesc({0, -1}, 1, 0, g_fPi));
+  ExpectHitFromAbove(arc);
+}
+
+TEST_P(CPairContract, ArcIsHitFromInside) {
+  CArc arc(CArcDesc({0, 1}, 1, g_fPi, 0));
+  ExpectHitFromAbove(arc);
+}
+
+TEST_P(CPairContract, FullCircleArcIsABowl) {
+  CArc arc(CArcDesc({0, 1}, 1, 0, 0));
+  ExpectHitFromAbove(arc);
+}
+
+TEST_P(CPairContract, ABallInsideACircleMeetsARingOnNativeAndASolidOnBox2D) {
+  CCircle circle(CCircleDesc({0, 0}, 1));
+  CDynamicCircle ball = Arrive({0, -0.95f}, {0, -6});
+  CContactDesc c(&circle, &ball);
+  ASSERT_TRUE(Backend().CollisionDetected(c));
+  // Box2D's circle shape is solid: it pushes the ball out through the nearer side.
+  EXPECT_NEAR(c.m_vNorm.y(), IsNative() ? 1.0f : -1.0f, 1e-6f);
+}
+
+TEST_P(CPairContract, BallsShareSetbackAndMomentumByMass) {
+  CDynamicCircle still(CDynamicCircleDesc({0, -0.1f}, 0.1f, {0, 0}, 3.0f));
+  still.move();
+  CDynamicCircle ball = Arrive({0, 0.07f}, {0, -6});
+  CContactDesc c(&still, &ball);
+  ASSERT_TRUE(Backend().CollisionDetected(c));
+  EXPECT_NEAR(c.m_fSetback, 0.03f, Skin());
+  EXPECT_NEAR(c.m_vPOI.y(), 0.0f, Skin());
+  EXPECT_NEAR(c.m_fSpeed, 6.0f, 0.01f);
+  ball.CollisionResponse(c);
+  // Elastic, 1 against 3: v' = -6 (1-3)/4 = 3 and -6 * 2/4 = -3.
+  EXPECT_NEAR(ball.GetVel().y(), 3.0f, 0.01f);
+  EXPECT_NEAR(still.GetVel().y(), -3.0f, 0.01f);
+  EXPECT_NEAR(ball.GetPos().y() - 0.07f, 0.75f * c.m_fSetback, 1e-6f);
+  EXPECT_NEAR(-0.1f - still.GetPos().y(), 0.25f * c.m_fSetback, 1e-6f);
+}
+
+TEST_P(CPairContract, WhatIsFarAwayIsNotMet) {
+  CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
+  CPoint point(CPointDesc(Vector2(0, 0)));
+  CCircle circle(CCircleDesc({0, -1}, 1));
+  CArc arc(CArcDesc({0, -1}, 1, 0, g_fPi));
+  CDynamicCircle ball = Arrive({0, 0.12f}, {0, -6});
+  for (CShape* pShape : std::initializer_list<CShape*>{&seg, &point, &circle, &arc}) {
+    CContactDesc c(pShape, &ball);
+    EXPECT_FALSE(Backend().CollisionDetected(c));
+  }
+}
+
+TEST_P(CPairContract, ABallDoesNotMeetItself) {
+  CDynamicCircle ball = Arrive({0, 0}, {0, -6});
+  CContactDesc c(&ball, &ball);
+  EXPECT_FALSE(Backend().CollisionDetected(c));
+}
+
+TEST_P(CPairContract, SensorsAreDetectedButNotAnswered) {
+  CLineSegDesc desc({-1, 0}, {1, 0});
+  desc.m_bIsSensor = true;
+  CLineSeg seg(desc);
+  CDynamicCircle ball = Arrive({0, 0.07f}, {0, -6});
+  CContactDesc c(&seg, &ball);
+  ASSERT_TRUE(Backend().CollisionDetected(c));
+  const Vector2 p = ball.GetPos(), v = ball.GetVel();
+  ball.CollisionResponse(c);
+  EXPECT_EQ(ball.GetPos(), p);
+  EXPECT_EQ(ball.GetVel(), v);
+  seg.SetSensor(false); // the control: the same contact is answered
+  ball.CollisionResponse(c);
+  EXPECT_NE(ball.GetVel(), v);
+}
+
+TEST_P(CPairContract, WhatCannotCollideIsNotMet) {
+  CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
+  CDynamicCircle ball = Arrive({0, 0.07f}, {0, -6});
+  CContactDesc c(&seg, &ball);
+  seg.SetCanCollide(false);
+  EXPECT_FALSE(Backend().CollisionDetected(c));
+  seg.SetCanCollide();
+  ball.SetCanCollide(false);
+  EXPECT_FALSE(Backend().CollisionDetected(c));
+  ball.SetCanCollide();
+  EXPECT_TRUE(Backend().CollisionDetected(c));
+}
+
+TEST_P(CPairContract, NakedEndsAreOpenOnNativeAndRoundOnBox2D) {
+  CLineSeg seg(CLineSegDesc({0, 0}, {1, 0}));
+  CDynamicCircle ball = Arrive({-0.05f, 0.05f}, {0, -6});
+  CContactDesc c(&seg, &ball);
+  EXPECT_EQ(Backend().CollisionDetected(c), !IsNative());
+  // Where there is a guard the engines agree.
+  CPoint guard(CPointDesc(Vector2(0, 0)));
+  CContactDesc g(&guard, &ball);
+  EXPECT_TRUE(Backend().CollisionDetected(g));
+}
+
+TEST_P(CPairContract, OneSidedSegmentsLetBallsPassFromTheOpenSide) {
+  for (const eSides sides : {eSides::Front, eSides::Back}) {
+    CLineSegDesc desc({-1, 0}, {1, 0});
+    desc.m_eSides = sides;
+    CLineSeg seg(desc);
+    const float solid = sides == eSides::Front ? 1.0f : -1.0f; // y of the solid side
+    CDynamicCircle hits = Arrive({0, solid * 0.07f}, {0, -solid * 6});
+    CContactDesc c(&seg, &hits);
+    ASSERT_TRUE(Backend().CollisionDetected(c));
+    EXPECT_GT(c.m_vNorm.y() * solid, 0.99f);
+    CDynamicCircle passes = Arrive({0, -solid * 0.07f}, {0, solid * 6});
+    CContactDesc d(&seg, &passes);
+    EXPECT_FALSE(Backend().CollisionDetected(d));
+  }
+}
+
+TEST_P(CPairContract, OneSidedArcsLetBallsPassFromTheOpenSide) {
+  for (const eSides sides : {eSides::Front, eSides::Back}) {
+    CArcDesc desc({0, 0}, 1, 0, g_fPi);
+    desc.m_eSides = sides;
+    CArc arc(desc);
+    const float solid = sides == eSides::Front ? 1.0f : -1.0f;
+    CDynamicCircle hits = Arrive({0, 1 + solid * 0.07f}, {0, -solid * 6});
+    CContactDesc c(&arc, &hits);
+    EXPECT_TRUE(Backend().CollisionDetected(c));
+    CDynamicCircle passes = Arrive({0, 1 - solid * 0.07f}, {0, solid * 6});
+    CContactDesc d(&arc, &passes);
+    EXPECT_FALSE(Backend().CollisionDetected(d));
+  }
+}
+
+TEST_P(CPairContract, AFlipperKicksThroughTheContact) {
+  CLineSegDesc desc({0, 0}, {1, 0});
+  desc.m_fRotSpeed = 1.0f;
+  CKinematicLineSeg flipper(desc);
+  flipper.move(); // 6 degrees
+  CDynamicCircle ball(CDynamicCircleDesc({0.5f, 0.11f}, 0.1f));
+  ball.move();
+  CContactDesc c(&flipper, &ball);
+  ASSERT_TRUE(Backend().CollisionDetected(c));
+  ball.CollisionResponse(c);
+  // The surface at half a unit moves at 2 pi .5 = 3.14; an elastic kick gives twice that.
+  EXPECT_NEAR(ball.GetVel().norm(), 2.0f * g_fPi, 0.2f); // the POI is up to .01 farther out
+  EXPECT_GT(ball.GetVel().y(), 6.0f);
+}
+
+TEST_P(CPairContract, AFastBallTunnelsOnNativeOnly) {
+  // 1.2 diameters beyond a wall that it crossed in one step: native looks at the end, Box2D at the way.
+  CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
+  CDynamicCircle ball = Arrive({0, -0.24f}, {0, -30});
+  CContactDesc c(&seg, &ball);
+  EXPECT_EQ(Backend().CollisionDetected(c), !IsNative());
+  if (IsNative()) return;
+  EXPECT_NEAR(c.m_fSetback, 0.34f, Skin());
+  EXPECT_NEAR(c.m_vNorm.y(), 1.0f, 1e-5f);
+}
+
+TEST_P(CPairContract, NullIsRefused) {
+  CPoint point(CPointDesc(Vector2(0, 0)));
+  CDynamicCircle ball = Arrive({0, 0}, {0, -6});
+  CContactDesc noShape(nullptr, &ball), noBall(&point, nullptr);
+  EXPECT_THROW(Backend().CollisionDetected(noShape), std::invalid_argument);
+  EXPECT_THROW(Backend().CollisionDetected(noBall), std::invalid_argument);
+}
+
+TEST_P(CPairContract, DegenerateShapesAndBallsGiveNoNaN) {
+  // Radius 0, centre on the shape, shapes without extent.
+  CPoint point(CPointDesc(Vector2(0, 0)));
+  CLineSeg noLength(CLineSegDesc({0, 0}, {0, 0})), tiny(CLineSegDesc({0, 0}, {1e-30f, 0}));
+  CCircle noRadius(CCircleDesc({0, 0}, 0));
+  CArc noArc(CArcDesc({0, 0}, 0, 1, 2)), tinyArc(CArcDesc({0, 0}, 1e-4f, 1, 2)),
+      smallBowl(CArcDesc({0, 0}, 1e-3f, 0, 0));
+  for (const float r : {0.0f, 1e-6f, 0.1f, 10.0f})
+    for (const Vector2& v : {Vector2(0, 0), Vector2(0, -6), Vector2(3, 1e-20f)})
+      for (CShape* pShape : std::initializer_list<CShape*>{&point, &noLength, &tiny, &noRadius, &noArc,
+                                                           &tinyArc, &smallBowl}) {
+        CDynamicCircle ball = Arrive({0, 0}, v, r);
+        CContactDesc c(pShape, &ball);
+        if (!Backend().CollisionDetected(c)) continue;
+        EXPECT_TRUE(c.m_vPOI.allFinite());
+        EXPECT_NEAR(c.m_vNorm.norm(), 1.0f, 1e-6f);
+        EXPECT_GE(c.m_fSetback, 0.0f);
+        ball.CollisionResponse(c);
+        EXPECT_TRUE(ball.GetPos().allFinite() && ball.GetVel().allFinite());
+      }
+}
+
+TEST(BackendTest, TheDefaultEngineAnswersCollisionDetectedOfAShape) {
+  CGameClock::Set(g_fDt, 0.0f);
+  CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
+  CDynamicCircle ball(CDynamicCircleDesc({0, 0.17f}, 0.1f, {1, -6}));
+  ball.move();
+  CContactDesc byShape(&seg, &ball), byBackend(&seg, &ball);
+  ASSERT_TRUE(seg.CollisionDetected(byShape));
+  ASSERT_TRUE(GetDefaultBackend().CollisionDetected(byBackend));
+  EXPECT_EQ(byShape.m_vPOI, byBackend.m_vPOI);
+  EXPECT_EQ(byShape.m_fSetback, byBackend.m_fSetback);
+}
+
+TEST(BackendTest, EachEngineNamesItself) {
+  ASSERT_NE(GetBackend(eBackend::Native), nullptr);
+  EXPECT_EQ(GetBackend(eBackend::Native)->GetName(), "native");
+  if (GetBackend(eBackend::Box2D) != nullptr) {
+    EXPECT_EQ(GetBackend(eBackend::Box2D)->GetName(), "box2d");
+  }
+  EXPECT_EQ(GetDefaultBackend().GetName(), SHAPES_TEST_DEFAULT_BACKEND);
+}
+
+} // namespace
+} // namespace Shapes

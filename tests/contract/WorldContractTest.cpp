@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: MIT
+// CWorld, the same on every engine.
+#include "Backends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+namespace Shapes {
+namespace {
+
+class CWorldContract : public CEveryBackend {
+protected:
+  std::unique_ptr<CWorld> Make(const Vector2& gravity = Vector2::Zero(), float dt = 1.0f / 60.0f) const {
+    CWorldDesc desc;
+    desc.m_vGravity = gravity;
+    desc.m_fTimeStep = dt;
+    return Backend().MakeWorld(desc);
+  }
+};
+SHAPES_ON_EVERY_BACKEND(CWorldContract);
+
+// A little of everything, with several balls, for tests of states and of order.
+std::unique_ptr<CWorld> MakeBusyWorld(const CBackend& backend) {
+  CWorldDesc desc;
+  desc.m_vGravity = {0, -5};
+  desc.m_fTimeStep = 1.0f / 120.0f;
+  auto pWorld = backend.MakeWorld(desc);
+  pWorld->Add(CArcDesc({0, 0}, 4, 0, 0));
+  pWorld->Add(CPointDesc(Vector2(0, -2)));
+  pWorld->Add(CCircleDesc({1.5f, 0}, 0.4f, 1.2f));
+  pWorld->Add(CLineSegDesc({-2, -2}, {-1, -2.5f}));
+  CLineSegDesc spinner({-2, 1}, {-1, 1});
+  spinner.m_eMotionType = eMotion::Kinematic;
+  spinner.m_vRotCenter = {-1.5f, 1};
+  spinner.m_fRotSpeed = 0.7f;
+  pWorld->Add(spinner);
+  CCircleDesc sensor({0, 2}, 0.5f);
+  sensor.m_bIsSensor = true;
+  pWorld->Add(sensor);
+  for (int i = 0; i < 6; ++i) {
+    const float f = static_cast<float>(i);
+    pWorld->Add(
+        CDynamicCircleDesc({-1.5f + 0.6f * f, 1.5f + 0.1f * f}, 0.1f + 0.02f * f, {2 - f, f}, 1 + f, 0.9f));
+  }
+  return pWorld;
+}
+
+void ExpectSameBits(const CWorld& a, const CWorld& b) {
+  ASSERT_EQ(a.GetBallIds().size(), b.GetBallIds().size());
+  const auto bytes = a.GetBallIds().size() * sizeof(Vector2);
+  EXPECT_EQ(std::memcmp(a.GetBallPositions().data(), b.GetBallPositions().data(), bytes), 0);
+  EXPECT_EQ(std::memcmp(a.GetBallVelocities().data(), b.GetBallVelocities().data(), bytes), 0);
+}
+
+TEST_P(CWorldContract, AFreeBallFollowsSemiImplicitEuler) {
+  auto pWorld = Make({0, -10});
+  const CShapeId id = pWorld->Add(CDynamicCircleDesc({1, 2}, 0.1f, {3, 4}));
+  float y = 2, vy = 4;
+  for (int i = 0; i < 60; ++i) {
+    pWorld->Step();
+    vy -= 10.0f / 60.0f;
+    y += vy / 60.0f;
+  }
+  EXPECT_NEAR(pWorld->GetPos(id).y(), y, 1e-5f);
+  EXPECT_NEAR(pWorld->GetPos(id).x(), 4.0f, 1e-5f);
+  EXPECT_NEAR(pWorld->GetVel(id).y(), vy, 1e-5f);
+}
+
+TEST_P(CWorldContract, ElasticityIsTheProductAndTheTangentialPartStays) {
+  auto pWorld = Make();
+  CLineSegDesc wall({-10, 0}, {10, 0}, 0.5f);
+  const CShapeId wallId = pWorld->Add(wall);
+  const CShapeId id = pWorld->Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {3, -4}, 1.0f, 0.5f));
+  for (int i = 0; i < 20; ++i)
+    pWorld->Step();
+  EXPECT_NEAR(pWorld->GetVel(id).x(), 3.0f, 1e-4f);
+  EXPECT_NEAR(pWorld->GetVel(id).y(), 1.0f, 1e-4f);
+  pWorld->SetElasticity(wallId, 1.5f);
+  pWorld->SetElasticity(id, 1.0f);
+  pWorld->SetPos(id, {0, 0.5f});
+  pWorld->SetVel(id, {3, -4});
+  for (int i = 0; i < 10; ++i)
+    pWorld->Step();
+  EXPECT_NEAR(pWorld->GetVel(id).y(), 6.0f, 1e-4f);
+}
+
+TEST_P(CWorldContract, ASlowBallBouncesToo) { // Box2D ships with a threshold of 1 m/s below which balls stick
+  auto pWorld = Make();
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  const CShapeId id = pWorld->Add(CDynamicCircleDesc({0, 0.2f}, 0.1f, {0, -0.5f}));
+  for (int i = 0; i < 30; ++i)
+    pWorld->Step();
+  EXPECT_NEAR(pWorld->GetVel(id).y(), 0.5f, 1e-4f);
+}
+
+TEST_P(CWorldContract, ContactsComeInTheConventionsOfTheLibrary) {
+  // The wall is added after the ball and before it: neither may turn the normal around.
+  for (const bool ballFirst : {true, false}) {
+    auto pWorld = Make();
+    CShapeId ball, wall;
+    const CDynamicCircleDesc ballDesc({0, 0.25f}, 0.1f, {0, -6});
+    if (ballFirst) ball = pWorld->Add(ballDesc);
+    wall = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+    if (!ballFirst) ball = pWorld->Add(ballDesc);
+    std::vector<CContactEvent> seen;
+    for (int i = 0; i < 5; ++i) {
+      pWorld->Step();
+      for (const auto& event : pWorld->GetContacts())
+        if (event.m_fSpeed > 0) seen.push_back(event);
+    }
+    ASSERT_EQ(seen.size(), 1u);
+    EXPECT_EQ(seen[0].m_cShape, wall);
+    EXPECT_EQ(seen[0].m_cBall, ball);
+    EXPECT_NEAR(seen[0].m_vNorm.y(), 1.0f, 1e-5f);
+    EXPECT_NEAR(seen[0].m_vPOI.y(), 0.0f, Skin());
+    EXPECT_NEAR(seen[0].m_fSpeed, 6.0f, 1e-4f);
+    EXPECT_FALSE(seen[0].m_bIsSensor);
+    EXPECT_EQ(seen[0].m_fSetback > 0.0f, IsNative()); // a b2World sets nothing back
+  }
+}
+
+TEST_P(CWorldContract, BallsMeetOnceWithTheNormalToTheFirst) {
+  auto pWorld = Make();
+  const CShapeId a = pWorld->Add(CDynamicCircleDesc({-0.3f, 0}, 0.1f, {2, 0}, 1));
+  const CShapeId b = pWorld->Add(CDynamicCircleDesc({0.3f, 0}, 0.1f, {-2, 0}, 3));
+  std::vector<CContactEvent> seen;
+  for (int i = 0; i < 30; ++i) {
+    pWorld->Step();
+    for (const auto& event : pWorld->GetContacts())
+      if (event.m_fSpeed > 0) seen.push_back(event);
+  }
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_EQ(seen[0].m_cBall, a);
+  EXPECT_EQ(seen[0].m_cShape, b);
+  EXPECT_NEAR(seen[0].m_vNorm.x(), -1.0f, 1e-5f);
+  EXPECT_NEAR(seen[0].m_fSpeed, 4.0f, 1e-4f);
+  EXPECT_NEAR(pWorld->GetVel(a).x(), -4.0f, 1e-3f);
+  EXPECT_NEAR(pWorld->GetVel(b).x(), 0.0f, 1e-3f);
+}
+
+TEST_P(CWorldContract, SensorsReportAndDoNotRespond) {
+  auto pWorld = Make();
+  CLineSegDesc desc({-1, 0}, {1, 0});
+  desc.m_bIsSensor = true;
+  const CShapeId sensor = pWorld->Add(desc);
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -2}));
+  std::size_t hits = 0;
+  for (int i = 0; i < 20; ++i) {
+    pWorld->Step();
+    for (const auto& event : pWorld->GetContacts()) {
+      EXPECT_TRUE(event.m_bIsSensor);
+      EXPECT_EQ(event.m_cShape, sensor);
+      EXPECT_NEAR(event.m_vPOI.y(), 0.0f, 1e-5f);
+      ++hits;
+    }
+  }
+  EXPECT_GE(hits, 5u); // .2 long at .033 a step
+  EXPECT_LE(hits, 8u);
+  EXPECT_EQ(pWorld->GetStats().m_nSensorHits, hits);
+  EXPECT_EQ(pWorld->GetStats().m_nContacts, 0u);
+  EXPECT_FLOAT_EQ(pWorld->GetVel(ball).y(), -2.0f);
+
+  pWorld->SetSensor(sensor, false); // the control
+  pWorld->SetPos(ball, {0, 0.3f});
+  for (int i = 0; i < 20; ++i)
+    pWorld->Step();
+  EXPECT_NEAR(pWorld->GetVel(ball).y(), 2.0f, 1e-4f);
+}
+
+TEST_P(CWorldContract, CollisionsAreSwitchedOffAndOn) {
+  auto pWorld = Make();
+  const CShapeId post = pWorld->Add(CPointDesc(Vector2(0, 0)));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -2}));
+  pWorld->SetCanCollide(post, false);
+  EXPECT_FALSE(pWorld->GetCanCollide(post));
+  for (int i = 0; i < 20; ++i)
+    pWorld->Step();
+  EXPECT_FLOAT_EQ(pWorld->GetVel(ball).y(), -2.0f);
+  pWorld->SetCanCollide(post);
+  pWorld->SetPos(ball, {0, 0.3f});
+  for (int i = 0; i < 20; ++i)
+    pWorld->Step();
+  EXPECT_NEAR(pWorld->GetVel(ball).y(), 2.0f, 1e-4f);
+  pWorld->SetCanCollide(ball, false);
+  pWorld->SetPos(ball, {0, 0.3f});
+  pWorld->SetVel(ball, {0, -2});
+  for (int i = 0; i < 20; ++i)
+    pWorld->Step();
+  EXPECT_FLOAT_EQ(pWorld->GetVel(ball).y(), -2.0f);
+}
+
+TEST_P(CWorldContract, KinematicShapesTurnAboutAnyCentre) {
+  auto pWorld = Make();
+  CLineSegDesc desc({1, 0}, {2, 0});
+  desc.m_eMotionType = eMotion::Kinematic;
+  desc.m_fRotSpeed = 0.25f; // a quarter turn in a second
+  desc.m_vRotCenter = {0, 0};
+  const CShapeId id = pWorld->Add(desc);
+  for (int i = 0; i < 60; ++i)
+    pWorld->Step();
+  const auto& seg = static_cast<const CLineSeg&>(pWorld->GetShape(id));
+  EXPECT_NEAR(pWorld->GetOrientation(id), g_fPi / 2, 1e-4f);
+  // At the vertical, rounding decides which end is left; the box has both.
+  EXPECT_NEAR((seg.GetAABB().GetTopLeft() - Vector2(0, 2)).norm(), 0.0f, 1e-4f);
+  EXPECT_NEAR((seg.GetAABB().GetBottomRt() - Vector2(0, 1)).norm(), 0.0f, 1e-4f);
+  EXPECT_NEAR((pWorld->GetPos(id) - Vector2(0, 1.5f)).norm(), 0.0f, 1e-4f);
+  pWorld->Reset(id);
+  EXPECT_EQ(seg.GetEndPt0(), Vector2(1, 0));
+  pWorld->SetOrientation(id, g_fPi);
+  EXPECT_NEAR(seg.GetEndPt0().x(), -2.0f, 1e-5f);
+}
+
+TEST_P(CWorldContract, AFlipperThrowsABallThatRestsOnIt) {
+  auto pWorld = Make();
+  CLineSegDesc desc({0, 0}, {1, 0});
+  desc.m_eMotionType = eMotion::Kinematic;
+  desc.m_fRotSpeed = 0.5f;
+  pWorld->Add(desc);
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.8f, 0.12f}, 0.1f));
+  for (int i = 0; i < 5; ++i)
+    pWorld->Step();
+  // The surface under it moves at pi * .8 = 2.5, an elastic kick gives up to twice that.
+  EXPECT_GT(pWorld->GetVel(ball).y(), 3.5f);
+  EXPECT_LT(pWorld->GetVel(ball).norm(), 2.0f * g_fPi * 0.85f);
+}
+
+TEST_P(CWorldContract, ACompoundTurnsAsOne) {
+  auto pWorld = Make();
+  const std::vector<CAnyShapeDesc> parts{CLineSegDesc({1, 0}, {2, 0}), CCircleDesc({2, 0}, 0.1f),
+                                         CPointDesc(Vector2(1, 0)), CArcDesc({1.5f, 0}, 0.2f, 0, 1)};
+  const auto ids = pWorld->AddCompound(parts, {1, 0}, 0.25f);
+  ASSERT_EQ(ids.size(), 4u);
+  for (int i = 0; i < 60; ++i)
+    pWorld->Step();
+  EXPECT_NEAR((pWorld->GetPos(ids[1]) - Vector2(1, 1)).norm(), 0.0f, 1e-4f);
+  EXPECT_NEAR((pWorld->GetPos(ids[2]) - Vector2(1, 0)).norm(), 0.0f, 1e-4f);
+  EXPECT_NEAR((pWorld->GetPos(ids[3]) - Vector2(1, 0.5f)).norm(), 0.0f, 1e-4f);
+
+  std::vector<CAnyShapeDesc> bad = parts;
+  bad.push_back(CCircleDesc({0, 0}, -1));
+  EXPECT_THROW(pWorld->AddCompound(bad, {0, 0}), std::invalid_argument);
+  EXPECT_FALSE(pWorld->Contains({ids[3].m_nValue + 1})); // nothing was half added
+  bad.back() = CDynamicCircleDesc({0, 0}, 1);
+  EXPECT_THROW(pWorld->AddCompound(bad, {0, 0}), std::invalid_argument);
+}
+
+TEST_P(CWorldContract, ShapesAndBallsAreRemoved) {
+  auto pWorld = Make();
+  const CShapeId wall = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  const CShapeId other = pWorld->Add(CDynamicCircleDesc({5, 5}, 0.1f));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -2}));
+  pWorld->Remove(wall);
+  pWorld->Remove(other);
+  EXPECT_FALSE(pWorld->Contains(wall));
+  EXPECT_FALSE(pWorld->Contains(other));
+  for (int i = 0; i < 30; ++i)
+    pWorld->Step();
+  EXPECT_FLOAT_EQ(pWorld->GetVel(ball).y(), -2.0f);
+  EXPECT_THROW(pWorld->Remove(wall), std::invalid_argument);
+  EXPECT_THROW(pWorld->GetPos(other), std::invalid_argument);
+  ASSERT_EQ(pWorld->GetBallIds().size(), 1u);
+  EXPECT_EQ(pWorld->GetBallIds()[0], ball);
+  EXPECT_GT(pWorld->Add(CPointDesc(Vector2(0, 0))), ball); // ids are not used again
+}
+
+TEST_P(CWorldContract, UserPointersStayWithTheirShapes) {
+  auto pWorld = MakeBusyWorld(Backend());
+  int tags[2];
+  const CShapeId ball = pWorld->GetBallIds()[3];
+  const CShapeId shape{1};
+  pWorld->SetUserPtr(ball, &tags[0]);
+  pWorld->SetUserPtr(shape, &tags[1]);
+  pWorld->Remove(pWorld->GetBallIds()[0]);
+  pWorld->Step();
+  EXPECT_EQ(pWorld->GetUserPtr(ball), &tags[0]);
+  EXPECT_EQ(pWorld->GetUserPtr(shape), &tags[1]);
+  EXPECT_EQ(pWorld->GetUserPtr(pWorld->GetBallIds()[0]), nullptr);
+}
+
+TEST_P(CWorldContract, TheBulkViewsAreWhatTheIdsSay) {
+  auto pWorld = MakeBusyWorld(Backend());
+  for (int i = 0; i < 50; ++i)
+    pWorld->Step();
+  const auto ids = pWorld->GetBallIds();
+  ASSERT_EQ(ids.size(), 6u);
+  EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    EXPECT_EQ(pWorld->GetPos(ids[i]), pWorld->GetBallPositions()[i]);
+    EXPECT_EQ(pWorld->GetVel(ids[i]), pWorld->GetBallVelocities()[i]);
+    EXPECT_EQ(pWorld->GetMotionType(ids[i]), eMotion::Dynamic);
+    EXPECT_EQ(pWorld->GetShapeType(ids[i]), eShape::Circle);
+    EXPECT_FLOAT_EQ(pWorld->GetMass(ids[i]), 1.0f + static_cast<float>(i));
+    EXPECT_FLOAT_EQ(pWorld->GetRadius(ids[i]), 0.1f + 0.02f * static_cast<float>(i));
+  }
+}
+
+TEST_P(CWorldContract, ASavedStateContinuesWithTheSameBits) {
+  auto pWorld = MakeBusyWorld(Backend());
+  auto pOther = MakeBusyWorld(Backend());
+  for (int i = 0; i < 200; ++i)
+    pWorld->Step();
+  const CSavedState saved = pWorld->SaveState();
+  for (int i = 0; i < 300; ++i)
+    pWorld->Step();
+
+  pOther->Remove(pOther->GetBallIds()[1]); // whatever the other one held is replaced
+  pOther->LoadState(saved);
+  for (int i = 0; i < 300; ++i)
+    pOther->Step();
+  ExpectSameBits(*pWorld, *pOther);
+  pOther->Step(); // the control: one step more is not the same
+  EXPECT_NE(pWorld->GetBallPositions()[0], pOther->GetBallPositions()[0]);
+  EXPECT_THROW(pWorld->LoadState(CSavedState()), std::invalid_argument);
+}
+
+TEST_P(CWorldContract, TheSameRunTwiceHasTheSameBits) {
+  auto pWorld = MakeBusyWorld(Backend());
+  auto pOther = MakeBusyWorld(Backend());
+  for (int i = 0; i < 500; ++i) {
+    pWorld->Step();
+    pOther->Step();
+  }
+  ExpectSameBits(*pWorld, *pOther);
+}
+
+TEST_P(CWorldContract, SubstepsCutTheStep) {
+  CWorldDesc desc;
+  desc.m_fTimeStep = 1.0f / 30.0f;
+  desc.m_nSubsteps = 4;
+  auto pWhole = Backend().MakeWorld(desc);
+  desc.m_fTimeStep = 1.0f / 120.0f;
+  desc.m_nSubsteps = 1;
+  auto pParts = Backend().MakeWorld(desc);
+  for (CWorld* p : {pWhole.get(), pParts.get()}) {
+    p->Add(CLineSegDesc({-10, 0}, {10, 0}));
+    p->Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {1, -3}));
+  }
+  for (int i = 0; i < 20; ++i) {
+    pWhole->Step();
+    for (int k = 0; k < 4; ++k)
+      pParts->Step();
+  }
+  ExpectSameBits(*pWhole, *pParts);
+  EXPECT_EQ(pWhole->GetStats().m_nSteps, 20u);
+  EXPECT_EQ(pWhole->GetStats().m_nSubsteps, 80u);
+}
+
+TEST_P(CWorldContract, ElasticityAboveOneIsCutAtTheSpeedLimitAndFlagged) {
+  // A ball that overlaps two bumpers at once is made a thousand times faster by each. The step is so short
+  // that it stays between them even at the speed limit.
+  auto pWorld = Make(Vector2::Zero(), 1e-22f);
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, 1000));
+  pWorld->Add(CLineSegDesc({-1, 0.199f}, {1, 0.199f}, 1000));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.0995f}, 0.1f, {0, -1}));
+  for (int i = 0; i < 50; ++i) {
+    pWorld->Step();
+    ASSERT_TRUE(pWorld->GetPos(ball).allFinite());
+    ASSERT_TRUE(pWorld->GetVel(ball).allFinite());
+    ASSERT_LE(pWorld->GetVel(ball).norm(), g_fMaxSpeed * 1.0001f);
+  }
+  // Native answers the bumpers one after the other; Box2D solves both at once and holds the ball between
+  // them.
+  EXPECT_EQ(pWorld->GetStats().m_nSpeedsCapped > 0, IsNative());
+  EXPECT_EQ(pWorld->GetVel(ball).norm() > 0.99f * g_fMaxSpeed, IsNative());
+}
+
+TEST_P(CWorldContract, StatsStayZeroForWhatTheSceneDoesNotHave) {
+  auto pWorld = Make();
+  pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, {1, 0}));
+  for (int i = 0; i < 10; ++i)
+    pWorld->Step();
+  const CWorldStats& s = pWorld->GetStats();
+  EXPECT_EQ(s.m_nSteps, 10u);
+  EXPECT_EQ(s.m_nShapeTests + s.m_nBallTests + s.m_nContacts + s.m_nSensorHits + s.m_nSpeedsCapped, 0u);
+  EXPECT_EQ(s.m_nMovesClamped + s.m_nTurnsClamped + s.m_nArcPieces, 0u);
+}
+
+TEST_P(CWorldContract, IdsOfTheWrongKindAreRefused) {
+  auto pWorld = MakeBusyWorld(Backend());
+  const CShapeId ball = pWorld->GetBallIds()[0], fixed{1};
+  EXPECT_THROW(pWorld->GetShape(ball), std::invalid_argument);
+  EXPECT_THROW(pWorld->GetVel(fixed), std::invalid_argument);
+  EXPECT_THROW(pWorld->SetVel(fixed, {1, 0}), std::invalid_argument);
+  EXPECT_THROW(pWorld->SetRotSpeed(ball, 1), std::invalid_argument);
+  EXPECT_THROW(pWorld->SetRotSpeed(fixed, 1), std::invalid_argument); // static
+  EXPECT_THROW(pWorld->Remove(CShapeId{}), std::invalid_argument);
+}
+
+} // namespace
+} // namespace Shapes
