@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Random numbers for the tests: the same on every machine and compiler. The state is SplitMix64 (G. Steele, D.
-// Lea, C. Flood, OOPSLA 2014); floats are made by integer and IEEE operations alone, no library distribution.
+// Random numbers for the tests: the same on every machine and compiler. The state is SplitMix64 (G. Steele,
+// D. Lea, C. Flood, OOPSLA 2014); floats are made by integer and IEEE operations alone, no library
+// distribution.
+// Two draws in one expression, or as two arguments of one call, have no fixed order in C++: name the first.
 #pragma once
 
 #include <Shapes/ShapeMath.h>
@@ -41,6 +43,11 @@ public:
     const int e = leastExp + static_cast<int>(Below(static_cast<std::uint32_t>(mostExp - leastExp + 1)));
     return static_cast<float>(std::ldexp(1.0 + Unit(), e));
   }
+  /// The same, of either sign.
+  float SignedScale(int leastExp, int mostExp) {
+    const float f = Scale(leastExp, mostExp);
+    return Coin() ? f : -f;
+  }
   /// In the square from -half to half.
   Vector2 InSquare(float half) {
     const float x = Uniform(-half, half); // named, because the order of arguments is not fixed
@@ -55,6 +62,17 @@ public:
       const double d = std::sqrt(x * x + y * y);
       if (d > 0.01 && d <= 1.0) return {static_cast<float>(x / d), static_cast<float>(y / d)};
     }
+  }
+
+  /// A vector of any direction whose length has a uniform binary exponent.
+  Vector2 Vector(int leastExp, int mostExp) {
+    const float d = Scale(leastExp, mostExp);
+    return d * Direction();
+  }
+  /// A vector of any direction and a length in [least, most].
+  Vector2 VectorOfLength(float least, float most) {
+    const float d = Uniform(least, most);
+    return d * Direction();
   }
 
 private:

@@ -14,7 +14,8 @@ public:
   /// elasticity
   CArcDesc(const Vector2& p, float r, float a0, float a1, float e = 1.0f);
 
-  /// Sets the angles, each reduced to [0, 2 pi).
+  /// Sets the angles, each reduced to [0, 2 pi). Angles that are a whole turn apart within their rounding,
+  /// such as 0 and the float nearest to 2 pi, are the full circle.
   void SetAngles(float a0, float a1);
   float GetAngle0() const { return m_fAngle0; }
   float GetAngle1() const { return m_fAngle1; }

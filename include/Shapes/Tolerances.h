@@ -33,6 +33,10 @@ inline constexpr unsigned g_nMaxSubsteps = 4096;
 /// arc.
 inline constexpr float g_fSectorRounding = 4.0f * 1.1920929e-7f;
 
+/// Two angles whose difference is a whole turn to this share of their sizes are a full circle, dimensionless:
+/// two roundings of each. An arc that lacks less than that of a full turn cannot be told from one.
+inline constexpr float g_fFullTurnRounding = 2.0f * 1.1920929e-7f;
+
 /// Padding of boxes in the broad phase, relative to their largest coordinate plus the radius of the ball. The
 /// pair kernels err by less, so a contact that they would report is never lost to a box.
 inline constexpr float g_fBoxPadding = 16.0f * 1.1920929e-7f;

@@ -16,7 +16,10 @@ CArcDesc::CArcDesc(const Vector2& p, float r, float a0, float a1, float e) : CCi
 
 void CArcDesc::SetAngles(float a0, float a1) {
   m_fAngle0 = NormalizeAngle(a0);
-  m_fAngle1 = NormalizeAngle(a1);
+  // A whole turn in float is not a whole turn: reduced one by one, the angles would leave an arc of a few
+  // 1e-7 rad.
+  const float turn = std::abs(a1 - a0), rounding = g_fFullTurnRounding * (std::abs(a0) + std::abs(a1));
+  m_fAngle1 = std::abs(turn - g_fTwoPi) <= rounding ? m_fAngle0 : NormalizeAngle(a1);
 }
 
 void CArcDesc::GetEndPts(Vector2& p0, Vector2& p1) const {

@@ -16,6 +16,12 @@ std::string ToText(float value) {
   return {text.data(), end};
 }
 
+std::string ToText(const Vector2& v) {
+  std::string text = "(";
+  text.append(ToText(v.x())).append(", ").append(ToText(v.y())).append(")");
+  return text;
+}
+
 } // namespace
 
 void Refuse(const std::string& field, const std::string& value, const std::string& expected) {
@@ -38,8 +44,7 @@ void RequireFinite(const char* field, float value) {
 
 void RequireVector(const char* field, const Vector2& v, float most) {
   if (!(std::abs(v.x()) <= most && std::abs(v.y()) <= most))
-    Refuse(field, "(" + ToText(v.x()) + ", " + ToText(v.y()) + ")",
-           "finite coordinates of at most " + ToText(most) + " in size");
+    Refuse(field, ToText(v), "finite coordinates of at most " + ToText(most) + " in size");
 }
 
 } // namespace Shapes

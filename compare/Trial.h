@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// A scene made ready to run: where its balls start in one of many random trials, and what a game does in it.
+#pragma once
+
+#include "Scene.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace Shapes::Compare {
+
+/// An engine with the settings under which a scene is run.
+struct CEngine {
+  std::string m_sName;
+  const CBackend* m_pBackend;
+  unsigned m_nSubsteps = 1;
+
+  /// The scene's world with these settings.
+  CWorldDesc MakeWorldDesc(const CScene& scene) const;
+};
+
+/// What is compared in this version: both engines as they come.
+/// @throws std::runtime_error if the Box2D engine was not built
+std::vector<CEngine> GetEngines();
+
+/// Where a trial begins.
+struct CStart {
+  std::vector<CDynamicCircleDesc> m_stdBalls;
+  double m_fTime = 0.0; ///< Seconds of turning that rotating shapes and flippers have behind them.
+};
+
+/// Start number `trial` of a scene: each ball varied by its spread, all balls moved along their velocities by
+/// the same random part of a step, so that impacts fall anywhere within a step, and turning shapes at a
+/// random angle. The same arguments give the same start on every machine.
+CStart MakeStart(const CScene& scene, std::uint64_t seed, std::uint64_t trial);
+
+/// Revolutions per second of a shape in the step that begins at `time`, and its orientation then: its own
+/// speed, or that which brings a flipper to where it belongs at the end of the step.
+float RotSpeedAt(const CSceneShape& shape, double time, double dt);
+float OrientationAt(const CSceneShape& shape, double time);
+
+/// A world with the shapes and these balls. Ids are consecutive: shapes in their order, then balls in theirs.
+struct CTrialWorld {
+  std::unique_ptr<CWorld> m_pWorld;
+  std::vector<CShapeId> m_stdShapes;
+  std::vector<CShapeId> m_stdBalls;
+
+  CTrialWorld(const CScene& scene, const CEngine& engine, std::span<const CDynamicCircleDesc> balls,
+              double time);
+};
+
+/// A scene that is played on: flippers flip, drained balls start again, and balls that left the bounds or
+/// became NaN are counted and start again.
+class CGame {
+public:
+  CGame(const CScene& scene, const CEngine& engine, const CStart& start);
+
+  void Step();
+
+  const CWorld& GetWorld() const { return *m_cWorld.m_pWorld; }
+  std::size_t GetEscaped() const { return m_nEscaped; }
+  std::size_t GetNotFinite() const { return m_nNotFinite; }
+  std::size_t GetDrained() const { return m_nDrained; }
+
+private:
+  void StartAgain(std::size_t ball);
+
+  const CScene& m_cScene;
+  CStart m_cStart;
+  CTrialWorld m_cWorld;
+  double m_fTime;
+  std::vector<std::size_t> m_stdFlips; // shapes with a flip
+  bool m_bHasDrain = false;
+  std::size_t m_nEscaped = 0, m_nNotFinite = 0, m_nDrained = 0;
+};
+
+} // namespace Shapes::Compare

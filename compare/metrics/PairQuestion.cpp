@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "PairQuestion.h"
+
+#include <variant>
+
+namespace Shapes::Compare {
+namespace {
+
+// CShape::move uses what a game has set; this one sets the scene's step and does gravity itself, which has
+// two components here.
+struct CClock : CShapeCommon {
+  static void Set(float dt) {
+    m_fTimeStep = dt;
+    m_fGravity = 0.0f;
+  }
+};
+
+std::unique_ptr<CDynamicCircle> Fly(CDynamicCircleDesc desc, const CWorldDesc& world) {
+  desc.m_vVel += world.m_vGravity * world.m_fTimeStep;
+  auto pBall = std::make_unique<CDynamicCircle>(desc);
+  CClock::Set(world.m_fTimeStep);
+  pBall->move();
+  return pBall;
+}
+
+std::unique_ptr<CShape> MakeKinematic(const CPointDesc& desc) {
+  return std::make_unique<CKinematicPoint>(desc);
+}
+std::unique_ptr<CShape> MakeKinematic(const CLineSegDesc& desc) {
+  return std::make_unique<CKinematicLineSeg>(desc);
+}
+std::unique_ptr<CShape> MakeKinematic(const CCircleDesc& desc) {
+  return std::make_unique<CKinematicCircle>(desc);
+}
+std::unique_ptr<CShape> MakeKinematic(const CArcDesc& desc) { return std::make_unique<CKinematicArc>(desc); }
+std::unique_ptr<CShape> MakeKinematic(const CDynamicCircleDesc&) { return nullptr; }
+
+} // namespace
+
+CPairQuestion::CPairQuestion(const CSceneShape& shape, const CDynamicCircleDesc& ball, double time,
+                             const CWorldDesc& world)
+    // A kinematic shape that does not turn is where a static one is, so one class serves both.
+    : m_pShape(std::visit([](const auto& desc) { return MakeKinematic(desc); }, shape.m_cDesc)),
+      m_pBall(Fly(ball, world)) {
+  if (const float angle = OrientationAt(shape, time); angle != 0.0f) m_pShape->SetOrientation(angle);
+  m_pShape->SetRotSpeed(RotSpeedAt(shape, time, world.m_fTimeStep));
+  m_pShape->Advance(world.m_fTimeStep);
+}
+
+CPairQuestion::CPairQuestion(const CDynamicCircleDesc& other, const CDynamicCircleDesc& ball,
+                             const CWorldDesc& world)
+    : m_pShape(Fly(other, world)), m_pBall(Fly(ball, world)) {}
+
+CPairQuestion::CAnswer CPairQuestion::Ask(const CBackend& backend) const {
+  CContactDesc c(m_pShape.get(), m_pBall.get());
+  CAnswer answer;
+  answer.m_bDetected = backend.CollisionDetected(c);
+  if (!answer.m_bDetected) return answer;
+  answer.m_fSetback = c.m_fSetback;
+  answer.m_vCentre = c.m_vPOI + m_pBall->GetRadius() * c.m_vNorm;
+  return answer;
+}
+
+} // namespace Shapes::Compare

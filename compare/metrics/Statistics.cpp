@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "Statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::Compare {
+namespace {
+
+// The smallest value that at least the share q of the sorted sample does not exceed.
+double NearestRank(const std::vector<double>& sorted, double q) {
+  const auto rank = static_cast<std::size_t>(std::ceil(q * static_cast<double>(sorted.size())));
+  return sorted[std::max<std::size_t>(rank, 1) - 1];
+}
+
+} // namespace
+
+CSummary Summarise(std::vector<double> values) {
+  std::erase_if(values, [](double x) { return !std::isfinite(x); });
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  return {values.size(), NearestRank(values, 0.5), NearestRank(values, 0.95), values.back()};
+}
+
+CInterval Wilson(std::size_t hits, std::size_t trials, double z) {
+  if (trials == 0) return {};
+  const double n = static_cast<double>(trials), p = static_cast<double>(hits) / n, z2 = z * z;
+  const double centre = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
+  const double half = z / (1.0 + z2 / n) * std::sqrt(p * (1.0 - p) / n + z2 / (4.0 * n * n));
+  return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
+}
+
+CMedian MedianWithInterval(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  // The median lies below the k-th smallest value if fewer than k of n coins show heads. Both tails together
+  // stay below 5%.
+  double tail = std::pow(0.5, static_cast<double>(n)), term = tail;
+  std::size_t k = 0;
+  while (2.0 * tail <= 0.05 && k + 1 <= n / 2) {
+    ++k;
+    term *= static_cast<double>(n - k + 1) / static_cast<double>(k);
+    tail += term;
+  }
+  const std::size_t low = k == 0 ? 0 : k - 1;
+  return {NearestRank(values, 0.5), {values[low], values[n - 1 - low]}};
+}
+
+} // namespace Shapes::Compare

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace Shapes::Compare {
+
+/// Median, 95th percentile and maximum of a sample: no mean, because errors have long tails.
+struct CSummary {
+  std::size_t m_nCount = 0;
+  double m_fMedian = 0.0;
+  double m_fP95 = 0.0;
+  double m_fMax = 0.0;
+};
+
+/// Summary of the finite values of a sample by nearest rank; all 0 if there are none.
+CSummary Summarise(std::vector<double> values);
+
+struct CInterval {
+  double m_fLow = 0.0;
+  double m_fHigh = 1.0;
+};
+
+/// Wilson score interval of a rate of `hits` in `trials` at z standard errors (E. B. Wilson, Probable
+/// Inference, the Law of Succession, and Statistical Inference, JASA 22, 1927); [0, 1] without trials. With
+/// no hits its upper end is about z^2 / trials.
+CInterval Wilson(std::size_t hits, std::size_t trials, double z = 1.959964);
+
+/// Median of a sample with the interval between order statistics that holds the true median with at least 95%
+/// (binomial); the whole range for fewer than 6 values.
+struct CMedian {
+  double m_fMedian = 0.0;
+  CInterval m_cInterval{0.0, 0.0};
+};
+CMedian MedianWithInterval(std::vector<double> values);
+
+} // namespace Shapes::Compare

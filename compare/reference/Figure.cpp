@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "Figure.h"
+
+#include <numbers>
+#include <stdexcept>
+#include <type_traits>
+#include <variant>
+
+namespace Shapes::Compare {
+namespace {
+
+using CVec2d = CVec<double>;
+
+CVec2d ToDouble(const Vector2& v) { return v.cast<double>(); }
+
+CFigure<double> ToFigure(const CPoint& point) {
+  CFigure<double> f;
+  f.m_eShapeType = eShape::Point;
+  f.m_vCenter = ToDouble(point.GetPos());
+  return f;
+}
+
+CFigure<double> ToFigure(const CLineSeg& seg) {
+  CFigure<double> f;
+  f.m_eShapeType = eShape::LineSeg;
+  f.m_eSides = seg.GetSides();
+  f.m_vPt0 = ToDouble(seg.GetEndPt0());
+  f.m_vPt1 = ToDouble(seg.GetEndPt1());
+  f.m_vCenter = f.m_vPt0;
+  return f;
+}
+
+CFigure<double> ToFigure(const CCircle& circle) {
+  CFigure<double> f;
+  f.m_eShapeType = eShape::Circle;
+  f.m_vCenter = f.m_vPt0 = f.m_vPt1 = ToDouble(circle.GetPos());
+  f.m_fRadius = static_cast<double>(circle.GetRadius());
+  return f;
+}
+
+CFigure<double> ToFigure(const CArc& arc) {
+  CFigure<double> f = ToFigure(static_cast<const CCircle&>(arc));
+  f.m_eShapeType = eShape::Arc;
+  f.m_eSides = arc.GetSides();
+  f.m_bFull = arc.IsFullCircle();
+  const CVec2d right(1.0, 0.0);
+  const CVec2d e0 = Unit(CVec2d(ToDouble(arc.GetEndPt0()) - f.m_vCenter), right);
+  const CVec2d e1 = Unit(CVec2d(ToDouble(arc.GetEndPt1()) - f.m_vCenter), right);
+  // By the ends as they are rounded; where they fall together, the angles know.
+  const double turn = Cross(e0, e1);
+  const bool together = turn == 0.0 && e0.dot(e1) > 0.0;
+  f.m_bWide = turn < 0.0 || (together && static_cast<double>(arc.GetSpan()) > std::numbers::pi);
+  f.m_vPt0 += f.m_fRadius * e0;
+  f.m_vPt1 += f.m_fRadius * e1;
+  return f;
+}
+
+// Hands the shape that the library makes of desc to f.
+template <class F>
+void WithShape(const CAnyShapeDesc& any, const F& f) {
+  std::visit(
+      [&]<class TDesc>(const TDesc& desc) {
+        if constexpr (std::is_same_v<TDesc, CPointDesc>)
+          f(CPoint(desc));
+        else if constexpr (std::is_same_v<TDesc, CLineSegDesc>)
+          f(CLineSeg(desc));
+        else if constexpr (std::is_same_v<TDesc, CCircleDesc>)
+          f(CCircle(desc));
+        else if constexpr (std::is_same_v<TDesc, CArcDesc>)
+          f(CArc(desc));
+        else
+          throw std::invalid_argument("shapes has a ball: expected static and kinematic shapes");
+      },
+      any);
+}
+
+} // namespace
+
+CFigure<double> MakeFigure(const CAnyShapeDesc& desc) {
+  CFigure<double> figure;
+  WithShape(desc, [&](const auto& shape) { figure = ToFigure(shape); });
+  return figure;
+}
+
+} // namespace Shapes::Compare

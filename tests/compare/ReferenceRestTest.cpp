@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// The exact reference where balls rest, slide, jam, pass or are only noticed.
+#include "Random.h"
+#include "reference/Reference.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace Shapes::Compare::Tests {
+namespace {
+
+using CShapes = std::vector<CAnyShapeDesc>;
+using CBalls = std::vector<CDynamicCircleDesc>;
+using CEvents = std::vector<CExactEvent>;
+
+CReference Make(const CShapes& shapes, const CBalls& balls, const Vector2& g = Vector2::Zero()) {
+  return CReference(shapes, balls, g);
+}
+
+CEvents Carry(CReference& reference, double dt, int steps = 1) {
+  CEvents events;
+  for (int i = 0; i < steps; ++i)
+    reference.Step(dt, events);
+  return events;
+}
+
+CLineSegDesc Wall(const Vector2& a, const Vector2& b, float e = 1) { return CLineSegDesc(a, b, e); }
+
+// Gravity comes in kicks of g dt at the start of a step, so a ball with elasticity e hops by e g dt^2 at
+// most.
+TEST(ReferenceRest, BallRestsOnASegment) { // case 75
+  for (const float e : {0.0f, 0.5f, 0.9f}) {
+    SCOPED_TRACE(e);
+    const double dt = 1.0 / 60, g = 9.8, hop = g * dt * dt;
+    CReference reference =
+        Make({Wall({-100, -100}, {100, 100}, e)}, {CDynamicCircleDesc({0, 0}, .5f, {0, 0})},
+             Vector2(std::sqrt(.5f), -std::sqrt(.5f)) * static_cast<float>(g)); // straight into the segment
+    const CVec2d n(-std::sqrt(.5), std::sqrt(.5));
+    reference.SetBall(0, .5 * n, {0, 0});
+    CEvents events;
+    for (int i = 0; i < 20000; ++i) {
+      events.clear();
+      reference.Step(dt, events);
+      ASSERT_LE(events.size(), 2u);
+      const double gap = reference.GetBall(0).m_vPos.dot(n) - .5;
+      ASSERT_GE(gap, -1e-13);
+      ASSERT_LE(gap, hop);
+    }
+    EXPECT_LE(reference.GetBall(0).m_vVel.norm(), g * dt * 1.0001);
+    EXPECT_EQ(reference.GetSlideCount(), 0u);
+  }
+}
+
+TEST(ReferenceRest, SlidingAlongASegmentIsNoHit) { // case 34
+  CReference reference = Make({Wall({-1, 0}, {200, 0})}, {CDynamicCircleDesc({0, .5f}, .5f, {1, 0})});
+  EXPECT_TRUE(Carry(reference, .01, 10000).empty());
+  EXPECT_EQ(reference.GetBall(0).m_vPos.y(), .5);
+  EXPECT_NEAR(reference.GetBall(0).m_vPos.x(), 100, 1e-9);
+}
+
+// A ball that slides in a bowl hops along it: it never leaves it, stays within the height of a hop, and its
+// energy is that of a pendulum to first order in the step.
+TEST(ReferenceRest, BallSlidesInABowl) {
+  const double dt = 1.0 / 240, R = 1, r = .25, g = 9.8;
+  CReference reference = Make({CArcDesc({0, 0}, 1, 0, 0, 0)}, {CDynamicCircleDesc({0, 0}, .25f)}, {0, -9.8f});
+  reference.SetBall(0, {-(R - r), 0}, {0, 0});
+  double lowest = 0, highest = -1, least = 1;
+  for (int i = 0; i < 480; ++i) {
+    Carry(reference, dt);
+    const CExactBall& ball = reference.GetBall(0);
+    const double d = ball.m_vPos.norm();
+    ASSERT_LE(d, R - r + 1e-12);
+    least = std::min(least, d);
+    lowest = std::min(lowest, ball.m_vPos.y());
+    if (ball.m_vPos.x() > 0) highest = std::max(highest, ball.m_vPos.y());
+  }
+  EXPECT_NEAR(lowest, -(R - r), 1e-3);
+  EXPECT_GT(highest, -0.1); // it climbs nearly to where it began on the other side
+  EXPECT_LE(highest, 0.01);
+  EXPECT_GT(least, R - r - g * dt * dt - 1e-3);
+  EXPECT_GT(reference.GetSlideCount(), 0u);
+  EXPECT_GT(reference.GetSlideHits(), reference.GetSlideCount());
+}
+
+TEST(ReferenceRest, TangentInsideACircleDoesNotStall) {
+  CReference reference = Make({CCircleDesc({0, 0}, 1)}, {CDynamicCircleDesc({.75f, 0}, .25f, {0, 1})});
+  for (int i = 0; i < 600; ++i) {
+    Carry(reference, 1.0 / 60);
+    ASSERT_NEAR(reference.GetBall(0).m_vPos.norm(), .75, 1e-4);
+    ASSERT_LE(reference.GetBall(0).m_vPos.norm(), .75 + 1e-12);
+  }
+  EXPECT_NEAR(reference.GetBall(0).m_vVel.norm(), 1, 1e-3);
+}
+
+TEST(ReferenceRest, DeadBallIsCarriedByABlade) {
+  CLineSegDesc blade = Wall({0, 0}, {4, 0}, 0);
+  blade.m_eMotionType = eMotion::Kinematic;
+  blade.m_fRotSpeed = 1;
+  CReference reference = Make({blade}, {CDynamicCircleDesc({1, .25f}, .125f)});
+  CEvents events;
+  for (int i = 0; i < 12; ++i) {
+    Carry(reference, 1.0 / 120);
+    const CFigure<double> f = reference.GetFigure(0);
+    const CVec2d along = (f.m_vPt1 - f.m_vPt0).normalized();
+    const double gap = Perp(along).dot(reference.GetBall(0).m_vPos) - .125;
+    ASSERT_GE(gap, -1e-12);
+    if (i >= 6) { // met at the latest when it has turned by 18 degrees
+      ASSERT_LE(gap, .01);
+    }
+  }
+  EXPECT_GT(reference.GetSlideHits(), 0u);
+}
+
+TEST(ReferenceRest, ManyHitsBecomeSliding) { // a wedge, at an elasticity that leaves almost no speed
+  CReference reference = Make({Wall({-2, 2}, {0, 0}, .5f), Wall({0, 0}, {2, 2}, .5f)},
+                              {CDynamicCircleDesc({0, 1}, .25f)}, {0, -9.8f});
+  CEvents events;
+  for (int i = 0; i < 2000; ++i) {
+    reference.Step(1.0 / 60, events);
+    ASSERT_GE(reference.GetBall(0).m_vPos.y(), .25 * std::sqrt(2.0) - 1e-12);
+  }
+  EXPECT_LE(reference.GetBall(0).m_vPos.y(), .25 * std::sqrt(2.0) + 1e-2);
+}
+
+TEST(ReferenceRest, SensorIsReportedOncePerStep) {
+  CLineSegDesc line = Wall({0, -1}, {0, 1});
+  line.m_bIsSensor = true;
+  CReference reference = Make({line, Wall({1, -1}, {1, 1})}, {CDynamicCircleDesc({-1, 0}, .25f, {4, 0})});
+  const CEvents events = Carry(reference, 1);
+  // On its way out it is met again, in the same step: once.
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_TRUE(events[0].m_bIsSensor);
+  EXPECT_NEAR(events[0].m_fTime, .75 / 4, 1e-15);
+  EXPECT_EQ(events[0].m_vVelAfter, events[0].m_vVelBefore);
+  EXPECT_FALSE(events[1].m_bIsSensor);
+  EXPECT_NEAR(reference.GetBall(0).m_vPos.x(), -1 + 2 * 1.75 - 4, 1e-15 * 8);
+
+  // A ball that is in it, whichever way it goes, is reported at once.
+  reference.SetBall(0, {.1, 0}, {.001, 0});
+  const CEvents inside = Carry(reference, .01);
+  ASSERT_EQ(inside.size(), 1u);
+  EXPECT_TRUE(inside[0].m_bOverlapped);
+  EXPECT_EQ(inside[0].m_fTime, 0);
+}
+
+TEST(ReferenceRest, SensorBallAndNoCollision) {
+  CDynamicCircleDesc ghost({-1, 0}, .25f, {1, 0});
+  ghost.m_bIsSensor = true;
+  CReference reference = Make({}, {ghost, CDynamicCircleDesc({1, 0}, .25f, {-1, 0})});
+  const CEvents events = Carry(reference, 2);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_TRUE(events[0].m_bIsSensor);
+  EXPECT_TRUE(events[0].m_bIsBall);
+  EXPECT_EQ(reference.GetBall(0).m_vVel, CVec2d(1, 0));
+
+  const CShapes wall = {Wall({0, -1}, {0, 1})};
+  for (const bool ofShape : {true, false}) {
+    CReference off = Make(wall, {CDynamicCircleDesc({-1, 0}, .25f, {1, 0})});
+    if (ofShape)
+      off.SetCanCollide(0, false);
+    else
+      off.SetBallCanCollide(0, false);
+    EXPECT_TRUE(Carry(off, 2).empty());
+    EXPECT_EQ(off.GetBall(0).m_vPos, CVec2d(1, 0));
+  }
+  CReference on = Make(wall, {CDynamicCircleDesc({-1, 0}, .25f, {1, 0})});
+  EXPECT_EQ(Carry(on, 2).size(), 1u); // control
+}
+
+TEST(ReferenceRest, OneWayGate) {
+  CLineSegDesc gate = Wall({-1, 0}, {1, 0});
+  for (const eSides sides : {eSides::Both, eSides::Front}) {
+    gate.m_eSides = sides;
+    for (const double dt : {1.0, 1.0 / 64, 1.0 / 1000}) { // steps that end while it is half way through
+      CReference up = Make({gate}, {CDynamicCircleDesc({.1f, -1}, .25f, {0, 1})});
+      CReference down = Make({gate}, {CDynamicCircleDesc({.1f, 1}, .25f, {0, -1})});
+      const int steps = static_cast<int>(std::lround(2 / dt));
+      EXPECT_EQ(Carry(up, dt, steps).empty(), sides == eSides::Front);
+      EXPECT_EQ(Carry(down, dt, steps).size(), 1u);
+      EXPECT_EQ(up.GetBall(0).m_vVel.y(), sides == eSides::Front ? 1 : -1);
+      EXPECT_EQ(down.GetBall(0).m_vVel.y(), 1);
+    }
+  }
+}
+
+TEST(ReferenceRest, OverlapIsReportedAndLeavesThePlace) {
+  CReference reference = Make({Wall({-1, 0}, {1, 0})}, {CDynamicCircleDesc({0, .25f}, .5f, {0, -1})});
+  const CEvents events = Carry(reference, 0.125);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_TRUE(events[0].m_bOverlapped);
+  EXPECT_EQ(events[0].m_fDepth, .25);
+  EXPECT_EQ(reference.GetBall(0).m_vPos, CVec2d(0, .375));
+}
+
+TEST(ReferenceRest, PlacesAreExactAfterAHit) {
+  // A ball without extent stays on its side of a slanted segment for ten thousand hits.
+  CReference reference =
+      Make({Wall({-1, -.25f}, {1, .5f}), Wall({-1, .75f}, {1, 1.5f})}, {CDynamicCircleDesc({0, .5f}, 0)});
+  const CVec2d along = CVec2d(2, .75).normalized(), n = Perp(along);
+  reference.SetBall(0, {0, .5}, 7 * n);
+  CEvents events;
+  while (events.size() < 10000) {
+    reference.Step(1.0 / 60, events);
+    ASSERT_GT((reference.GetBall(0).m_vPos - CVec2d(0, .125)).dot(n), -1e-12);
+    ASSERT_LT((reference.GetBall(0).m_vPos - CVec2d(0, 1.125)).dot(n), 1e-12);
+  }
+}
+
+TEST(ReferenceRest, JammedBallThrowsAndIsNamed) {
+  CReference reference =
+      Make({Wall({-1, 0}, {1, 0}), Wall({-1, 1.000002f}, {1, 1.000002f})},
+           {CDynamicCircleDesc({9, 9}, .1f), CDynamicCircleDesc({.125f, .500001f}, .5f, {0, 1})});
+  try {
+    Carry(reference, 1);
+    FAIL() << "nothing thrown";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("ball 1 at (0.125, 0.5"), std::string::npos) << error.what();
+  }
+  // Control: a step in which it hits less often.
+  CReference brief = Make({Wall({-1, 0}, {1, 0}), Wall({-1, 1.000002f}, {1, 1.000002f})},
+                          {CDynamicCircleDesc({.125f, .500001f}, .5f, {0, 1})});
+  EXPECT_NO_THROW(Carry(brief, 1e-4));
+}
+
+TEST(ReferenceRest, NearMissesAreCounted) {
+  CReference reference = Make({CPointDesc({0, 0})}, {CDynamicCircleDesc({-1, 0}, .5f)});
+  reference.SetBall(0, {-1.03, .5 * (1 + 1e-12)}, {1, 0});
+  EXPECT_TRUE(Carry(reference, .1, 20).empty());
+  EXPECT_EQ(reference.GetNearMissCount(), 1u);
+  reference.SetBall(0, {-1, .5 * (1 - 1e-12)}, {1, 0});
+  const CEvents events = Carry(reference, 2);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_TRUE(events[0].m_bGraze);
+  EXPECT_EQ(reference.GetNearMissCount(), 1u);
+}
+
+TEST(ReferenceRest, RefusesWhatTheLibraryRefuses) {
+  const float nan = std::nanf("");
+  EXPECT_THROW(Make({CPointDesc({nan, 0})}, {}), std::invalid_argument);
+  EXPECT_THROW(Make({CCircleDesc({0, 0}, -1)}, {}), std::invalid_argument);
+  EXPECT_THROW(Make({CDynamicCircleDesc({0, 0}, 1)}, {}), std::invalid_argument);
+  EXPECT_THROW(Make({}, {CDynamicCircleDesc({0, 0}, 1, {0, 0}, 0)}), std::invalid_argument);
+  EXPECT_THROW(Make({}, {}, {nan, 0}), std::invalid_argument);
+  CReference reference = Make({CPointDesc({0, 0})}, {CDynamicCircleDesc({3, 0}, 1)});
+  CEvents events;
+  EXPECT_THROW(reference.Step(-1, events), std::invalid_argument);
+  EXPECT_THROW(reference.SetRotSpeed(0, 1), std::invalid_argument); // it is static
+  EXPECT_THROW(reference.SetBall(1, {0, 0}, {0, 0}), std::out_of_range);
+}
+
+} // namespace
+} // namespace Shapes::Compare::Tests

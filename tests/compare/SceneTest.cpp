@@ -1,0 +1,429 @@
+// SPDX-License-Identifier: MIT
+#include "../../compare/Scene.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <numbers>
+#include <string>
+
+namespace Shapes::Compare {
+namespace {
+
+using nlohmann::json;
+
+// A folder of this test's own; tests may run at the same time.
+class SceneTest : public testing::Test {
+protected:
+  SceneTest()
+      : m_cFolder(
+            std::filesystem::path(testing::TempDir()) /
+            (std::string("shapes-scenes-") + testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    std::filesystem::remove_all(m_cFolder);
+    std::filesystem::create_directories(m_cFolder);
+  }
+  ~SceneTest() override { std::filesystem::remove_all(m_cFolder); }
+
+  std::filesystem::path Write(const std::string& text, const std::string& name = "s.json") const {
+    std::ofstream(m_cFolder / name, std::ios::binary) << text;
+    return m_cFolder / name;
+  }
+  CScene Load(const json& doc) const { return LoadScene(Write(doc.dump())); }
+
+  // What the error says after the name of the file.
+  std::string ErrorOf(const std::string& text) const {
+    const auto file = Write(text);
+    try {
+      LoadScene(file);
+    } catch (const CSceneError& error) {
+      const std::string what = error.what();
+      EXPECT_EQ(what.rfind(file.string() + ":", 0), 0u) << what;
+      return what.substr(file.string().size() + 1);
+    }
+    return "no error";
+  }
+  // The same for the valid scene in which f changes something.
+  std::string ErrorWith(const std::function<void(json&)>& f) const {
+    json doc = Valid();
+    f(doc);
+    return ErrorOf(doc.dump());
+  }
+
+  static json Valid() {
+    return json::parse(R"({
+      "name": "all", "description": "one of each", "length_unit": 2, "gravity": [1, -9.5],
+      "time_step": 0.0078125, "duration": 3, "bounds": {"left": -5, "bottom": -6, "right": 7, "top": 8},
+      "shapes": [
+        {"type": "point", "name": "post", "position": [1, 2], "elasticity": 0.5},
+        {"type": "line_segment", "p0": [3, 0], "p1": [-3, 1], "sides": "back", "sensor": true},
+        {"type": "circle", "position": [4, 4], "radius": 0.25, "drain": true},
+        {"type": "arc", "position": [0, 5], "radius": 2, "angles": [3, 0.5], "sides": "front",
+         "motion": "kinematic", "rotation_speed": -0.5, "rotation_center": [0, 4]}],
+      "compounds": [
+        {"rotation_center": [-2, -2], "flip": {"angle": -1, "speed": 1, "period": 2, "phase": 0.5},
+         "shapes": [{"type": "line_segment", "p0": [-2, -2], "p1": [-1, -2], "elasticity": 0.75},
+                    {"type": "point", "position": [-1, -2], "name": "tip"}]}],
+      "balls": [
+        {"position": [0, 0], "velocity": [3, 4], "radius": 0.5, "mass": 2, "elasticity": 0.25,
+         "spread": {"position": [0.5, 1], "direction": 0.125, "speed": 0.5}}]})");
+  }
+
+  std::filesystem::path m_cFolder;
+};
+
+template <class T>
+const T& As(const CSceneShape& shape) {
+  return std::get<T>(shape.m_cDesc);
+}
+
+TEST_F(SceneTest, EveryFieldArrives) {
+  const CScene scene = Load(Valid());
+  EXPECT_EQ(scene.m_sName, "all");
+  EXPECT_EQ(scene.m_sDescription, "one of each");
+  EXPECT_EQ(scene.m_cPath, m_cFolder / "s.json");
+  EXPECT_EQ(scene.m_cWorld.m_fLengthUnit, 2.0f);
+  EXPECT_EQ(scene.m_cWorld.m_vGravity, Vector2(1.0f, -9.5f));
+  EXPECT_EQ(scene.m_cWorld.m_fTimeStep, 0.0078125f);
+  EXPECT_EQ(scene.m_fDuration, 3.0f);
+  EXPECT_EQ(scene.m_cBounds.GetTopLeft(), Vector2(-5.0f, 8.0f));
+  EXPECT_EQ(scene.m_cBounds.GetBottomRt(), Vector2(7.0f, -6.0f));
+  ASSERT_EQ(scene.m_stdShapes.size(), 6u);
+
+  const auto& post = As<CPointDesc>(scene.m_stdShapes[0]);
+  EXPECT_EQ(scene.m_stdShapes[0].m_sName, "post");
+  EXPECT_EQ(post.m_vPos, Vector2(1.0f, 2.0f));
+  EXPECT_EQ(post.m_fElasticity, 0.5f);
+  EXPECT_EQ(post.m_eMotionType, eMotion::Static);
+
+  const auto& gate = As<CLineSegDesc>(scene.m_stdShapes[1]);
+  EXPECT_EQ(gate.GetEndPt0(), Vector2(-3.0f, 1.0f));
+  EXPECT_EQ(gate.GetEndPt1(), Vector2(3.0f, 0.0f));
+  EXPECT_EQ(gate.m_eSides, eSides::Back);
+  EXPECT_TRUE(gate.m_bIsSensor);
+  EXPECT_FALSE(scene.m_stdShapes[1].m_bIsDrain);
+
+  const auto& drain = As<CCircleDesc>(scene.m_stdShapes[2]);
+  EXPECT_EQ(drain.m_fRadius, 0.25f);
+  EXPECT_TRUE(drain.m_bIsSensor) << "a drain is a sensor without being called one";
+  EXPECT_TRUE(scene.m_stdShapes[2].m_bIsDrain);
+
+  const auto& arc = As<CArcDesc>(scene.m_stdShapes[3]);
+  EXPECT_EQ(arc.m_vPos, Vector2(0.0f, 5.0f));
+  EXPECT_EQ(arc.m_fRadius, 2.0f);
+  EXPECT_EQ(arc.GetAngle0(), 3.0f);
+  EXPECT_EQ(arc.GetAngle1(), 0.5f);
+  EXPECT_EQ(arc.m_eSides, eSides::Front);
+  EXPECT_EQ(arc.m_eMotionType, eMotion::Kinematic);
+  EXPECT_EQ(arc.m_fRotSpeed, -0.5f);
+  EXPECT_EQ(arc.m_vRotCenter, Vector2(0.0f, 4.0f));
+
+  for (const std::size_t i : {4u, 5u}) {
+    const CSceneShape& part = scene.m_stdShapes[i];
+    std::visit(
+        [](const auto& desc) {
+          EXPECT_EQ(desc.m_eMotionType, eMotion::Kinematic);
+          EXPECT_EQ(desc.m_vRotCenter, Vector2(-2.0f, -2.0f));
+          EXPECT_EQ(desc.m_fRotSpeed, 0.0f);
+        },
+        part.m_cDesc);
+    ASSERT_TRUE(part.m_cFlip.has_value());
+    EXPECT_EQ(part.m_cFlip->m_fAngle, -1.0f);
+    EXPECT_EQ(part.m_cFlip->m_fSpeed, 1.0f);
+    EXPECT_EQ(part.m_cFlip->m_fPeriod, 2.0f);
+    EXPECT_EQ(part.m_cFlip->m_fPhase, 0.5f);
+  }
+  EXPECT_EQ(As<CLineSegDesc>(scene.m_stdShapes[4]).m_fElasticity, 0.75f);
+  EXPECT_EQ(scene.m_stdShapes[5].m_sName, "tip");
+
+  ASSERT_EQ(scene.m_stdBalls.size(), 1u);
+  const CSceneBall& ball = scene.m_stdBalls[0];
+  EXPECT_EQ(ball.m_cDesc.m_vPos, Vector2(0.0f, 0.0f));
+  EXPECT_EQ(ball.m_cDesc.m_vVel, Vector2(3.0f, 4.0f));
+  EXPECT_EQ(ball.m_cDesc.m_fRadius, 0.5f);
+  EXPECT_EQ(ball.m_cDesc.m_fMass, 2.0f);
+  EXPECT_EQ(ball.m_cDesc.m_fElasticity, 0.25f);
+  EXPECT_EQ(ball.m_vSpread, Vector2(0.5f, 1.0f));
+  EXPECT_EQ(ball.m_fTurn, 0.125f);
+  EXPECT_EQ(ball.m_fSpeedSpread, 0.5f);
+}
+
+TEST_F(SceneTest, LeftOutFieldsAreThoseOfTheDescriptors) {
+  const CScene scene = Load(json::parse(R"({"name": "n", "duration": 1,
+    "bounds": {"left": -1, "bottom": -1, "right": 1, "top": 1}, "balls": [{"position": [0, 0], "radius": 0}],
+    "shapes": [{"type": "line_segment", "p0": [0, 0], "p1": [1, 0]},
+               {"type": "arc", "position": [0, 0], "radius": 1}]})"));
+  const CWorldDesc world;
+  EXPECT_EQ(scene.m_sDescription, "");
+  EXPECT_EQ(scene.m_cWorld.m_vGravity, world.m_vGravity);
+  EXPECT_EQ(scene.m_cWorld.m_fTimeStep, world.m_fTimeStep);
+  EXPECT_EQ(scene.m_cWorld.m_fLengthUnit, world.m_fLengthUnit);
+
+  const auto& segment = As<CLineSegDesc>(scene.m_stdShapes[0]);
+  const CLineSegDesc plain;
+  EXPECT_EQ(segment.m_fElasticity, plain.m_fElasticity);
+  EXPECT_EQ(segment.m_eSides, plain.m_eSides);
+  EXPECT_EQ(segment.m_bIsSensor, plain.m_bIsSensor);
+  EXPECT_EQ(segment.m_eMotionType, plain.m_eMotionType);
+  EXPECT_EQ(segment.m_fRotSpeed, plain.m_fRotSpeed);
+  EXPECT_EQ(segment.m_vRotCenter, plain.m_vRotCenter);
+  EXPECT_FALSE(scene.m_stdShapes[0].m_cFlip.has_value());
+  EXPECT_TRUE(CArc(As<CArcDesc>(scene.m_stdShapes[1])).IsFullCircle());
+
+  const CDynamicCircleDesc still;
+  EXPECT_EQ(scene.m_stdBalls[0].m_cDesc.m_vVel, still.m_vVel);
+  EXPECT_EQ(scene.m_stdBalls[0].m_cDesc.m_fMass, still.m_fMass);
+  EXPECT_EQ(scene.m_stdBalls[0].m_cDesc.m_fElasticity, still.m_fElasticity);
+  EXPECT_EQ(scene.m_stdBalls[0].m_vSpread, Vector2(0.0f, 0.0f));
+}
+
+TEST_F(SceneTest, AWholeTurnIsAFullCircle) {
+  const auto arc = [&](double a0, double a1) {
+    json doc = Valid();
+    doc["shapes"][3]["angles"] = {a0, a1};
+    return CArc(As<CArcDesc>(Load(doc).m_stdShapes[3]));
+  };
+  EXPECT_TRUE(arc(0.0, 6.283185307179586).IsFullCircle());
+  EXPECT_TRUE(arc(0.0, 6.2832).IsFullCircle());
+  EXPECT_TRUE(arc(-std::numbers::pi, std::numbers::pi).IsFullCircle());
+  EXPECT_TRUE(arc(1.25, 1.25).IsFullCircle());
+  EXPECT_FALSE(arc(0.0, 6.28).IsFullCircle());
+  EXPECT_NEAR(arc(-0.5, 0.5).GetSpan(), 1.0f, 4.0f * 4.8e-7f); // 4 roundings of an angle below 2 pi
+}
+
+TEST_F(SceneTest, AWrongFieldIsNamedWithWhatWasExpected) {
+  using Change = std::function<void(json&)>;
+  const std::pair<Change, const char*> cases[] = {
+      {[](json& d) { d["shapes"][2]["radius"] = "big"; },
+       " /shapes/2/radius: expected a length of at least 0, got \"big\""},
+      {[](json& d) { d["shapes"][2]["radius"] = -1; },
+       " /shapes/2/radius: expected a length of at least 0, got -1"},
+      {[](json& d) { d["shapes"][2].erase("radius"); },
+       " /shapes/2/radius: expected a length of at least 0, got nothing"},
+      {[](json& d) { d["shapes"][0]["position"][1] = nullptr; },
+       " /shapes/0/position/1: expected a number, got null"},
+      {[](json& d) {
+         d["shapes"][0]["position"] = {1, 2, 3};
+       },
+       " /shapes/0/position: expected a point [x, y], got [1,2,3]"},
+      {[](json& d) { d["shapes"][0]["radius"] = 1; },
+       " /shapes/0/radius: expected no such field (known are drain, elasticity, flip, motion, name, "
+       "position, rotation_center, rotation_speed, sensor, type), got 1"},
+      {[](json& d) { d["shapes"][1]["a/b: 'c'"] = true; },
+       " /shapes/1/a~1b: 'c': expected no such field (known are drain, elasticity, flip, motion, name, p0, "
+       "p1, rotation_center, rotation_speed, sensor, sides, type), got true"},
+      {[](json& d) { d["shapes"][1]["type"] = "square"; },
+       " /shapes/1/type: expected one of \"point\", \"line_segment\", \"circle\", \"arc\", got \"square\""},
+      {[](json& d) { d["shapes"][1].erase("type"); },
+       " /shapes/1/type: expected one of \"point\", \"line_segment\", \"circle\", \"arc\", got nothing"},
+      {[](json& d) { d["shapes"][1] = 5; }, " /shapes/1: expected an object that describes a shape, got 5"},
+      {[](json& d) { d["shapes"][1]["sides"] = "left"; },
+       " /shapes/1/sides: expected one of \"both\", \"front\", \"back\", got \"left\""},
+      {[](json& d) { d["shapes"][3]["motion"] = "dynamic"; },
+       " /shapes/3/motion: expected one of \"static\", \"kinematic\", got \"dynamic\""},
+      {[](json& d) { d["shapes"][3]["angles"][1] = 90; },
+       " /shapes/3/angles/1: expected an angle in radians, from -2 pi to 2 pi, got 90"},
+      {[](json& d) { d["compounds"][0]["shapes"][1]["type"] = "compound"; },
+       " /compounds/0/shapes/1/type: expected one of \"point\", \"line_segment\", \"circle\", \"arc\", got "
+       "\"compound\""},
+      {[](json& d) { d["compounds"][0]["shapes"][1]["motion"] = "static"; },
+       " /compounds/0/shapes/1/motion: expected no such field (known are drain, elasticity, name, position, "
+       "sensor, type), got \"static\""},
+      {[](json& d) { d["compounds"][0]["flip"]["speed"] = 0; },
+       " /compounds/0/flip/speed: expected a number above 0, got 0"},
+      {[](json& d) { d["balls"][0]["spread"]["speed"] = 1.5; },
+       " /balls/0/spread/speed: expected a fraction from 0 to 1, got 1.5"},
+      {[](json& d) { d["balls"][0]["mass"] = 0; }, " /balls/0/mass: expected a number above 0, got 0"},
+      {[](json& d) { d["balls"] = json::array(); }, " /balls: expected a list of at least one ball, got []"},
+      {[](json& d) { d.erase("bounds"); },
+       " /bounds: expected an object with left, bottom, right and top, got nothing"},
+      {[](json& d) { d["gravity"] = -9.81; }, " /gravity: expected a vector [x, y], got -9.81"},
+      {[](json& d) { d["name"] = ""; }, " /name: expected a text of at least one letter, got \"\""},
+      {[](json& d) { d = json::array({1}); }, " /: expected an object that describes a scene, got [1]"},
+      {[](json& d) { d = "scene"; }, " /: expected an object that describes a scene, got \"scene\""},
+  };
+  for (const auto& [change, expected] : cases)
+    EXPECT_EQ(ErrorWith(change), expected);
+  EXPECT_EQ(ErrorWith([](json&) {}), "no error");
+}
+
+TEST_F(SceneTest, WhatTheShapesRefuseIsNamedByItsPath) {
+  using Change = std::function<void(json&)>;
+  const std::pair<Change, const char*> cases[] = {
+      {[](json& d) { d["shapes"][0]["position"][0] = 1e19; }, " /shapes/0/position: expected finite"},
+      {[](json& d) { d["shapes"][1]["p0"][1] = -1e19; }, " /shapes/1/p0: expected coordinates"},
+      {[](json& d) { d["shapes"][1]["p1"][1] = 3e38; }, " /shapes/1/p1: expected coordinates"},
+      {[](json& d) { d["shapes"][2]["radius"] = 1e19; }, " /shapes/2/radius: expected a number from 0"},
+      {[](json& d) { d["shapes"][2]["radius"] = 1e39; },
+       " /shapes/2/radius: expected a number that a float can hold, at most 3.4e38 in size, got 1e+39"},
+      {[](json& d) { d["shapes"][2]["elasticity"] = 1e7; }, " /shapes/2/elasticity: expected a number from"},
+      {[](json& d) { d["shapes"][3]["rotation_speed"] = 1e10; }, " /shapes/3/rotation_speed: expected a"},
+      {[](json& d) { d["shapes"][3]["rotation_center"][0] = 1e19; },
+       " /shapes/3/rotation_center: expected finite"},
+      {[](json& d) { d["compounds"][0]["rotation_center"][0] = 1e19; },
+       " /compounds/0/rotation_center: expected finite"},
+      {[](json& d) { d["compounds"][0]["shapes"][0]["elasticity"] = 1e7; },
+       " /compounds/0/shapes/0/elasticity: expected a number from"},
+      {[](json& d) { d["time_step"] = 1e-60; }, " /time_step: expected a number above 0"},
+      {[](json& d) { d["time_step"] = 1e7; }, " /time_step: expected a number above 0, up to"},
+      {[](json& d) { d["gravity"][0] = 1e19; }, " /gravity: expected finite"},
+      {[](json& d) { d["length_unit"] = 1e19; }, " /length_unit: expected a number above 0"},
+      {[](json& d) { d["balls"][0]["mass"] = 1e-60; }, " /balls/0/mass: expected a number"},
+      {[](json& d) { d["balls"][0]["mass"] = 1e37; }, " /balls/0/mass: expected a number"},
+      {[](json& d) { d["balls"][0]["velocity"][1] = 1e19; }, " /balls/0/velocity: expected finite"},
+      // Each coordinate could pass, but a turned start would be too fast.
+      {[](json& d) {
+         d["balls"][0]["velocity"] = {9e17, 9e17};
+       },
+       " /balls/0/velocity: expected finite"},
+  };
+  for (const auto& [change, expected] : cases)
+    EXPECT_EQ(ErrorWith(change).rfind(expected, 0), 0u) << ErrorWith(change) << "\nis not " << expected;
+}
+
+TEST_F(SceneTest, FieldsThatContradictEachOtherAreRefused) {
+  using Change = std::function<void(json&)>;
+  const std::pair<Change, const char*> cases[] = {
+      {[](json& d) { d["shapes"][2]["sensor"] = false; },
+       " /shapes/2/sensor: expected true for a drain, got false"},
+      {[](json& d) { d["shapes"][3].erase("motion"); },
+       " /shapes/3/motion: expected \"kinematic\" for a shape that turns, got nothing"},
+      {[](json& d) { d["compounds"][0]["rotation_speed"] = 1; },
+       " /compounds/0/rotation_speed: expected none for what has a flip, got 1"},
+      {[](json& d) { d["compounds"][0]["flip"]["period"] = 0.3; }, // 2 * 1 / (2 pi) = 0.318
+       " /compounds/0/flip/period: expected the time to turn by angle at speed and back, 0.31830987 or "
+       "more, got 0.3"},
+      {[](json& d) { d["compounds"][0]["flip"]["speed"] = 1e10; },
+       " /compounds/0/flip/speed: expected a number above 0, up to 1000000000, got 10000000000.0"},
+      {[](json& d) {
+         d["shapes"][3]["angles"] = {-4, 4};
+       },
+       " /shapes/3/angles: expected two angles at most 2 pi apart, got [-4,4]"},
+      {[](json& d) { d["bounds"]["right"] = -5; }, " /bounds/right: expected a number above left, got -5"},
+      {[](json& d) { d["bounds"]["top"] = -7; }, " /bounds/top: expected a number above bottom, got -7"},
+      {[](json& d) { d["duration"] = 0.007; }, " /duration: expected at least one time_step, got 0.007"},
+      {[](json& d) {
+         d["balls"][0]["position"] = {6.75, 0};
+       },
+       " /balls/0/position: expected a point in the bounds, the spread of the position included, got "
+       "[6.75,0]"},
+  };
+  for (const auto& [change, expected] : cases)
+    EXPECT_EQ(ErrorWith(change), expected);
+}
+
+TEST_F(SceneTest, SyntaxErrorsHaveLineAndColumn) {
+  EXPECT_EQ(ErrorOf(""), "1:1: expected a scene, got an empty file");
+  EXPECT_EQ(ErrorOf(" \n\n"), "3:1: expected a scene, got an empty file");
+  EXPECT_EQ(ErrorOf("{\n  \"name\": tru\n}").rfind("2:", 0), 0u) << ErrorOf("{\n  \"name\": tru\n}");
+  EXPECT_EQ(ErrorOf("{\n  \"name\" 1}").rfind("2:10: syntax error", 0), 0u) << ErrorOf("{\n  \"name\" 1}");
+  EXPECT_EQ(ErrorOf("{} x").rfind("1:4: ", 0), 0u) << ErrorOf("{} x");
+  EXPECT_EQ(ErrorOf("{\"name\": \"\xff\"}").rfind("1:11: ", 0), 0u) << ErrorOf("{\"name\": \"\xff\"}");
+  EXPECT_EQ(ErrorOf("{\"gravity\": [0, NaN]}").rfind("1:17: ", 0), 0u);
+}
+
+// Wherever a file ends too early, the error is a place in the text. The whole file is the control.
+TEST_F(SceneTest, NoTruncatedFileGetsThrough) {
+  const std::string text = Valid().dump(1);
+  const auto lines = [](const std::string& part) { return 1 + std::count(part.begin(), part.end(), '\n'); };
+  for (std::size_t n = 0; n < text.size(); ++n) {
+    const std::string part = text.substr(0, n);
+    const std::string error = ErrorOf(part);
+    EXPECT_EQ(error.rfind(std::to_string(lines(part)) + ":", 0), 0u) << n << " bytes: " << error;
+  }
+  EXPECT_EQ(ErrorOf(text), "no error");
+}
+
+TEST_F(SceneTest, NumbersBeyondDoubleAreNamedByTheirPath) {
+  const std::string text = Valid().dump();
+  const std::string radius = "\"radius\":0.25";
+  const std::size_t at = text.find(radius);
+  ASSERT_NE(at, std::string::npos);
+  const std::string wrong = text.substr(0, at) + "\"radius\":1e999" + text.substr(at + radius.size());
+  EXPECT_EQ(ErrorOf(wrong), " /shapes/2/radius: expected a number that a double can hold, got 1e999");
+  EXPECT_EQ(ErrorOf("[-1e999]"), " /0: expected a number that a double can hold, got -1e999");
+}
+
+TEST_F(SceneTest, RepeatedFieldsAndEndlessNestingAreRefused) {
+  EXPECT_EQ(ErrorOf(R"({"balls": [{"radius": 1, "radius": 2}]})"),
+            " /balls/0/radius: expected each field once, got it a second time");
+  const std::string error = ErrorOf(std::string(200000, '['));
+  EXPECT_NE(error.find("expected at most 16 levels, got another one"), std::string::npos) << error;
+}
+
+TEST_F(SceneTest, LongValuesAreShortened) {
+  const std::string error = ErrorWith([](json& d) { d["gravity"] = std::string(1000, 'g'); });
+  EXPECT_EQ(error, " /gravity: expected a vector [x, y], got \"" + std::string(59, 'g') + "...");
+}
+
+TEST_F(SceneTest, FilesThatCannotBeReadAreRefused) {
+  const auto what = [](const std::filesystem::path& file) -> std::string {
+    try {
+      LoadScene(file);
+    } catch (const CSceneError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const auto missing = m_cFolder / "missing.json";
+  EXPECT_EQ(what(missing),
+            missing.string() + ": expected a file that can be read, got No such file or directory");
+  EXPECT_EQ(what(m_cFolder), m_cFolder.string() + ": expected a file that can be read, got a folder");
+  EXPECT_THROW(LoadScenes(missing), CSceneError);
+}
+
+TEST_F(SceneTest, AFolderIsLoadedInTheOrderOfItsFileNames) {
+  json doc = Valid();
+  for (const char* name : {"b", "c", "a"}) {
+    doc["name"] = std::string("scene ") + name;
+    Write(doc.dump(), std::string(name) + ".json");
+  }
+  Write("not a scene", "readme.txt");
+  const auto scenes = LoadScenes(m_cFolder);
+  ASSERT_EQ(scenes.size(), 3u);
+  EXPECT_EQ(scenes[0].m_sName, "scene a");
+  EXPECT_EQ(scenes[1].m_sName, "scene b");
+  EXPECT_EQ(scenes[2].m_sName, "scene c");
+
+  Write(doc.dump(), "d.json"); // "scene a" again
+  try {
+    LoadScenes(m_cFolder);
+    FAIL() << "two scenes have one name";
+  } catch (const CSceneError& error) {
+    EXPECT_EQ(error.what(), (m_cFolder / "d.json").string() +
+                                ": /name: expected a name that no other scene of the folder has, got "
+                                "\"scene a\"");
+  }
+}
+
+TEST(FlipTest, TurnsStaysGoesBackAndRests) {
+  const CFlip flip{1.0f, 0.5f, 2.0f, 0.0f}; // pi radians per second: a way takes 1/pi = 0.318 s
+  const float rounding = 4.0f * 1.2e-7f;
+  EXPECT_EQ(FlipOrientation(flip, 0.0), 0.0f);
+  EXPECT_NEAR(FlipOrientation(flip, 0.1), 0.1 * std::numbers::pi, rounding);
+  EXPECT_EQ(FlipOrientation(flip, 0.4), 1.0f);
+  EXPECT_EQ(FlipOrientation(flip, 0.999), 1.0f);
+  EXPECT_NEAR(FlipOrientation(flip, 1.1), 1.0 - 0.1 * std::numbers::pi, rounding);
+  EXPECT_EQ(FlipOrientation(flip, 1.4), 0.0f);
+  EXPECT_EQ(FlipOrientation(flip, 1.999), 0.0f);
+
+  CFlip mirrored = flip, later = flip;
+  mirrored.m_fAngle = -1.0f;
+  later.m_fPhase = 0.25f;
+  for (int i = -4000; i < 4000; ++i) {
+    const double t = i / 1024.0;
+    EXPECT_EQ(FlipOrientation(mirrored, t), -FlipOrientation(flip, t));
+    EXPECT_EQ(FlipOrientation(flip, t + 2.0), FlipOrientation(flip, t)); // exact: t and the period are binary
+    EXPECT_EQ(FlipOrientation(later, t), FlipOrientation(flip, t + 0.25));
+    const float step = FlipOrientation(flip, t + 1.0 / 1024.0) - FlipOrientation(flip, t);
+    EXPECT_LE(std::abs(step), std::numbers::pi / 1024.0 + rounding)
+        << "never faster than its speed, t = " << t;
+  }
+}
+
+} // namespace
+} // namespace Shapes::Compare

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+// The sweep on cases with known answers: the hard ones that concern the time of impact on a straight way,
+// what overlaps at the start, open sides, and turning shapes.
+#include "Random.h"
+#include "reference/Sweep.h"
+
+#include <Shapes/World.h>
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+
+namespace Shapes::Compare::Tests {
+namespace {
+
+using CVec2d = CVec<double>;
+using CBalld = CSweptBall<double>;
+
+constexpr double g_fEps = std::numeric_limits<double>::epsilon();
+constexpr double g_fPi2 = 2.0 * std::numbers::pi;
+constexpr float g_fDegree = g_fPi / 180.0f;
+
+double Tolerance8Ulp(double t) { return 8.0 * g_fEps * t; }
+
+struct CResult {
+  bool m_bMet;
+  CHit<double> m_cHit;
+};
+
+CResult Shoot(const CAnyShapeDesc& desc, const CBalld& ball, double tMax = 10.0,
+              eMeet meet = eMeet::Approaching) {
+  CResult result;
+  result.m_bMet = Sweep(MakeFigure(desc), ball, tMax, result.m_cHit, meet);
+  return result;
+}
+
+CLineSegDesc Sided(CLineSegDesc desc, eSides sides) {
+  desc.m_eSides = sides;
+  return desc;
+}
+
+CArcDesc Sided(CArcDesc desc, eSides sides) {
+  desc.m_eSides = sides;
+  return desc;
+}
+
+struct CTimeCase {
+  const char* m_sName; // the number in the list of hard cases
+  CAnyShapeDesc m_cShape;
+  CBalld m_cBall;
+  double m_fTime;
+  double m_fTolerance;
+};
+
+class CTimeOfImpact : public testing::TestWithParam<CTimeCase> {};
+
+TEST_P(CTimeOfImpact, IsTheKnownOne) {
+  const CTimeCase& c = GetParam();
+  const CResult result = Shoot(c.m_cShape, c.m_cBall);
+  ASSERT_TRUE(result.m_bMet);
+  EXPECT_NEAR(result.m_cHit.m_fTime, c.m_fTime, c.m_fTolerance);
+  EXPECT_NEAR(result.m_cHit.m_vNorm.norm(), 1.0, 8.0 * g_fEps);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Hard, CTimeOfImpact,
+    testing::Values(
+        CTimeCase{"case4", CLineSegDesc({-1, 0}, {1, 0}), {{0, 1}, {0, -1}, 0}, 1.0, Tolerance8Ulp(1)},
+        CTimeCase{"case5", CLineSegDesc({1, 1}, {1, 1}), {{1, 3}, {0, -1}, .5}, 1.5, Tolerance8Ulp(1.5)},
+        CTimeCase{"case6", CLineSegDesc({0, 0}, {1e-30f, 0}), {{0, 2}, {0, -1}, .5}, 1.5, Tolerance8Ulp(1.5)},
+        CTimeCase{"case7", CCircleDesc({0, 0}, 0), {{0, 2}, {0, -1}, .5}, 1.5, Tolerance8Ulp(1.5)},
+        CTimeCase{"case20",
+                  CArcDesc({0, 0}, 1, 350 * g_fDegree, 10 * g_fDegree),
+                  {{2, 0}, {-1, 0}, .1},
+                  .9,
+                  Tolerance8Ulp(.9)},
+        CTimeCase{"case21", CArcDesc({0, 0}, 1, 0, 0), {{2, 0}, {-1, 0}, .1}, .9, Tolerance8Ulp(.9)},
+        CTimeCase{"case22", CArcDesc({0, 0}, 1, -1e-9f, 1), {{2, 0}, {-1, 0}, .1}, .9, Tolerance8Ulp(.9)},
+        CTimeCase{"case23", CArcDesc({0, 0}, 1, 0, 1e-7f), {{2, 0}, {-1, 0}, .1}, .9, 1e-7},
+        CTimeCase{"case24",
+                  CArcDesc({0, 0}, 1, 1e-6f, static_cast<float>(g_fPi2 - 1e-6)),
+                  {{2, 0}, {-1, 0}, .1},
+                  .9,
+                  1e-6},
+        CTimeCase{"case26",
+                  CArcDesc({0, 0}, 1, 45 * g_fDegree, 315 * g_fDegree),
+                  {{3, 0}, {-1, 0}, .1},
+                  3.9,
+                  Tolerance8Ulp(3.9)},
+        CTimeCase{"case30",
+                  CPointDesc({0, 0}),
+                  {{-10, 1 - 1e-12}, {1, 0}, 1},
+                  9.99999858578644,
+                  10 * g_fEps / std::sqrt(2e-12)},
+        CTimeCase{
+            "case43", CLineSegDesc({0, -1}, {0, 1}), {{-1, 0}, {1e6, 0}, .1}, 9e-7, Tolerance8Ulp(9e-7)},
+        CTimeCase{"case49",
+                  CArcDesc({1048576, 1048576}, 1, 350 * g_fDegree, 10 * g_fDegree),
+                  {{1048578, 1048576}, {-1, 0}, .1},
+                  .9,
+                  4 * 0x1p-32},
+        CTimeCase{"case78", CLineSegDesc({0, 0}, {1, 0}), {{-.3, 2}, {0, -1}, .5}, 1.6, Tolerance8Ulp(1.6)}),
+    [](const auto& param) { return param.param.m_sName; });
+
+// Case 21: a full circle is met from every direction, from outside and from inside.
+TEST(SweepCases, FullCircleFromEveryDirection) {
+  for (int i = 0; i < 360; ++i) {
+    SCOPED_TRACE(i);
+    const CVec2d u(std::cos(i * g_fPi2 / 360), std::sin(i * g_fPi2 / 360));
+    const CResult in = Shoot(CArcDesc({0, 0}, 1, 0, 0), {2.0 * u, -u, .1});
+    ASSERT_TRUE(in.m_bMet);
+    EXPECT_NEAR(in.m_cHit.m_fTime, .9, 16 * g_fEps * 2.1);
+    EXPECT_EQ(in.m_cHit.m_ePart, ePart::Outside);
+    const CResult out = Shoot(CArcDesc({0, 0}, 1, 0, 0), {0.5 * u, u, .1});
+    ASSERT_TRUE(out.m_bMet);
+    EXPECT_NEAR(out.m_cHit.m_fTime, .4, 16 * g_fEps * 2.1);
+    EXPECT_EQ(out.m_cHit.m_ePart, ePart::Inside);
+    EXPECT_NEAR((out.m_cHit.m_vNorm + u).norm(), 0.0, 16 * g_fEps);
+  }
+}
+
+TEST(SweepCases, NakedEndHasARoundNormal) { // case 78
+  const CResult result = Shoot(CLineSegDesc({0, 0}, {1, 0}), {{-.3, 2}, {0, -1}, .5});
+  EXPECT_EQ(result.m_cHit.m_ePart, ePart::End0);
+  EXPECT_NEAR(result.m_cHit.m_vNorm.x(), -.6, 1e-12);
+  EXPECT_NEAR(result.m_cHit.m_vNorm.y(), .8, 1e-12);
+}
+
+TEST(SweepCases, CentreOnTheShapeGoesBackWhereItCameFrom) { // cases 9, 10
+  const CResult point = Shoot(CPointDesc({0, 0}), {{0, 0}, {1, 0}, .5});
+  ASSERT_TRUE(point.m_bMet);
+  EXPECT_EQ(point.m_cHit.m_vNorm, CVec2d(-1, 0));
+  EXPECT_EQ(point.m_cHit.m_fTime, 0.0);
+  EXPECT_TRUE(point.m_cHit.m_bOverlapped);
+  EXPECT_EQ(point.m_cHit.m_fDepth, .5);
+  const CResult seg = Shoot(CLineSegDesc({-1, 0}, {1, 0}), {{0, 0}, {1, -1}, .5});
+  ASSERT_TRUE(seg.m_bMet);
+  EXPECT_EQ(seg.m_cHit.m_vNorm, CVec2d(0, 1));
+  EXPECT_EQ(seg.m_cHit.m_fDepth, .5);
+  // From below it is the other face, also for a ball without extent.
+  EXPECT_EQ(Shoot(CLineSegDesc({-1, 0}, {1, 0}), {{0, 0}, {1, 1}, 0}).m_cHit.m_vNorm, CVec2d(0, -1));
+}
+
+TEST(SweepCases, InsideAnArcThatItDoesNotFit) { // cases 11, 12, 27
+  const CArcDesc bowl({0, 0}, 1, 0, 0), wide({0, 0}, 2, 0, 0);
+  for (const CVec2d& v : {CVec2d(0, 0), CVec2d(1, 0), CVec2d(-.3, .4)}) {
+    EXPECT_FALSE(Shoot(bowl, {{0, 0}, v, 1}).m_bMet);
+    EXPECT_FALSE(Shoot(bowl, {{.1, 0}, v, 1.5}).m_bMet);
+  }
+  EXPECT_FALSE(Shoot(wide, {{0, 0}, {0, 0}, .5}).m_bMet);
+  EXPECT_FALSE(Shoot(wide, {{0, 0}, {1, 0}, .5}, 1.5 - 1e-9).m_bMet); // the gap is 1.5
+  EXPECT_TRUE(Shoot(wide, {{0, 0}, {1, 0}, .5}, 1.5 + 1e-9).m_bMet);
+}
+
+TEST(SweepCases, RingThatTheBallDoesNotFitIsMetFromOutside) {
+  const CCircleDesc ring({0, 0}, 1);
+  EXPECT_FALSE(Shoot(ring, {{2, 0}, {0, 0}, .1}).m_bMet); // case 41: inside a ring there is nothing
+  const CResult fits = Shoot(ring, {{.5, 0}, {1, 0}, .25});
+  ASSERT_TRUE(fits.m_bMet);
+  EXPECT_EQ(fits.m_cHit.m_ePart, ePart::Inside);
+  EXPECT_NEAR(fits.m_cHit.m_fTime, .25, 16 * g_fEps);
+  EXPECT_FALSE(Shoot(ring, {{.5, 0}, {1, 0}, 1}).m_bMet); // outside, however deep, and leaving
+  const CResult deep = Shoot(ring, {{.5, 0}, {-1, 0}, 1});
+  ASSERT_TRUE(deep.m_bMet);
+  EXPECT_EQ(deep.m_cHit.m_ePart, ePart::Outside);
+  EXPECT_NEAR(deep.m_cHit.m_fDepth, 1.5, 8 * g_fEps);
+}
+
+TEST(SweepCases, GrazesAreFlaggedOnBothSides) { // cases 30, 32
+  const auto graze = [](double offset) {
+    return Shoot(CPointDesc({0, 0}), {{-10, offset}, {1, 0}, 1}, 20.0);
+  };
+  EXPECT_TRUE(graze(1 - 1e-12).m_bMet);
+  EXPECT_TRUE(graze(1 - 1e-12).m_cHit.m_bGraze);
+  EXPECT_FALSE(graze(1 + 1e-12).m_bMet);
+  EXPECT_TRUE(graze(1 + 1e-12).m_cHit.m_bGraze);
+  EXPECT_NEAR(graze(1 + 1e-12).m_cHit.m_fTime, 10.0, 1e-12);
+  // Not ambiguous any more a little farther off.
+  EXPECT_TRUE(graze(1 - 1e-8).m_bMet);
+  EXPECT_FALSE(graze(1 - 1e-8).m_cHit.m_bGraze);
+  EXPECT_FALSE(graze(1 + 1e-8).m_cHit.m_bGraze);
+  // Nor if it does not get that far.
+  EXPECT_FALSE(Shoot(CPointDesc({0, 0}), {{-10, 1 + 1e-12}, {1, 0}, 1}, 9.0).m_cHit.m_bGraze);
+}
+
+TEST(SweepCases, BallsUnderCommonGravity) { // case 36: gravity cancels in the relative motion
+  CHit<double> hit;
+  ASSERT_TRUE(SweepBalls<double>({{0, 0}, {0, 0}, .25}, {{-2, .3}, {4, 0}, .25}, 1.0, hit));
+  EXPECT_NEAR(hit.m_fTime, .4, 16 * g_fEps * 2.5 / 3.2);
+  EXPECT_NEAR((hit.m_vNorm - CVec2d(-.8, .6)).norm(), 0.0, 1e-12);
+  EXPECT_EQ(hit.m_ePart, ePart::Ball);
+}
+
+// Case 37, and its control: looking at the end of the step only loses one shot in three.
+TEST(SweepCases, NoShotGoesThroughAWall) {
+  Shapes::Tests::CRandom random(37);
+  const double r = .1, way = .15;
+  int lost = 0, tunneled = 0;
+  const int shots = 100000;
+  for (int i = 0; i < shots; ++i) {
+    double x = -1.0 - way * random.Unit();
+    bool met = false, metAtEnd = false;
+    for (int k = 0; k < 20; ++k, x += way) {
+      met = met || Shoot(CLineSegDesc({0, -1}, {0, 1}), {{x, 0}, {way, 0}, r}, 1.0).m_bMet;
+      // Turned back only if the centre is not past the wall yet.
+      metAtEnd = metAtEnd || (x + way > -r && x + way < 0);
+    }
+    lost += !met;
+    tunneled += !metAtEnd;
+  }
+  EXPECT_EQ(lost, 0);
+  const double share = 1.0 - r / way, sigma = std::sqrt(share * (1 - share) / shots);
+  EXPECT_NEAR(static_cast<double>(tunneled) / shots, share, 3 * sigma);
+}
+
+TEST(SweepCases, OverlapIsHitOnlyIfItApproaches) { // case 42
+  struct {
+    CAnyShapeDesc m_cShape;
+    CVec2d m_vPos;
+    CVec2d m_vOut;
+    double m_fDepth;
+  } cases[] = {{CPointDesc({0, 0}), {.3, 0}, {1, 0}, .2},
+               {CLineSegDesc({-1, 0}, {1, 0}), {0, -.3}, {0, -1}, .2},
+               {CLineSegDesc({-1, 0}, {1, 0}), {1.3, 0}, {1, 0}, .2},
+               {CCircleDesc({0, 0}, 1), {1.3, 0}, {1, 0}, .2},
+               {CCircleDesc({0, 0}, 1), {.7, 0}, {-1, 0}, .2},
+               {CArcDesc({0, 0}, 1, -1, 1), {.7, 0}, {-1, 0}, .2},
+               {CArcDesc({0, 0}, 1, -1, 1), {1.3, 0}, {1, 0}, .2}};
+  for (const auto& c : cases) {
+    SCOPED_TRACE(testing::Message() << "shape " << c.m_cShape.index() << " at " << c.m_vPos.x());
+    const CVec2d in = -c.m_vOut;
+    const CResult approaching = Shoot(c.m_cShape, {c.m_vPos, in, .5}, .1);
+    ASSERT_TRUE(approaching.m_bMet);
+    EXPECT_EQ(approaching.m_cHit.m_fTime, 0.0);
+    EXPECT_TRUE(approaching.m_cHit.m_bOverlapped);
+    EXPECT_NEAR(approaching.m_cHit.m_fDepth, c.m_fDepth, 16 * g_fEps);
+    EXPECT_NEAR((approaching.m_cHit.m_vNorm - c.m_vOut).norm(), 0.0, 1e-15);
+    EXPECT_FALSE(Shoot(c.m_cShape, {c.m_vPos, c.m_vOut, .5}, .1).m_bMet);
+    EXPECT_FALSE(Shoot(c.m_cShape, {c.m_vPos, {0, 0}, .5}, .1).m_bMet);
+    // A sensor is touched whichever way the ball goes.
+    EXPECT_TRUE(Shoot(c.m_cShape, {c.m_vPos, c.m_vOut, .5}, .1, eMeet::Touching).m_bMet);
+  }
+}
+
+TEST(SweepCases, OneSidedSegmentStopsOneWay) {
+  const CLineSegDesc both({-1, 0}, {1, 0});
+  for (const eSides sides : {eSides::Both, eSides::Front, eSides::Back}) {
+    SCOPED_TRACE(static_cast<int>(sides));
+    const CLineSegDesc seg = Sided(both, sides);
+    const bool front = sides != eSides::Back, back = sides != eSides::Front;
+    EXPECT_EQ(Shoot(seg, {{0, 2}, {0, -1}, .1}).m_bMet, front);
+    EXPECT_EQ(Shoot(seg, {{0, -2}, {0, 1}, .1}).m_bMet, back);
+    EXPECT_EQ(Shoot(seg, {{1.05, 2}, {0, -1}, .1}).m_bMet, front); // the ends too
+    EXPECT_EQ(Shoot(seg, {{1.05, -2}, {0, 1}, .1}).m_bMet, back);
+    // Half way through, in both directions; then still in the end it passes.
+    EXPECT_FALSE(Shoot(seg, {{0, .05}, {0, 1}, .1}).m_bMet);
+    EXPECT_FALSE(Shoot(seg, {{0, -.05}, {0, -1}, .1}).m_bMet);
+    EXPECT_EQ(Shoot(seg, {{1.05, .01}, {-1, .1}, .1}, .5).m_bMet, sides == eSides::Both);
+    // Knocked back while its centre is on the solid side.
+    EXPECT_EQ(Shoot(seg, {{0, .05}, {0, -1}, .1}).m_bMet, front);
+  }
+}
+
+TEST(SweepCases, OneSidedArcStopsOneWay) {
+  const CArcDesc both({0, 0}, 1, -1, 1);
+  for (const eSides sides : {eSides::Both, eSides::Front, eSides::Back}) {
+    SCOPED_TRACE(static_cast<int>(sides));
+    const CArcDesc arc = Sided(both, sides);
+    EXPECT_EQ(Shoot(arc, {{2, 0}, {-1, 0}, .1}).m_bMet, sides != eSides::Back);
+    EXPECT_EQ(Shoot(arc, {{0, 0}, {1, 0}, .1}).m_bMet, sides != eSides::Front);
+    const CVec2d end(std::cos(1.0), std::sin(1.0)), beside(-.05 * end.y(), .05 * end.x());
+    EXPECT_EQ(Shoot(arc, {2.0 * end + beside, -end, .1}).m_bMet, sides != eSides::Back);
+    EXPECT_EQ(Shoot(arc, {0.5 * end + beside, end, .1}).m_bMet, sides != eSides::Front);
+  }
+  // Through the open outside, against the solid inside beyond.
+  const CResult through = Shoot(Sided(CArcDesc({0, 0}, 1, 0, 0), eSides::Back), {{3, 0}, {-1, 0}, .1});
+  ASSERT_TRUE(through.m_bMet);
+  EXPECT_NEAR(through.m_cHit.m_fTime, 3.9, 16 * g_fEps * 4.1);
+}
+
+// A blade of length 1 that turns at w meets a resting ball when its angle is that of the tangent.
+TEST(SweepCases, TurningBladeMeetsARestingBall) {
+  const CFigure<double> blade = MakeFigure(CLineSegDesc({0, 0}, {1, 0}));
+  for (const double w : {0.1, 6.0, 60.0, 60.0 * g_fPi2}) {
+    const double r = .1, d = .7, turn = std::numbers::pi / 2 - std::asin(r / d), t = turn / w;
+    CHit<double> hit;
+    ASSERT_TRUE(Sweep<double>(blade, {{0, 0}, w}, {{0, d}, {0, 0}, r}, 100.0 / w, hit));
+    EXPECT_NEAR(hit.m_fTime, t, 100 * g_fEps * 2 / (w * d) + 4 * g_fEps * t);
+    const double foot = std::sqrt(d * d - r * r);
+    EXPECT_NEAR((hit.m_vPOI - foot * CVec2d(std::cos(turn), std::sin(turn))).norm(), 0.0, 1e-13);
+    EXPECT_NEAR(hit.m_vSurface.norm(), w * foot, 1e-12 * w);
+    EXPECT_GT(hit.m_vSurface.dot(hit.m_vNorm), 0.0);
+    // The other way round it is met by the other face, later.
+    CHit<double> back;
+    ASSERT_TRUE(Sweep<double>(blade, {{0, 0}, -w}, {{0, d}, {0, 0}, r}, 100.0 / w, back));
+    EXPECT_NEAR(back.m_fTime, (g_fPi2 - std::numbers::pi / 2 - std::asin(r / d)) / w,
+                100 * g_fEps * 2 / (w * d) + 4 * g_fEps * back.m_fTime);
+    EXPECT_NE(hit.m_ePart, back.m_ePart);
+  }
+}
+
+// Case 63: a whole turn in one step. At its end nothing seems to have moved; the sweep sees the blade pass.
+TEST(SweepCases, WholeTurnIsNotNoTurn) {
+  const CFigure<double> blade = MakeFigure(CLineSegDesc({0, 0}, {1, 0}));
+  CHit<double> hit;
+  EXPECT_TRUE(Sweep<double>(blade, {{0, 0}, 60 * g_fPi2}, {{0, .5}, {0, 0}, .1}, 1.0 / 60, hit));
+  EXPECT_LT(hit.m_fTime, 1.0 / 60 / 4);
+  EXPECT_FALSE(Sweep<double>(blade, {{0, .5}, {0, 0}, .1}, 1.0 / 60, hit)); // control: at rest
+}
+
+// A ball that a turning blade carries along, in touch and not approaching, is met as soon as the blade
+// presses.
+TEST(SweepCases, PressedByATurningBlade) {
+  const CFigure<double> blade = MakeFigure(CLineSegDesc({0, 0}, {1, 0}));
+  CHit<double> hit;
+  ASSERT_TRUE(Sweep<double>(blade, {{0, 0}, 10}, {{.5, .1}, {1, 5}, .1}, 1.0 / 60, hit));
+  EXPECT_LT(hit.m_fTime, 1e-9);
+  // One that is faster than the blade leaves.
+  EXPECT_FALSE(Sweep<double>(blade, {{0, 0}, 10}, {{.5, .1}, {0, 8}, .1}, 1.0 / 60, hit));
+}
+
+} // namespace
+} // namespace Shapes::Compare::Tests

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+// The sweep against a search that shares nothing with it, against 50 digits, and against the hard cases.
+#include "reference/Sweep.h"
+#include "Random.h"
+#include "SweepOracle.h"
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace Shapes::Compare::Tests {
+namespace {
+
+using Shapes::Tests::CRandom;
+using CVec2d = CVec<double>;
+using real50 = boost::multiprecision::cpp_bin_float_50;
+
+constexpr double g_fEps = std::numeric_limits<double>::epsilon();
+
+struct CTrial {
+  CFigure<double> m_cFigure;
+  CTurning<double> m_cTurning;
+  CSweptBall<double> m_cBall;
+  double m_fTimeMax = 1.0;
+};
+
+double Between(CRandom& random, double least, double most) { return least + (most - least) * random.Unit(); }
+
+CVec2d InSquare(CRandom& random, double half) {
+  const double x = Between(random, -half, half);
+  const double y = Between(random, -half, half);
+  return {x, y};
+}
+
+CFigure<double> RandomFigure(CRandom& random, eShape type, bool oneSided) {
+  CFigure<double> f;
+  f.m_eShapeType = type;
+  f.m_vCenter = InSquare(random, 1.0);
+  if (oneSided) f.m_eSides = random.Coin() ? eSides::Front : eSides::Back;
+  if (type == eShape::LineSeg) {
+    f.m_vPt0 = InSquare(random, 1.0);
+    f.m_vPt1 = InSquare(random, 1.0);
+  }
+  if (type == eShape::Circle || type == eShape::Arc) f.m_fRadius = Between(random, 0.05, 1.0);
+  if (type == eShape::Arc) {
+    const double a0 = Between(random, 0.0, 6.28), span = Between(random, 1e-3, 6.28);
+    f.m_bFull = !oneSided && random.Below(8) == 0;
+    f.m_bWide = span > std::numbers::pi;
+    f.m_vPt0 = f.m_vCenter + f.m_fRadius * CVec2d(std::cos(a0), std::sin(a0));
+    f.m_vPt1 = f.m_vCenter + f.m_fRadius * CVec2d(std::cos(a0 + span), std::sin(a0 + span));
+  }
+  return f;
+}
+
+// A ball that is clear of the shape, on a way that goes near it.
+CTrial RandomTrial(CRandom& random, eShape type, bool oneSided, bool turns) {
+  for (;;) {
+    CTrial trial;
+    trial.m_cFigure = RandomFigure(random, type, oneSided);
+    const double r = Between(random, 0.01, 0.4);
+    const CVec2d p = InSquare(random, 2.0), target = InSquare(random, 1.0);
+    trial.m_cBall = {p, (target - p) * Between(random, 0.5, 3.0), r};
+    if (turns) {
+      trial.m_cTurning = {InSquare(random, 1.0), Between(random, -60.0, 60.0)};
+      trial.m_fTimeMax = Between(random, 0.01, 0.2);
+      trial.m_cBall.m_vVel *= Between(random, 0.0, 8.0);
+    }
+    const CSweepOracle oracle(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax);
+    const bool tooBigInside = trial.m_cFigure.m_bFull && r >= trial.m_cFigure.m_fRadius &&
+                              (p - trial.m_cFigure.m_vCenter).norm() < trial.m_cFigure.m_fRadius;
+    if (oracle.Gap(0) > 1e-6L && !tooBigInside) return trial;
+  }
+}
+
+// The published bound: gap at the time of impact.
+double GapBound(const CTrial& trial) {
+  return (g_nTouchRoundings + 16) * g_fEps *
+         (GetExtent(trial.m_cFigure, trial.m_cBall, trial.m_cTurning) +
+          trial.m_fTimeMax * trial.m_cBall.m_vVel.norm());
+}
+
+struct CCase {
+  eShape m_eShapeType;
+  bool m_bOneSided;
+  bool m_bTurns;
+  int m_nTrials;
+};
+
+class CSweepAgainstSearch : public testing::TestWithParam<CCase> {};
+
+// No hit is missed, none is invented, the earliest is found, and POI and normal are those of the contact.
+TEST_P(CSweepAgainstSearch, FindsTheSameImpact) {
+  const CCase& c = GetParam();
+  CRandom random(20240 + static_cast<std::uint64_t>(c.m_eShapeType) * 8 + c.m_bOneSided * 2 + c.m_bTurns);
+  int hits = 0, misses = 0, ambiguous = 0;
+  for (int i = 0; i < c.m_nTrials; ++i) {
+    SCOPED_TRACE("seed " + std::to_string(random.GetSeed()) + " trial " + std::to_string(i));
+    const CTrial trial = RandomTrial(random, c.m_eShapeType, c.m_bOneSided, c.m_bTurns);
+    const CSweepOracle oracle(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax);
+    CHit<double> hit;
+    const bool met = Sweep(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax, hit);
+    const auto impact = oracle.FirstImpact();
+    if (hit.m_bGraze) {
+      ++ambiguous;
+      continue;
+    }
+    ASSERT_EQ(met, impact.has_value());
+    ++(met ? hits : misses);
+    if (!met) continue;
+    const double bound = GapBound(trial);
+    const double approach = -(trial.m_cBall.m_vVel - hit.m_vSurface).dot(hit.m_vNorm);
+    const double frame =
+        -(trial.m_cBall.m_vVel -
+          trial.m_cTurning.m_fSpeed * Perp(CVec2d(hit.m_vCenter - trial.m_cTurning.m_vCenter)))
+             .dot(hit.m_vNorm);
+    ASSERT_NEAR(approach, frame,
+                1e-9 * (1.0 + std::abs(approach))); // rotation about the centre of the ball adds none
+    ASSERT_GT(approach, 0.0);
+    // Twice the bound: close to a tangent the gap is not linear in the time.
+    ASSERT_LE(std::abs(static_cast<double>(*impact - real(hit.m_fTime))),
+              2.0 * bound / approach + 4.0 * g_fEps);
+    ASSERT_LE(std::abs(static_cast<double>(oracle.Gap(hit.m_fTime))), 2.0 * bound);
+    ASSERT_NEAR(hit.m_vNorm.norm(), 1.0, 8.0 * g_fEps);
+    ASSERT_LE((hit.m_vCenter - hit.m_vPOI - trial.m_cBall.m_fRadius * hit.m_vNorm).norm(), 2.0 * bound);
+    ASSERT_LE(std::abs(static_cast<double>(oracle.DistanceOf(hit.m_vPOI, hit.m_fTime))), 2.0 * bound);
+    ASSERT_FALSE(hit.m_bOverlapped);
+  }
+  EXPECT_GT(hits, c.m_nTrials / 10);
+  EXPECT_GT(misses, c.m_nTrials / 20);
+  EXPECT_LE(ambiguous, 1 + c.m_nTrials / 1000); // seen: 1 in 10^4 at most
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , CSweepAgainstSearch,
+    testing::Values(CCase{eShape::Point, false, false, 20000}, CCase{eShape::LineSeg, false, false, 20000},
+                    CCase{eShape::LineSeg, true, false, 20000}, CCase{eShape::Circle, false, false, 20000},
+                    CCase{eShape::Arc, false, false, 40000}, CCase{eShape::Arc, true, false, 40000},
+                    CCase{eShape::Point, false, true, 5000}, CCase{eShape::LineSeg, false, true, 10000},
+                    CCase{eShape::LineSeg, true, true, 10000}, CCase{eShape::Circle, false, true, 5000},
+                    CCase{eShape::Arc, false, true, 10000}, CCase{eShape::Arc, true, true, 10000}),
+    [](const auto& test) {
+      const char* shape = test.param.m_eShapeType == eShape::Point     ? "Point"
+                          : test.param.m_eShapeType == eShape::LineSeg ? "LineSeg"
+                          : test.param.m_eShapeType == eShape::Circle  ? "Circle"
+                                                                       : "Arc";
+      return std::string(shape) + (test.param.m_bOneSided ? "OneSided" : "") +
+             (test.param.m_bTurns ? "Turning" : "");
+    });
+
+// Two balls are one ball and a solid disc in the frame of the other.
+TEST(Sweep, TwoBallsAgainstSearch) {
+  CRandom random(77);
+  int hits = 0;
+  for (int i = 0; i < 4000; ++i) {
+    SCOPED_TRACE("seed 77 trial " + std::to_string(i));
+    const CTrial trial = RandomTrial(random, eShape::Point, false, false);
+    const CSweptBall<double> other{trial.m_cFigure.m_vCenter, InSquare(random, 2.0),
+                                   Between(random, 0.0, 0.3)};
+    if ((other.m_vPos - trial.m_cBall.m_vPos).norm() < other.m_fRadius + trial.m_cBall.m_fRadius + 1e-6)
+      continue;
+    const CSweptBall<double> relative{trial.m_cBall.m_vPos, trial.m_cBall.m_vVel - other.m_vVel,
+                                      trial.m_cBall.m_fRadius + other.m_fRadius};
+    const CSweepOracle oracle(trial.m_cFigure, {}, relative, 1.0);
+    CHit<double> hit, reverse;
+    const bool met = SweepBalls(other, trial.m_cBall, 1.0, hit);
+    const bool metReverse = SweepBalls(trial.m_cBall, other, 1.0, reverse);
+    if (hit.m_bGraze) continue;
+    const auto impact = oracle.FirstImpact();
+    ASSERT_EQ(met, impact.has_value());
+    ASSERT_EQ(met, metReverse);
+    if (!met) continue;
+    ++hits;
+    const double approach = -(trial.m_cBall.m_vVel - other.m_vVel).dot(hit.m_vNorm);
+    ASSERT_LE(std::abs(static_cast<double>(*impact - real(hit.m_fTime))),
+              2.0 * GapBound(trial) / approach + 4.0 * g_fEps);
+    ASSERT_EQ(hit.m_fTime, reverse.m_fTime); // swapping the balls changes signs only
+    ASSERT_EQ(hit.m_vNorm, -reverse.m_vNorm);
+    ASSERT_LE((hit.m_vCenter - reverse.m_vCenter).norm(), relative.m_fRadius + 2.0 * GapBound(trial));
+  }
+  EXPECT_GT(hits, 400);
+}
+
+CVec<real50> To50(const CVec2d& v) { return {real50(v.x()), real50(v.y())}; }
+
+bool Sweep50(const CTrial& trial, CHit<real50>& hit) {
+  const CFigure<double>& f = trial.m_cFigure;
+  CFigure<real50> g;
+  g.m_eShapeType = f.m_eShapeType;
+  g.m_eSides = f.m_eSides;
+  g.m_bFull = f.m_bFull;
+  g.m_bWide = f.m_bWide;
+  g.m_vCenter = To50(f.m_vCenter);
+  g.m_vPt0 = To50(f.m_vPt0);
+  g.m_vPt1 = To50(f.m_vPt1);
+  g.m_fRadius = real50(f.m_fRadius);
+  const CSweptBall<double>& b = trial.m_cBall;
+  return Sweep<real50>(g, {To50(trial.m_cTurning.m_vCenter), real50(trial.m_cTurning.m_fSpeed)},
+                       {To50(b.m_vPos), To50(b.m_vVel), real50(b.m_fRadius)}, real50(trial.m_fTimeMax), hit);
+}
+
+TEST(Sweep, DoubleAgainst50Digits) {
+  CRandom random(50);
+  int hits = 0;
+  for (int i = 0; i < 3000; ++i) {
+    SCOPED_TRACE("seed 50 trial " + std::to_string(i));
+    const eShape types[] = {eShape::Point, eShape::LineSeg, eShape::Circle, eShape::Arc};
+    const eShape type = types[random.Below(4)];
+    const bool oneSided = random.Coin(), turns = random.Below(8) == 0;
+    const CTrial trial = RandomTrial(random, type, oneSided, turns);
+    CHit<double> hit;
+    CHit<real50> exact;
+    const bool met = Sweep(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax, hit);
+    const bool metExactly = Sweep50(trial, exact);
+    if (hit.m_bGraze) continue;
+    ASSERT_EQ(met, metExactly);
+    if (!met) continue;
+    ++hits;
+    ASSERT_EQ(hit.m_ePart, exact.m_ePart);
+    const double approach = -(trial.m_cBall.m_vVel - hit.m_vSurface).dot(hit.m_vNorm);
+    ASSERT_LE(std::abs(static_cast<double>(exact.m_fTime - real50(hit.m_fTime))),
+              2.0 * GapBound(trial) / approach + 4.0 * g_fEps * hit.m_fTime);
+  }
+  EXPECT_GT(hits, 500);
+}
+
+// The bound of the straight path, and the control: the textbook formula of the quadratic does not keep it.
+TEST(Sweep, NearGrazesKeepTheBoundThatTheTextbookBreaks) {
+  CRandom random(31);
+  double worst = 0.0, worstTextbook = 0.0;
+  for (int i = 0; i < 3000; ++i) {
+    const double R = 0.1, far = Between(random, 1.0, 100.0);
+    const double gap = R * std::pow(10.0, -1.0 - 5.0 * random.Unit());
+    const double angle = Between(random, 0.0, 6.28), c = std::cos(angle), s = std::sin(angle);
+    CTrial trial;
+    trial.m_cFigure.m_eShapeType = eShape::Point;
+    const CVec2d d(-far * c - (R - gap) * s, -far * s + (R - gap) * c);
+    trial.m_cBall = {d, {c, s}, R};
+    trial.m_fTimeMax = 2.0 * far;
+    CHit<double> hit;
+    CHit<real50> exact;
+    ASSERT_TRUE(Sweep(trial.m_cFigure, trial.m_cBall, trial.m_fTimeMax, hit));
+    ASSERT_TRUE(Sweep50(trial, exact));
+    const double truth = static_cast<double>(exact.m_fTime);
+    const double approach = static_cast<double>(-To50(trial.m_cBall.m_vVel).dot(exact.m_vNorm));
+    const double bound = 16.0 * g_fEps * (d.norm() + R) / approach + 4.0 * g_fEps * truth;
+    const double a = trial.m_cBall.m_vVel.squaredNorm(), b = d.dot(trial.m_cBall.m_vVel);
+    const double disc = b * b - a * (d.squaredNorm() - R * R);
+    const double textbook = disc < 0.0 ? 0.0 : (-b - std::sqrt(disc)) / a;
+    worst = std::max(worst, std::abs(hit.m_fTime - truth) / bound);
+    worstTextbook = std::max(worstTextbook, std::abs(textbook - truth) / bound);
+  }
+  EXPECT_LE(worst, 1.0);
+  EXPECT_GT(worstTextbook, 10.0);
+}
+
+// The control of the turning path: Newton's method steps over impacts that the safe step finds.
+TEST(Sweep, NewtonWouldMissWhatTheSafeStepFinds) {
+  CRandom random(60);
+  int hits = 0, missedByNewton = 0;
+  for (int i = 0; i < 1000; ++i) {
+    SCOPED_TRACE("seed 60 trial " + std::to_string(i));
+    const CTrial trial = RandomTrial(random, eShape::Point, false, true);
+    CHit<double> hit;
+    if (!Sweep(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax, hit)) continue;
+    ++hits;
+    const CSweepOracle oracle(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax);
+    real t = 0, gap = oracle.Gap(t);
+    for (int k = 0; k < 100 && gap > 1e-12L && t < trial.m_fTimeMax; ++k) {
+      const real slope = (oracle.Gap(t + 1e-9L) - gap) / 1e-9L;
+      if (slope >= 0) break;
+      t -= gap / slope;
+      gap = oracle.Gap(t);
+    }
+    if (std::abs(gap) > 1e-9L || std::abs(static_cast<double>(t) - hit.m_fTime) > 1e-6) ++missedByNewton;
+  }
+  EXPECT_GT(hits, 100);
+  EXPECT_GT(missedByNewton, hits / 20);
+}
+
+} // namespace
+} // namespace Shapes::Compare::Tests
