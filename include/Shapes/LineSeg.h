@@ -46,7 +46,7 @@ public:
   /// and does not flip when the ends change order.
   const Vector2& GetNormal() const { return m_vNormal; }
   eSides GetSides() const { return m_eSides; }
-  /// The point of the segment closest to q. Error at most 8 ulp of |q| + length.
+  /// The point of the segment closest to q. Error at most 8 ulp of |q| + |end 0| + length.
   Vector2 ClosestPt(const Vector2& q) const;
 
 protected:

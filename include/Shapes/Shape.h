@@ -58,7 +58,7 @@ public:
 
   eShape GetShapeType() const { return m_eShapeType; }
   eMotion GetMotionType() const { return m_eMotionType; }
-  /// The smallest box around the shape as it is now, up to 1 ulp outward.
+  /// The smallest box around the shape as it is now. Each side is within 1 ulp of the coordinate, either way.
   const CAabb2D& GetAABB() const { return m_cAabb; }
 
   const Vector2& GetPos() const { return m_vPos; }

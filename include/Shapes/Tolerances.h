@@ -4,8 +4,8 @@
 
 namespace Shapes {
 
-/// Largest coordinate, radius and length that is accepted, in the user's unit. Its square (1e36) and the sum
-/// of two squares stay finite in float, so no distance overflows. Anything larger is refused.
+/// Largest coordinate and radius that is accepted, in the user's unit. The square of the distance of any two
+/// such points (at most 8e36) stays finite in float. Anything larger is refused.
 inline constexpr float g_fMaxLength = 1e18f;
 
 /// Largest speed, in units per second. A response that would exceed it (elasticity above 1 between two walls

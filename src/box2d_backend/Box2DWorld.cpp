@@ -146,7 +146,14 @@ void CBox2DWorld::OnRemoved(CShapeId id) {
 
 void CBox2DWorld::OnChanged(CShapeId id, eChange what) {
   if (what == eChange::Properties) {
-    SetProperties(id);
+    // Box2D begins no contact anew when a fixture that touches becomes a sensor or ceases to be one; a new
+    // body does.
+    if (m_stdBodies.at(id).m_pBody->GetFixtureList()->IsSensor() == GetSensor(id)) {
+      SetProperties(id);
+    } else {
+      OnRemoved(id);
+      OnAdded(id);
+    }
     return;
   }
   if (const std::size_t i = State().FindBall(id); i != CWorldState::npos) {

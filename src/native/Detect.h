@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The pair kernels of the native engine: does a ball overlap a shape where both are now, and if so where is
 // the point of the shape closest to its centre. In all of them the normal is a unit vector from the shape to
-// the ball, moving the ball by setback along it leaves it touching, and a NaN anywhere gives false. Each has
-// a file of its own.
+// the ball, moving the ball by setback along it leaves it touching, and a NaN in a position or a radius gives
+// false. Each has a file of its own.
 #pragma once
 
 #include <Shapes/Arc.h>

@@ -19,7 +19,7 @@ void CArcDesc::SetAngles(float a0, float a1) {
   // A whole turn in float is not a whole turn: reduced one by one, the angles would leave an arc of a few
   // 1e-7 rad.
   const float turn = std::abs(a1 - a0), rounding = g_fFullTurnRounding * (std::abs(a0) + std::abs(a1));
-  m_fAngle1 = std::abs(turn - g_fTwoPi) <= rounding ? m_fAngle0 : NormalizeAngle(a1);
+  m_fAngle1 = std::isfinite(turn) && std::abs(turn - g_fTwoPi) <= rounding ? m_fAngle0 : NormalizeAngle(a1);
 }
 
 void CArcDesc::GetEndPts(Vector2& p0, Vector2& p1) const {
@@ -69,6 +69,8 @@ bool CArc::PtInSector(const Vector2& p) const {
     const float up = a.x() * b.y(), down = a.y() * b.x();
     return up - down >= -g_fSectorRounding * (std::abs(up) + std::abs(down));
   };
+  // On a short arc both hold for what is opposite to it as well, within rounding: ask which side it is on.
+  if (m_fSpan < 1.0f && u.dot(e0) < 0.0f) return false;
   if (m_fSpan <= g_fPi) return leftOf(e0, u) && leftOf(u, e1);
   return leftOf(e0, u) || leftOf(u, e1);
 }

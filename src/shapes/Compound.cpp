@@ -11,7 +11,7 @@ void CCompoundShape::AddShape(CShape* pShape) {
   if (pShape == nullptr) Refuse("pShape", "null", "a shape");
   pShape->SetRotSpeed(m_fRotSpeed);
   pShape->SetRotCenter(m_vRotCenter);
-  if (m_fOrientation != 0.0f) pShape->SetOrientation(m_fOrientation);
+  if (m_fOrientation != 0.0f || pShape->GetOrientation() != 0.0f) pShape->SetOrientation(m_fOrientation);
   m_stdShapes.push_back(pShape);
 }
 

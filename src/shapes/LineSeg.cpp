@@ -18,6 +18,13 @@ bool Before(const Vector2& p, const Vector2& q) { return p.x() < q.x() || (p.x()
 
 Vector2 Tangent(const Vector2& p0, const Vector2& p1) { return Normalize(p1 - p0, Vector2(1.0f, 0.0f)); }
 
+// Before anything that follows from the ends, so that the message is about what was given.
+const CLineSegDesc& Checked(const CLineSegDesc& desc) {
+  RequireVector("m_vPt0", desc.GetEndPt0(), g_fMaxLength);
+  RequireVector("m_vPt1", desc.GetEndPt1(), g_fMaxLength);
+  return desc;
+}
+
 } // namespace
 
 CLineSegDesc::CLineSegDesc(const Vector2& p0, const Vector2& p1, float e) : CShapeDesc(eShape::LineSeg) {
@@ -42,13 +49,11 @@ Vector2 CLineSegDesc::GetNormal() const { return perp(Tangent(m_vPt0, m_vPt1)); 
 float CLineSegDesc::GetGradient() const { return CLineSeg(*this).GetGradient(); }
 
 CLineSeg::CLineSeg(const CLineSegDesc& desc, eMotion motion)
-    : CShape(desc, eShape::LineSeg, motion),
+    : CShape(Checked(desc), eShape::LineSeg, motion),
       m_vPt0(desc.GetEndPt0()),
       m_vPt1(desc.GetEndPt1()),
       m_vNormal(desc.GetNormal()),
       m_eSides(desc.m_eSides) {
-  RequireVector("m_vPt0", m_vPt0, g_fMaxLength);
-  RequireVector("m_vPt1", m_vPt1, g_fMaxLength);
   m_vPos = Midpoint(m_vPt0, m_vPt1);
   CLineSeg::Update();
 }

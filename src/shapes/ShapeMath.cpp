@@ -34,7 +34,9 @@ Vector2 RotatePt(const Vector2& p, const Vector2& center, float angle) {
 float NormalizeAngle(float angle) {
   if (!std::isfinite(angle)) return angle;
   constexpr double twoPi = 6.28318530717958647692;
+  constexpr double rest = 2.44929359829470641e-16; // 2 pi - twoPi
   double a = std::fmod(static_cast<double>(angle), twoPi);
+  a -= std::round((static_cast<double>(angle) - a) / twoPi) * rest;
   if (a < 0.0) a += twoPi;
   const float f = static_cast<float>(a);
   return f >= g_fTwoPi ? 0.0f : f + 0.0f; // + 0 turns -0 into 0

@@ -169,6 +169,27 @@ TEST_P(CWorldContract, SensorsReportAndDoNotRespond) {
   EXPECT_NEAR(pWorld->GetVel(ball).y(), 2.0f, 1e-4f);
 }
 
+TEST_P(CWorldContract, AShapeThatIsTouchedBecomesASensorAndCeasesToBeOne) {
+  auto pWorld = Make({0, -10});
+  const CShapeId floor = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, 0));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f));
+  const auto countSensed = [&](int steps) {
+    std::size_t sensed = 0;
+    for (int i = 0; i < steps; ++i) {
+      pWorld->Step();
+      for (const auto& event : pWorld->GetContacts())
+        sensed += event.m_bIsSensor;
+    }
+    return sensed;
+  };
+  EXPECT_EQ(countSensed(10), 0u); // it lies on the floor
+  EXPECT_NEAR(pWorld->GetPos(ball).y(), 0.1f, Skin());
+  pWorld->SetSensor(floor, true);
+  EXPECT_GE(countSensed(3), 2u);
+  pWorld->SetSensor(floor, false);
+  EXPECT_EQ(countSensed(20), 0u);
+}
+
 TEST_P(CWorldContract, CollisionsAreSwitchedOffAndOn) {
   auto pWorld = Make();
   const CShapeId post = pWorld->Add(CPointDesc(Vector2(0, 0)));

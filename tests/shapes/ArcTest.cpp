@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+// Arcs: angles, ends, closest point, box, rotation. The sector has a file of its own.
+#include <Shapes/Arc.h>
+
+#include "../Random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace Shapes {
+namespace {
+
+using Tests::CRandom;
+using Vector2d = Eigen::Vector2d;
+
+constexpr double g_fUlp = 0x1p-23;
+constexpr double g_fPi2 = 6.28318530717958647692; // 2 pi
+
+Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
+CArc Arc(const Vector2& p, float r, float a0, float a1) { return CArc(CArcDesc(p, r, a0, a1)); }
+float Degrees(float a) { return a * g_fPi / 180.0f; }
+Vector2d OnCircle(const CArc& arc, double a) {
+  return Wide(arc.GetPos()) + static_cast<double>(arc.GetRadius()) * Vector2d(std::cos(a), std::sin(a));
+}
+double Scale(const CArc& arc) { return Wide(arc.GetPos()).norm() + static_cast<double>(arc.GetRadius()); }
+
+// Spans of every kind: any, tiny, close to pi, close to 2 pi, full.
+CArcDesc RandomArc(CRandom& random, int centreExp) {
+  const Vector2 p = random.Vector(-6, centreExp);
+  const float r = random.Scale(-6, 8), a0 = random.Uniform(0.0f, 6.28f);
+  float span = random.Uniform(0.01f, 6.27f);
+  switch (random.Below(5)) {
+  case 0: span = random.Scale(-12, -4); break;
+  case 1: span = g_fPi + random.SignedScale(-21, -4); break;
+  case 2: span = g_fTwoPi - random.Scale(-12, -4); break;
+  case 3: span = 0.0f; break;
+  default: break;
+  }
+  return CArcDesc(p, r, a0, a0 + span);
+}
+
+TEST(Arc, IsWhatItsDescriptorSays) {
+  EXPECT_EQ(CArcDesc().m_eShapeType, eShape::Arc);
+  CArcDesc desc({1.0f, 2.0f}, 3.0f, 0.5f, 1.5f, 0.25f);
+  desc.m_eSides = eSides::Front;
+  const CArc arc(desc);
+  EXPECT_EQ(arc.GetShapeType(), eShape::Arc);
+  EXPECT_EQ(arc.GetMotionType(), eMotion::Static);
+  EXPECT_EQ(arc.GetPos(), Vector2(1.0f, 2.0f));
+  EXPECT_EQ(arc.GetRadius(), 3.0f);
+  EXPECT_EQ(arc.GetAngle0(), 0.5f);
+  EXPECT_NEAR(arc.GetAngle1(), 1.5f, 2 * g_fUlp);
+  EXPECT_EQ(arc.GetSpan(), 1.0f);
+  EXPECT_EQ(arc.GetElasticity(), 0.25f);
+  EXPECT_EQ(arc.GetSides(), eSides::Front);
+  EXPECT_FALSE(arc.IsFullCircle());
+}
+
+TEST(Arc, AnglesAreReducedAndStayBelowTwoPi) {
+  CArcDesc desc({0.0f, 0.0f}, 1.0f, -1e-9f, 7.0f);
+  EXPECT_EQ(desc.GetAngle0(), 0.0f);
+  EXPECT_NEAR(desc.GetAngle1(), 7.0 - g_fPi2, g_fUlp);
+  CRandom random(81);
+  for (int i = 0; i < 10000; ++i) {
+    const float a0 = random.Uniform(-100.0f, 100.0f), a1 = random.Uniform(-100.0f, 100.0f);
+    desc.SetAngles(a0, a1);
+    for (const float a : {desc.GetAngle0(), desc.GetAngle1()}) {
+      EXPECT_GE(a, 0.0f);
+      EXPECT_LT(static_cast<double>(a), g_fPi2) << "seed " << random.GetSeed();
+    }
+  }
+}
+
+TEST(Arc, EqualAnglesAreTheFullCircle) {
+  for (const float a : {0.0f, 1.0f, 3.0f, 6.0f}) {
+    const CArc arc = Arc({0.0f, 0.0f}, 1.0f, a, a);
+    EXPECT_TRUE(arc.IsFullCircle());
+    EXPECT_NEAR(arc.GetSpan(), g_fPi2, 4 * g_fUlp);
+    EXPECT_EQ(arc.GetAngle1(), arc.GetAngle0());
+    for (int k = 0; k < 360; ++k)
+      EXPECT_TRUE(arc.PtInSector(AngleToVector(Degrees(static_cast<float>(k)))));
+    EXPECT_EQ(arc.GetAABB().GetTopLeft(), Vector2(-1.0f, 1.0f));
+    EXPECT_EQ(arc.GetAABB().GetBottomRt(), Vector2(1.0f, -1.0f));
+  }
+}
+
+TEST(Arc, AnglesAWholeTurnApartAreTheFullCircle) {
+  // Reduced one by one they would leave an arc of 1.7e-7: the float next to 2 pi is above it by that.
+  EXPECT_GT(NormalizeAngle(g_fTwoPi), 1e-7f);
+  for (const auto& [a0, a1] : {std::pair(0.0f, g_fTwoPi), std::pair(g_fTwoPi, 0.0f), std::pair(-g_fPi, g_fPi),
+                               std::pair(1.0f, 1.0f + g_fTwoPi), std::pair(0.0f, -g_fTwoPi)})
+    EXPECT_TRUE(Arc({0.0f, 0.0f}, 1.0f, a0, a1).IsFullCircle()) << a0 << " to " << a1;
+  // A slit that is above the rounding of its angles stays one.
+  EXPECT_FALSE(Arc({0.0f, 0.0f}, 1.0f, 1e-5f, g_fTwoPi - 1e-5f).IsFullCircle());
+  EXPECT_FALSE(Arc({0.0f, 0.0f}, 1.0f, 0.0f, g_fTwoPi - 1e-5f).IsFullCircle());
+}
+
+TEST(Arc, EndsAndTangentsFollowTheAngles) {
+  CRandom random(82);
+  for (int i = 0; i < 5000; ++i) {
+    const CArcDesc desc = RandomArc(random, 6);
+    const CArc arc(desc);
+    Vector2 p0, p1, d0, d1, t0, t1, s0, s1;
+    arc.GetEndPts(p0, p1);
+    desc.GetEndPts(d0, d1);
+    EXPECT_EQ(p0, d0);
+    EXPECT_EQ(p1, d1);
+    EXPECT_EQ(p0, arc.GetEndPt0());
+    EXPECT_EQ(p1, arc.GetEndPt1());
+    const double bound = 2 * g_fUlp * Scale(arc);
+    EXPECT_LE((Wide(p0) - OnCircle(arc, desc.GetAngle0())).norm(), bound) << "seed " << random.GetSeed();
+    EXPECT_LE((Wide(p1) - OnCircle(arc, desc.GetAngle1())).norm(), bound);
+
+    // Into the arc: counterclockwise from end 0, clockwise from end 1.
+    arc.GetTangents(t0, t1);
+    desc.GetTangents(s0, s1);
+    const double a0 = desc.GetAngle0(), a1 = desc.GetAngle1();
+    const double slack = 2 * bound / static_cast<double>(arc.GetRadius()) + 2 * g_fUlp;
+    for (const Vector2& t : {t0, s0})
+      EXPECT_LE((Wide(t) - Vector2d(-std::sin(a0), std::cos(a0))).norm(), slack)
+          << "seed " << random.GetSeed();
+    for (const Vector2& t : {t1, s1})
+      EXPECT_LE((Wide(t) - Vector2d(std::sin(a1), -std::cos(a1))).norm(), slack);
+    EXPECT_NEAR(Wide(t0).norm(), 1.0, 2 * g_fUlp);
+    EXPECT_NEAR(Wide(t1).norm(), 1.0, 2 * g_fUlp);
+  }
+}
+
+TEST(Arc, SwappingTheAnglesGivesTheComplement) {
+  CRandom random(83);
+  for (int i = 0; i < 2000; ++i) {
+    const float a0 = random.Uniform(0.0f, 6.28f), a1 = random.Uniform(0.0f, 6.28f);
+    if (std::abs(a0 - a1) < 0.01f) continue;
+    const CArc arc = Arc({1.0f, 2.0f}, 3.0f, a0, a1), rest = Arc({1.0f, 2.0f}, 3.0f, a1, a0);
+    EXPECT_NEAR(arc.GetSpan() + rest.GetSpan(), g_fPi2, 8 * g_fUlp) << "seed " << random.GetSeed();
+    EXPECT_EQ(arc.GetEndPt0(), rest.GetEndPt1());
+    EXPECT_EQ(arc.GetEndPt1(), rest.GetEndPt0());
+    Vector2 t0, t1, s0, s1;
+    arc.GetTangents(t0, t1);
+    rest.GetTangents(s0, s1);
+    EXPECT_EQ(t0, -s1);
+    EXPECT_EQ(t1, -s0);
+    for (int k = 0; k < 50; ++k) {
+      const float a = random.Uniform(0.0f, 6.28f);
+      if (std::abs(a - a0) < 1e-4f || std::abs(a - a1) < 1e-4f) continue;
+      const Vector2 p = OnCircle(arc, a).cast<float>();
+      EXPECT_NE(arc.PtInSector(p), rest.PtInSector(p)) << "seed " << random.GetSeed();
+      EXPECT_EQ(arc.PtInSector(p), a0 < a1 ? a0 < a && a < a1 : a > a0 || a < a1); // acute, obtuse
+    }
+  }
+}
+
+TEST(Arc, ClosestPtIsOnTheCircleInTheSectorAndAnEndOutside) {
+  const CArc arc = Arc({0.0f, 0.0f}, 2.0f, Degrees(45), Degrees(135));
+  EXPECT_EQ(arc.ClosestPt({0.0f, 5.0f}), Vector2(0.0f, 2.0f));
+  EXPECT_EQ(arc.ClosestPt({0.0f, 0.5f}), Vector2(0.0f, 2.0f));
+  EXPECT_EQ(arc.ClosestPt({3.0f, 0.0f}), arc.GetEndPt0());
+  EXPECT_EQ(arc.ClosestPt({-3.0f, 0.0f}), arc.GetEndPt1());
+  EXPECT_EQ(arc.ClosestPt({0.1f, -9.0f}), arc.GetEndPt0());
+  EXPECT_EQ(arc.ClosestPt({0.0f, 0.0f}), arc.GetEndPt0()); // the centre is as far from all of them
+}
+
+TEST(Arc, ClosestPtIsNoFartherThanAnyOther) {
+  CRandom random(84);
+  for (int i = 0; i < 1000; ++i) {
+    const CArcDesc desc = RandomArc(random, 8);
+    const CArc arc(desc);
+    const Vector2 q = arc.GetPos() + random.Vector(-10, 9);
+    const double bound = 4 * g_fUlp * (Scale(arc) + Wide(q).norm());
+    const double got = (Wide(arc.ClosestPt(q)) - Wide(q)).norm();
+    double best = 1e30;
+    for (int k = 0; k <= 1000; ++k)
+      best = std::min(
+          best, (OnCircle(arc, desc.GetAngle0() + 0.001 * k * static_cast<double>(arc.GetSpan())) - Wide(q))
+                    .norm());
+    EXPECT_LE(got, best + bound) << "seed " << random.GetSeed() << " trial " << i;
+    // And it belongs to the arc: the samples are 1/1000 of its length apart.
+    const double pitch = 0.001 * static_cast<double>(arc.GetSpan() * arc.GetRadius());
+    EXPECT_GE(got, best - pitch - bound) << "seed " << random.GetSeed() << " trial " << i;
+  }
+}
+
+TEST(Arc, ATopWithoutAnEndThereIsInTheBox) {
+  const CArc arc = Arc({0.0f, 0.0f}, 1.0f, Degrees(80), Degrees(100));
+  EXPECT_NEAR(std::sin(80 * g_fPi2 / 360), 0.98481, 1e-5); // what the ends alone would give
+  EXPECT_EQ(arc.GetAABB().GetTopLeft().y(), 1.0f);
+}
+
+TEST(Arc, BoxContainsTheArcAndIsTightWithinAnUlp) {
+  CRandom random(85);
+  for (int i = 0; i < 5000; ++i) {
+    const CArcDesc desc = RandomArc(random, 12);
+    const CArc arc(desc);
+    const double a0 = desc.GetAngle0(), span = arc.GetSpan();
+    Vector2d low(1e30, 1e30), high(-1e30, -1e30);
+    const auto take = [&](double a) {
+      low = low.cwiseMin(OnCircle(arc, a));
+      high = high.cwiseMax(OnCircle(arc, a));
+    };
+    take(a0);
+    take(a0 + span);
+    for (int k = 0; k < 9; ++k) // the quadrant points, up to one turn past 2 pi
+      if (const double a = k * g_fPi2 / 4; a >= a0 && a <= a0 + span) take(a);
+    // An angle in float is not exactly the one that rounds to the end: 1 ulp of 2 pi is 4 of 1.
+    const double ulp = g_fUlp * Scale(arc) + 4 * g_fUlp * static_cast<double>(arc.GetRadius());
+    const CAabb2D& box = arc.GetAABB();
+    const Vector2d boxLow(box.GetTopLeft().x(), box.GetBottomRt().y());
+    const Vector2d boxHigh(box.GetBottomRt().x(), box.GetTopLeft().y());
+    ASSERT_LE((boxLow - low).cwiseAbs().maxCoeff(), ulp)
+        << "seed " << random.GetSeed() << " trial " << i << " centre " << arc.GetPos().transpose() << " R "
+        << arc.GetRadius() << " a0 " << a0 << " span " << span;
+    ASSERT_LE((boxHigh - high).cwiseAbs().maxCoeff(), ulp)
+        << "seed " << random.GetSeed() << " trial " << i << " centre " << arc.GetPos().transpose() << " R "
+        << arc.GetRadius() << " a0 " << a0 << " span " << span;
+    for (int k = 0; k <= 100; ++k) {
+      const Vector2d p = OnCircle(arc, a0 + 0.01 * k * span);
+      ASSERT_GE((p - boxLow).minCoeff(), -ulp) << "seed " << random.GetSeed();
+      ASSERT_GE((boxHigh - p).minCoeff(), -ulp);
+    }
+  }
+}
+
+TEST(Arc, SetPosTakesTheEndsAlong) {
+  CArc arc = Arc({0.0f, 0.0f}, 2.0f, 0.0f, Degrees(90));
+  arc.SetPos({8.0f, 16.0f});
+  EXPECT_EQ(arc.GetEndPt0(), Vector2(10.0f, 16.0f));
+  EXPECT_LE((arc.GetEndPt1() - Vector2(8.0f, 18.0f)).norm(), 4 * g_fUlp * 20);
+  EXPECT_EQ(arc.GetAABB().GetBottomRt().x(), 10.0f);
+  EXPECT_TRUE(arc.PtInSector({9.0f, 17.0f}));
+  EXPECT_FALSE(arc.PtInSector({7.0f, 15.0f}));
+}
+
+TEST(KinematicArc, TurnsFromItsPoseAtConstruction) {
+  CKinematicArc arc(CArcDesc({2.0f, 0.0f}, 1.0f, 0.0f, Degrees(90)));
+  EXPECT_EQ(arc.GetMotionType(), eMotion::Kinematic);
+  for (int i = 0; i < 3; ++i) {
+    arc.Rotate({0.0f, 0.0f}, g_fPi / 2);
+    EXPECT_LE((arc.GetPos() - Vector2(0.0f, 2.0f)).norm(), 12 * g_fUlp);
+    EXPECT_LE((arc.GetEndPt0() - Vector2(0.0f, 3.0f)).norm(), 16 * g_fUlp);
+    EXPECT_LE((arc.GetEndPt1() - Vector2(-1.0f, 2.0f)).norm(), 16 * g_fUlp);
+    EXPECT_NEAR(arc.GetAngle0(), g_fPi / 2, 2 * g_fUlp);
+    EXPECT_NEAR(arc.GetAngle1(), g_fPi, 4 * g_fUlp);
+    Vector2 t0, t1;
+    arc.GetTangents(t0, t1);
+    EXPECT_LE((t0 - Vector2(-1.0f, 0.0f)).norm(), 16 * g_fUlp);
+    EXPECT_LE((t1 - Vector2(0.0f, 1.0f)).norm(), 16 * g_fUlp);
+    EXPECT_NEAR(arc.GetAABB().GetTopLeft().y(), 3.0f, 16 * g_fUlp);
+    EXPECT_NEAR(arc.GetAABB().GetTopLeft().x(), -1.0f, 16 * g_fUlp);
+  }
+}
+
+TEST(KinematicArc, KeepsItsSpanAndItsSectorAtEveryAngle) {
+  CRandom random(86);
+  for (int i = 0; i < 2000; ++i) {
+    const CArcDesc desc = RandomArc(random, 4);
+    CKinematicArc arc(desc);
+    const float span = arc.GetSpan();
+    const Vector2 centre = random.InSquare(10.0f);
+    arc.Rotate(centre, random.Uniform(-100.0f, 100.0f));
+    EXPECT_EQ(arc.GetSpan(), span);
+    EXPECT_EQ(arc.IsFullCircle(), desc.GetAngle0() == desc.GetAngle1());
+    EXPECT_TRUE(arc.PtInSector(arc.GetEndPt0())) << "seed " << random.GetSeed();
+    EXPECT_TRUE(arc.PtInSector(arc.GetEndPt1()));
+    // Far from its ends, the middle is in and what is opposite to it is out.
+    const double middle = arc.GetAngle0() + 0.5 * static_cast<double>(span);
+    if (span > 0.05f) {
+      EXPECT_TRUE(arc.PtInSector(OnCircle(arc, middle).cast<float>()));
+    }
+    if (span < 6.2f) {
+      EXPECT_FALSE(arc.PtInSector(OnCircle(arc, middle + g_fPi2 / 2).cast<float>()))
+          << "span " << span << " seed " << random.GetSeed();
+    }
+  }
+}
+
+TEST(KinematicArc, ResetIsBitForBit) {
+  CRandom random(87);
+  for (int i = 0; i < 200; ++i) {
+    const CArcDesc desc = RandomArc(random, 6);
+    CKinematicArc arc(desc);
+    const CArc fresh(desc);
+    for (int k = 0; k < 10; ++k) {
+      const Vector2 centre = random.InSquare(5.0f);
+      arc.Rotate(centre, random.Uniform(-20.0f, 20.0f));
+    }
+    arc.SetPos(random.InSquare(5.0f));
+    arc.Reset();
+    EXPECT_EQ(arc.GetPos(), fresh.GetPos()) << "seed " << random.GetSeed();
+    EXPECT_EQ(arc.GetEndPt0(), fresh.GetEndPt0());
+    EXPECT_EQ(arc.GetEndPt1(), fresh.GetEndPt1());
+    EXPECT_EQ(arc.GetAngle0(), fresh.GetAngle0());
+    EXPECT_EQ(arc.GetAABB().GetTopLeft(), fresh.GetAABB().GetTopLeft());
+    EXPECT_EQ(arc.GetAABB().GetBottomRt(), fresh.GetAABB().GetBottomRt());
+  }
+}
+
+} // namespace
+} // namespace Shapes

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include <Shapes/LineSeg.h>
+
+#include "../Random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Shapes {
+namespace {
+
+using Tests::CRandom;
+using Vector2d = Eigen::Vector2d;
+
+constexpr double g_fUlp = 0x1p-23;
+
+Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
+
+double DistanceToSegment(const Vector2d& p0, const Vector2d& p1, const Vector2d& q) {
+  const Vector2d d = p1 - p0;
+  const double s = d.squaredNorm() > 0.0 ? std::clamp((q - p0).dot(d) / d.squaredNorm(), 0.0, 1.0) : 0.0;
+  return (p0 + s * d - q).norm();
+}
+
+TEST(LineSeg, FirstEndIsTheLeftOneWhateverOrderTheyAreGivenIn) {
+  CRandom random(51);
+  for (int i = 0; i < 1000; ++i) {
+    const Vector2 a = random.InSquare(10.0f), b = random.InSquare(10.0f);
+    const CLineSeg ab(CLineSegDesc(a, b)), ba(CLineSegDesc(b, a));
+    EXPECT_LE(ab.GetEndPt0().x(), ab.GetEndPt1().x()) << "seed " << random.GetSeed();
+    EXPECT_EQ(ab.GetEndPt0(), ba.GetEndPt0());
+    EXPECT_EQ(ab.GetEndPt1(), ba.GetEndPt1());
+    EXPECT_EQ(ab.GetNormal(), ba.GetNormal());
+    EXPECT_EQ(ab.GetPos(), ba.GetPos());
+    EXPECT_GE(ab.GetNormal().y(), 0.0f); // so the front is never the lower side
+  }
+}
+
+TEST(LineSeg, OfEqualXTheLowerEndIsFirst) {
+  const CLineSegDesc desc({1.0f, 5.0f}, {1.0f, -2.0f});
+  EXPECT_EQ(desc.GetEndPt0(), Vector2(1.0f, -2.0f));
+  EXPECT_EQ(desc.GetEndPt1(), Vector2(1.0f, 5.0f));
+  EXPECT_EQ(desc.GetNormal(), Vector2(-1.0f, 0.0f));
+  EXPECT_EQ(desc.GetGradient(), std::numeric_limits<float>::infinity());
+  Vector2 p0, p1;
+  CLineSeg(desc).GetEndPts(p0, p1);
+  EXPECT_EQ(p0, desc.GetEndPt0());
+  EXPECT_EQ(p1, desc.GetEndPt1());
+}
+
+TEST(LineSeg, DescriptorKeepsEndsAndPositionTogether) {
+  CLineSegDesc desc;
+  EXPECT_EQ(desc.m_eShapeType, eShape::LineSeg);
+  desc.SetEndPts({4.0f, 2.0f}, {0.0f, 0.0f});
+  Vector2 p0, p1;
+  desc.GetEndPts(p0, p1);
+  EXPECT_EQ(p0, Vector2(0.0f, 0.0f));
+  EXPECT_EQ(p1, Vector2(4.0f, 2.0f));
+  EXPECT_EQ(desc.m_vPos, Vector2(2.0f, 1.0f));
+  EXPECT_FLOAT_EQ(desc.GetGradient(), 0.5f);
+  EXPECT_LE((desc.GetNormal() - Vector2(-1.0f, 2.0f) / std::sqrt(5.0f)).norm(), 2 * g_fUlp);
+}
+
+TEST(LineSeg, TangentsPointInwardAndTheNormalIsCounterclockwise) {
+  CRandom random(52);
+  for (int i = 0; i < 1000; ++i) {
+    const Vector2 a = random.InSquare(10.0f), b = random.InSquare(10.0f);
+    const CLineSeg seg(CLineSegDesc(a, b));
+    Vector2 t0, t1;
+    seg.GetTangents(t0, t1);
+    EXPECT_EQ(t0, -t1);
+    EXPECT_NEAR(Wide(t0).norm(), 1.0, 2 * g_fUlp) << "seed " << random.GetSeed();
+    EXPECT_EQ(seg.GetNormal(), perp(t0));
+    EXPECT_GT((seg.GetEndPt1() - seg.GetEndPt0()).dot(t0), 0.0f);
+    EXPECT_GT((seg.GetEndPt0() - seg.GetEndPt1()).dot(t1), 0.0f);
+  }
+}
+
+TEST(LineSeg, OneWithoutLengthActsAsAPoint) {
+  const CLineSeg seg(CLineSegDesc({1.0f, 1.0f}, {1.0f, 1.0f}));
+  Vector2 t0, t1;
+  seg.GetTangents(t0, t1);
+  EXPECT_EQ(t0, Vector2(1.0f, 0.0f));
+  EXPECT_EQ(t1, Vector2(-1.0f, 0.0f));
+  EXPECT_EQ(seg.GetNormal(), Vector2(0.0f, 1.0f));
+  for (const Vector2& q :
+       {Vector2(1.0f, 3.0f), Vector2(-5.0f, 1.0f), Vector2(1.0f, 1.0f), Vector2(9.0f, 0.0f)})
+    EXPECT_EQ(seg.ClosestPt(q), Vector2(1.0f, 1.0f));
+}
+
+TEST(LineSeg, OneWhoseLengthSquaredUnderflowsStillHasADirection) {
+  const CLineSeg seg(CLineSegDesc({0.0f, 0.0f}, {1e-30f, 0.0f}));
+  EXPECT_EQ(seg.GetNormal(), Vector2(0.0f, 1.0f));
+  EXPECT_EQ(seg.ClosestPt({0.0f, 2.0f}), Vector2(0.0f, 0.0f));
+  EXPECT_EQ(seg.ClosestPt({1.0f, 2.0f}), Vector2(1e-30f, 0.0f));
+}
+
+TEST(LineSeg, EndTestNeedsTangentsThatPointInward) {
+  // Whether the foot of the perpendicular is between the ends, by (q - p0).t0 and (q - p1).t1. With both
+  // tangents pointing the same way the second condition is turned round.
+  CRandom random(53);
+  int wrong = 0, between = 0;
+  constexpr int n = 200000;
+  for (int i = 0; i < n; ++i) {
+    const Vector2 a = random.InSquare(1.0f), b = random.InSquare(1.0f);
+    const CLineSeg seg(CLineSegDesc(a, b));
+    const Vector2 q = random.InSquare(1.0f);
+    Vector2 t0, t1;
+    seg.GetTangents(t0, t1);
+    const Vector2d d = Wide(seg.GetEndPt1()) - Wide(seg.GetEndPt0());
+    const double s = (Wide(q) - Wide(seg.GetEndPt0())).dot(d) / d.squaredNorm();
+    if (std::abs(s) < 1e-5 || std::abs(s - 1.0) < 1e-5) continue; // rounding decides
+    const bool truth = s > 0.0 && s < 1.0;
+    const bool inward = (q - seg.GetEndPt0()).dot(t0) >= 0.0f && (q - seg.GetEndPt1()).dot(t1) >= 0.0f;
+    const bool naive = (q - seg.GetEndPt0()).dot(t0) >= 0.0f && (q - seg.GetEndPt1()).dot(t0) >= 0.0f;
+    ASSERT_EQ(inward, truth) << "seed " << random.GetSeed();
+    wrong += naive != truth;
+    between += truth;
+  }
+  RecordProperty("naive_wrong", wrong);
+  EXPECT_GT(between, n / 10);
+  EXPECT_NEAR(wrong, 151833, 5 * std::sqrt(0.25 * n)); // three quarters of all
+}
+
+TEST(LineSeg, ClosestPtIsNoFartherThanAnyOther) {
+  CRandom random(54);
+  for (int i = 0; i < 300; ++i) {
+    const Vector2 c = random.Vector(-10, 10);
+    const Vector2 p0 = c + random.Vector(-10, 8);
+    const Vector2 p1 = c + random.Vector(-10, 8);
+    const Vector2 q = c + random.Vector(-10, 10);
+    const CLineSeg seg(CLineSegDesc(p0, p1));
+    const double got = (Wide(seg.ClosestPt(q)) - Wide(q)).norm();
+    const double bound = 8 * g_fUlp * (Wide(q).norm() + Wide(p0).norm() + (Wide(p1) - Wide(p0)).norm());
+    for (int k = 0; k <= 1000; ++k) {
+      const Vector2d other = Wide(p0) + 0.001 * k * (Wide(p1) - Wide(p0));
+      ASSERT_LE(got, (other - Wide(q)).norm() + bound) << "seed " << random.GetSeed() << " trial " << i;
+    }
+    EXPECT_LE(DistanceToSegment(Wide(p0), Wide(p1), Wide(seg.ClosestPt(q))), bound);
+  }
+}
+
+TEST(LineSeg, ClosestPtKeepsItsErrorBound) {
+  CRandom random(55);
+  double worst = 0.0;
+  for (int i = 0; i < 50000; ++i) {
+    const Vector2 p0 = random.Vector(-10, 10);
+    const Vector2 p1 = p0 + random.Vector(-12, 8);
+    const Vector2 q = random.Vector(-10, 10);
+    const CLineSeg seg(CLineSegDesc(p0, p1));
+    const Vector2d d = Wide(p1) - Wide(p0);
+    if (d.norm() == 0.0) continue;
+    const Vector2d exact = Wide(p0) + std::clamp((Wide(q) - Wide(p0)).dot(d) / d.squaredNorm(), 0.0, 1.0) * d;
+    // The coordinates of a far segment have the rounding of its place, however near the origin q is.
+    const double scale = Wide(q).norm() + Wide(p0).norm() + d.norm();
+    const double ulps = (Wide(seg.ClosestPt(q)) - exact).norm() / (g_fUlp * scale);
+    worst = std::max(worst, ulps);
+  }
+  EXPECT_LE(worst, 8.0) << "seed " << random.GetSeed();
+}
+
+TEST(LineSeg, BoxTouchesBothEnds) {
+  const CLineSeg seg(CLineSegDesc({3.0f, -1.0f}, {1.0f, 2.0f}));
+  EXPECT_EQ(seg.GetAABB().GetTopLeft(), Vector2(1.0f, 2.0f));
+  EXPECT_EQ(seg.GetAABB().GetBottomRt(), Vector2(3.0f, -1.0f));
+}
+
+TEST(LineSeg, SetPosTakesTheEndsAlong) {
+  CLineSeg seg(CLineSegDesc({0.0f, 0.0f}, {4.0f, 2.0f}));
+  seg.SetPos({10.0f, 10.0f});
+  EXPECT_EQ(seg.GetPos(), Vector2(10.0f, 10.0f));
+  EXPECT_EQ(seg.GetEndPt0(), Vector2(8.0f, 9.0f));
+  EXPECT_EQ(seg.GetEndPt1(), Vector2(12.0f, 11.0f));
+  EXPECT_EQ(seg.GetAABB().GetTopLeft(), Vector2(8.0f, 11.0f));
+  EXPECT_EQ(seg.GetAABB().GetBottomRt(), Vector2(12.0f, 9.0f));
+  const Vector2 closest = seg.ClosestPt({10.0f, 10.0f}); // the line went along
+  EXPECT_LE((closest - Vector2(10.0f, 10.0f)).norm(), 8 * g_fUlp * 20);
+}
+
+TEST(KinematicLineSeg, TurnsFromItsPoseAtConstructionAndOrdersItsEndsAgain) {
+  CKinematicLineSeg seg(CLineSegDesc({0.0f, 0.0f}, {2.0f, 0.0f}));
+  for (int i = 0; i < 3; ++i) {
+    seg.Rotate({0.0f, 0.0f}, g_fPi);
+    EXPECT_LE((seg.GetEndPt0() - Vector2(-2.0f, 0.0f)).norm(), 3 * g_fUlp * 2);
+    EXPECT_LE((seg.GetEndPt1() - Vector2(0.0f, 0.0f)).norm(), 3 * g_fUlp * 2);
+    EXPECT_LE((seg.GetPos() - Vector2(-1.0f, 0.0f)).norm(), 3 * g_fUlp * 2);
+    EXPECT_LE((seg.GetNormal() - Vector2(0.0f, -1.0f)).norm(), 2 * g_fUlp); // turned with the segment
+  }
+  Vector2 t0, t1;
+  seg.GetTangents(t0, t1);
+  EXPECT_LE((t0 - Vector2(1.0f, 0.0f)).norm(), 2 * g_fUlp);
+}
+
+TEST(KinematicLineSeg, NormalAndClosestPointAreContinuousThroughTheVertical) {
+  CKinematicLineSeg seg(CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f}));
+  const Vector2 q(0.7f, 0.4f);
+  constexpr int n = 20000;
+  constexpr double step = 4 * 3.14159265358979323846 / n;
+  bool flipped = false;
+  seg.Rotate({0.0f, 0.0f}, 0.0f);
+  Vector2 normal = seg.GetNormal(), closest = seg.ClosestPt(q), t0, t1;
+  seg.GetTangents(t0, t1);
+  for (int i = 1; i <= n; ++i) {
+    seg.Rotate({0.0f, 0.0f}, static_cast<float>(i * step));
+    Vector2 s0, s1;
+    seg.GetTangents(s0, s1);
+    flipped |= (s0 - t0).norm() > 1.0f;
+    t0 = s0;
+    EXPECT_LE((seg.GetNormal() - normal).norm(), step + 16 * g_fUlp) << i; // an angle of 12 has ulps of 8
+    // It slides along the segment by at most |q| and with it by at most |q| per radian.
+    EXPECT_LE((seg.ClosestPt(q) - closest).norm(), 2 * step + 16 * g_fUlp) << i;
+    EXPECT_LE(std::abs(seg.GetNormal().dot(s0)), 8 * g_fUlp) << i;
+    normal = seg.GetNormal();
+    closest = seg.ClosestPt(q);
+  }
+  EXPECT_TRUE(flipped); // the order of the ends did change on the way
+}
+
+TEST(KinematicLineSeg, ResetIsBitForBit) {
+  CRandom random(56);
+  for (int i = 0; i < 200; ++i) {
+    const Vector2 a = random.InSquare(10.0f), b = random.InSquare(10.0f);
+    const CLineSegDesc desc(a, b);
+    CKinematicLineSeg seg(desc);
+    const Vector2 n = seg.GetNormal(), pos = seg.GetPos();
+    for (int k = 0; k < 20; ++k) {
+      const Vector2 centre = random.InSquare(5.0f);
+      seg.Rotate(centre, random.Uniform(-20.0f, 20.0f));
+    }
+    seg.SetPos(random.InSquare(10.0f));
+    seg.Reset();
+    EXPECT_EQ(seg.GetEndPt0(), desc.GetEndPt0()) << "seed " << random.GetSeed();
+    EXPECT_EQ(seg.GetEndPt1(), desc.GetEndPt1());
+    EXPECT_EQ(seg.GetNormal(), n);
+    EXPECT_EQ(seg.GetPos(), pos);
+    EXPECT_EQ(seg.GetOrientation(), 0.0f);
+  }
+}
+
+TEST(LineSeg, IsWhatItsDescriptorSays) {
+  CLineSegDesc desc({0.0f, 0.0f}, {1.0f, 0.0f}, 0.25f);
+  desc.m_eSides = eSides::Back;
+  EXPECT_EQ(CLineSeg(desc).GetShapeType(), eShape::LineSeg);
+  EXPECT_EQ(CLineSeg(desc).GetMotionType(), eMotion::Static);
+  EXPECT_EQ(CLineSeg(desc).GetElasticity(), 0.25f);
+  EXPECT_EQ(CLineSeg(desc).GetSides(), eSides::Back);
+  EXPECT_EQ(CKinematicLineSeg(desc).GetMotionType(), eMotion::Kinematic);
+  EXPECT_EQ(CKinematicLineSeg(desc).GetSides(), eSides::Back);
+}
+
+} // namespace
+} // namespace Shapes

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+// What every shape has, tried on each kind.
+#include <Shapes/Shapes.h>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <typeinfo>
+#include <vector>
+
+namespace Shapes {
+namespace {
+
+constexpr double g_fUlp = 0x1p-23;
+
+struct SKind {
+  std::string m_sName;
+  std::unique_ptr<CShape> m_pShape;
+};
+
+std::vector<SKind> AllKinds() {
+  CPointDesc point({1.0f, 2.0f});
+  CLineSegDesc seg({0.0f, 1.0f}, {2.0f, 3.0f});
+  CCircleDesc circle({1.0f, 2.0f}, 0.5f);
+  CArcDesc arc({1.0f, 2.0f}, 0.5f, 0.25f, 2.0f);
+  for (CShapeDesc* pDesc : {static_cast<CShapeDesc*>(&point), static_cast<CShapeDesc*>(&seg),
+                            static_cast<CShapeDesc*>(&circle), static_cast<CShapeDesc*>(&arc)}) {
+    pDesc->m_fRotSpeed = 0.5f;
+    pDesc->m_vRotCenter = {1.0f, 0.0f};
+  }
+  std::vector<SKind> kinds;
+  kinds.push_back({"point", std::make_unique<CPoint>(point)});
+  kinds.push_back({"segment", std::make_unique<CLineSeg>(seg)});
+  kinds.push_back({"circle", std::make_unique<CCircle>(circle)});
+  kinds.push_back({"arc", std::make_unique<CArc>(arc)});
+  kinds.push_back({"kinematic point", std::make_unique<CKinematicPoint>(point)});
+  kinds.push_back({"kinematic segment", std::make_unique<CKinematicLineSeg>(seg)});
+  kinds.push_back({"kinematic circle", std::make_unique<CKinematicCircle>(circle)});
+  kinds.push_back({"kinematic arc", std::make_unique<CKinematicArc>(arc)});
+  kinds.push_back({"ball", std::make_unique<CDynamicCircle>(CDynamicCircleDesc({1.0f, 2.0f}, 0.5f))});
+  return kinds;
+}
+
+bool IsKinematic(const CShape& shape) { return shape.GetMotionType() == eMotion::Kinematic; }
+
+TEST(Shape, HasTheDefaultsOfTheDescriptor) {
+  for (const auto& [name, p] : AllKinds()) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(p->GetPos(), Vector2(1.0f, 2.0f));
+    EXPECT_EQ(p->GetElasticity(), 1.0f);
+    EXPECT_FALSE(p->GetSensor());
+    EXPECT_TRUE(p->GetCanCollide());
+    EXPECT_EQ(p->GetUserPtr(), nullptr);
+    EXPECT_EQ(p->GetOrientation(), 0.0f);
+    EXPECT_EQ(p->GetLastTurn(), 0.0f);
+    EXPECT_EQ(p->GetRotating(), IsKinematic(*p));
+  }
+}
+
+TEST(Shape, SettersAreReadBack) {
+  int user = 0;
+  for (const auto& [name, p] : AllKinds()) {
+    SCOPED_TRACE(name);
+    p->SetElasticity(0.5f);
+    p->SetSensor(true);
+    p->SetCanCollide(false);
+    p->SetUserPtr(&user);
+    p->SetRotSpeed(-2.0f);
+    p->SetRotCenter({5.0f, 6.0f});
+    EXPECT_EQ(p->GetElasticity(), 0.5f);
+    EXPECT_TRUE(p->GetSensor());
+    EXPECT_FALSE(p->GetCanCollide());
+    EXPECT_EQ(p->GetUserPtr(), &user);
+    EXPECT_EQ(p->GetRotSpeed(), -2.0f);
+    EXPECT_EQ(p->GetRotCenter(), Vector2(5.0f, 6.0f));
+    p->SetCanCollide();
+    EXPECT_TRUE(p->GetCanCollide());
+  }
+}
+
+TEST(Shape, ASensorDescriptorMakesASensor) {
+  CPointDesc desc({0.0f, 0.0f});
+  desc.m_bIsSensor = true;
+  EXPECT_TRUE(CPoint(desc).GetSensor());
+}
+
+TEST(Shape, SetPosMovesTheBoxAlong) {
+  for (const auto& [name, p] : AllKinds()) {
+    SCOPED_TRACE(name);
+    CAabb2D moved = p->GetAABB();
+    moved.Translate({4.0f, -8.0f});
+    p->SetPos({5.0f, -6.0f});
+    EXPECT_EQ(p->GetPos(), Vector2(5.0f, -6.0f));
+    EXPECT_LE((p->GetAABB().GetTopLeft() - moved.GetTopLeft()).norm(), 16 * g_fUlp);
+    EXPECT_LE((p->GetAABB().GetBottomRt() - moved.GetBottomRt()).norm(), 16 * g_fUlp);
+  }
+}
+
+TEST(Shape, SetPosDoesNotOutliveARotation) {
+  for (const auto& [name, p] : AllKinds()) {
+    if (!IsKinematic(*p)) continue;
+    SCOPED_TRACE(name);
+    p->Rotate({1.0f, 0.0f}, 1.0f);
+    const Vector2 turned = p->GetPos();
+    p->SetPos({50.0f, 60.0f});
+    p->Rotate({1.0f, 0.0f}, 1.0f); // from the pose at construction
+    EXPECT_EQ(p->GetPos(), turned);
+    p->SetPos({50.0f, 60.0f});
+    p->Reset();
+    EXPECT_EQ(p->GetPos(), Vector2(1.0f, 2.0f));
+  }
+}
+
+TEST(Shape, OnlyKinematicShapesTurn) {
+  for (const auto& [name, p] : AllKinds()) {
+    SCOPED_TRACE(name);
+    p->Rotate({1.0f, 0.0f}, g_fPi);
+    const Vector2 expected = IsKinematic(*p) ? Vector2(1.0f, -2.0f) : Vector2(1.0f, 2.0f);
+    EXPECT_LE((p->GetPos() - expected).norm(), 16 * g_fUlp);
+    EXPECT_EQ(p->GetOrientation(), IsKinematic(*p) ? g_fPi : 0.0f);
+  }
+}
+
+TEST(Shape, OrientationIsReducedAndSetAboutTheRotationCentre) {
+  for (const auto& [name, p] : AllKinds()) {
+    if (!IsKinematic(*p)) continue;
+    SCOPED_TRACE(name);
+    p->SetOrientation(-g_fPi / 2);
+    EXPECT_NEAR(p->GetOrientation(), 1.5 * static_cast<double>(g_fPi), 4 * g_fUlp);
+    EXPECT_LE((p->GetPos() - Vector2(3.0f, 0.0f)).norm(), 16 * g_fUlp);
+    EXPECT_EQ(p->GetLastTurn(), 0.0f);
+  }
+}
+
+TEST(Shape, AdvanceTurnsBySpeedTimesTime) {
+  for (const auto& [name, p] : AllKinds()) {
+    if (p->GetMotionType() == eMotion::Dynamic) continue;
+    SCOPED_TRACE(name);
+    p->Advance(0.5f); // half a revolution a second: a quarter turn
+    EXPECT_NEAR(p->GetOrientation(), IsKinematic(*p) ? g_fPi / 2 : 0.0f, 2 * g_fUlp);
+    EXPECT_NEAR(p->GetLastTurn(), IsKinematic(*p) ? g_fPi / 2 : 0.0f, 2 * g_fUlp);
+    EXPECT_LE((p->GetPos() - (IsKinematic(*p) ? Vector2(-1.0f, 0.0f) : Vector2(1.0f, 2.0f))).norm(),
+              16 * g_fUlp);
+    p->Advance(1.0f);
+    EXPECT_NEAR(p->GetOrientation(), IsKinematic(*p) ? 1.5f * g_fPi : 0.0f, 8 * g_fUlp);
+    p->SetRotSpeed(0.0f);
+    p->Advance(1.0f);
+    EXPECT_EQ(p->GetLastTurn(), 0.0f);
+    EXPECT_FALSE(p->GetRotating());
+  }
+}
+
+TEST(Shape, MoveIsAdvanceByTheTimeStep) {
+  for (const auto& [name, p] : AllKinds()) {
+    if (!IsKinematic(*p)) continue;
+    SCOPED_TRACE(name);
+    const std::unique_ptr<CShape> other = p->Clone();
+    p->move();
+    other->Advance(1.0f / 60.0f);
+    EXPECT_EQ(p->GetPos(), other->GetPos());
+    EXPECT_EQ(p->GetOrientation(), other->GetOrientation());
+    EXPECT_NEAR(p->GetLastTurn(), g_fPi / 60, 2 * g_fUlp);
+  }
+}
+
+TEST(Shape, SurfaceVelocityIsThatOfARigidRotation) {
+  for (const auto& [name, p] : AllKinds()) {
+    SCOPED_TRACE(name);
+    // pi radians per second about (1, 0).
+    const Vector2 v = p->GetSurfaceVelocity({3.0f, 1.0f});
+    EXPECT_LE((v - (IsKinematic(*p) ? Vector2(-g_fPi, 2 * g_fPi) : Vector2(0.0f, 0.0f))).norm(), 16 * g_fUlp);
+    EXPECT_EQ(p->GetSurfaceVelocity({1.0f, 0.0f}), Vector2::Zero());
+  }
+}
+
+TEST(Shape, ResetRestoresBoxAndOrientation) {
+  for (const auto& [name, p] : AllKinds()) {
+    if (!IsKinematic(*p)) continue;
+    SCOPED_TRACE(name);
+    const CAabb2D box = p->GetAABB();
+    p->Advance(0.3f);
+    p->Reset();
+    EXPECT_EQ(p->GetOrientation(), 0.0f);
+    EXPECT_EQ(p->GetLastTurn(), 0.0f);
+    EXPECT_EQ(p->GetAABB().GetTopLeft(), box.GetTopLeft());
+    EXPECT_EQ(p->GetAABB().GetBottomRt(), box.GetBottomRt());
+  }
+}
+
+TEST(Shape, ACloneIsAlikeAndOnItsOwn) {
+  int user = 0;
+  for (const auto& [name, p] : AllKinds()) {
+    SCOPED_TRACE(name);
+    p->SetUserPtr(&user);
+    p->SetCanCollide(false);
+    p->SetSensor(true);
+    p->SetElasticity(0.75f);
+    p->Rotate({1.0f, 0.0f}, 0.5f);
+    const std::unique_ptr<CShape> clone = p->Clone();
+    const CShape &a = *clone, &b = *p;
+    EXPECT_EQ(typeid(a), typeid(b));
+    EXPECT_EQ(clone->GetShapeType(), p->GetShapeType());
+    EXPECT_EQ(clone->GetMotionType(), p->GetMotionType());
+    EXPECT_EQ(clone->GetPos(), p->GetPos());
+    EXPECT_EQ(clone->GetUserPtr(), &user);
+    EXPECT_FALSE(clone->GetCanCollide());
+    EXPECT_TRUE(clone->GetSensor());
+    EXPECT_EQ(clone->GetElasticity(), 0.75f);
+    EXPECT_EQ(clone->GetOrientation(), p->GetOrientation());
+    EXPECT_EQ(clone->GetAABB().GetTopLeft(), p->GetAABB().GetTopLeft());
+    const Vector2 pos = p->GetPos();
+    clone->SetPos({70.0f, 80.0f});
+    EXPECT_EQ(p->GetPos(), pos);
+    clone->Reset(); // the pose at construction came along
+    if (IsKinematic(*p)) {
+      EXPECT_EQ(clone->GetPos(), Vector2(1.0f, 2.0f));
+    }
+  }
+}
+
+TEST(Shape, EngineCacheIsDroppedByEveryChangeOfPose) {
+  for (const auto& [name, p] : AllKinds()) {
+    SCOPED_TRACE(name);
+    const CShape& shape = *p;
+    const auto fill = [&shape] { shape.EngineCache() = std::make_shared<int>(1); };
+    fill();
+    p->SetPos({2.0f, 2.0f});
+    EXPECT_EQ(p->EngineCache(), nullptr);
+    fill();
+    p->SetElasticity(0.5f);
+    EXPECT_NE(p->EngineCache(), nullptr); // no change of pose
+    if (!IsKinematic(*p)) continue;
+    p->Rotate({0.0f, 0.0f}, 1.0f);
+    EXPECT_EQ(p->EngineCache(), nullptr);
+    fill();
+    p->Reset();
+    EXPECT_EQ(p->EngineCache(), nullptr);
+  }
+}
+
+TEST(Shape, CollisionDetectedNeedsBothToCollide) {
+  CPoint point(CPointDesc({0.0f, 0.0f}));
+  CDynamicCircle ball(CDynamicCircleDesc({0.0f, 0.5f}, 1.0f, {0.0f, -2.0f}));
+  CContactDesc c(&point, &ball);
+  EXPECT_TRUE(point.CollisionDetected(c));
+  EXPECT_EQ(c.m_vPOI, Vector2(0.0f, 0.0f));
+  EXPECT_EQ(c.m_vNorm, Vector2(0.0f, 1.0f));
+  EXPECT_EQ(c.m_fSetback, 0.5f);
+  // Norm of the point's position, which is a length and 0 here: no speed at all.
+  EXPECT_NE(c.m_fSpeed, point.GetPos().norm());
+  EXPECT_EQ(c.m_fSpeed, 2.0f);
+  point.SetCanCollide(false);
+  EXPECT_FALSE(point.CollisionDetected(c));
+  point.SetCanCollide(true);
+  ball.SetCanCollide(false);
+  EXPECT_FALSE(point.CollisionDetected(c));
+  ball.SetCanCollide();
+  point.SetSensor(true);
+  EXPECT_TRUE(point.CollisionDetected(c)); // sensors detect
+}
+
+TEST(Shape, CollisionDetectedOfNothingIsRefusedAndOfItselfIsFalse) {
+  CPoint point(CPointDesc({0.0f, 0.0f}));
+  CDynamicCircle ball(CDynamicCircleDesc({0.0f, 0.5f}, 1.0f));
+  CContactDesc noBall(&point, nullptr), noShape(nullptr, &ball), itself(&ball, &ball);
+  EXPECT_THROW(point.CollisionDetected(noBall), std::invalid_argument);
+  EXPECT_THROW(GetDefaultBackend().CollisionDetected(noShape), std::invalid_argument);
+  EXPECT_FALSE(ball.CollisionDetected(itself));
+}
+
+} // namespace
+} // namespace Shapes

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// Every value that no shape can have is refused, with a message that names the field and the value.
+#include "shapes/Validate.h"
+
+#include <Shapes/Shapes.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace Shapes {
+namespace {
+
+constexpr float g_fNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float g_fInf = std::numeric_limits<float>::infinity();
+constexpr float g_fHuge = std::numeric_limits<float>::max();
+const std::string g_sHuge = "3.4028235e+38";
+
+// The message of the refusal, or empty if there was none.
+std::string Refusal(const std::function<void()>& f) {
+  try {
+    f();
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return {};
+}
+
+void ExpectRefused(const std::string& field, const std::string& value, const std::function<void()>& f) {
+  const std::string message = Refusal(f);
+  EXPECT_EQ(message.substr(0, message.find(" is ")), field) << "value " << value << ": " << message;
+  EXPECT_NE(message.find(value), std::string::npos) << field << ": " << message;
+  EXPECT_NE(message.find("expected"), std::string::npos) << field << ": " << message;
+}
+
+struct SBad {
+  float m_fValue;
+  std::string m_sText;
+};
+const std::vector<SBad> g_stdNotFinite = {{g_fNan, "nan"}, {g_fInf, "inf"}, {-g_fInf, "-inf"}};
+std::vector<SBad> NotFiniteAnd(std::vector<SBad> more) {
+  more.insert(more.end(), g_stdNotFinite.begin(), g_stdNotFinite.end());
+  return more;
+}
+
+// Makes one shape of each kind from a descriptor after `change`, and expects each to be refused.
+void ExpectAllRefused(const std::string& field, const std::string& value,
+                      const std::function<void(CShapeDesc&)>& change, bool segments = true) {
+  const auto with = [&](auto desc) {
+    change(desc);
+    return desc;
+  };
+  const CPointDesc point = with(CPointDesc({1.0f, 2.0f}));
+  const CCircleDesc circle = with(CCircleDesc({1.0f, 2.0f}, 1.0f));
+  const CArcDesc arc = with(CArcDesc({1.0f, 2.0f}, 1.0f, 0.0f, 1.0f));
+  const CDynamicCircleDesc ball = with(CDynamicCircleDesc({1.0f, 2.0f}, 1.0f));
+  ExpectRefused(field, value, [&] { CPoint shape(point); });
+  ExpectRefused(field, value, [&] { CKinematicPoint shape(point); });
+  ExpectRefused(field, value, [&] { CCircle shape(circle); });
+  ExpectRefused(field, value, [&] { CKinematicCircle shape(circle); });
+  ExpectRefused(field, value, [&] { CArc shape(arc); });
+  ExpectRefused(field, value, [&] { CKinematicArc shape(arc); });
+  ExpectRefused(field, value, [&] { CDynamicCircle shape(ball); });
+  if (!segments) return;
+  const CLineSegDesc seg = with(CLineSegDesc({0.0f, 1.0f}, {2.0f, 3.0f}));
+  ExpectRefused(field, value, [&] { CLineSeg shape(seg); });
+  ExpectRefused(field, value, [&] { CKinematicLineSeg shape(seg); });
+}
+
+TEST(Validate, Position) {
+  for (const auto& [value, text] : NotFiniteAnd({{g_fHuge, g_sHuge}, {-g_fHuge, "-" + g_sHuge}})) {
+    // The position of a segment follows its ends.
+    ExpectAllRefused(
+        "m_vPos", "(" + text + ", 2)", [v = value](CShapeDesc& d) { d.m_vPos.x() = v; }, false);
+    ExpectAllRefused(
+        "m_vPos", "(1, " + text + ")", [v = value](CShapeDesc& d) { d.m_vPos.y() = v; }, false);
+  }
+}
+
+TEST(Validate, Elasticity) {
+  for (const auto& [value, text] : NotFiniteAnd({{-1.0f, "-1"}, {g_fHuge, g_sHuge}, {2e6f, "2e+06"}}))
+    ExpectAllRefused("m_fElasticity", text, [v = value](CShapeDesc& d) { d.m_fElasticity = v; });
+}
+
+TEST(Validate, RotationSpeedAndCentre) {
+  for (const auto& [value, text] : NotFiniteAnd({{2e9f, "2e+09"}, {-2e9f, "-2e+09"}, {g_fHuge, g_sHuge}}))
+    ExpectAllRefused("m_fRotSpeed", text, [v = value](CShapeDesc& d) { d.m_fRotSpeed = v; });
+  for (const auto& [value, text] : NotFiniteAnd({{g_fHuge, g_sHuge}}))
+    ExpectAllRefused("m_vRotCenter", "(0, " + text + ")",
+                     [v = value](CShapeDesc& d) { d.m_vRotCenter.y() = v; });
+}
+
+TEST(Validate, Radius) {
+  for (const auto& [value, text] : NotFiniteAnd({{-1.0f, "-1"},
+                                                 {-std::numeric_limits<float>::denorm_min(), "-1e-45"},
+                                                 {g_fHuge, g_sHuge},
+                                                 {2e19f, "2e+19"}})) {
+    ExpectRefused("m_fRadius", text, [v = value] { CCircle shape(CCircleDesc({0.0f, 0.0f}, v)); });
+    ExpectRefused("m_fRadius", text, [v = value] { CKinematicCircle shape(CCircleDesc({0.0f, 0.0f}, v)); });
+    ExpectRefused("m_fRadius", text, [v = value] { CArc shape(CArcDesc({0.0f, 0.0f}, v, 0.0f, 1.0f)); });
+    ExpectRefused("m_fRadius", text, [v = value] {
+      CKinematicArc shape(CArcDesc({0.0f, 0.0f}, v, 0.0f, 1.0f));
+    });
+    ExpectRefused("m_fRadius", text, [v = value] {
+      CDynamicCircle shape(CDynamicCircleDesc({0.0f, 0.0f}, v));
+    });
+  }
+}
+
+TEST(Validate, ArcAngles) {
+  for (const auto& [value, text] : g_stdNotFinite) {
+    ExpectRefused("m_fAngle0", text, [v = value] { CArc shape(CArcDesc({0.0f, 0.0f}, 1.0f, v, 1.0f)); });
+    ExpectRefused("m_fAngle1", text, [v = value] { CArc shape(CArcDesc({0.0f, 0.0f}, 1.0f, 1.0f, v)); });
+    ExpectRefused("m_fAngle0", text, [v = value] {
+      CKinematicArc shape(CArcDesc({0.0f, 0.0f}, 1.0f, v, v));
+    });
+  }
+}
+
+TEST(Validate, SegmentEnds) {
+  // Whichever way round they are given, the message is of the end that is bad, not of what follows from it.
+  for (const auto& [value, text] :
+       NotFiniteAnd({{g_fHuge, g_sHuge}, {-g_fHuge, "-" + g_sHuge}, {1.5e18f, "1.5"}})) {
+    for (const bool kinematic : {false, true}) {
+      const CLineSegDesc desc({1.0f, 2.0f}, {3.0f, value});
+      const std::string message = Refusal([&] {
+        if (kinematic)
+          CKinematicLineSeg shape(desc);
+        else
+          CLineSeg shape(desc);
+      });
+      EXPECT_EQ(message.substr(0, 6), "m_vPt1") << "end (3, " << text << "): " << message;
+      EXPECT_NE(message.find("(3, " + text), std::string::npos) << message;
+    }
+    const CLineSegDesc desc({value, 2.0f}, {1.0f, 2.0f});
+    const std::string message = Refusal([&] { CLineSeg shape(desc); });
+    EXPECT_EQ(message.substr(0, 5), "m_vPt") << "end (" << text << ", 2): " << message;
+    EXPECT_NE(message.find("(" + text), std::string::npos) << message;
+  }
+}
+
+TEST(Validate, VelocityAndMass) {
+  const auto ball = [](const Vector2& v, float m) {
+    CDynamicCircle shape(CDynamicCircleDesc({0.0f, 0.0f}, 1.0f, v, m));
+  };
+  for (const auto& [value, text] : NotFiniteAnd({{g_fHuge, g_sHuge}})) {
+    ExpectRefused("m_vVel", "(" + text + ", 0)", [&, v = value] { ball({v, 0.0f}, 1.0f); });
+    ExpectRefused("m_vVel", "(0, " + text + ")", [&, v = value] { ball({0.0f, v}, 1.0f); });
+    ExpectRefused("m_fMass", text, [&, v = value] { ball({0.0f, 0.0f}, v); });
+  }
+  ExpectRefused("m_fMass", "0", [&] { ball({0.0f, 0.0f}, 0.0f); });
+  ExpectRefused("m_fMass", "-0", [&] { ball({0.0f, 0.0f}, -0.0f); });
+  ExpectRefused("m_fMass", "-1", [&] { ball({0.0f, 0.0f}, -1.0f); });
+  ExpectRefused("m_fMass", "1e-45", [&] { ball({0.0f, 0.0f}, std::numeric_limits<float>::denorm_min()); });
+}
+
+TEST(Validate, LimitsThemselvesAreAccepted) {
+  CDynamicCircleDesc desc({g_fMaxLength, -g_fMaxLength}, g_fMaxLength, {g_fMaxSpeed, 0.0f}, g_fMaxMass,
+                          g_fMaxElasticity);
+  desc.m_fRotSpeed = -g_fMaxRotSpeed;
+  EXPECT_NO_THROW(CDynamicCircle shape(desc));
+  EXPECT_NO_THROW(CCircle(CCircleDesc({0.0f, 0.0f}, 0.0f, 0.0f)));
+  EXPECT_NO_THROW(CLineSeg(CLineSegDesc({g_fMaxLength, 0.0f}, {0.0f, 0.0f})));
+  EXPECT_NO_THROW(CDynamicCircle(CDynamicCircleDesc({0.0f, 0.0f}, 0.0f, {0.0f, 0.0f}, g_fMinMass)));
+}
+
+TEST(Validate, SettersRefuseAndChangeNothing) {
+  CDynamicCircle ball(CDynamicCircleDesc({1.0f, 2.0f}, 1.0f, {3.0f, 4.0f}));
+  CKinematicLineSeg seg(CLineSegDesc({0.0f, 0.0f}, {1.0f, 0.0f}));
+  seg.Rotate({0.0f, 0.0f}, 0.5f);
+  const Vector2 end = seg.GetEndPt1();
+  for (const auto& [value, text] : g_stdNotFinite) {
+    const float v = value;
+    ExpectRefused("m_vPos", text, [&] { ball.SetPos({v, 0.0f}); });
+    ExpectRefused("m_vVel", text, [&] { ball.SetVel({0.0f, v}); });
+    ExpectRefused("m_fElasticity", text, [&] { ball.SetElasticity(v); });
+    ExpectRefused("m_fRotSpeed", text, [&] { seg.SetRotSpeed(v); });
+    ExpectRefused("m_vRotCenter", text, [&] { seg.SetRotCenter({0.0f, v}); });
+    ExpectRefused("center", text, [&] { seg.Rotate({v, 0.0f}, 1.0f); });
+    ExpectRefused("angle", text, [&] { seg.Rotate({0.0f, 0.0f}, v); });
+    ExpectRefused("angle", text, [&] { seg.SetOrientation(v); });
+  }
+  ExpectRefused("m_fElasticity", "-1", [&] { ball.SetElasticity(-1.0f); });
+  EXPECT_EQ(ball.GetPos(), Vector2(1.0f, 2.0f));
+  EXPECT_EQ(ball.GetVel(), Vector2(3.0f, 4.0f));
+  EXPECT_EQ(ball.GetElasticity(), 1.0f);
+  EXPECT_EQ(seg.GetRotSpeed(), 0.0f);
+  EXPECT_EQ(seg.GetRotCenter(), Vector2(0.0f, 0.0f));
+  EXPECT_EQ(seg.GetOrientation(), 0.5f);
+  EXPECT_EQ(seg.GetEndPt1(), end);
+}
+
+TEST(Validate, MessageSaysFieldValueAndWhatIsExpected) {
+  EXPECT_EQ(Refusal([] { RequireRange("m_fX", -1.0f, 0.0f, 2.0f); }),
+            "m_fX is -1: expected a number from 0 to 2");
+  EXPECT_EQ(Refusal([] { RequirePositive("m_fX", 0.0f, 2.0f); }),
+            "m_fX is 0: expected a number above 0, up to 2");
+  EXPECT_EQ(Refusal([] { RequireFinite("m_fX", g_fNan); }), "m_fX is nan: expected a finite number");
+  EXPECT_EQ(Refusal([] {
+              RequireVector("m_vX", {g_fInf, 1.0f}, 2.0f);
+            }),
+            "m_vX is (inf, 1): expected finite coordinates of at most 2 in size");
+  EXPECT_EQ(Refusal([] { RequireRange("m_fX", 2.0f, 0.0f, 2.0f); }), "");
+  EXPECT_EQ(Refusal([] { RequireVector("m_vX", {2.0f, -2.0f}, 2.0f); }), "");
+}
+
+} // namespace
+} // namespace Shapes
