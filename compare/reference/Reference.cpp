@@ -139,7 +139,7 @@ void CReference::Step(double dt, std::vector<CExactEvent>& events) {
     m_fNow = next.m_cHit.m_fTime;
     CountNearMisses(m_fNow);
     Answer(first, next, events);
-    FindAfter(first, next.m_bIsBall ? next.m_nOther : first);
+    FindAfter();
   }
 
   CountNearMisses(dt);
@@ -188,7 +188,7 @@ void CReference::MeetShapes(std::size_t i, CNext& next) {
                                                   ball, left, hit, meet)
                                           : Sweep(solid.m_cFigure, ball, left, hit, meet);
     hit.m_fTime += now;
-    Offer(next, found, false, i, k, hit);
+    Offer(next, found && !IsNegligible(i, k, false, hit), false, i, k, hit);
   }
 }
 
@@ -202,7 +202,7 @@ void CReference::MeetBall(std::size_t i, std::size_t j, CNext& next) {
   const bool found = SweepBalls(GetSwept(b, m_fNow), GetSwept(a, m_fNow), m_fStep - m_fNow, hit, meet);
   hit.m_fTime += m_fNow;
   // The hit is that of the lower ball, whichever of the two it is kept for.
-  Offer(next, found, true, i, j, hit);
+  Offer(next, found && !IsNegligible(a, b, true, hit), true, i, j, hit);
 }
 
 void CReference::Offer(CNext& next, bool found, bool isBall, std::size_t i, std::size_t other,
@@ -220,22 +220,22 @@ void CReference::CountNearMisses(double now) {
   m_nNearMisses += std::erase_if(m_stdNear, [&](const CNear& n) { return n.m_fTime <= now; });
 }
 
-// Balls a and b have got new velocities: what was found with their old ones is void.
-void CReference::FindAfter(std::size_t a, std::size_t b) {
-  std::erase_if(m_stdNear, [&](const CNear& n) {
-    return n.m_nBall == a || n.m_nBall == b || (n.m_bIsBall && (n.m_nOther == a || n.m_nOther == b));
-  });
-  FindNext(a);
-  if (b != a) FindNext(b);
+// Some balls have got new velocities: what was found with their old ones is void.
+void CReference::FindAfter() {
+  const auto changed = [&](std::size_t i) {
+    return std::find(m_stdChanged.begin(), m_stdChanged.end(), i) != m_stdChanged.end();
+  };
+  std::sort(m_stdChanged.begin(), m_stdChanged.end());
+  m_stdChanged.erase(std::unique(m_stdChanged.begin(), m_stdChanged.end()), m_stdChanged.end());
+  std::erase_if(m_stdNear,
+                [&](const CNear& n) { return changed(n.m_nBall) || (n.m_bIsBall && changed(n.m_nOther)); });
   for (std::size_t i = 0; i < m_stdBalls.size(); ++i) {
-    if (i == a || i == b || !m_stdBalls[i].m_bCanCollide) continue;
     CNext& next = m_stdNext[i];
-    if (next.m_bFound && next.m_bIsBall && (next.m_nOther == a || next.m_nOther == b)) {
+    if (changed(i) || (next.m_bFound && next.m_bIsBall && changed(next.m_nOther)))
       FindNext(i);
-      continue;
-    }
-    MeetBall(i, a, next);
-    if (b != a) MeetBall(i, b, next);
+    else if (m_stdBalls[i].m_bCanCollide)
+      for (const std::size_t j : m_stdChanged)
+        MeetBall(i, j, next);
   }
 }
 
@@ -253,49 +253,49 @@ void CReference::Answer(std::size_t i, const CNext& next, std::vector<CExactEven
   event.m_bIsSensor =
       m_stdBalls[a].m_bIsSensor || (isBall ? m_stdBalls[b].m_bIsSensor : m_stdShapes[b].m_bIsSensor);
   event.m_bGraze = hit.m_bGraze;
-  event.m_bOverlapped = hit.m_bOverlapped;
+  event.m_bOverlapped = hit.m_fDepth > 2.0 * g_fRest * m_stdBalls[a].GetExtent();
   event.m_ePart = hit.m_ePart;
   event.m_vCenter = hit.m_vCenter;
   event.m_vPOI = hit.m_vPOI;
   event.m_vNorm = hit.m_vNorm;
   event.m_vVelBefore = event.m_vVelAfter = m_stdBalls[a].m_vVel;
   event.m_vSurface = hit.m_vSurface;
-  event.m_fDepth = hit.m_fDepth;
+  event.m_fDepth = event.m_bOverlapped ? hit.m_fDepth : 0.0;
 
   ++pair.m_nHits;
+  pair.m_vNorm = hit.m_vNorm;
   if (event.m_bIsSensor)
     pair.m_bSensed = true;
   else if (isBall)
     AnswerBall(hit, pair, event);
   else
     AnswerShape(hit, pair, event);
-  if (pair.m_bSlides)
+  m_stdChanged = {a};
+  if (isBall) m_stdChanged.push_back(b);
+  if (pair.m_bSlides && !event.m_bIsSensor) {
     ++m_nSlideHits;
-  else
+    Settle();
+  } else {
     events.push_back(event);
+  }
 }
 
 void CReference::AnswerShape(const CHit<double>& hit, CPair& pair, CExactEvent& event) {
   CExactBall& ball = m_stdBalls[pair.m_nBall];
   const CSolid& solid = m_stdShapes[pair.m_nOther];
   const CVec2d& n = hit.m_vNorm;
-  const double extent = hit.m_vCenter.cwiseAbs().maxCoeff() + ball.m_fRadius;
-  ball.m_vPos =
-      hit.m_bOverlapped ? hit.m_vCenter : CVec2d(hit.m_vPOI + (ball.m_fRadius + g_fNudge * extent) * n);
+  ball.m_vPos = hit.m_vCenter;
+  if (!event.m_bOverlapped) ball.m_vPos = hit.m_vPOI + (ball.m_fRadius + g_fNudge * ball.GetExtent()) * n;
   m_stdTime[pair.m_nBall] = hit.m_fTime;
 
   const double vn = (ball.m_vVel - hit.m_vSurface).dot(n), e = ball.m_fElasticity * solid.m_fElasticity;
   const double speeds = Norm(ball.m_vVel) + Norm(hit.m_vSurface);
   const bool pressed = (hit.m_ePart == ePart::Inside || solid.Turns()) && -vn < g_fPressed * speeds;
-  const double out = Slides(pair, e, pressed) ? HopSpeed(ball, solid, hit) : std::max(0.0, -e * vn);
-  if (vn < out) {
-    ball.m_vVel += (out - vn) * n;
-    // Once more: what rounding has left over of a normal velocity would be another approach.
-    ball.m_vVel += (out - (ball.m_vVel - hit.m_vSurface).dot(n)) * n;
-    const double left = Norm(CVec2d(ball.m_vVel - hit.m_vSurface));
-    if ((out == 0.0 && left < g_fResidue * speeds) || (pair.m_bSlides && left * m_fStep < g_fRest * extent))
-      ball.m_vVel = hit.m_vSurface;
-  }
+  pair.m_fOut = Slides(pair, e, pressed) ? HopSpeed(ball, solid, hit) : std::max(0.0, -e * vn);
+  pair.m_vSurface = hit.m_vSurface;
+  Kick(pair);
+  if (pair.m_fOut == 0.0 && Norm(CVec2d(ball.m_vVel - hit.m_vSurface)) < g_fResidue * speeds)
+    ball.m_vVel = hit.m_vSurface;
   event.m_vVelAfter = ball.m_vVel;
 }
 
@@ -305,53 +305,21 @@ void CReference::AnswerBall(const CHit<double>& hit, CPair& pair, CExactEvent& e
   a.m_vPos = GetSwept(pair.m_nBall, hit.m_fTime).m_vPos;
   b.m_vPos = GetSwept(pair.m_nOther, hit.m_fTime).m_vPos;
   m_stdTime[pair.m_nBall] = m_stdTime[pair.m_nOther] = hit.m_fTime;
-  const double R = a.m_fRadius + b.m_fRadius, extent = R + a.m_vPos.cwiseAbs().maxCoeff();
-  if (!hit.m_bOverlapped) {
-    const double apart = R + g_fNudge * extent;
+  if (!event.m_bOverlapped) {
+    const double apart = a.m_fRadius + b.m_fRadius + g_fNudge * (a.GetExtent() + b.GetExtent());
     const CVec2d shift = 0.5 * (apart - (a.m_vPos - b.m_vPos).dot(n)) * n;
     a.m_vPos += shift;
     b.m_vPos -= shift;
   }
 
-  const double e = a.m_fElasticity * b.m_fElasticity, mass = a.m_fMass + b.m_fMass;
   const double speeds = Norm(a.m_vVel) + Norm(b.m_vVel), vn = (a.m_vVel - b.m_vVel).dot(n);
-  const double out = Slides(pair, e, false) ? 0.0 : std::max(0.0, -e * vn);
-  for (int pass = 0; pass < 2 && vn < out; ++pass) { // twice, for the same reason as above
-    const double kick = out - (a.m_vVel - b.m_vVel).dot(n);
-    a.m_vVel += (kick * (b.m_fMass / mass)) * n;
-    b.m_vVel -= (kick * (a.m_fMass / mass)) * n;
-  }
-  const double left = Norm(a.m_vVel) + Norm(b.m_vVel);
-  if ((out == 0.0 && left < g_fResidue * speeds) || (pair.m_bSlides && left * m_fStep < g_fRest * extent)) {
-    a.m_vVel.setZero();
-    b.m_vVel.setZero();
-  }
+  pair.m_fOut = Slides(pair, a.m_fElasticity * b.m_fElasticity, false)
+                    ? 0.0
+                    : std::max(0.0, -a.m_fElasticity * b.m_fElasticity * vn);
+  Kick(pair);
+  for (CExactBall* pBall : {&a, &b})
+    if (pair.m_fOut == 0.0 && Norm(pBall->m_vVel) < g_fResidue * speeds) pBall->m_vVel.setZero();
   event.m_vVelAfter = a.m_vVel;
-}
-
-bool CReference::Slides(CPair& pair, double e, bool pressed) {
-  // Each hit takes the time of the last one times e: the series is at its end.
-  pair.m_nClose = m_fNow - pair.m_fLast <= g_fClose * m_fStep ? pair.m_nClose + 1 : 0;
-  pair.m_fLast = m_fNow;
-  if (!pair.m_bSlides &&
-      (pressed || (e < 1.0 && (pair.m_nHits > g_nMaxHits || pair.m_nClose >= g_nMaxClose)))) {
-    pair.m_bSlides = true;
-    ++m_nSlides;
-  }
-  return pair.m_bSlides;
-}
-
-// The speed off the surface with which a hop lasts 1 / g_nSlideHops of the step, against the acceleration
-// with which the surface comes after the ball; 0 where it does not.
-double CReference::HopSpeed(const CExactBall& ball, const CSolid& solid, const CHit<double>& hit) const {
-  const double w = solid.GetSpeed();
-  const CVec2d q = hit.m_vCenter - solid.m_vRotCenter, rel = ball.m_vVel - w * Perp(q);
-  double accel = 2.0 * std::abs(w) * Norm(ball.m_vVel) + w * w * Norm(q);
-  if (hit.m_ePart == ePart::Inside) {
-    const double along = Cross(hit.m_vNorm, rel);
-    accel += along * along / (solid.m_cFigure.m_fRadius - ball.m_fRadius);
-  }
-  return std::min(0.5 * accel * m_fStep / g_nSlideHops, Norm(ball.m_vVel) + Norm(hit.m_vSurface));
 }
 
 CReference::CPair* CReference::FindPair(std::size_t ball, std::size_t other, bool isBall) {

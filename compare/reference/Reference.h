@@ -25,7 +25,7 @@ using CVec2d = CVec<double>;
 /// Most events in one step. More means that a ball is jammed, and the step throws.
 inline constexpr std::size_t g_nMaxEvents = 1000;
 /// The same for all hits, those of sliding balls included.
-inline constexpr int g_nMaxSlideHits = 100000;
+inline constexpr int g_nMaxSlideHits = 10000;
 
 /// Hits of one ball on one shape in one step after which it slides if their elasticity is below 1: its hops
 /// are a geometric series that ends within the step.
@@ -35,8 +35,10 @@ inline constexpr int g_nMaxHits = 50;
 inline constexpr int g_nMaxClose = 4;
 inline constexpr double g_fClose = 1e-9;
 
-/// A sliding ball rests if it would move by less than this share of its coordinates in a step, dimensionless.
-inline constexpr double g_fRest = 1e-10;
+/// An approach of a sliding ball that would take it into the shape by less than this share of its coordinates
+/// by the end of the step is no hit, dimensionless. The next hit puts it back onto the shape, so it adds up
+/// to nothing; overlaps of up to twice this are not reported.
+inline constexpr double g_fRest = 1e-12;
 
 /// A ball slides at once if it meets the inside of a curve, or a turning shape, at less than this share of
 /// the speeds involved: it is pressed against it, and would hit it again immediately. Dimensionless.
@@ -72,6 +74,9 @@ struct CExactBall {
   double m_fElasticity;
   bool m_bIsSensor;
   bool m_bCanCollide = true;
+
+  /// The size of its coordinates, to which roundings are relative.
+  double GetExtent() const { return m_vPos.cwiseAbs().maxCoeff() + m_fRadius; }
 };
 
 class CReference {
@@ -104,11 +109,15 @@ public:
   /// it is first touched in the step, a ball that is in it already at time 0.
   ///
   /// After a hit the ball is put exactly onto the shape, a few roundings outside, so positions do not drift
-  /// in. A ball that overlapped stays where it is. A ball slides if it is pressed (g_fPressed) or was hit
-  /// g_nMaxHits times: its normal velocity is removed. Where the surface curves or turns towards it, it gets
-  /// instead what lets it hop g_nSlideHops times in a step; hops are no events. What that costs is of the
-  /// order of (v dt / g_nSlideHops)^2 / (8 R) in position.
-  /// @throws std::runtime_error if there are more than g_nMaxEvents, naming ball and place; the state is that
+  /// in. A ball that overlapped stays where it is.
+  ///
+  /// A ball slides for the rest of the step if it is pressed (g_fPressed), or if the elasticity is below 1
+  /// and it was hit more than g_nMaxHits times or g_nMaxClose times at once: its normal velocity is removed.
+  /// Where the surface curves or turns towards it, it gets instead what lets it hop g_nSlideHops times in a
+  /// step. The hits of a sliding ball are no events. What hopping costs is of the order of (v dt /
+  /// g_nSlideHops)^2 / (8 R) in position.
+  /// @throws std::runtime_error if there are more than g_nMaxEvents or g_nMaxSlideHits, naming ball and
+  /// place; the state is that
   ///         of no particular time then
   /// @throws std::invalid_argument unless dt is finite and at least 0
   void Step(double dt, std::vector<CExactEvent>& events);
@@ -153,6 +162,9 @@ private:
     int m_nHits = 0;
     int m_nClose = 0;        // hits in a row that came at once
     double m_fLast = -1e300; // time of the last hit
+    CVec2d m_vNorm = CVec2d::Zero();
+    CVec2d m_vSurface = CVec2d::Zero();
+    double m_fOut = 0.0; // normal speed that the last hit gave
     bool m_bSlides = false;
     bool m_bSensed = false;
   };
@@ -167,12 +179,15 @@ private:
   void FindNext(std::size_t ball);
   void MeetShapes(std::size_t ball, CNext& next);
   void MeetBall(std::size_t ball, std::size_t other, CNext& next);
+  bool IsNegligible(std::size_t ball, std::size_t other, bool isBall, const CHit<double>& hit);
   void Offer(CNext& next, bool found, bool isBall, std::size_t ball, std::size_t other,
              const CHit<double>& hit);
-  void FindAfter(std::size_t a, std::size_t b);
+  void FindAfter();
   void Answer(std::size_t ball, const CNext& next, std::vector<CExactEvent>& events);
   void AnswerShape(const CHit<double>& hit, CPair& pair, CExactEvent& event);
   void AnswerBall(const CHit<double>& hit, CPair& pair, CExactEvent& event);
+  double Kick(CPair& pair);
+  void Settle();
   bool Slides(CPair& pair, double e, bool pressed);
   double HopSpeed(const CExactBall& ball, const CSolid& solid, const CHit<double>& hit) const;
   CPair* FindPair(std::size_t ball, std::size_t other, bool isBall);
@@ -194,6 +209,8 @@ private:
   std::vector<CNext> m_stdNext;
   std::vector<CPair> m_stdPairs;
   std::vector<CNear> m_stdNear;
+  std::vector<std::size_t> m_stdChanged;  // balls with new velocities
+  std::vector<std::size_t> m_stdSettling; // pairs
 };
 
 } // namespace Shapes::Compare

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The exact reference where balls rest, slide, jam, pass or are only noticed.
 #include "Random.h"
+#include "SweepOracle.h"
 #include "reference/Reference.h"
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 namespace Shapes::Compare::Tests {
 namespace {
 
+using Shapes::Tests::CRandom;
 using CShapes = std::vector<CAnyShapeDesc>;
 using CBalls = std::vector<CDynamicCircleDesc>;
 using CEvents = std::vector<CExactEvent>;
@@ -235,6 +237,51 @@ TEST(ReferenceRest, NearMissesAreCounted) {
   ASSERT_EQ(events.size(), 1u);
   EXPECT_TRUE(events[0].m_bGraze);
   EXPECT_EQ(reference.GetNearMissCount(), 1u);
+}
+
+// Random tables on which balls bounce, pile up and are batted: nobody gets through or into anything.
+TEST(ReferenceRest, NobodyGetsIntoAnything) {
+  std::size_t events = 0, slides = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    CRandom random(seed);
+    CShapes shapes = {Wall({-4, -4}, {4, -4}, .5f), Wall({4, -4}, {4, 4}, .5f), Wall({-4, 4}, {4, 4}, .5f),
+                      Wall({-4, -4}, {-4, 4}, .5f)};
+    for (int k = 0; k < 12; ++k) {
+      const Vector2 p(-3 + 2 * static_cast<float>(k % 4), -2.5f + 2 * static_cast<float>(k / 4));
+      const float e = random.Uniform(0, 1), size = random.Uniform(.1f, .5f), a = random.Uniform(0, 6);
+      if (k % 3 == 0) shapes.emplace_back(CCircleDesc(p, size, e));
+      if (k % 3 == 1) shapes.emplace_back(CArcDesc(p, size, a, a + 3, e));
+      CLineSegDesc blade(p, p + size * AngleToVector(a), e);
+      blade.m_eMotionType = eMotion::Kinematic;
+      blade.m_vRotCenter = p;
+      blade.m_fRotSpeed = random.Uniform(-2, 2);
+      if (k % 3 == 2) shapes.emplace_back(blade);
+    }
+    CBalls balls;
+    for (int i = 0; i < 5; ++i)
+      balls.emplace_back(Vector2(-3.2f + 1.6f * static_cast<float>(i), 3.3f), random.Uniform(.05f, .25f),
+                         random.InSquare(5), random.Uniform(.1f, 5), random.Uniform(0, 1));
+    CReference reference = Make(shapes, balls, {0, -9.8f});
+    for (int step = 0; step < 600; ++step) {
+      const CEvents now = Carry(reference, 1.0 / 60);
+      events += now.size();
+      for (const CExactEvent& event : now)
+        ASSERT_FALSE(event.m_bOverlapped) << "step " << step;
+      for (std::size_t i = 0; i < balls.size(); ++i) {
+        const CExactBall& ball = reference.GetBall(i);
+        for (std::size_t k = 0; k < shapes.size(); ++k) {
+          const CSweepOracle oracle(reference.GetFigure(k), {}, {ball.m_vPos, {0, 0}, ball.m_fRadius}, 0);
+          ASSERT_GT(oracle.Gap(0), -2 * g_fRest * ball.GetExtent())
+              << "step " << step << " ball " << i << " shape " << k;
+        }
+        ASSERT_LT(ball.m_vPos.cwiseAbs().maxCoeff(), 4);
+      }
+    }
+    slides += reference.GetSlideCount();
+  }
+  EXPECT_GT(events, 1000u);
+  EXPECT_GT(slides, 10u);
 }
 
 TEST(ReferenceRest, RefusesWhatTheLibraryRefuses) {
