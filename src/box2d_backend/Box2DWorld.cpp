@@ -121,7 +121,14 @@ void CBox2DWorld::CreateShape(const CShape& shape, CShapeId id) {
 
 void CBox2DWorld::SetProperties(CShapeId id) {
   const bool canCollide = GetCanCollide(id);
-  for (b2Fixture* p = m_stdBodies.at(id).m_pBody->GetFixtureList(); p != nullptr; p = p->GetNext()) {
+  b2Body& body = *m_stdBodies.at(id).m_pBody;
+  if (body.GetFixtureList()->IsSensor() != GetSensor(id)) {
+    // What touches already would not begin to touch again: this ends the contacts of the body, and they begin
+    // anew as what they are then.
+    body.SetEnabled(false);
+    body.SetEnabled(true);
+  }
+  for (b2Fixture* p = body.GetFixtureList(); p != nullptr; p = p->GetNext()) {
     p->SetRestitution(GetElasticity(id));
     p->SetSensor(GetSensor(id));
     b2Filter filter;
@@ -146,14 +153,7 @@ void CBox2DWorld::OnRemoved(CShapeId id) {
 
 void CBox2DWorld::OnChanged(CShapeId id, eChange what) {
   if (what == eChange::Properties) {
-    // Box2D begins no contact anew when a fixture that touches becomes a sensor or ceases to be one; a new
-    // body does.
-    if (m_stdBodies.at(id).m_pBody->GetFixtureList()->IsSensor() == GetSensor(id)) {
-      SetProperties(id);
-    } else {
-      OnRemoved(id);
-      OnAdded(id);
-    }
+    SetProperties(id);
     return;
   }
   if (const std::size_t i = State().FindBall(id); i != CWorldState::npos) {

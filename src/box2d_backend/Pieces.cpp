@@ -36,6 +36,14 @@ void MakeLineSeg(const CLineSeg& seg, const Vector2& origin, const CScale& scale
     edge.SetOneSided(p1, p0, p1, p0);
 }
 
+// Whether no two neighbours are so close that Box2D would stop the program.
+bool AreApart(const CPieces::CChain& chain) {
+  const auto& v = chain.m_stdVertices;
+  for (std::size_t i = chain.m_bClosed ? 0 : 1; i < v.size(); ++i)
+    FailIf(!(b2Distance(v[i], i == 0 ? v.back() : v[i - 1]) >= 0.75f * g_fShortestEdge));
+  return true;
+}
+
 void MakeArc(const CArc& arc, const Vector2& origin, const CScale& scale, float sagitta, CPieces& pieces) {
   const b2Vec2 centre = scale.ToMetres(arc.GetPos() - origin);
   const float R = scale.ToMetres(arc.GetRadius());
@@ -47,7 +55,6 @@ void MakeArc(const CArc& arc, const Vector2& origin, const CScale& scale, float 
                                                      : Circle(scale.ToMetres(middle - origin), 0.0f));
     return;
   }
-  pieces.m_nArcPieces = n;
   CPieces::CChain outside{{}, arc.IsFullCircle()};
   for (int i = 0; i < n; ++i) {
     const float angle = arc.GetAngle0() + arc.GetSpan() * static_cast<float>(i) / static_cast<float>(n);
@@ -55,7 +62,12 @@ void MakeArc(const CArc& arc, const Vector2& origin, const CScale& scale, float 
     outside.m_stdVertices.push_back(centre + R * b2Vec2(u.x(), u.y()));
   }
   if (!arc.IsFullCircle()) outside.m_stdVertices.push_back(scale.ToMetres(arc.GetEndPt1() - origin));
+  if (!AreApart(outside)) { // rounded together, far from the origin
+    pieces.m_stdCircles.push_back(Circle(centre, arc.IsFullCircle() ? R : 0.0f));
+    return;
+  }
 
+  pieces.m_nArcPieces = n;
   // Counterclockwise, the right side is the outside.
   CPieces::CChain inside = outside;
   std::reverse(inside.m_stdVertices.begin(), inside.m_stdVertices.end());

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <ostream>
 #include <string>
 
 namespace Shapes::Compare::Tests {
@@ -52,6 +53,8 @@ struct CTimeCase {
   double m_fTime;
   double m_fTolerance;
 };
+
+void PrintTo(const CTimeCase& c, std::ostream* pOut) { *pOut << c.m_sName; }
 
 class CTimeOfImpact : public testing::TestWithParam<CTimeCase> {};
 

@@ -8,6 +8,7 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 
 namespace Shapes::Compare::Tests {
@@ -88,6 +89,15 @@ struct CCase {
   int m_nTrials;
 };
 
+std::string Name(const CCase& c) {
+  const char* shape = c.m_eShapeType == eShape::Point     ? "Point"
+                      : c.m_eShapeType == eShape::LineSeg ? "LineSeg"
+                      : c.m_eShapeType == eShape::Circle  ? "Circle"
+                                                          : "Arc";
+  return std::string(shape) + (c.m_bOneSided ? "OneSided" : "") + (c.m_bTurns ? "Turning" : "");
+}
+void PrintTo(const CCase& c, std::ostream* pOut) { *pOut << Name(c); }
+
 class CSweepAgainstSearch : public testing::TestWithParam<CCase> {};
 
 // No hit is missed, none is invented, the earliest is found, and POI and normal are those of the contact.
@@ -140,14 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
                     CCase{eShape::Point, false, true, 5000}, CCase{eShape::LineSeg, false, true, 10000},
                     CCase{eShape::LineSeg, true, true, 10000}, CCase{eShape::Circle, false, true, 5000},
                     CCase{eShape::Arc, false, true, 10000}, CCase{eShape::Arc, true, true, 10000}),
-    [](const auto& test) {
-      const char* shape = test.param.m_eShapeType == eShape::Point     ? "Point"
-                          : test.param.m_eShapeType == eShape::LineSeg ? "LineSeg"
-                          : test.param.m_eShapeType == eShape::Circle  ? "Circle"
-                                                                       : "Arc";
-      return std::string(shape) + (test.param.m_bOneSided ? "OneSided" : "") +
-             (test.param.m_bTurns ? "Turning" : "");
-    });
+    [](const auto& test) { return Name(test.param); });
 
 // Two balls are one ball and a solid disc in the frame of the other.
 TEST(Sweep, TwoBallsAgainstSearch) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ inline std::vector<eBackend> BuiltBackends() {
 inline std::string BackendName(const testing::TestParamInfo<eBackend>& info) {
   return std::string(GetBackend(info.param)->GetName());
 }
+
+/// What GoogleTest prints of the parameter.
+inline void PrintTo(eBackend e, std::ostream* pOut) { *pOut << GetBackend(e)->GetName(); }
 
 class CEveryBackend : public testing::TestWithParam<eBackend> {
 protected:

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// The rules of the house, read off the sources: who may include whom, and what every file has.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What one #include directive names, without its quotes or brackets.
+std::string IncludeOf(std::string_view line) {
+  const auto skip = [&] { line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size())); };
+  skip();
+  if (!line.starts_with('#')) return {};
+  line.remove_prefix(1);
+  skip();
+  if (!line.starts_with("include")) return {};
+  line.remove_prefix(7);
+  skip();
+  const bool quoted = line.starts_with('"');
+  if (!quoted && !line.starts_with('<')) return {};
+  line.remove_prefix(1);
+  return std::string(line.substr(0, line.find(quoted ? '"' : '>')));
+}
+
+bool IsIn(const std::string& path, std::string_view folder) { return path.starts_with(folder); }
+
+/// Whether an include leads into a part of the sources, however it is spelled ("native/..", "../native/..").
+bool LeadsInto(const std::string& include, std::string_view part) {
+  return include.starts_with(part) || include.find("/" + std::string(part)) != std::string::npos;
+}
+
+/// Where an include of `path` that is written relative to it leads; as it is where it is not relative to a
+/// file of this project.
+std::string Resolve(const std::string& path, const std::string& include, const std::set<std::string>& files) {
+  const std::string beside = (fs::path(path).parent_path() / include).lexically_normal().generic_string();
+  return files.contains(beside) ? beside : include;
+}
+
+/// Every rule that the file breaks, one line each.
+/// @param path   relative to the root, with slashes
+/// @param files  all paths of the project
+std::vector<std::string> BrokenRules(const std::string& path, const std::string& text,
+                                     const std::set<std::string>& files) {
+  std::vector<std::string> broken;
+  const auto report = [&](const std::string& what) { broken.push_back(path + ": " + what); };
+
+  const bool isHeader = path.ends_with(".h");
+  const std::string stem = fs::path(path).stem().string();
+  std::string lower = stem;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  for (const char* pWord : {"utils", "util", "common", "misc", "helper", "helpers"})
+    if (lower == pWord) report("a file is named by what is in it");
+  if (!text.starts_with("// SPDX-License-Identifier: MIT\n")) report("the first line is not the licence");
+  if (isHeader && text.find("\n#pragma once\n") == std::string::npos) report("no #pragma once");
+
+  const bool seesBox2D = IsIn(path, "src/box2d_backend/") || IsIn(path, "tests/box2d_backend/");
+  const bool seesInterfaceOnly = IsIn(path, "tests/contract/") || IsIn(path, "compare/") ||
+                                 IsIn(path, "examples/") || IsIn(path, "tests/consumer/");
+  const bool knowsNoEngine = IsIn(path, "include/") || IsIn(path, "src/shapes/");
+  bool includesNative = false, includesBox2DBackend = false;
+
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string written = IncludeOf(line);
+    if (written.empty()) continue;
+    const std::string include = Resolve(path, written, files);
+    const auto forbid = [&](bool isForbidden, const char* why) {
+      if (isForbidden) report("includes " + written + ": " + why);
+    };
+    const bool toNative = LeadsInto(include, "native/"),
+               toBox2DBackend = LeadsInto(include, "box2d_backend/"), toBox2D = LeadsInto(include, "box2d/");
+    const bool toSrc = IsIn(include, "src/") || toNative || toBox2DBackend || LeadsInto(include, "shapes/");
+    // Beside a test of its own folder, tests/native/X.h is no engine.
+    const bool toTests = IsIn(include, "tests/");
+    includesNative |= toNative && !toTests;
+    includesBox2DBackend |= toBox2DBackend && !toTests;
+    forbid(toBox2D && !seesBox2D, "only src/box2d_backend knows Box2D");
+    forbid(knowsNoEngine && (toNative || toBox2DBackend), "the interface and the shapes know no engine");
+    forbid(IsIn(path, "src/native/") && toBox2DBackend, "the engines do not know each other");
+    forbid(IsIn(path, "src/box2d_backend/") && toNative, "the engines do not know each other");
+    forbid(seesInterfaceOnly && toSrc && !toTests, "only <Shapes/...> is seen here");
+    forbid(IsIn(path, "include/") && toSrc, "the interface is whole without the sources");
+  }
+  if (includesNative && includesBox2DBackend && path != "src/Backend.cpp")
+    report("includes both engines, as only src/Backend.cpp does");
+  return broken;
+}
+
+bool IsSource(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
+
+std::set<std::string> AllFiles() {
+  const fs::path root = SHAPES_SOURCE_DIR;
+  std::set<std::string> files;
+  for (const char* pFolder : {"include", "src", "tests", "compare", "examples"}) {
+    if (!fs::exists(root / pFolder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / pFolder))
+      if (entry.is_regular_file() && IsSource(entry.path()))
+        files.insert(fs::relative(entry.path(), root).generic_string());
+  }
+  return files;
+}
+
+TEST(HouseRulesTest, EveryFileKeepsThem) {
+  const std::set<std::string> files = AllFiles();
+  EXPECT_GT(files.size(), 50u); // found where they are
+  EXPECT_TRUE(files.contains("src/Backend.cpp") && files.contains("tests/HouseRulesTest.cpp"));
+  for (const std::string& path : files) {
+    std::ifstream in(fs::path(SHAPES_SOURCE_DIR) / path, std::ios::binary);
+    ASSERT_TRUE(in) << path;
+    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    for (const std::string& broken : BrokenRules(path, text, files))
+      ADD_FAILURE() << broken;
+  }
+}
+
+// The controls: made-up files, each of which breaks one rule, and their neighbours that break none.
+class CHouseRulesControl : public testing::Test {
+protected:
+  static std::size_t Count(const std::string& path, const std::string& lines) {
+    const std::string head = "// SPDX-License-Identifier: MIT\n";
+    return BrokenRules(path, head + (path.ends_with(".h") ? "#pragma once\n" : "") + lines, m_stdFiles)
+        .size();
+  }
+  static inline const std::set<std::string> m_stdFiles{"src/native/Detect.h", "src/box2d_backend/Pieces.h",
+                                                       "src/shapes/Response.h", "compare/Scene.h"};
+};
+
+TEST_F(CHouseRulesControl, Box2DOutsideOfItsFolder) {
+  EXPECT_EQ(Count("src/native/X.cpp", "#include <box2d/box2d.h>\n"), 1u);
+  EXPECT_EQ(Count("include/Shapes/X.h", "  #  include \"box2d/b2_math.h\"\n"), 1u);
+  EXPECT_EQ(Count("compare/X.cpp", "#include<box2d/box2d.h>\n"), 1u);
+  EXPECT_EQ(Count("src/box2d_backend/X.cpp", "#include <box2d/box2d.h>\n"), 0u);
+  EXPECT_EQ(Count("tests/box2d_backend/X.cpp", "#include <box2d/box2d.h>\n"), 0u);
+  EXPECT_EQ(Count("src/native/X.cpp", "// #include <box2d/box2d.h>\n"), 0u);
+}
+
+TEST_F(CHouseRulesControl, EnginesInWhatKnowsNone) {
+  EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"../native/Detect.h\"\n"), 1u);
+  EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"native/Detect.h\"\n"), 1u);
+  EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"../box2d_backend/Pieces.h\"\n"), 1u);
+  EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"Response.h\"\n"), 0u);
+  EXPECT_GE(Count("include/Shapes/X.h", "#include \"../../src/native/Detect.h\"\n"), 1u);
+  EXPECT_GE(Count("include/Shapes/X.h", "#include \"../../src/shapes/Response.h\"\n"), 1u);
+}
+
+TEST_F(CHouseRulesControl, EnginesInEachOther) {
+  EXPECT_EQ(Count("src/native/X.cpp", "#include \"../box2d_backend/Pieces.h\"\n"), 1u);
+  EXPECT_EQ(Count("src/box2d_backend/X.cpp", "#include \"native/Detect.h\"\n"), 1u);
+  EXPECT_EQ(Count("src/native/X.cpp", "#include \"Detect.h\"\n#include \"../shapes/Response.h\"\n"), 0u);
+  const std::string both = "#include \"native/Detect.h\"\n#include \"box2d_backend/Pieces.h\"\n";
+  EXPECT_EQ(Count("src/Other.cpp", both), 1u);
+  EXPECT_EQ(Count("tests/XTest.cpp", both), 1u);
+  EXPECT_EQ(Count("src/Backend.cpp", both), 0u);
+}
+
+TEST_F(CHouseRulesControl, TheInsidesInWhatSeesTheInterface) {
+  for (const char* pPath :
+       {"tests/contract/X.cpp", "compare/X.cpp", "examples/quickstart/main.cpp", "tests/consumer/main.cpp"}) {
+    EXPECT_EQ(Count(pPath, "#include \"shapes/Response.h\"\n"), 1u) << pPath;
+    EXPECT_EQ(Count(pPath, "#include \"../../src/shapes/Response.h\"\n"), 1u) << pPath;
+    EXPECT_EQ(Count(pPath, "#include \"native/Detect.h\"\n"), 1u) << pPath;
+    EXPECT_EQ(Count(pPath, "#include <Shapes/World.h>\n#include <vector>\n"), 0u) << pPath;
+  }
+  EXPECT_EQ(Count("compare/X.cpp", "#include \"Scene.h\"\n#include \"reference/Reference.h\"\n"), 0u);
+  EXPECT_EQ(Count("tests/shapes/X.cpp", "#include \"shapes/Response.h\"\n"), 0u);
+}
+
+TEST_F(CHouseRulesControl, WhatEveryFileHas) {
+  EXPECT_EQ(BrokenRules("src/X.cpp", "#include <vector>\n", {}).size(), 1u);
+  EXPECT_EQ(BrokenRules("src/X.cpp", "\n// SPDX-License-Identifier: MIT\n", {}).size(),
+            1u); // not on the first line
+  EXPECT_EQ(BrokenRules("src/X.h", "// SPDX-License-Identifier: MIT\n", {}).size(), 1u);
+  EXPECT_EQ(BrokenRules("src/X.h", "// SPDX-License-Identifier: MIT\n// #pragma once\n", {}).size(), 1u);
+  EXPECT_EQ(BrokenRules("src/X.h", "// SPDX-License-Identifier: MIT\n#pragma once\n", {}).size(), 0u);
+  for (const char* pName :
+       {"src/Utils.cpp", "tests/common.cpp", "compare/Misc.cpp", "src/native/Helpers.cpp"})
+    EXPECT_EQ(Count(pName, ""), 1u) << pName;
+  EXPECT_EQ(Count("src/ShapeCommon.cpp", ""), 0u);
+}
+
+} // namespace

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+// Box2D's answer to CollisionDetected, by its time of impact: how far it is from the exact one, and where its
+// skin begins.
+#include "box2d_backend/PairSweep.h"
+
+#include <Shapes/Shapes.h>
+
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "Random.h"
+
+namespace Shapes::Box2D {
+namespace {
+
+using Tests::CRandom;
+
+// b2TimeOfImpact stops when the distance of the centres or centre lines is the sum of both radii less 3 slops
+// of .005, within a quarter of a slop. The radius of an edge is .01, that of a circle its own. So a ball
+// sinks this deep into what it meets, in metres:
+constexpr float g_fStopTolerance = 0.25f * b2_linearSlop;
+constexpr float g_fIntoEdge = 3.0f * b2_linearSlop - b2_polygonRadius;
+constexpr float g_fIntoCircle = 3.0f * b2_linearSlop;
+constexpr float g_fRounding = 2e-5f; // 16 ulp of 10, which no coordinate below exceeds
+
+constexpr float g_fDt = 1.0f / 60.0f;
+constexpr float g_fR = 0.1f; // radius of balls
+
+class CPairSweepTest : public testing::Test {
+protected:
+  struct CClock : CShapeCommon {
+    static void Set() {
+      m_fTimeStep = g_fDt;
+      m_fGravity = 0.0f;
+    }
+  };
+  void SetUp() override { CClock::Set(); }
+
+  /// A ball that has flown from `from` by `way` in the last step.
+  static CDynamicCircle Fly(const Vector2& from, const Vector2& way, float r = g_fR) {
+    CDynamicCircle ball(CDynamicCircleDesc(from, r, way / g_fDt));
+    ball.move();
+    return ball;
+  }
+
+  /// Where the ball was when it met the shape.
+  static Vector2 CentreAtImpact(const CContactDesc& c) {
+    return c.m_vPOI + c.m_pCircle->GetRadius() * c.m_vNorm;
+  }
+};
+
+TEST_F(CPairSweepTest, TheSetbackFromASegmentIsExactWithinTheSlop) {
+  CRandom random(21);
+  for (int k = 0; k < 5000; ++k) {
+    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+    const Vector2 t = random.Direction(), n = perp(t);
+    CLineSeg seg(CLineSegDesc(-3 * t, 3 * t));
+    const float gap = random.Uniform(0.02f, 1), depth = random.Uniform(0.02f, 5),
+                r = random.Uniform(0.05f, 0.5f);
+    // Comes from n or from -n, at up to 45 degrees, and would end up `depth` inside or beyond.
+    const Vector2 nhat = random.Coin() ? n : Vector2(-n);
+    const float along = random.Uniform(-1, 1);
+    const Vector2 way = -(gap + depth) * nhat + along * (gap + depth) * t * 0.3f;
+    CDynamicCircle ball = Fly((gap + r) * nhat, way, r);
+    CContactDesc c(&seg, &ball);
+    ASSERT_TRUE(DetectPair(c));
+    EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-5f);
+    EXPECT_NEAR(depth - c.m_fSetback, g_fIntoEdge, g_fStopTolerance + g_fRounding);
+    // The point touched is on the line, as deep as the ball sank.
+    EXPECT_NEAR(c.m_vPOI.dot(nhat), -g_fIntoEdge, g_fStopTolerance + g_fRounding);
+  }
+}
+
+TEST_F(CPairSweepTest, TheSetbackFromACircleIsExactWithinTheSlop) {
+  CRandom random(22);
+  for (int k = 0; k < 5000; ++k) {
+    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+    const Vector2 nhat = random.Direction();
+    const float R = random.Coin() ? 0.0f : random.Uniform(0.1f, 1); // 0: a point
+    CCircle circle(CCircleDesc({0, 0}, R));
+    CPoint point(CPointDesc(Vector2(0, 0)));
+    CShape& shape = R == 0.0f ? static_cast<CShape&>(point) : circle;
+    const float gap = random.Uniform(0.02f, 1), depth = random.Uniform(0.02f, 2);
+    CDynamicCircle ball = Fly((gap + R + g_fR) * nhat, -(gap + depth) * nhat);
+    CContactDesc c(&shape, &ball);
+    ASSERT_TRUE(DetectPair(c));
+    EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-4f);
+    EXPECT_NEAR(depth - c.m_fSetback, g_fIntoCircle, g_fStopTolerance + g_fRounding);
+  }
+}
+
+TEST_F(CPairSweepTest, AnObliqueImpactIsOnTheWayOfTheBall) {
+  CRandom random(23);
+  for (int k = 0; k < 5000; ++k) {
+    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+    CCircle circle(CCircleDesc({0, 0}, 0.5f));
+    // The way passes the centre at up to .8 of the sum of the radii.
+    const Vector2 dir = random.Direction();
+    const Vector2 from = -2 * dir + random.Uniform(-0.48f, 0.48f) * perp(dir),
+                  way = random.Uniform(2, 4) * dir;
+    CDynamicCircle ball = Fly(from, way);
+    CContactDesc c(&circle, &ball);
+    ASSERT_TRUE(DetectPair(c));
+    const Vector2 p = CentreAtImpact(c);
+    EXPECT_NEAR(p.norm(), 0.6f - g_fIntoCircle, g_fStopTolerance + g_fRounding);
+    EXPECT_NEAR(Cross(p - from, dir), 0, g_fRounding);
+    EXPECT_LT((p - from).norm(), way.norm() + g_fRounding);
+    EXPECT_LT(p.dot(dir), 0); // the near side, not the far one
+    EXPECT_NEAR(c.m_fSetback, (p - ball.GetPos()).dot(c.m_vNorm), g_fRounding);
+  }
+}
+
+TEST_F(CPairSweepTest, TheSetbackFromAnArcIsExactWithinTheSlopAndTheSagitta) {
+  CRandom random(24);
+  CArc arc(CArcDesc({0, 0}, 1, 0, g_fPi));
+  for (int k = 0; k < 2000; ++k) {
+    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+    const Vector2 u = AngleToVector(random.Uniform(0.1f, g_fPi - 0.1f));
+    const bool outside = random.Coin();
+    const float side = outside ? 1.0f : -1.0f, gap = random.Uniform(0.03f, 0.5f),
+                depth = random.Uniform(0.03f, 0.3f);
+    CDynamicCircle ball = Fly((1 + side * (gap + g_fR)) * u, -side * (gap + depth) * u);
+    CContactDesc c(&arc, &ball);
+    ASSERT_TRUE(DetectPair(c));
+    const float angle = 0.5f * g_fPi / 16; // between a chord and the arc at its ends
+    EXPECT_GT(c.m_vNorm.dot(side * u), std::cos(1.01f * angle));
+    // Chords lie inside the arc: seen from outside they are up to a sagitta farther away, from inside nearer.
+    // The setback is along the normal of the chord, so it is shorter than the way by its cosine.
+    const float least = g_fIntoEdge - g_fStopTolerance - (outside ? 0 : g_fSagittaTolerance);
+    const float most = g_fIntoEdge + g_fStopTolerance + (outside ? g_fSagittaTolerance : 0);
+    const float oblique = (1 - std::cos(angle)) * depth;
+    EXPECT_GE(depth - c.m_fSetback, least - g_fRounding);
+    EXPECT_LE(depth - c.m_fSetback, most + oblique + g_fRounding);
+  }
+}
+
+TEST_F(CPairSweepTest, BothBallsAreFollowed) {
+  CRandom random(25);
+  for (int k = 0; k < 2000; ++k) {
+    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+    // Head on; each makes its part of the way, and they would have passed through each other.
+    const Vector2 nhat = random.Direction();
+    const float wayA = random.Uniform(0, 2), wayB = random.Uniform(0, 2) + 0.5f;
+    CDynamicCircle a = Fly(Vector2(0, 0), wayA * nhat);
+    CDynamicCircle b = Fly(0.5f * nhat, -wayB * nhat);
+    CContactDesc c(&a, &b);
+    ASSERT_TRUE(DetectPair(c));
+    // They close .3 before they touch, and sink into each other a little.
+    const float time = (0.3f + g_fIntoCircle) / (wayA + wayB);
+    EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-4f);
+    EXPECT_NEAR(c.m_fSetback, (1 - time) * wayB, g_fStopTolerance + g_fRounding);
+  }
+}
+
+TEST_F(CPairSweepTest, ATurningFlipperIsFollowed) {
+  // It turns half a radian in the step and passes over a ball that lies still, without overlapping it at
+  // either end.
+  CLineSegDesc desc({0, 0}, {1, 0});
+  desc.m_fRotSpeed = 0.5f / (g_fTwoPi * g_fDt);
+  CKinematicLineSeg flipper(desc);
+  flipper.move();
+  CDynamicCircle ball = Fly(0.8f * AngleToVector(0.25f), {0, 0}, 0.05f);
+  CContactDesc c(&flipper, &ball);
+  ASSERT_TRUE(DetectPair(c));
+  const Vector2 normal = perp(AngleToVector(0.25f));
+  EXPECT_GT(c.m_vNorm.dot(normal), 0.99f); // it came from below
+  CContactDesc again(&flipper, &ball);
+  flipper.SetOrientation(0.5f); // the control: placed there, it has not passed over anything
+  EXPECT_FALSE(DetectPair(again));
+}
+
+TEST_F(CPairSweepTest, EdgesHaveASkinAndCirclesHaveNone) {
+  CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
+  CArc arc(CArcDesc({0, -1}, 1, 0, g_fPi)); // its top is a vertex, which is on the arc
+  CCircle circle(CCircleDesc({0, -1}, 1));
+  CPoint point(CPointDesc(Vector2(0, 0)));
+  const auto touches = [](CShape& shape, float gap, float& setback) {
+    CDynamicCircle ball = Fly({0, g_fR + gap}, {0, 0});
+    CContactDesc c(&shape, &ball);
+    const bool found = DetectPair(c);
+    setback = c.m_fSetback;
+    return found;
+  };
+  float setback;
+  for (CShape* pShape : std::initializer_list<CShape*>{&seg, &arc}) {
+    EXPECT_TRUE(touches(*pShape, 0.9f * b2_polygonRadius, setback));
+    EXPECT_NEAR(setback, 0.1f * b2_polygonRadius, 1e-6f);
+    EXPECT_FALSE(touches(*pShape, 1.1f * b2_polygonRadius, setback));
+  }
+  for (CShape* pShape : std::initializer_list<CShape*>{&circle, &point}) {
+    EXPECT_TRUE(touches(*pShape, -0.001f, setback));
+    EXPECT_NEAR(setback, 0.001f, 1e-6f);
+    EXPECT_FALSE(touches(*pShape, 0.001f, setback));
+  }
+}
+
+TEST_F(CPairSweepTest, TheEarliestPieceIsTheOneThatIsMet) {
+  // Straight through a bowl from far outside: the near side is met, from outside.
+  CArc bowl(CArcDesc({0, 0}, 1, 0, 0));
+  CDynamicCircle through = Fly({-3, 0.2f}, {6, 0});
+  CContactDesc c(&bowl, &through);
+  ASSERT_TRUE(DetectPair(c));
+  EXPECT_LT(c.m_vPOI.x(), -0.9f);
+  EXPECT_LT(c.m_vNorm.x(), -0.9f);
+  // From within: the far side, from inside.
+  CDynamicCircle out = Fly({-0.5f, 0.2f}, {6, 0});
+  CContactDesc d(&bowl, &out);
+  ASSERT_TRUE(DetectPair(d));
+  EXPECT_GT(d.m_vPOI.x(), 0.9f);
+  EXPECT_LT(d.m_vNorm.x(), -0.9f);
+}
+
+TEST_F(CPairSweepTest, WhatABallLeavesIsNotMet) {
+  CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
+  CDynamicCircle leaves = Fly({0, 0.05f}, {0, 1}); // overlaps at first
+  CContactDesc c(&seg, &leaves);
+  EXPECT_FALSE(DetectPair(c));
+  CDynamicCircle stays = Fly({0, 0.05f}, {0, 0.01f}); // the control
+  CContactDesc d(&seg, &stays);
+  ASSERT_TRUE(DetectPair(d));
+  EXPECT_NEAR(d.m_fSetback, g_fR - 0.06f + b2_polygonRadius, 1e-5f); // out to the skin
+}
+
+TEST_F(CPairSweepTest, AShapeThatWasMovedIsMetWhereItIs) {
+  CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
+  CDynamicCircle ball = Fly({0, 1}, {0, -2});
+  CContactDesc c(&seg, &ball);
+  ASSERT_TRUE(DetectPair(c)); // what Box2D needs is kept with the shape from here on
+  seg.SetPos({5, 0});
+  EXPECT_FALSE(DetectPair(c));
+  seg.SetPos({0, 0.5f});
+  ASSERT_TRUE(DetectPair(c));
+  EXPECT_NEAR(c.m_vPOI.y(), 0.5f - g_fIntoEdge, g_fStopTolerance + g_fRounding);
+
+  CLineSegDesc desc({-1, 0}, {1, 0});
+  CKinematicLineSeg flipper(desc);
+  CContactDesc d(&flipper, &ball);
+  ASSERT_TRUE(DetectPair(d));
+  flipper.SetRotCenter({-1, 0});
+  flipper.SetOrientation(-0.5f * g_fPi); // hangs down at x = -1
+  EXPECT_FALSE(DetectPair(d));
+}
+
+TEST_F(CPairSweepTest, TheAnswerIsTheSameFarFromTheOrigin) {
+  // 8192 has steps of 2^-10; all that is added to it below is a multiple of that. The sweep is about the
+  // shape, so not a digit is lost.
+  const Vector2 far(8192, -8192);
+  CLineSeg here(CLineSegDesc({-1, 0}, {1, 0})),
+      there(CLineSegDesc(far + Vector2(-1, 0), far + Vector2(1, 0)));
+  CDynamicCircle ballHere(CDynamicCircleDesc({0.25f, 0.5f}, 0.125f, {0, -60 * 0.75f}));
+  CDynamicCircle ballThere(CDynamicCircleDesc(far + Vector2(0.25f, 0.5f), 0.125f, {0, -60 * 0.75f}));
+  ballHere.move();
+  ballThere.move();
+  CContactDesc c(&here, &ballHere), d(&there, &ballThere);
+  ASSERT_TRUE(DetectPair(c));
+  ASSERT_TRUE(DetectPair(d));
+  EXPECT_NEAR(c.m_fSetback, d.m_fSetback, 1e-6f);
+  EXPECT_NEAR((d.m_vPOI - far - c.m_vPOI).norm(), 0, 0x1p-10f);
+}
+
+} // namespace
+} // namespace Shapes::Box2D

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+# cmake -DMODE=... -P RunConsumer.cmake: a test of the library as others get it, in a folder that is made anew.
+#   find_package      installs the build, builds the consumer against it and runs it
+#   add_subdirectory  builds the consumer with the source tree in it and runs it
+#   component         asks the installed package for the component box2d, and for one that does not exist
+# Needs SOURCE_DIR, BUILD_DIR, WORK_DIR, CONFIG, GENERATOR, BACKEND, WITH_BOX2D, SHARED, and CXX_ARGS: the arguments for
+# cmake that choose the same compiler and flags.
+cmake_minimum_required(VERSION 3.25)
+
+function(run name)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${name} failed (${result}):\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+function(expect_line line)
+  string(FIND "\n${output}" "\n${line}\n" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "The consumer did not print '${line}' but:\n${output}")
+  endif()
+endfunction()
+
+function(build_and_run)
+  run("configuring the consumer" ${configure} ${ARGN})
+  run("building the consumer" ${CMAKE_COMMAND} --build ${WORK_DIR}/build --config ${CONFIG})
+  run("the consumer" ${WORK_DIR}/build/consumer)
+  message(STATUS "The consumer printed:\n${output}")
+  expect_line("engine: ${BACKEND}")
+  if(WITH_BOX2D)
+    expect_line("box2d: yes")
+  else()
+    expect_line("box2d: no")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK_DIR})
+set(configure ${CMAKE_COMMAND} -S ${SOURCE_DIR}/tests/consumer -B ${WORK_DIR}/build -G ${GENERATOR}
+              -DCMAKE_BUILD_TYPE=${CONFIG} ${CXX_ARGS})
+
+if(MODE STREQUAL "add_subdirectory")
+  # Not optimised, because it is compiled once more for this.
+  build_and_run(-DSHAPES_SOURCE_DIR=${SOURCE_DIR} -DSHAPES_BACKEND=${BACKEND} -DSHAPES_WITH_BOX2D=${WITH_BOX2D}
+                -DBUILD_SHARED_LIBS=${SHARED} -DCMAKE_BUILD_TYPE=)
+  return()
+endif()
+
+run("installing" ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix --config ${CONFIG})
+set(use_package -DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+if(MODE STREQUAL "find_package")
+  build_and_run(${use_package})
+  return()
+endif()
+
+function(expect_component component is_there reason)
+  execute_process(COMMAND ${configure} ${use_package} -DSHAPES_COMPONENTS=${component}
+                  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  # CMake breaks and indents the lines of its messages.
+  string(REGEX REPLACE "[ \n]+" " " flat "${output}")
+  if(is_there AND NOT result EQUAL 0)
+    message(FATAL_ERROR "The component ${component} was not found:\n${output}")
+  elseif(NOT is_there AND (result EQUAL 0 OR NOT flat MATCHES "${reason}"))
+    message(FATAL_ERROR "Expected a failure that says '${reason}', but got ${result}:\n${output}")
+  endif()
+endfunction()
+
+expect_component(box2d ${WITH_BOX2D} "was built without the component box2d")
+expect_component(box3d OFF "has no component box3d")

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Builds everything in debug mode and runs all tests, on a fresh Debian 12 too. What is missing is installed, as root
+# or with sudo. SHAPES_CMAKE_ARGS may hold further arguments for cmake, such as -DSHAPES_BACKEND=box2d.
+# tests/run.sh [PRESET]   a preset of CMakePresets.json; dev by default
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+preset=${1:-dev}
+source "$root/scripts/debian_packages.sh"
+install_missing_packages "${build_packages[@]}"
+
+launcher=()
+if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+
+cd "$root"
+# Fresh: what an earlier run was told to do differently is forgotten.
+# shellcheck disable=SC2086 # several arguments in one variable
+cmake --fresh --preset "$preset" "${launcher[@]}" ${SHAPES_CMAKE_ARGS:-}
+cmake --build --preset "$preset" --parallel "$(nproc)"
+ctest --preset "$preset" --output-on-failure --parallel "$(nproc)"
