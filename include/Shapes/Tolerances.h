@@ -46,6 +46,9 @@ inline constexpr float g_fBoxPadding = 16.0f * 1.1920929e-7f;
 /// instructions than with 0, 100 balls among 64 shapes 1% fewer; 1 gains nothing more.
 inline constexpr float g_fCandidateSlack = 0.25f;
 
+/// Largest turn, in radians, that is asked of b2TimeOfImpact at once.
+inline constexpr float g_fLargestTurn = 0.125f;
+
 /// Default height of an arc above the chords that stand for it on Box2D, in metres: Box2D's own linear slop,
 /// so the polygon is as good as the engine's contact distance. Gives 16 pieces for a half circle of 1 metre
 /// radius.

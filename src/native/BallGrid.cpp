@@ -79,8 +79,8 @@ void CBallGrid::Query(const Vector2& p, float r, std::vector<std::uint32_t>& fou
     const double x0 = std::floor((px - reach) / l.m_fCell), x1 = std::floor((px + reach) / l.m_fCell);
     const double y0 = std::floor((py - reach) / l.m_fCell), y1 = std::floor((py + reach) / l.m_fCell);
     // Written so that a position that is not finite ends here too.
-    if (!((x1 - x0 + 1.0) * (y1 - y0 + 1.0) <= static_cast<double>(l.m_nBalls) + 16.0) || x0 + 1.0 == x0 ||
-        y0 + 1.0 == y0 || x1 + 1.0 == x1 || y1 + 1.0 == y1) {
+    if (!((x1 - x0 + 1.0) * (y1 - y0 + 1.0) <= static_cast<double>(l.m_nBalls) + 16.0) ||
+        !(std::max({-x0, x1, -y0, y1}) < 0x1p52)) {
       // More cells than balls (or cells too far out to be counted one by one): every ball of the level.
       for (std::uint32_t i = 0; i < m_stdLevelOf.size(); ++i)
         if (m_stdLevelOf[i] == level) found.push_back(i);

@@ -7,6 +7,16 @@
 #include <algorithm>
 
 namespace Shapes::Native {
+namespace {
+
+// The kernel of an arc errs by its centre and its radius, and both may be far from its box.
+CAabb2D BoxOf(const CShape& shape) {
+  if (shape.GetShapeType() != eShape::Arc) return Padded(shape.GetAABB());
+  const float size = shape.GetPos().cwiseAbs().maxCoeff() + static_cast<const CArc&>(shape).GetRadius();
+  return Padded(shape.GetAABB(), g_fBoxPadding * size);
+}
+
+} // namespace
 
 CNativeWorld::CNativeWorld(const CWorldDesc& desc) : CWorld(desc, CLimits()) {}
 
@@ -42,7 +52,7 @@ void CNativeWorld::SortShapes() {
     const CShape& shape = *m_stdByRank[rank]->m_pShape;
     CGroup& group = shape.GetMotionType() == eMotion::Kinematic ? m_cKinematic : m_cStatic;
     group.m_stdRank.push_back(rank);
-    group.m_stdBoxes.push_back(Padded(shape.GetAABB()));
+    group.m_stdBoxes.push_back(BoxOf(shape));
   }
   m_cStatic.m_cTree.Build(m_cStatic.m_stdBoxes);
   m_cKinematic.m_cTree.Build(m_cKinematic.m_stdBoxes);
@@ -55,7 +65,7 @@ void CNativeWorld::AdvanceKinematics(float dt) {
     CShape& shape = *m_stdByRank[m_cKinematic.m_stdRank[i]]->m_pShape;
     if (!shape.GetRotating()) continue;
     shape.Advance(dt);
-    m_cKinematic.m_stdBoxes[i] = Padded(shape.GetAABB());
+    m_cKinematic.m_stdBoxes[i] = BoxOf(shape);
     turned = true;
   }
   if (turned) m_cKinematic.m_cTree.Refit(m_cKinematic.m_stdBoxes);

@@ -88,6 +88,13 @@ void CArc::Translate(const Vector2& d) {
 void CArc::Update() {
   m_cAabb = m_vPt0;
   m_cAabb += m_vPt1;
+  // The arc is met at its radius, where its rounded ends need not lie; and ends that were rounded past half a
+  // turn from each other have the sector end opposite to one of them.
+  for (const Vector2& end : {m_vPt0, m_vPt1}) {
+    const Vector2 out = m_fRadius * Normalize(end - m_vPos);
+    m_cAabb += m_vPos + out;
+    if (PtInSector(m_vPos - out)) m_cAabb += m_vPos - out;
+  }
   for (const Vector2& axis : {Vector2(1, 0), Vector2(0, 1), Vector2(-1, 0), Vector2(0, -1)}) {
     const Vector2 quadrant = m_vPos + m_fRadius * axis;
     if (PtInSector(quadrant)) m_cAabb += quadrant;

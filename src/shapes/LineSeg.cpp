@@ -83,6 +83,10 @@ void CLineSeg::Translate(const Vector2& d) {
 
 void CLineSeg::Update() {
   m_vTangent = Tangent(m_vPt0, m_vPt1);
+  // From the ends as they were rounded: a normal that is not across the segment would see balls that are far
+  // from it. What m_vNormal was says which of the two it is.
+  const Vector2 left = perp(m_vTangent);
+  m_vNormal = left.dot(m_vNormal) < 0.0f ? Vector2(-left) : left;
   SetLine(m_vPt0, m_vTangent);
   m_cAabb = m_vPt0;
   m_cAabb += m_vPt1;

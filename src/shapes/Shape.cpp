@@ -53,6 +53,7 @@ void CShape::SetRotSpeed(float revsPerSecond) {
 void CShape::SetRotCenter(const Vector2& center) {
   RequireVector("m_vRotCenter", center, g_fMaxLength);
   m_vRotCenter = center;
+  m_pEngineCache.reset(); // what it holds is relative to the centre
 }
 
 void CShape::SetRotation(const Vector2& center, float angle) {
