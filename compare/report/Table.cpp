@@ -64,10 +64,9 @@ std::string MakeTable(const CRunReport& report) {
     text += fmt::format("{:<17}{:<8}{:>62} {} {:>5.1f}x\n", "", "apart", "",
                         Summary(scene.m_cRestart.m_cDifference), box2d / native);
   }
-  text += "\n+-: half the width of the 95% interval. Apart: distance of the two engines' places of the ball "
-          "at the same impact; and how many times "
-          "the time of\n"
-          "native Box2D takes.\n";
+  text += "\n+-: half the width of the 95% interval. Apart: distance between the places where the two "
+          "engines put the ball\n"
+          "at the same impact, and how many times the time of native Box2D takes.\n";
   for (const CSceneReport& scene : report.m_stdScenes)
     for (std::size_t e = 0; e < report.m_stdEngines.size(); ++e) {
       const CCost& c = scene.m_stdCosts[e];
