@@ -112,7 +112,11 @@ void SweepPiece(const TShape& shape, const CMotion& motion, CImpact& best) {
     const b2Vec2 poi = xfB.p - motion.m_cBall.m_radius * normal;
     const b2Vec2 surface = a.c - a.c0 + b2Cross(a.a - a.a0, poi - xfA.p);
     if (!(b2Dot(b.c - b.c0 - surface, normal) < 0.0f)) continue;
-    best = {true, t, std::max(0.0f, -b2Dot(b.c - xfB.p, normal)), xfB.p, normal};
+    // The setback undoes what both have moved into each other since.
+    b2Transform endA;
+    a.GetTransform(&endA, 1.0f);
+    const b2Vec2 way = b.c - xfB.p - (b2Mul(endA, b2MulT(xfA, poi)) - poi);
+    best = {true, t, std::max(0.0f, -b2Dot(way, normal)), xfB.p, normal};
     return;
   }
   if (best.m_fTime == 1.0f && Touch(shape, motion, 1.0f, normal, separation) &&

@@ -72,6 +72,7 @@ void CWorld::RequireExtent(const CAabb2D& box) const {
 
 CShapeId CWorld::AddShape(std::unique_ptr<CShape> pShape) {
   RequireExtent(pShape->GetAABB());
+  RequireVector("m_vRotCenter", pShape->GetRotCenter(), m_cLimits.m_fMaxLength);
   const CShapeId id{m_pState->m_nNextId++};
   m_pState->m_stdShapes.emplace_back(id, std::move(pShape));
   OnAdded(id);
@@ -110,6 +111,7 @@ std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, 
           return MakeShape(desc);
         },
         any));
+  RequireVector("m_vRotCenter", rotCenter, m_cLimits.m_fMaxLength);
   for (const auto& pShape : shapes)
     RequireExtent(pShape->GetAABB());
   std::vector<CShapeId> ids;
@@ -249,6 +251,7 @@ void CWorld::SetRotSpeed(CShapeId id, float revsPerSecond) {
 }
 
 void CWorld::SetRotCenter(CShapeId id, const Vector2& center) {
+  RequireVector("m_vRotCenter", center, m_cLimits.m_fMaxLength);
   FindKinematic(id, "a kinematic shape, to be turned").SetRotCenter(center);
   OnChanged(id, eChange::Pose);
 }

@@ -150,7 +150,7 @@ TEST_F(CPairSweepTest, BothBallsAreFollowed) {
     // They close .3 before they touch, and sink into each other a little.
     const float time = (0.3f + g_fIntoCircle) / (wayA + wayB);
     EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-4f);
-    EXPECT_NEAR(c.m_fSetback, (1 - time) * wayB, g_fStopTolerance + g_fRounding);
+    EXPECT_NEAR(c.m_fSetback, (1 - time) * (wayA + wayB), g_fStopTolerance + g_fRounding);
   }
 }
 

@@ -166,6 +166,10 @@ TEST_P(CBadInputContract, LargestAndSmallestValuesAreStepped) {
     EXPECT_NO_THROW(add(1e10f, 1e10f, 1e20f));
     return;
   }
+  CLineSegDesc turning = Kinematic();
+  turning.m_vRotCenter = {1e10f, 0};
+  EXPECT_THROW(m_pWorld->Add(turning), std::invalid_argument);
+  EXPECT_THROW(m_pWorld->SetRotCenter(m_cFlipper, {1e10f, 0}), std::invalid_argument);
   EXPECT_THROW(add(1e10f, 0, 1), std::invalid_argument);
   EXPECT_THROW(add(0, 1e10f, 1), std::invalid_argument);
   EXPECT_THROW(add(0, 0, 1e20f), std::invalid_argument);

@@ -97,6 +97,16 @@ TEST_P(CPairContract, BallsShareSetbackAndMomentumByMass) {
   EXPECT_NEAR(-0.1f - still.GetPos().y(), 0.25f * c.m_fSetback, 1e-6f);
 }
 
+TEST_P(CPairContract, BallsThatBothMoveOnlyTouchAfterTheResponse) {
+  CDynamicCircle left = Arrive({-0.05f, 0}, {9, 0}), right = Arrive({0.05f, 0}, {-9, 0});
+  CContactDesc c(&right, &left);
+  ASSERT_TRUE(Backend().CollisionDetected(c));
+  EXPECT_NEAR(c.m_fSetback, 0.1f, Skin()); // what both overlap, not what one of them went
+  left.CollisionResponse(c);
+  EXPECT_NEAR((left.GetPos() - right.GetPos()).norm(), 0.2f, Skin());
+  EXPECT_FLOAT_EQ(left.GetVel().x(), -9.0f);
+}
+
 TEST_P(CPairContract, WhatIsFarAwayIsNotMet) {
   CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
   CPoint point(CPointDesc(Vector2(0, 0)));
