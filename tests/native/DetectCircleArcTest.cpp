@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "native/Detect.h"
-
-#include "../Random.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
+#include "KernelTesting.h"
 
 namespace Shapes::Native {
 namespace {
 
-using Tests::CRandom;
-using Vector2d = Eigen::Vector2d;
-
-constexpr double g_fUlp = 0x1p-23;
-constexpr float g_fNan = std::numeric_limits<float>::quiet_NaN();
-
-Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
 float Degrees(float a) { return a * g_fPi / 180.0f; }
-CBall Ball(const Vector2& p, float r, const Vector2& v = Vector2::Zero()) { return {p, p, v, r}; }
 CArc Arc(float r, float a0, float a1, eSides sides = eSides::Both, const Vector2& p = Vector2::Zero()) {
   CArcDesc desc(p, r, a0, a1);
   desc.m_eSides = sides;

@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "native/Detect.h"
+#include "KernelTesting.h"
 
 #include <Shapes/Shapes.h>
-
-#include "../Random.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
 
 namespace Shapes::Native {
 namespace {
 
-using Tests::CRandom;
-using Vector2d = Eigen::Vector2d;
-
-constexpr double g_fUlp = 0x1p-23;
-constexpr float g_fNan = std::numeric_limits<float>::quiet_NaN();
-
-Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
-CBall Ball(const Vector2& p, float r, const Vector2& v = Vector2::Zero()) { return {p, p, v, r}; }
 CLineSeg Seg(const Vector2& p0, const Vector2& p1, eSides sides = eSides::Both) {
   CLineSegDesc desc(p0, p1);
   desc.m_eSides = sides;

@@ -1,24 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "native/Detect.h"
-
-#include "../Random.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
+#include "KernelTesting.h"
 
 namespace Shapes::Native {
 namespace {
-
-using Tests::CRandom;
-using Vector2d = Eigen::Vector2d;
-
-constexpr double g_fUlp = 0x1p-23;
-constexpr float g_fNan = std::numeric_limits<float>::quiet_NaN();
-
-Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
-CBall Ball(const Vector2& p, float r, const Vector2& v = Vector2::Zero()) { return {p, p, v, r}; }
 
 TEST(DetectPointCircle, GivesPoiNormalAndSetback) {
   CHit hit;
