@@ -33,7 +33,7 @@ CLineSegDesc Wall(const Vector2& a, const Vector2& b, float e = 1) { return CLin
 
 // Gravity comes in kicks of g dt at the start of a step, so a ball with elasticity e hops by e g dt^2 at
 // most.
-TEST(ReferenceRest, BallRestsOnASegment) { // case 75
+TEST(ReferenceRest, BallRestsOnASegment) {
   for (const float e : {0.0f, 0.5f, 0.9f}) {
     SCOPED_TRACE(e);
     const double dt = 1.0 / 60, g = 9.8, hop = g * dt * dt;
@@ -56,7 +56,7 @@ TEST(ReferenceRest, BallRestsOnASegment) { // case 75
   }
 }
 
-TEST(ReferenceRest, SlidingAlongASegmentIsNoHit) { // case 34
+TEST(ReferenceRest, SlidingAlongASegmentIsNoHit) {
   CReference reference = Make({Wall({-1, 0}, {200, 0})}, {CDynamicCircleDesc({0, .5f}, .5f, {1, 0})});
   EXPECT_TRUE(Carry(reference, .01, 10000).empty());
   EXPECT_EQ(reference.GetBall(0).m_vPos.y(), .5);

@@ -84,7 +84,7 @@ TEST(Reference, ResponseKeepsTheTangentialPart) { // cases 52 to 55
   }
 }
 
-TEST(Reference, FastBallLosesNoTravel) { // case 39: .17, where a setback along the normal gives .10
+TEST(Reference, FastBallLosesNoTravel) { // .17, where a setback along the normal gives .10
   CReference reference = Make({Wall({-1, 0}, {1, 0})}, {CDynamicCircleDesc({0, 0}, .1f, {0, -6})});
   reference.SetBall(0, {0, .13}, {0, -6});
   Carry(reference, 1.0 / 60);
@@ -141,7 +141,7 @@ TEST(Reference, FrameOfTheSurface) { // whatever the place: v_n' = V + e (V - v_
   EXPECT_GT(hits, 20);
 }
 
-TEST(Reference, CorneredBallReverses) { // case 67, both orders
+TEST(Reference, CorneredBallReverses) { // both orders
   for (const bool swapped : {false, true}) {
     CShapes walls = {Wall({0, 0}, {4, 0}), Wall({0, 0}, {0, 4})};
     if (swapped) std::swap(walls[0], walls[1]);
@@ -152,14 +152,14 @@ TEST(Reference, CorneredBallReverses) { // case 67, both orders
   }
 }
 
-TEST(Reference, GuardAtAnEndGivesOneResponse) { // case 79
+TEST(Reference, GuardAtAnEndGivesOneResponse) {
   CReference reference =
       Make({CPointDesc({0, 0}), Wall({0, 0}, {1, 0})}, {CDynamicCircleDesc({-.3f, 2}, .5f, {0, -1})});
   EXPECT_EQ(Carry(reference, 2).size(), 1u);
   EXPECT_NEAR((reference.GetBall(0).m_vVel - CVec2d(-.96, .28)).norm(), 0, 1e-7); // -.3 is rounded to float
 }
 
-TEST(Reference, JointIsNoObstacle) { // case 76: two collinear segments are one mirror
+TEST(Reference, JointIsNoObstacle) { // two collinear segments are one mirror
   CRandom random(76);
   for (int i = 0; i < 1000; ++i) {
     SCOPED_TRACE("seed 76 trial " + std::to_string(i));
@@ -172,7 +172,7 @@ TEST(Reference, JointIsNoObstacle) { // case 76: two collinear segments are one 
   }
 }
 
-TEST(Reference, CradleOfFive) { // case 70, and its limit
+TEST(Reference, CradleOfFive) { // and its limit
   for (const double gap : {1e-3, 1e-6, 1e-9, 0.0}) {
     SCOPED_TRACE(gap);
     CReference reference = Make({}, CBalls(5, CDynamicCircleDesc({0, 0}, .5f)));
@@ -185,7 +185,7 @@ TEST(Reference, CradleOfFive) { // case 70, and its limit
   }
 }
 
-TEST(Reference, EqualMassesOnALine) { // case 72: every pair changes order once
+TEST(Reference, EqualMassesOnALine) { // every pair changes order once
   for (int n = 2; n <= 12; ++n) {
     SCOPED_TRACE(n);
     CBalls balls;

@@ -47,7 +47,7 @@ CArcDesc Sided(CArcDesc desc, eSides sides) {
 }
 
 struct CTimeCase {
-  const char* m_sName; // the number in the list of hard cases
+  const char* m_sName;
   CAnyShapeDesc m_cShape;
   CBalld m_cBall;
   double m_fTime;
@@ -69,44 +69,61 @@ TEST_P(CTimeOfImpact, IsTheKnownOne) {
 INSTANTIATE_TEST_SUITE_P(
     Hard, CTimeOfImpact,
     testing::Values(
-        CTimeCase{"case4", CLineSegDesc({-1, 0}, {1, 0}), {{0, 1}, {0, -1}, 0}, 1.0, Tolerance8Ulp(1)},
-        CTimeCase{"case5", CLineSegDesc({1, 1}, {1, 1}), {{1, 3}, {0, -1}, .5}, 1.5, Tolerance8Ulp(1.5)},
-        CTimeCase{"case6", CLineSegDesc({0, 0}, {1e-30f, 0}), {{0, 2}, {0, -1}, .5}, 1.5, Tolerance8Ulp(1.5)},
-        CTimeCase{"case7", CCircleDesc({0, 0}, 0), {{0, 2}, {0, -1}, .5}, 1.5, Tolerance8Ulp(1.5)},
-        CTimeCase{"case20",
+        CTimeCase{
+            "BallOfRadius0", CLineSegDesc({-1, 0}, {1, 0}), {{0, 1}, {0, -1}, 0}, 1.0, Tolerance8Ulp(1)},
+        CTimeCase{"SegmentWithoutLength",
+                  CLineSegDesc({1, 1}, {1, 1}),
+                  {{1, 3}, {0, -1}, .5},
+                  1.5,
+                  Tolerance8Ulp(1.5)},
+        CTimeCase{"SegmentWhoseLengthSquaredUnderflows",
+                  CLineSegDesc({0, 0}, {1e-30f, 0}),
+                  {{0, 2}, {0, -1}, .5},
+                  1.5,
+                  Tolerance8Ulp(1.5)},
+        CTimeCase{"CircleOfRadius0", CCircleDesc({0, 0}, 0), {{0, 2}, {0, -1}, .5}, 1.5, Tolerance8Ulp(1.5)},
+        CTimeCase{"ArcAcross0",
                   CArcDesc({0, 0}, 1, 350 * g_fDegree, 10 * g_fDegree),
                   {{2, 0}, {-1, 0}, .1},
                   .9,
                   Tolerance8Ulp(.9)},
-        CTimeCase{"case21", CArcDesc({0, 0}, 1, 0, 0), {{2, 0}, {-1, 0}, .1}, .9, Tolerance8Ulp(.9)},
-        CTimeCase{"case22", CArcDesc({0, 0}, 1, -1e-9f, 1), {{2, 0}, {-1, 0}, .1}, .9, Tolerance8Ulp(.9)},
-        CTimeCase{"case23", CArcDesc({0, 0}, 1, 0, 1e-7f), {{2, 0}, {-1, 0}, .1}, .9, 1e-7},
-        CTimeCase{"case24",
+        CTimeCase{"FullCircle", CArcDesc({0, 0}, 1, 0, 0), {{2, 0}, {-1, 0}, .1}, .9, Tolerance8Ulp(.9)},
+        CTimeCase{"ArcFromATinyNegativeAngle",
+                  CArcDesc({0, 0}, 1, -1e-9f, 1),
+                  {{2, 0}, {-1, 0}, .1},
+                  .9,
+                  Tolerance8Ulp(.9)},
+        CTimeCase{"ArcOf1e7thRadian", CArcDesc({0, 0}, 1, 0, 1e-7f), {{2, 0}, {-1, 0}, .1}, .9, 1e-7},
+        CTimeCase{"SlitNarrowerThanTheBall",
                   CArcDesc({0, 0}, 1, 1e-6f, static_cast<float>(g_fPi2 - 1e-6)),
                   {{2, 0}, {-1, 0}, .1},
                   .9,
                   1e-6},
-        CTimeCase{"case26",
+        CTimeCase{"OpeningWiderThanTheBall",
                   CArcDesc({0, 0}, 1, 45 * g_fDegree, 315 * g_fDegree),
                   {{3, 0}, {-1, 0}, .1},
                   3.9,
                   Tolerance8Ulp(3.9)},
-        CTimeCase{"case30",
+        CTimeCase{"NearGraze",
                   CPointDesc({0, 0}),
                   {{-10, 1 - 1e-12}, {1, 0}, 1},
                   9.99999858578644,
                   10 * g_fEps / std::sqrt(2e-12)},
-        CTimeCase{
-            "case43", CLineSegDesc({0, -1}, {0, 1}), {{-1, 0}, {1e6, 0}, .1}, 9e-7, Tolerance8Ulp(9e-7)},
-        CTimeCase{"case49",
+        CTimeCase{"VeryFastBall",
+                  CLineSegDesc({0, -1}, {0, 1}),
+                  {{-1, 0}, {1e6, 0}, .1},
+                  9e-7,
+                  Tolerance8Ulp(9e-7)},
+        CTimeCase{"FarFromTheOrigin",
                   CArcDesc({1048576, 1048576}, 1, 350 * g_fDegree, 10 * g_fDegree),
                   {{1048578, 1048576}, {-1, 0}, .1},
                   .9,
                   4 * 0x1p-32},
-        CTimeCase{"case78", CLineSegDesc({0, 0}, {1, 0}), {{-.3, 2}, {0, -1}, .5}, 1.6, Tolerance8Ulp(1.6)}),
+        CTimeCase{
+            "NakedEnd", CLineSegDesc({0, 0}, {1, 0}), {{-.3, 2}, {0, -1}, .5}, 1.6, Tolerance8Ulp(1.6)}),
     [](const auto& param) { return param.param.m_sName; });
 
-// Case 21: a full circle is met from every direction, from outside and from inside.
+// A full circle is met from every direction, from outside and from inside.
 TEST(SweepCases, FullCircleFromEveryDirection) {
   for (int i = 0; i < 360; ++i) {
     SCOPED_TRACE(i);
@@ -123,7 +140,7 @@ TEST(SweepCases, FullCircleFromEveryDirection) {
   }
 }
 
-TEST(SweepCases, NakedEndHasARoundNormal) { // case 78
+TEST(SweepCases, NakedEndHasARoundNormal) {
   const CResult result = Shoot(CLineSegDesc({0, 0}, {1, 0}), {{-.3, 2}, {0, -1}, .5});
   EXPECT_EQ(result.m_cHit.m_ePart, ePart::End0);
   EXPECT_NEAR(result.m_cHit.m_vNorm.x(), -.6, 1e-12);
@@ -158,7 +175,7 @@ TEST(SweepCases, InsideAnArcThatItDoesNotFit) { // cases 11, 12, 27
 
 TEST(SweepCases, RingThatTheBallDoesNotFitIsMetFromOutside) {
   const CCircleDesc ring({0, 0}, 1);
-  EXPECT_FALSE(Shoot(ring, {{2, 0}, {0, 0}, .1}).m_bMet); // case 41: inside a ring there is nothing
+  EXPECT_FALSE(Shoot(ring, {{2, 0}, {0, 0}, .1}).m_bMet); // inside a ring there is nothing
   const CResult fits = Shoot(ring, {{.5, 0}, {1, 0}, .25});
   ASSERT_TRUE(fits.m_bMet);
   EXPECT_EQ(fits.m_cHit.m_ePart, ePart::Inside);
@@ -187,7 +204,7 @@ TEST(SweepCases, GrazesAreFlaggedOnBothSides) { // cases 30, 32
   EXPECT_FALSE(Shoot(CPointDesc({0, 0}), {{-10, 1 + 1e-12}, {1, 0}, 1}, 9.0).m_cHit.m_bGraze);
 }
 
-TEST(SweepCases, BallsUnderCommonGravity) { // case 36: gravity cancels in the relative motion
+TEST(SweepCases, BallsUnderCommonGravity) { // gravity cancels in the relative motion
   CHit<double> hit;
   ASSERT_TRUE(SweepBalls<double>({{0, 0}, {0, 0}, .25}, {{-2, .3}, {4, 0}, .25}, 1.0, hit));
   EXPECT_NEAR(hit.m_fTime, .4, 16 * g_fEps * 2.5 / 3.2);
@@ -195,7 +212,7 @@ TEST(SweepCases, BallsUnderCommonGravity) { // case 36: gravity cancels in the r
   EXPECT_EQ(hit.m_ePart, ePart::Ball);
 }
 
-// Case 37, and its control: looking at the end of the step only loses one shot in three.
+// With its control: looking at the end of the step only loses one shot in three.
 TEST(SweepCases, NoShotGoesThroughAWall) {
   Shapes::Tests::CRandom random(37);
   const double r = .1, way = .15;
@@ -217,7 +234,7 @@ TEST(SweepCases, NoShotGoesThroughAWall) {
   EXPECT_NEAR(static_cast<double>(tunneled) / shots, share, 3 * sigma);
 }
 
-TEST(SweepCases, OverlapIsHitOnlyIfItApproaches) { // case 42
+TEST(SweepCases, OverlapIsHitOnlyIfItApproaches) {
   struct {
     CAnyShapeDesc m_cShape;
     CVec2d m_vPos;
@@ -303,7 +320,7 @@ TEST(SweepCases, TurningBladeMeetsARestingBall) {
   }
 }
 
-// Case 63: a whole turn in one step. At its end nothing seems to have moved; the sweep sees the blade pass.
+// A whole turn in one step. At its end nothing seems to have moved; the sweep sees the blade pass.
 TEST(SweepCases, WholeTurnIsNotNoTurn) {
   const CFigure<double> blade = MakeFigure(CLineSegDesc({0, 0}, {1, 0}));
   CHit<double> hit;

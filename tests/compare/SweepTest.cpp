@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sweep against a search that shares nothing with it, against 50 digits, and against the hard cases.
+// The sweep against a search that shares nothing with it, and against 50 digits.
 #include "reference/Sweep.h"
 #include "Random.h"
 #include "SweepOracle.h"
