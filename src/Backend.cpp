@@ -47,6 +47,7 @@ bool CBackend::CollisionDetected(CContactDesc& c) const {
 }
 
 bool CShape::CollisionDetected(CContactDesc& c) {
+  if (c.m_pCircle == nullptr) Refuse("c.m_pCircle", "null", "a ball");
   c.m_pShape = this;
   return GetDefaultBackend().CollisionDetected(c);
 }

@@ -12,6 +12,9 @@ inline constexpr float g_fMaxLength = 1e18f;
 /// doubles the speed at each hit) is cut to it and flagged: CDynamicCircle::GetSpeedCapped, CWorldStats.
 inline constexpr float g_fMaxSpeed = 1e18f;
 
+/// Most that a response adds to a velocity before it is cut to g_fMaxSpeed: stays finite with what is there.
+inline constexpr float g_fMaxKick = 1e37f;
+
 /// Range of masses. The sum of two and the inverse of each stay finite.
 inline constexpr float g_fMinMass = 1e-36f;
 inline constexpr float g_fMaxMass = 1e36f;
@@ -21,6 +24,8 @@ inline constexpr float g_fMaxElasticity = 1e6f;
 
 /// Longest time step, in seconds: a bound on v dt, far above any use.
 inline constexpr float g_fMaxTimeStep = 1e6f;
+/// Shortest substep, in seconds: its inverse stays finite (Box2D divides by it).
+inline constexpr float g_fMinTimeStep = 1e-30f;
 
 /// Fastest rotation, in revolutions per second.
 inline constexpr float g_fMaxRotSpeed = 1e9f;
@@ -67,7 +72,7 @@ inline constexpr float g_fShortestEdge = 0.01f;
 /// program. Refused.
 inline constexpr float g_fMaxBox2DLength = 1e8f;
 inline constexpr float g_fMaxBox2DSpeed = 1e9f;
-inline constexpr float g_fMinBox2DMass = 1e-18f;
-inline constexpr float g_fMaxBox2DMass = 1e18f;
+inline constexpr float g_fMinBox2DMass = 1e-12f;
+inline constexpr float g_fMaxBox2DMass = 1e12f;
 
 } // namespace Shapes

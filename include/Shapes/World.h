@@ -71,6 +71,15 @@ struct CWorldStats {
 
 using CAnyShapeDesc = std::variant<CPointDesc, CLineSegDesc, CCircleDesc, CArcDesc, CDynamicCircleDesc>;
 
+/// What an engine can hold, in user units; anything beyond is refused before it is told of it.
+struct CWorldLimits {
+  float m_fMaxLength = g_fMaxLength;
+  float m_fMaxSpeed = g_fMaxSpeed;
+  float m_fMinMass = g_fMinMass;
+  float m_fMaxMass = g_fMaxMass;
+  friend bool operator==(const CWorldLimits&, const CWorldLimits&) = default;
+};
+
 /// A copy of all that a world holds, made by SaveState. Cheap to copy.
 class CSavedState {
 private:
@@ -154,18 +163,12 @@ public:
   /// that goes on after SaveState, and one that goes on after LoadState of it, have the same bits on the same
   /// engine.
   CSavedState SaveState();
-  /// @throws std::invalid_argument if the state was made by nobody (default constructed)
+  /// @throws std::invalid_argument if the state was made by nobody (default constructed), or if this
+  /// world cannot hold what another one saved; nothing has changed then
   void LoadState(const CSavedState& state);
 
 protected:
-  /// What an engine can hold, in user units; anything beyond is refused before it is told of it.
-  struct CLimits {
-    float m_fMaxLength = g_fMaxLength;
-    float m_fMaxSpeed = g_fMaxSpeed;
-    float m_fMinMass = g_fMinMass;
-    float m_fMaxMass = g_fMaxMass;
-  };
-  CWorld(const CWorldDesc& desc, const CLimits& limits);
+  CWorld(const CWorldDesc& desc, const CWorldLimits& limits);
 
   CWorldState& State() { return *m_pState; }
   const CWorldState& State() const { return *m_pState; }
@@ -187,9 +190,10 @@ private:
   CShape& FindKinematic(CShapeId id, const char* what) const;
   CShapeId AddShape(std::unique_ptr<CShape> pShape);
   void RequireExtent(const CAabb2D& box) const;
+  void RequireHeld(const CWorldState& state) const;
 
   CWorldDesc m_cDesc;
-  CLimits m_cLimits;
+  CWorldLimits m_cLimits;
   std::unique_ptr<CWorldState> m_pState;
   std::vector<CContactEvent> m_stdContacts;
   CWorldStats m_cStats;

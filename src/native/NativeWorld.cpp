@@ -18,7 +18,7 @@ CAabb2D BoxOf(const CShape& shape) {
 
 } // namespace
 
-CNativeWorld::CNativeWorld(const CWorldDesc& desc) : CWorld(desc, CLimits()) {}
+CNativeWorld::CNativeWorld(const CWorldDesc& desc) : CWorld(desc, CWorldLimits()) {}
 
 void CNativeWorld::OnAdded(CShapeId id) { OnChanged(id, eChange::Pose); }
 

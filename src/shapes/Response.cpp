@@ -2,6 +2,13 @@
 #include "Response.h"
 
 namespace Shapes {
+namespace {
+
+// What a response adds along n. Finite: the surface of a shape far from its centre may be faster than any
+// ball, and infinity times a component of n that is 0 is not a number. CapSpeed does the rest.
+float Kick(float e, float vn) { return std::max((1.0f + e) * vn, -g_fMaxKick); }
+
+} // namespace
 
 bool CapSpeed(Vector2& v, float most) {
   FailIf(Length(v) <= most);
@@ -16,7 +23,7 @@ void RespondStatic(const Vector2& n, float setback, float e, Vector2& p, Vector2
 void RespondKinematic(const Vector2& n, float setback, float e, const Vector2& surface, Vector2& p,
                       Vector2& v) {
   const float vn = (v - surface).dot(n);
-  if (vn < 0.0f) v -= ((1.0f + e) * vn) * n;
+  if (vn < 0.0f) v -= Kick(e, vn) * n;
   p += setback * n;
 }
 
@@ -26,8 +33,8 @@ void RespondDynamic(const Vector2& n, float setback, float e, float m0, float m1
   const float share0 = m1 / (m0 + m1), share1 = m0 / (m0 + m1);
   const float vn = (v1 - v0).dot(n);
   if (vn < 0.0f) {
-    v0 += ((1.0f + e) * vn * share0) * n;
-    v1 -= ((1.0f + e) * vn * share1) * n;
+    v0 += (Kick(e, vn) * share0) * n;
+    v1 -= (Kick(e, vn) * share1) * n;
   }
   p0 -= (setback * share0) * n;
   p1 += (setback * share1) * n;

@@ -4,6 +4,7 @@
 #include "Validate.h"
 #include "WorldState.h"
 
+#include <algorithm>
 #include <string>
 #include <type_traits>
 
@@ -42,16 +43,19 @@ std::unique_ptr<CShape> MakeShape(const CDynamicCircleDesc&) {
 
 } // namespace
 
-CWorld::CWorld(const CWorldDesc& desc, const CLimits& limits)
+CWorld::CWorld(const CWorldDesc& desc, const CWorldLimits& limits)
     : m_cDesc(desc), m_cLimits(limits), m_pState(std::make_unique<CWorldState>()) {
+  RequirePositive("m_fLengthUnit", desc.m_fLengthUnit, g_fMaxLength); // first: the limits follow from it
   RequireVector("m_vGravity", desc.m_vGravity, limits.m_fMaxSpeed);
   RequirePositive("m_fTimeStep", desc.m_fTimeStep, g_fMaxTimeStep);
   RequireCount("m_nSubsteps", desc.m_nSubsteps, g_nMaxSubsteps);
-  RequirePositive("m_fLengthUnit", desc.m_fLengthUnit, g_fMaxLength);
+  RequireRange("m_fTimeStep / m_nSubsteps", desc.m_fTimeStep / static_cast<float>(desc.m_nSubsteps),
+               g_fMinTimeStep, g_fMaxTimeStep);
   RequirePositive("m_fSagittaTolerance", desc.m_fSagittaTolerance, g_fMaxLength);
   RequireCount("m_nVelocityIterations", desc.m_nVelocityIterations, 1000);
   RequireCount("m_nPositionIterations", desc.m_nPositionIterations, 1000);
   m_pState->m_vGravity = desc.m_vGravity;
+  m_pState->m_cLimits = limits;
 }
 
 CWorld::~CWorld() = default;
@@ -68,6 +72,23 @@ void CWorld::RequireExtent(const CAabb2D& box) const {
                 m_cLimits.m_fMaxLength);
   RequireVector("m_vPos and extent (a corner of the box of the shape)", box.GetBottomRt(),
                 m_cLimits.m_fMaxLength);
+}
+
+void CWorld::RequireHeld(const CWorldState& state) const {
+  // What a world of the same limits has come to hold, it can go on with.
+  if (state.m_cLimits == m_cLimits) return;
+  RequireVector("m_vGravity", state.m_vGravity, m_cLimits.m_fMaxSpeed);
+  for (const CShapeEntry& entry : state.m_stdShapes) {
+    RequireExtent(entry.m_pShape->GetAABB());
+    RequireVector("m_vRotCenter", entry.m_pShape->GetRotCenter(), m_cLimits.m_fMaxLength);
+  }
+  const CBallArrays& b = state.m_cBalls;
+  for (std::size_t i = 0; i < b.Size(); ++i) {
+    const Vector2 r(b.m_stdRadius[i], b.m_stdRadius[i]);
+    RequireExtent(CAabb2D(b.m_stdPos[i] - r, b.m_stdPos[i] + r));
+    RequireVector("m_vVel", b.m_stdVel[i], m_cLimits.m_fMaxSpeed);
+    RequireRange("m_fMass", b.m_stdMass[i], m_cLimits.m_fMinMass, m_cLimits.m_fMaxMass);
+  }
 }
 
 CShapeId CWorld::AddShape(std::unique_ptr<CShape> pShape) {
@@ -297,7 +318,12 @@ CSavedState CWorld::SaveState() {
 
 void CWorld::LoadState(const CSavedState& state) {
   if (!state.m_pState) Refuse("state", "empty", "what SaveState returned");
+  RequireHeld(*state.m_pState);
+  // Ids that were given since are not given again.
+  const std::uint32_t nextId = std::max(m_pState->m_nNextId, state.m_pState->m_nNextId);
   m_pState = std::make_unique<CWorldState>(*state.m_pState);
+  m_pState->m_nNextId = nextId;
+  m_pState->m_cLimits = m_cLimits;
   m_cDesc.m_vGravity = m_pState->m_vGravity;
   m_stdContacts.clear();
   OnLoaded();

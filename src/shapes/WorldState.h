@@ -44,6 +44,7 @@ class CWorldState {
 public:
   std::uint32_t m_nNextId = 1;
   Vector2 m_vGravity = Vector2::Zero();
+  CWorldLimits m_cLimits; // of the world that it is from
   std::vector<CShapeEntry> m_stdShapes;
   CBallArrays m_cBalls;
 

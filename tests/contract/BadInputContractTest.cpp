@@ -132,10 +132,54 @@ TEST_P(CBadInputContract, WorldDescriptionsAreChecked) {
   refuse([](auto& d) { d.m_fTimeStep = g_fNaN; }, "m_fTimeStep", "nan");
   refuse([](auto& d) { d.m_fTimeStep = g_fInf; }, "m_fTimeStep", "inf");
   refuse([](auto& d) { d.m_vGravity.y() = g_fNaN; }, "m_vGravity", "nan");
+  refuse([](auto& d) { d.m_fTimeStep = 1e-39f; }, "m_fTimeStep / m_nSubsteps", "1e-39");
+  refuse(
+      [](auto& d) {
+        d.m_fLengthUnit = -1;
+        d.m_vGravity = {0, -10};
+      },
+      "m_fLengthUnit", "-1");
   refuse([](auto& d) { d.m_nSubsteps = 0; }, "m_nSubsteps", "0");
   refuse([](auto& d) { d.m_fLengthUnit = 0; }, "m_fLengthUnit", "0");
   refuse([](auto& d) { d.m_fSagittaTolerance = -1; }, "m_fSagittaTolerance", "-1");
   refuse([](auto& d) { d.m_nVelocityIterations = 0; }, "m_nVelocityIterations", "0");
+}
+
+TEST_P(CBadInputContract, AStateThatTheEngineCannotHoldIsNotLoaded) {
+  auto pFar = GetBackend(eBackend::Native)->MakeWorld(CWorldDesc());
+  pFar->Add(CDynamicCircleDesc({1e17f, 0}, 1));
+  const CSavedState saved = pFar->SaveState();
+  if (IsNative())
+    EXPECT_NO_THROW(m_pWorld->LoadState(saved));
+  else
+    ExpectRefused([&] { m_pWorld->LoadState(saved); }, "corner of the box", "1e+17");
+}
+
+TEST_P(CBadInputContract, TheLargestKickIsFiniteAndInTheRightDirection) {
+  auto pWorld = Backend().MakeWorld(CWorldDesc());
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, g_fMaxElasticity));
+  const float speed = IsNative() ? g_fMaxSpeed : g_fMaxBox2DSpeed,
+              mass = IsNative() ? g_fMaxMass : g_fMaxBox2DMass;
+  const CShapeId ball =
+      pWorld->Add(CDynamicCircleDesc({0, 0.05f}, 0.1f, {0, -speed}, mass, g_fMaxElasticity));
+  for (int i = 0; i < 3; ++i)
+    pWorld->Step();
+  EXPECT_TRUE(pWorld->GetPos(ball).allFinite());
+  EXPECT_TRUE(pWorld->GetVel(ball).allFinite());
+
+  // The surface of a shape far from its centre is faster than any ball.
+  CGameClock::Set(1.0f / 60.0f, 0.0f);
+  CPointDesc desc(Vector2(0, 0), g_fMaxElasticity);
+  desc.m_vRotCenter = {1e17f, 0};
+  desc.m_fRotSpeed = g_fMaxRotSpeed;
+  CKinematicPoint point(desc);
+  CDynamicCircle struck(CDynamicCircleDesc({0.3f, -0.4f}, 1, {0, 0}, 1, g_fMaxElasticity));
+  CContactDesc c(&point, &struck);
+  ASSERT_TRUE(GetBackend(eBackend::Native)->CollisionDetected(c));
+  struck.CollisionResponse(c);
+  EXPECT_TRUE(struck.GetVel().allFinite());
+  EXPECT_LT(struck.GetVel().y(), 0.0f); // away from the point
+  EXPECT_TRUE(struck.GetSpeedCapped());
 }
 
 TEST_P(CBadInputContract, LargestAndSmallestValuesAreStepped) {

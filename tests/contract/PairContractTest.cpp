@@ -222,6 +222,15 @@ TEST_P(CPairContract, AFastBallTunnelsOnNativeOnly) {
   EXPECT_NEAR(c.m_vNorm.y(), 1.0f, 1e-5f);
 }
 
+TEST_P(CPairContract, AnotherRotationCentreDoesNotMoveAShape) {
+  CKinematicLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
+  CDynamicCircle ball = Arrive({0, 0.07f}, {0, -6});
+  CContactDesc c(&seg, &ball);
+  EXPECT_TRUE(Backend().CollisionDetected(c));
+  seg.SetRotCenter({50, 0});
+  EXPECT_TRUE(Backend().CollisionDetected(c));
+}
+
 TEST_P(CPairContract, NullIsRefused) {
   CPoint point(CPointDesc(Vector2(0, 0)));
   CDynamicCircle ball = Arrive({0, 0}, {0, -6});

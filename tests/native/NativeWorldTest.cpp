@@ -181,6 +181,47 @@ TEST(NativeWorldTest, HasTheBitsOfThePlainLoopFarFromTheOrigin) {
   EXPECT_GT(loop.m_nContacts, 1000u);
 }
 
+TEST(NativeWorldTest, ABallFarOutAmongOthersEndsTheStep) {
+  // Between 2^53 and 2^54 cells from the origin every other cell number is no double: counting them never
+  // ended.
+  auto pWorld = MakeNativeWorld(1.0f / 60.0f, 0);
+  pWorld->Add(CDynamicCircleDesc({0x1.8p51f, 0}, 0.5f));
+  for (int i = 0; i < 20; ++i)
+    pWorld->Add(CDynamicCircleDesc({static_cast<float>(i), 0}, 0.1f));
+  pWorld->Step();
+  EXPECT_EQ(pWorld->GetStats().m_nSteps, 1u);
+}
+
+TEST(NativeWorldTest, AShapeThatWentFarAndCameBackIsMetAsByThePlainLoop) {
+  // Its ends were rounded out there; normal and box have to follow the rounded ones.
+  CPlainLoop loop(1.0f / 60.0f, 0);
+  auto pWorld = MakeNativeWorld(1.0f / 60.0f, 0);
+  const CLineSegDesc desc({0, 0}, {0.05f, 0.05f});
+  AddToBoth<CLineSeg, CKinematicLineSeg>(loop, *pWorld, desc);
+  const CShapeId id{1};
+  for (const Vector2& p : {Vector2(1e6f, 2.5e6f), Vector2(0, 0)}) {
+    loop.m_stdShapes[0]->SetPos(p);
+    pWorld->SetPos(id, p);
+  }
+  std::size_t met = 0;
+  CRandom random(9);
+  for (int i = 0; i < 500; ++i) {
+    const CDynamicCircleDesc ball(random.InSquare(1), 1);
+    loop.Add(ball);
+    pWorld->Add(ball);
+  }
+  for (auto& pBall : loop.m_stdBalls)
+    pBall->SetSensor(true); // each for itself
+  for (const CShapeId ball : pWorld->GetBallIds())
+    pWorld->SetSensor(ball, true);
+  loop.Step();
+  pWorld->Step();
+  for (const auto& event : pWorld->GetContacts())
+    met += event.m_cShape == id;
+  EXPECT_EQ(pWorld->GetContacts().size(), loop.m_nContacts);
+  EXPECT_GT(met, 10u);
+}
+
 TEST(NativeWorldTest, OrderIsWhatThePlainLoopSays) {
   // The control of the comparison above: a loop with one rule broken (points last) gives other bits.
   constexpr float dt = 1.0f / 60.0f;
