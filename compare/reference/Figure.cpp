@@ -9,10 +9,6 @@
 namespace Shapes::Compare {
 namespace {
 
-using CVec2d = CVec<double>;
-
-CVec2d ToDouble(const Vector2& v) { return v.cast<double>(); }
-
 CFigure<double> ToFigure(const CPoint& point) {
   CFigure<double> f;
   f.m_eShapeType = eShape::Point;

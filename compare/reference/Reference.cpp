@@ -21,8 +21,6 @@ constexpr double g_fNudge = 4.0 * g_fEps;
 // rounding, and the ball rests on what it has hit.
 constexpr double g_fResidue = 8.0 * g_fEps;
 
-CVec2d ToDouble(const Vector2& v) { return v.cast<double>(); }
-
 } // namespace
 
 double CReference::CSolid::GetSpeed() const { return Turns() ? g_fTau * m_fRevs : 0.0; }

@@ -20,8 +20,6 @@
 
 namespace Shapes::Compare {
 
-using CVec2d = CVec<double>;
-
 /// Most events in one step. More means that a ball is jammed, and the step throws.
 inline constexpr std::size_t g_nMaxEvents = 1000;
 /// The same for all hits, those of sliding balls included.

@@ -48,4 +48,9 @@ CVec<T> Turned(const CVec<T>& v, const T& angle) {
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
 
+using CVec2d = CVec<double>;
+
+/// A vector of the library, exactly.
+inline CVec2d ToDouble(const Eigen::Vector2f& v) { return v.cast<double>(); }
+
 } // namespace Shapes::Compare
