@@ -3,6 +3,7 @@
 // the bounds that docs/accuracy.md documents.
 #include "metrics/Cost.h"
 #include "metrics/Restart.h"
+#include "metrics/Totals.h"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,15 @@ constexpr std::uint64_t g_nSeed = 7;
 
 CScene Load(const std::string& name) {
   return LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");
+}
+
+CRestartResult Judge(const CScene& scene, const std::vector<CEngine>& engines, std::uint64_t seed,
+                     std::size_t contacts) {
+  CRestartOptions options;
+  options.m_nSeed = seed;
+  options.m_nContacts = contacts;
+  options.m_nMostTrials = 20 * contacts;
+  return RunRestarts(scene, engines, options);
 }
 
 // docs/accuracy.md, "Bounds": tunneled rate and 95th percentile of the setback error, in radii, of each
@@ -57,17 +67,17 @@ void ExpectRateWithin(std::size_t hits, std::size_t n, double bound) {
 
 TEST_P(CEveryScene, StaysWithinTheDocumentedBounds) {
   const CBounds& bounds = GetParam();
-  const CRestartResult result =
-      RunRestarts(Load(bounds.m_sScene), GetEngines(), g_nSeed, g_nContacts, 20 * g_nContacts);
+  const CRestartResult result = Judge(Load(bounds.m_sScene), GetEngines(), g_nSeed, g_nContacts);
   ASSERT_EQ(result.m_stdContacts.size(), g_nContacts);
-  const CEngineTotals &native = result.m_stdEngines[0], &box2d = result.m_stdEngines[1];
+  const CTotals native = MakeTotals(result.m_stdContacts, 0), box2d = MakeTotals(result.m_stdContacts, 1);
+  const CSummary apart = SummariseDifference(result.m_stdContacts);
   Record("native_tunneled", static_cast<double>(native.GetTunneled()));
   Record("box2d_tunneled", static_cast<double>(box2d.GetTunneled()));
   Record("native_setback_median", native.m_cSetback.m_fMedian);
   Record("box2d_setback_median", box2d.m_cSetback.m_fMedian);
-  Record("setback_difference_median", result.m_cDifference.m_fMedian);
-  Record("setback_difference_p95", result.m_cDifference.m_fP95);
-  Record("setback_difference_max", result.m_cDifference.m_fMax);
+  Record("setback_difference_median", apart.m_fMedian);
+  Record("setback_difference_p95", apart.m_fP95);
+  Record("setback_difference_max", apart.m_fMax);
   Record("native_setback_error_p95", native.m_cSetbackError.m_fP95);
   Record("box2d_setback_error_p95", box2d.m_cSetbackError.m_fP95);
 
@@ -75,7 +85,7 @@ TEST_P(CEveryScene, StaysWithinTheDocumentedBounds) {
   ExpectRateWithin(box2d.GetTunneled(), g_nContacts, bounds.m_fBox2DTunneled);
   EXPECT_LE(native.m_cSetbackError.m_fP95, bounds.m_fNativeError);
   EXPECT_LE(box2d.m_cSetbackError.m_fP95, bounds.m_fBox2DError);
-  EXPECT_LE(result.m_cDifference.m_fP95, bounds.m_fApart);
+  EXPECT_LE(apart.m_fP95, bounds.m_fApart);
   // Both saw enough pairs for these to mean something.
   EXPECT_GT(native.m_cSetbackError.m_nCount, g_nContacts / 3);
   EXPECT_GT(box2d.m_cSetbackError.m_nCount, g_nContacts / 2);
@@ -97,7 +107,7 @@ CRestartResult HeadOn(double ratio, unsigned substeps, std::size_t contacts) {
   std::vector<CEngine> engines = GetEngines();
   for (CEngine& engine : engines)
     engine.m_nSubsteps = substeps;
-  return RunRestarts(scene, engines, g_nSeed, contacts, 20 * contacts);
+  return Judge(scene, engines, g_nSeed, contacts);
 }
 
 bool Holds(std::size_t hits, std::size_t n, double rate) {
@@ -111,24 +121,23 @@ TEST(ComparisonTest, HeadOnTunnelingOfNativeMatchesTheFormula) {
     SCOPED_TRACE(ratio);
     const CRestartResult result = HeadOn(ratio, 1, n);
     ASSERT_EQ(result.m_stdContacts.size(), n);
-    const CEngineTotals& native = result.m_stdEngines[0];
+    const CTotals native = MakeTotals(result.m_stdContacts, 0);
     EXPECT_TRUE(Holds(native.GetTunneled(), n, std::max(0.0, 1 - 1 / ratio))) << native.GetTunneled();
     EXPECT_TRUE(Holds(native.m_nMissed, n, std::max(0.0, 1 - 2 / ratio))) << native.m_nMissed;
-    EXPECT_EQ(result.m_stdEngines[1].GetTunneled(), 0u); // Box2D sweeps
+    EXPECT_EQ(MakeTotals(result.m_stdContacts, 1).GetTunneled(), 0u); // Box2D sweeps
     // Controls: the test can tell a formula that is wrong by a tenth of the radius, and substeps end the
     // tunneling.
     if (ratio > 1.1) {
       EXPECT_FALSE(Holds(native.GetTunneled(), n, std::max(0.0, 1 - 1.1 / ratio)));
     }
   }
-  EXPECT_EQ(HeadOn(2.0, 4, 1000).m_stdEngines[0].GetTunneled(), 0u);
+  EXPECT_EQ(MakeTotals(HeadOn(2.0, 4, 1000).m_stdContacts, 0).GetTunneled(), 0u);
 }
 
 TEST(ComparisonTest, TheSameSeedGivesTheSameContactsAndAnotherSeedOthers) {
   const CScene scene = Load("pinball");
-  const auto first = RunRestarts(scene, GetEngines(), 1, 200, 4000),
-             again = RunRestarts(scene, GetEngines(), 1, 200, 4000);
-  const auto other = RunRestarts(scene, GetEngines(), 2, 200, 4000);
+  const auto first = Judge(scene, GetEngines(), 1, 200), again = Judge(scene, GetEngines(), 1, 200);
+  const auto other = Judge(scene, GetEngines(), 2, 200);
   ASSERT_EQ(first.m_stdContacts.size(), again.m_stdContacts.size());
   for (std::size_t i = 0; i < first.m_stdContacts.size(); ++i) {
     EXPECT_EQ(first.m_stdContacts[i].m_fTime, again.m_stdContacts[i].m_fTime);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -34,7 +36,27 @@ private:
 CWorldDesc CEngine::MakeWorldDesc(const CScene& scene) const {
   CWorldDesc desc = scene.m_cWorld;
   desc.m_nSubsteps = m_nSubsteps;
+  desc.m_nVelocityIterations = m_nVelocityIterations;
+  desc.m_nPositionIterations = m_nPositionIterations;
+  desc.m_fLengthUnit /= m_fScale;
+  // The tolerance is in Box2D's metres: scaled too, so that the scale alone does not change the pieces.
+  desc.m_fSagittaTolerance *= m_fScale * m_fSagittaFactor;
   return desc;
+}
+
+std::string CEngine::GetLabel() const {
+  const CEngine as{m_sName, m_pBackend};
+  std::string label;
+  const auto add = [&](const std::string& part) {
+    if (!label.empty()) label += ", ";
+    label += part;
+  };
+  if (m_nSubsteps != as.m_nSubsteps) add(fmt::format("{} substeps", m_nSubsteps));
+  if (m_fScale != as.m_fScale) add(fmt::format("{:g}x scale", m_fScale));
+  if (m_fSagittaFactor != as.m_fSagittaFactor) add(fmt::format("arcs {:g}x finer", 1.0f / m_fSagittaFactor));
+  if (m_nVelocityIterations != as.m_nVelocityIterations || m_nPositionIterations != as.m_nPositionIterations)
+    add(fmt::format("{}+{} iterations", m_nVelocityIterations, m_nPositionIterations));
+  return label.empty() ? "as it comes" : label;
 }
 
 std::vector<CEngine> GetEngines() {
@@ -92,10 +114,11 @@ CTrialWorld::CTrialWorld(const CScene& scene, const CEngine& engine,
 }
 
 CGame::CGame(const CScene& scene, const CEngine& engine, const CStart& start)
-    : m_cScene(scene),
-      m_cStart(start),
-      m_cWorld(scene, engine, start.m_stdBalls, start.m_fTime),
-      m_fTime(start.m_fTime) {
+    : CGame(scene, engine, start, start.m_stdBalls, start.m_fTime) {}
+
+CGame::CGame(const CScene& scene, const CEngine& engine, const CStart& start,
+             std::span<const CDynamicCircleDesc> balls, double time)
+    : m_cScene(scene), m_cStart(start), m_cWorld(scene, engine, balls, time), m_fTime(time) {
   for (std::size_t i = 0; i < scene.m_stdShapes.size(); ++i) {
     if (scene.m_stdShapes[i].m_cFlip) m_stdFlips.push_back(i);
     m_bHasDrain |= scene.m_stdShapes[i].m_bIsDrain;
@@ -128,6 +151,7 @@ void CGame::Step() {
       StartAgain(ball);
   }
 
+  if (!m_bPutBack) return;
   for (std::size_t i = 0; i < world.GetBallPositions().size(); ++i) {
     const Vector2& p = world.GetBallPositions()[i];
     if (m_cScene.m_cBounds && p) continue;

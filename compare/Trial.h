@@ -14,12 +14,20 @@ namespace Shapes::Compare {
 
 /// An engine with the settings under which a scene is run.
 struct CEngine {
-  std::string m_sName;
+  std::string m_sName; ///< "native" or "box2d"; several settings of one engine share it.
   const CBackend* m_pBackend;
   unsigned m_nSubsteps = 1;
+  // Read by Box2D only.
+  unsigned m_nVelocityIterations = 8;
+  unsigned m_nPositionIterations = 3;
+  float m_fSagittaFactor = 1.0f; ///< Times the scene's sagitta tolerance: below 1 for more pieces of arcs.
+  float m_fScale = 1.0f;         ///< Metres of Box2D to a metre of the scene.
 
   /// The scene's world with these settings.
   CWorldDesc MakeWorldDesc(const CScene& scene) const;
+  /// What differs from the engine as it comes, to tell settings apart: "4 substeps, 10x scale";
+  /// "as it comes" if nothing does.
+  std::string GetLabel() const;
 };
 
 /// What is compared in this version: both engines as they come.
@@ -57,8 +65,14 @@ struct CTrialWorld {
 class CGame {
 public:
   CGame(const CScene& scene, const CEngine& engine, const CStart& start);
+  /// The same in the middle of it: the balls are at `balls` now, `time` is the scene time. Drained balls go
+  /// back to where they are in `start`.
+  CGame(const CScene& scene, const CEngine& engine, const CStart& start,
+        std::span<const CDynamicCircleDesc> balls, double time);
 
   void Step();
+  /// Whether balls that left the bounds start again (they do unless told otherwise) or fly on.
+  void SetPutBack(bool b) { m_bPutBack = b; }
 
   const CWorld& GetWorld() const { return *m_cWorld.m_pWorld; }
   std::size_t GetEscaped() const { return m_nEscaped; }
@@ -74,6 +88,7 @@ private:
   double m_fTime;
   std::vector<std::size_t> m_stdFlips; // shapes with a flip
   bool m_bHasDrain = false;
+  bool m_bPutBack = true;
   std::size_t m_nEscaped = 0, m_nNotFinite = 0, m_nDrained = 0;
 };
 

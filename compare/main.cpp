@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // shapes-compare: runs the same scenes on both engines against an exact reference.
-#include "report/Report.h"
+#include "FailAbove.h"
+#include "Interrupt.h"
+#include "Options.h"
+#include "Run.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,72 +18,78 @@
 namespace Shapes::Compare {
 namespace {
 
-constexpr int g_nBadInput = 2;
+constexpr int g_nAbove = 1, g_nBadInput = 2, g_nInterruptedExit = 130;
 
 struct COptions {
-  std::vector<std::string> m_stdScenes; // names; empty for all
-  std::filesystem::path m_cFile;        // of `scene`
+  std::vector<std::string> m_stdScenes;  // names; empty for all
+  std::vector<std::string> m_stdEngines; // the same
+  std::vector<std::string> m_stdLimits;  // METRIC=VALUE
+  std::filesystem::path m_cFile;         // of `scene`
   std::filesystem::path m_cFolder = SHAPES_SCENES_DIR;
   std::filesystem::path m_cOut = "build/report";
   std::uint64_t m_nSeed = 1;
-  std::size_t m_nContacts = 20000;
+  std::size_t m_nContacts = g_cFullSizes.m_nContacts;
   bool m_bQuick = false;
+
+  CRunSizes GetSizes() const {
+    const CRunSizes& sizes = m_bQuick ? g_cQuickSizes : g_cFullSizes;
+    return sizes.ForContacts(m_bQuick ? std::min(m_nContacts, sizes.m_nContacts) : m_nContacts);
+  }
 };
 
-// Bounds on the work of one scene, so that one in which little happens ends too.
-constexpr std::uint64_t g_nTrialsPerContact = 20;
-constexpr std::size_t g_nQuickContacts = 5000;
-
-std::vector<CScene> SelectScenes(const COptions& options) {
-  std::vector<CScene> all = LoadScenes(options.m_cFolder);
-  if (options.m_stdScenes.empty()) return all;
-  std::vector<CScene> selected;
-  for (const std::string& name : options.m_stdScenes) {
-    const auto it = std::find_if(all.begin(), all.end(), [&](const CScene& s) { return s.m_sName == name; });
-    if (it == all.end()) {
-      std::string known;
-      for (const CScene& scene : all)
-        known += " " + scene.m_sName;
-      throw CSceneError(fmt::format("--scenes: there is no scene '{}': expected one of{}", name, known));
-    }
-    selected.push_back(*it);
-  }
-  return selected;
-}
-
-void Progress(const std::string& text) {
-  if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K{}", text);
-}
-
-void Run(const std::vector<CScene>& scenes, const COptions& options, const std::string& command) {
+int Run(const std::vector<CScene>& scenes, const COptions& options, const std::string& command) {
+  const std::vector<CEngine> engines = SelectEngines(GetEngines(), options.m_stdEngines);
+  std::vector<CLimit> limits;
+  for (const std::string& text : options.m_stdLimits)
+    limits.push_back(ParseLimit(text));
   RequireWritable(options.m_cOut);
-  CRunReport report;
+
+  CatchInterrupt();
+  CProgress progress(scenes.size(), isatty(STDERR_FILENO) != 0);
+  CRunReport report =
+      RunScenes(scenes, engines, options.GetSizes(), options.m_nSeed, progress, &CheckInterrupt);
   report.m_sCommand = command;
-  report.m_nSeed = options.m_nSeed;
-  report.m_nContacts =
-      options.m_bQuick ? std::min(options.m_nContacts, g_nQuickContacts) : options.m_nContacts;
-  report.m_stdEngines = GetEngines();
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    Progress(fmt::format("{}/{} {}", i + 1, scenes.size(), scenes[i].m_sName));
-    CRestartResult restarts = RunRestarts(scenes[i], report.m_stdEngines, options.m_nSeed, report.m_nContacts,
-                                          g_nTrialsPerContact * report.m_nContacts);
-    std::vector<CCost> costs =
-        MeasureCost(scenes[i], report.m_stdEngines, options.m_nSeed, 11, options.m_bQuick ? 5000 : 50000);
-    report.m_stdScenes.push_back({scenes[i], std::move(restarts), std::move(costs)});
-  }
-  Progress("");
   fmt::print("{}\n", MakeTable(report));
   WriteReport(report, options.m_cOut);
-  fmt::print("Written to {}: run.json, contacts.csv\n", options.m_cOut.string());
+  fmt::print("Written to {}: report.html (open it in a browser), run.json, contacts.csv\n",
+             options.m_cOut.string());
+
+  const std::vector<std::string> above = FindAbove(report, limits);
+  std::fflush(stdout);
+  for (const std::string& sentence : above)
+    fmt::print(stderr, "shapes-compare: {}\n", sentence);
+  if (report.m_bInterrupted) return g_nInterruptedExit;
+  return above.empty() ? 0 : g_nAbove;
 }
 
 void AddRunOptions(CLI::App& app, COptions& options) {
-  app.add_option("--out", options.m_cOut, "Folder for run.json and contacts.csv")->capture_default_str();
+  app.add_option("--engines", options.m_stdEngines,
+                 "Only these engines, separated by commas: native, box2d (default: both)")
+      ->delimiter(',');
+  app.add_option("--out", options.m_cOut, "Folder for report.html, run.json and contacts.csv")
+      ->capture_default_str();
   app.add_option("--seed", options.m_nSeed, "Seed of the random trials")->capture_default_str();
   app.add_option("--contacts", options.m_nContacts, "Impacts in each scene")
       ->capture_default_str()
       ->check(CLI::Range(1, 100000000));
-  app.add_flag("--quick", options.m_bQuick, "At most 5000 impacts in each scene, and shorter timing");
+  app.add_flag("--quick", options.m_bQuick,
+               fmt::format("At most {} impacts in each scene, and less of everything else",
+                           g_cQuickSizes.m_nContacts));
+  app.add_option("--fail-above", options.m_stdLimits,
+                 fmt::format("METRIC=VALUE: exit code 1 if it is above on any scene and engine; may be given "
+                             "several times. METRIC is one of {}",
+                             fmt::join(GetMetricNames(), ", ")))
+      ->type_name("METRIC=VALUE")
+      ->allow_extra_args(false);
+}
+
+void List(const std::filesystem::path& folder) {
+  const std::vector<CScene> scenes = LoadScenes(folder);
+  std::size_t width = 0;
+  for (const CScene& scene : scenes)
+    width = std::max(width, scene.m_sName.size());
+  for (const CScene& scene : scenes)
+    fmt::print("{:<{}}  {}\n", scene.m_sName, width, scene.m_sDescription);
 }
 
 int Main(int argc, char** argv) {
@@ -90,6 +99,8 @@ int Main(int argc, char** argv) {
       "setback, tunneling, error, and time.",
       "shapes-compare");
   app.require_subcommand(1);
+  app.footer("Exit codes: 0 done, 1 above a limit of --fail-above, 2 bad input, 130 interrupted (what was "
+             "finished is reported).");
   CLI::App* pRun = app.add_subcommand("run", "Run the bundled scenes");
   pRun->add_option("--scenes", options.m_stdScenes, "Only these scenes, by name, separated by commas")
       ->delimiter(',');
@@ -110,22 +121,20 @@ int Main(int argc, char** argv) {
     return exit == 0 ? 0 : g_nBadInput;
   }
 
-  std::string command = "shapes-compare";
-  for (int i = 1; i < argc; ++i)
-    command += fmt::format(" {}", argv[i]);
+  std::vector<std::string> words(argv, argv + argc);
+  words.front() = "shapes-compare";
   try {
-    if (pList->parsed())
-      for (const CScene& scene : LoadScenes(options.m_cFolder))
-        fmt::print("{:<18}{}\n", scene.m_sName, scene.m_sDescription);
-    else
-      Run(pScene->parsed() ? std::vector<CScene>{LoadScene(options.m_cFile)} : SelectScenes(options), options,
-          command);
+    if (pList->parsed()) {
+      List(options.m_cFolder);
+      return 0;
+    }
+    return Run(pScene->parsed() ? std::vector<CScene>{LoadScene(options.m_cFile)}
+                                : SelectScenes(LoadScenes(options.m_cFolder), options.m_stdScenes),
+               options, JoinCommand(words));
   } catch (const std::exception& e) {
-    Progress("");
     fmt::print(stderr, "shapes-compare: {}\n", e.what());
     return g_nBadInput;
   }
-  return 0;
 }
 
 } // namespace

@@ -1,40 +1,99 @@
 // SPDX-License-Identifier: MIT
 #include "Cost.h"
 
+#include "../ExactGame.h"
+
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 
 namespace Shapes::Compare {
+namespace {
+
+using CClock = std::chrono::steady_clock;
+
+// One trial, or the beginning of it.
+struct CPlay {
+  CClock::duration m_cElapsed{};
+  std::size_t m_nSteps = 0;
+  std::size_t m_nContacts = 0, m_nEscaped = 0, m_nNotFinite = 0;
+};
+
+CPlay PlayEngine(const CScene& scene, const CEngine& engine, const CStart& start, std::size_t steps) {
+  CGame game(scene, engine, start);
+  const auto begin = CClock::now();
+  for (std::size_t i = 0; i < steps; ++i)
+    game.Step();
+  return {CClock::now() - begin, steps, static_cast<std::size_t>(game.GetWorld().GetStats().m_nContacts),
+          game.GetEscaped(), game.GetNotFinite()};
+}
+
+CPlay PlayExact(const CScene& scene, const CStart& start, std::size_t steps) {
+  CPlay play;
+  CExactGame game(scene, start);
+  const auto begin = CClock::now();
+  try {
+    while (play.m_nSteps < steps && game.IsInBounds()) {
+      ++play.m_nSteps; // one that cannot be decided has taken its time too
+      game.Step();
+      play.m_nContacts += static_cast<std::size_t>(
+          std::count_if(game.GetEvents().begin(), game.GetEvents().end(),
+                        [](const CExactEvent<double>& event) { return !event.m_bIsSensor; }));
+    }
+  } catch (const std::runtime_error&) {
+    // The reference cannot decide what happens: the trial is over.
+  }
+  play.m_cElapsed = CClock::now() - begin;
+  return play;
+}
+
+} // namespace
+
+std::optional<double> CCost::GetNsPerContact() const {
+  if (m_nContacts == 0) return std::nullopt;
+  return m_cNsPerBallStep.m_fMedian * static_cast<double>(m_nBallSteps) / static_cast<double>(m_nContacts);
+}
+
+CMedian CompareCosts(const CCost& a, const CCost& b) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < std::min(a.m_stdRepeats.size(), b.m_stdRepeats.size()); ++i)
+    ratios.push_back(a.m_stdRepeats[i] / b.m_stdRepeats[i]);
+  return MedianWithInterval(ratios);
+}
 
 std::vector<CCost> MeasureCost(const CScene& scene, const std::vector<CEngine>& engines, std::uint64_t seed,
-                               int repeats, std::size_t ballSteps) {
+                               int repeats, std::size_t ballSteps,
+                               const std::function<void(double)>& progress) {
   const double dt = scene.m_cWorld.m_fTimeStep;
   const auto stepsPerTrial = static_cast<std::size_t>(std::ceil(static_cast<double>(scene.m_fDuration) / dt));
   const std::size_t balls = scene.m_stdBalls.size();
   std::vector<CCost> costs(engines.size());
-  std::vector<std::vector<double>> ns(engines.size());
   for (int repeat = 0; repeat < repeats; ++repeat)
     for (std::size_t e = 0; e < engines.size(); ++e) {
       // The same starts for every engine in this repeat, others in the next.
-      std::chrono::steady_clock::duration elapsed{};
+      CClock::duration elapsed{};
       std::size_t done = 0;
       for (std::uint64_t trial = 0; done < ballSteps; ++trial) {
-        CGame game(scene, engines[e],
-                   MakeStart(scene, seed, static_cast<std::uint64_t>(repeat) * 1000003u + trial));
+        const CStart start = MakeStart(scene, seed, static_cast<std::uint64_t>(repeat) * 1000003u + trial);
         const std::size_t steps = std::min(stepsPerTrial, (ballSteps - done) / balls + 1);
-        const auto begin = std::chrono::steady_clock::now();
-        for (std::size_t i = 0; i < steps; ++i)
-          game.Step();
-        elapsed += std::chrono::steady_clock::now() - begin;
-        done += steps * balls;
-        costs[e].m_fSimulatedSeconds += static_cast<double>(steps) * dt;
-        costs[e].m_nEscaped += game.GetEscaped();
-        costs[e].m_nNotFinite += game.GetNotFinite();
+        const CPlay play = engines[e].m_pBackend == nullptr ? PlayExact(scene, start, steps)
+                                                            : PlayEngine(scene, engines[e], start, steps);
+        elapsed += play.m_cElapsed;
+        done += std::max<std::size_t>(play.m_nSteps, 1) * balls;
+        costs[e].m_fSimulatedSeconds += static_cast<double>(play.m_nSteps) * dt;
+        costs[e].m_nContacts += play.m_nContacts;
+        costs[e].m_nEscaped += play.m_nEscaped;
+        costs[e].m_nNotFinite += play.m_nNotFinite;
       }
-      ns[e].push_back(std::chrono::duration<double, std::nano>(elapsed).count() / static_cast<double>(done));
+      costs[e].m_nBallSteps += done;
+      costs[e].m_stdRepeats.push_back(std::chrono::duration<double, std::nano>(elapsed).count() /
+                                      static_cast<double>(done));
+      if (progress)
+        progress((repeat + static_cast<double>(e + 1) / static_cast<double>(engines.size())) / repeats);
     }
-  for (std::size_t e = 0; e < engines.size(); ++e)
-    costs[e].m_cNsPerBallStep = MedianWithInterval(ns[e]);
+  for (CCost& cost : costs)
+    cost.m_cNsPerBallStep = MedianWithInterval(cost.m_stdRepeats);
   return costs;
 }
 

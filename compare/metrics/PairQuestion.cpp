@@ -57,7 +57,7 @@ CPairQuestion::CAnswer CPairQuestion::Ask(const CBackend& backend) const {
   answer.m_bDetected = backend.CollisionDetected(c);
   if (!answer.m_bDetected) return answer;
   answer.m_fSetback = c.m_fSetback;
-  answer.m_vCentre = c.m_vPOI + m_pBall->GetRadius() * c.m_vNorm;
+  answer.m_vCentre = ToDouble(c.m_vPOI) + static_cast<double>(m_pBall->GetRadius()) * ToDouble(c.m_vNorm);
   return answer;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../Trial.h"
+#include "../reference/Vec2.h"
 
 namespace Shapes::Compare {
 
@@ -18,7 +19,7 @@ public:
   struct CAnswer {
     bool m_bDetected = false;
     float m_fSetback = 0.0f;
-    Vector2 m_vCentre = Vector2::Zero(); ///< claimed at the impact: POI + r n
+    CVec2d m_vCentre = CVec2d::Zero(); ///< claimed at the impact: POI + r n
   };
   CAnswer Ask(const CBackend& backend) const;
 

@@ -5,7 +5,6 @@
 #pragma once
 
 #include "../Trial.h"
-#include "Statistics.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,51 +21,96 @@ enum class eOutcome {
   Missed     ///< no response
 };
 
-/// What one engine made of one impact.
+/// What was met, and which part of it.
+enum class ePair { Point, Segment, SegmentEnd, Circle, Arc, ArcEnd, Ball };
+inline constexpr std::size_t g_nPairs = 7;
+/// "point", "segment", "segment end", "circle", "arc", "arc end", "ball".
+const char* GetName(ePair pair);
+const char* GetName(eOutcome outcome);
+
+/// A ball that did not tunnel and is deeper in the shape than this share of its radius, at the end of the
+/// step, overlaps.
+inline constexpr float g_fOverlap = 0.01f;
+
+/// What one engine made of one impact. Lengths are in radii of the ball.
 struct CEngineContact {
   eOutcome m_eOutcome = eOutcome::Missed;
-  bool m_bDetected = false; ///< its CollisionDetected saw the pair at the end of the step
-  double m_fSetback = 0.0;  ///< its setback, in radii; only if detected
-  double m_fSetbackError =
-      0.0; ///< claimed centre at the impact against the exact one, in radii; only if detected
+
+  // By its CollisionDetected at the end of the free flight; only if it detected the pair.
+  bool m_bDetected = false;
+  float m_fSetback = 0.0f;            ///< along its normal
+  float m_fSetbackError = 0.0f;       ///< claimed centre at the impact against the exact one
+  float m_fSetbackErrorNormal = 0.0f; ///< the part of it along the exact normal; above 0 is too far out
+  float m_fTimeError = 0.0f;          ///< the part of it along the way of the ball, in steps; above 0 is late
+
+  // By its world; only if the outcome is Correct or Late.
+  float m_fPOIError = 0.0f;    ///< distance of the points of impact
+  float m_fNormalError = 0.0f; ///< radians between the normals
+
+  // By its world at the end of the step of the response, against the exact state then; only if m_bCompared:
+  // the outcome is Correct or Late, and the exact ball had no other impact until then.
+  bool m_bCompared = false;
+  float m_fDirectionError = 0.0f; ///< radians between the velocities
+  float m_fSpeedError = 0.0f;     ///< relative, signed
+  float m_fEnergyError = 0.0f;    ///< of the kinetic energy of the ball, or of both, relative, signed
+  float m_fPositionError = 0.0f;  ///< distance of the centres
+
+  float m_fPenetration = 0.0f; ///< how deep the ball is in the shape at the end of the step, at least 0
+
+  /// A response to the right side: Correct or Late. Otherwise the ball tunneled.
+  bool HasTurnedBack() const { return m_eOutcome == eOutcome::Correct || m_eOutcome == eOutcome::Late; }
 };
 
 /// One impact of the exact reference.
 struct CContact {
   std::uint64_t m_nTrial;
-  std::size_t m_nStep;
-  std::size_t m_nBall;
-  std::string m_sPair; ///< "segment", "point", "circle", "arc", "ball" and the part that was met
-  double m_fTime;      ///< of the impact, as a share of the step
-  double m_fTravel;    ///< way of the ball in the step, in radii
-  double m_fApproach;  ///< approach speed, user units per second
-  double m_fIncidence; ///< radians between the velocity and the normal
+  std::uint32_t m_nStep;
+  std::uint32_t m_nBall;
+  ePair m_ePair;
+  float m_fTime;                 ///< of the impact, as a share of the step
+  float m_fTravel;               ///< way of the ball in the step, in radii
+  float m_fApproach;             ///< approach speed, user units per second
+  float m_fIncidence;            ///< radians between the velocity and the normal, 0 head-on
+  float m_fElasticity;           ///< product of both
+  bool m_bHasDifference = false; ///< The first two engines detected the pair.
+  float m_fDifference = 0.0f;    ///< between the centres that they claim, in radii
   std::vector<CEngineContact> m_stdEngines;
-  double m_fDifference =
-      0.0; ///< between the centres that the first two engines claim, in radii; if both detected
-  bool m_bHasDifference = false;
 };
 
-/// Totals of an engine over all contacts of a scene.
-struct CEngineTotals {
-  std::size_t m_nMissed = 0, m_nWrongSide = 0, m_nLate = 0;
-  CSummary m_cSetback, m_cSetbackError;
-  /// The exact ball was turned back and this one went on: missed or wrong side.
-  std::size_t GetTunneled() const { return m_nMissed + m_nWrongSide; }
+/// Steps and impacts that were seen and not judged, and why.
+struct CSetAside {
+  std::size_t m_nResting = 0;      ///< impacts too slow to be called one
+  std::size_t m_nAmbiguous = 0;    ///< grazes that are decided by rounding, and overlaps
+  std::size_t m_nSimultaneous = 0; ///< where the order of two impacts at once decides
+  std::size_t m_nApproximate = 0;  ///< of balls that slid on a curve in this step
+  std::size_t m_nUndecided = 0;    ///< trials that the reference gave up, or whose state an engine refused
+  std::string m_sUndecided;        ///< the first of them: trial, step and what was said
+};
+
+struct CRestartOptions {
+  std::uint64_t m_nSeed = 1;
+  std::size_t m_nContacts = 0;     ///< impacts to judge
+  std::uint64_t m_nMostTrials = 0; ///< give up after so many trials
+  bool m_bAsk = true;              ///< also put each pair to CollisionDetected
+  bool m_bGhosts = true;           ///< also judge quiet steps
+  /// Called after each trial with the share of the impacts that are done; what it throws ends the run.
+  std::function<void(double)> m_stdProgress;
 };
 
 struct CRestartResult {
   std::vector<CContact> m_stdContacts;
-  std::vector<CEngineTotals> m_stdEngines;
-  CSummary m_cDifference;
+  /// Of each engine: quiet steps with a response to a shape that the exact ball does not touch in this step
+  /// or the next two.
+  std::vector<std::size_t> m_stdGhosts;
+  /// Steps that were judged in which nothing happened and a ball passed a shape within a radius without
+  /// touching it, counted for each such ball.
+  std::size_t m_nQuietSteps = 0;
   std::uint64_t m_nTrials = 0;
-  std::size_t m_nResting = 0;   ///< impacts too slow to be called one: not counted
-  std::size_t m_nAmbiguous = 0; ///< grazes that are decided by rounding, and overlaps: not counted
+  CSetAside m_cSetAside;
 };
 
-/// Plays random trials of the scene until there are `contacts` impacts, or until `mostTrials` have been
-/// played.
-CRestartResult RunRestarts(const CScene& scene, const std::vector<CEngine>& engines, std::uint64_t seed,
-                           std::size_t contacts, std::uint64_t mostTrials);
+/// Plays random trials of the scene until there are enough impacts or trials.
+CRestartResult RunRestarts(const CScene& scene, const std::vector<CEngine>& engines,
+                           const CRestartOptions& options);
 
 } // namespace Shapes::Compare

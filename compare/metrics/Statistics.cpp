@@ -22,12 +22,23 @@ CSummary Summarise(std::vector<double> values) {
   return {values.size(), NearestRank(values, 0.5), NearestRank(values, 0.95), values.back()};
 }
 
+CSummary SummariseSigned(std::vector<double> values) {
+  const CSummary withSigns = Summarise(values);
+  for (double& x : values)
+    x = std::abs(x);
+  CSummary s = Summarise(std::move(values));
+  s.m_fMedian = withSigns.m_fMedian + 0.0; // no negative zero
+  return s;
+}
+
 CInterval Wilson(std::size_t hits, std::size_t trials, double z) {
   if (trials == 0) return {};
   const double n = static_cast<double>(trials), p = static_cast<double>(hits) / n, z2 = z * z;
   const double centre = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
   const double half = z / (1.0 + z2 / n) * std::sqrt(p * (1.0 - p) / n + z2 / (4.0 * n * n));
-  return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
+  // The ends are exact where nothing, or everything, was hit: no rounding there.
+  return {hits == 0 ? 0.0 : std::max(0.0, centre - half),
+          hits == trials ? 1.0 : std::min(1.0, centre + half)};
 }
 
 CMedian MedianWithInterval(std::vector<double> values) {

@@ -17,6 +17,10 @@ struct CSummary {
 /// Summary of the finite values of a sample by nearest rank; all 0 if there are none.
 CSummary Summarise(std::vector<double> values);
 
+/// Of a figure that has a sign: the median with its sign (a bias shows in it), 95th percentile and maximum of
+/// the absolute values.
+CSummary SummariseSigned(std::vector<double> values);
+
 struct CInterval {
   double m_fLow = 0.0;
   double m_fHigh = 1.0;

@@ -20,6 +20,19 @@ struct CFigure {
   CVec<T> m_vPt0 = CVec<T>::Zero();
   CVec<T> m_vPt1 = CVec<T>::Zero();
   T m_fRadius = T(0);
+
+  /// The same for another scalar.
+  template <class U>
+  CFigure<U> Cast() const {
+    return {m_eShapeType,
+            m_eSides,
+            m_bFull,
+            m_bWide,
+            m_vCenter.template cast<U>(),
+            m_vPt0.template cast<U>(),
+            m_vPt1.template cast<U>(),
+            U(m_fRadius)};
+  }
 };
 
 /// Whether x, measured from the centre, is in the sector of the arc. By cross products with the ends; a

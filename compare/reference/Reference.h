@@ -2,11 +2,12 @@
 // The exact reference: balls that are carried through time steps from event to event, each at its time of
 // impact. Both engines are held against it.
 //
-// Gravity is applied as the engines apply it: at the start of each step v += g dt, then the balls move on
-// straight lines for dt. What is exact is what happens within the step. (A later version will follow
-// parabolas.)
+// Between events a ball flies on its parabola, p(t) = p + v t + g t^2/2; steps may be of any length. A ball
+// that rests on straight segments is held by them, and so is one that rests on balls that do not move against
+// it: it moves with what is left of gravity, exactly. One that slides along anything else is carried by small
+// hops: that is approximate, and told.
 //
-// What is solid is told in Sweep.h; in particular the ends of segments and arcs are round and solid here,
+// What is solid is told in Sweeper.h; in particular the ends of segments and arcs are round and solid here,
 // which they are not in the native engine's approximate mode.
 #pragma once
 
@@ -21,62 +22,74 @@
 namespace Shapes::Compare {
 
 /// Most events in one step. More means that a ball is jammed, and the step throws.
-inline constexpr std::size_t g_nMaxEvents = 1000;
-/// The same for all hits, those of sliding balls included.
-inline constexpr int g_nMaxSlideHits = 10000;
+inline constexpr std::size_t g_nMaxEvents = 100000;
+/// The same for all hits, those of resting and sliding balls included.
+inline constexpr int g_nMaxSlideHits = 1000000;
 
-/// Hits of one ball on one shape in one step after which it slides if their elasticity is below 1: its hops
-/// are a geometric series that ends within the step.
-inline constexpr int g_nMaxHits = 50;
-
-/// The same where this many hits in a row come within g_fClose of the step.
+/// A ball comes to rest on a shape if their elasticity is below 1 and this many hits in a row come within
+/// g_fClose of the step: its hops are a geometric series that has come to its end.
 inline constexpr int g_nMaxClose = 4;
 inline constexpr double g_fClose = 1e-9;
 
-/// An approach of a sliding ball that would take it into the shape by less than this share of its coordinates
-/// by the end of the step is no hit, dimensionless. The next hit puts it back onto the shape, so it adds up
-/// to nothing; overlaps of up to twice this are not reported.
+/// Where nothing presses a sliding ball, an approach that would take it into the shape by less than this
+/// share of its coordinates by the end of the step is no hit, dimensionless. Overlaps of up to twice this are
+/// not reported.
 inline constexpr double g_fRest = 1e-12;
 
 /// A ball slides at once if it meets the inside of a curve, or a turning shape, at less than this share of
 /// the speeds involved: it is pressed against it, and would hit it again immediately. Dimensionless.
 inline constexpr double g_fPressed = 1e-6;
 
-/// Hops in one step of a ball that slides inside a curve or is pushed by a turning shape.
+/// A ball that begins to rest or slide with an overlap of up to this share of its coordinates is lifted onto
+/// the shape, dimensionless: its position has been a float. Else roundings would add up to sinking.
+inline constexpr double g_fRounded = 0x1p-21;
+
+/// Hops in one step of a ball that slides, at least.
 inline constexpr int g_nSlideHops = 16;
+/// Height of such a hop, at most, as a share of the radii of the ball and of what it slides on,
+/// dimensionless.
+inline constexpr double g_fHop = 1e-4;
+
+/// Events of one ball that are this share of the step apart are simultaneous, dimensionless.
+inline constexpr double g_fSimultaneous = 1e-12;
 
 /// One impact.
+template <class T>
 struct CExactEvent {
-  double m_fTime;       ///< Seconds from the start of the step.
+  T m_fTime;            ///< Seconds from the start of the step.
   std::size_t m_nBall;  ///< Index of the ball; of two balls the lower one.
   std::size_t m_nShape; ///< Index of the shape, or of the other ball.
   bool m_bIsBall;       ///< m_nShape is a ball.
   bool m_bIsSensor;     ///< Either is a sensor: there was no response.
   bool m_bGraze;        ///< Ambiguous, see CHit.
-  bool m_bOverlapped;   ///< They overlapped already: no impact has been seen, and the position is kept.
+  bool m_bOverlapped;   ///< They overlapped already: no impact has been seen.
+  bool m_bSimultaneous; ///< One of the balls has another impact at this moment: the order decides.
   ePart m_ePart;        ///< What was met of the shape.
-  CVec2d m_vCenter;     ///< of the ball at the impact, user units
-  CVec2d m_vPOI;        ///< on the shape
-  CVec2d m_vNorm;       ///< unit, from the shape to the ball
-  CVec2d m_vVelBefore;  ///< of the ball, after the gravity of this step
-  CVec2d m_vVelAfter;   ///< of the ball
-  CVec2d m_vSurface;    ///< velocity of the shape at the POI, or of the other ball before
-  double m_fDepth;      ///< overlap if m_bOverlapped, else 0
+  CVec<T> m_vCenter;    ///< of the ball at the impact, user units
+  CVec<T> m_vPOI;       ///< on the shape
+  CVec<T> m_vNorm;      ///< unit, from the shape to the ball
+  CVec<T> m_vVelBefore; ///< of the ball, at the impact
+  CVec<T> m_vVelAfter;  ///< of the ball
+  CVec<T> m_vSurface;   ///< velocity of the shape at the POI, or of the other ball before
+  T m_fDepth;           ///< overlap if m_bOverlapped, else 0
 };
 
+template <class T>
 struct CExactBall {
-  CVec2d m_vPos;
-  CVec2d m_vVel;
-  double m_fRadius;
-  double m_fMass;
-  double m_fElasticity;
+  CVec<T> m_vPos;
+  CVec<T> m_vVel;
+  T m_fRadius;
+  T m_fMass;
+  T m_fElasticity;
   bool m_bIsSensor;
   bool m_bCanCollide = true;
 
   /// The size of its coordinates, to which roundings are relative.
-  double GetExtent() const { return m_vPos.cwiseAbs().maxCoeff() + m_fRadius; }
+  T GetExtent() const { return m_vPos.cwiseAbs().maxCoeff() + m_fRadius; }
 };
 
+/// For double, and for CFifty of Scalar.h.
+template <class T>
 class CReference {
 public:
   /// @throws std::invalid_argument naming the field that the library refuses, or if `shapes` has a ball
@@ -87,69 +100,79 @@ public:
   std::size_t GetBallCount() const { return m_stdBalls.size(); }
 
   // Indices are those of the spans. std::out_of_range is thrown for others.
-  const CExactBall& GetBall(std::size_t ball) const { return m_stdBalls.at(ball); }
-  void SetBall(std::size_t ball, const CVec2d& p, const CVec2d& v);
+  const CExactBall<T>& GetBall(std::size_t ball) const { return m_stdBalls.at(ball); }
+  void SetBall(std::size_t ball, const CVec<T>& p, const CVec<T>& v);
   void SetBallCanCollide(std::size_t ball, bool b) { m_stdBalls.at(ball).m_bCanCollide = b; }
   void SetCanCollide(std::size_t shape, bool b) { m_stdShapes.at(shape).m_bCanCollide = b; }
 
   /// Radians from the pose in the descriptor, in [0, 2 pi).
-  double GetOrientation(std::size_t shape) const { return m_stdShapes.at(shape).m_fAngle; }
-  double GetRotSpeed(std::size_t shape) const { return m_stdShapes.at(shape).m_fRevs; }
+  T GetOrientation(std::size_t shape) const { return m_stdShapes.at(shape).m_fAngle; }
+  T GetRotSpeed(std::size_t shape) const { return m_stdShapes.at(shape).m_fRevs; }
   /// The shape as it is now.
-  CFigure<double> GetFigure(std::size_t shape) const;
+  CFigure<T> GetFigure(std::size_t shape) const { return m_stdShapes.at(shape).GetFigure(T(0)); }
   /// @throws std::invalid_argument unless the shape is kinematic and the value is finite
-  void SetOrientation(std::size_t shape, double angle);
-  void SetRotSpeed(std::size_t shape, double revsPerSecond);
+  void SetOrientation(std::size_t shape, const T& angle);
+  void SetRotSpeed(std::size_t shape, const T& revsPerSecond);
 
   /// One step of dt seconds. Events are answered in the order of their times, and appended in that order:
   /// with e the product of the elasticities and V the velocity of the surface along n, v_n becomes V + e (V -
-  /// v_n); two balls exchange the impulse. Simultaneous events come in any order. A sensor is reported when
-  /// it is first touched in the step, a ball that is in it already at time 0.
+  /// v_n); two balls exchange the impulse. Simultaneous events come in any order (m_bSimultaneous). A sensor
+  /// is reported when it is first touched in the step, a ball that is in it already at time 0.
   ///
   /// After a hit the ball is put exactly onto the shape, a few roundings outside, so positions do not drift
-  /// in. A ball that overlapped stays where it is.
+  /// in. A ball that overlapped stays where it is, unless it begins to rest or slide (g_fRounded).
   ///
-  /// A ball slides for the rest of the step if it is pressed (g_fPressed), or if the elasticity is below 1
-  /// and it was hit more than g_nMaxHits times or g_nMaxClose times at once: its normal velocity is removed.
-  /// Where the surface curves or turns towards it, it gets instead what lets it hop g_nSlideHops times in a
-  /// step. The hits of a sliding ball are no events. What hopping costs is of the order of (v dt /
-  /// g_nSlideHops)^2 / (8 R) in position.
+  /// A contact becomes permanent if the ball touches without approaching and is accelerated into the shape,
+  /// or if it bounces with an elasticity below 1 and its hops have come to their end (g_nMaxClose), or if it
+  /// is pressed (g_fPressed). Its normal velocity is removed. Permanent contacts make no events.
+  /// - On the side of a segment at rest, and on a ball that neither moves nor is accelerated along it, it
+  ///   rests: its acceleration is gravity and the forces of its supports, none of which pulls. It ends when
+  ///   the centre passes the end of the segment, when a hit gives a velocity off the surface, and with the
+  ///   step; the next one finds it again. Exact to rounding.
+  /// - Anywhere else it slides: it gets the normal velocity with which it hops at least g_nSlideHops times in
+  ///   a step and at most g_fHop high. What that costs is of the order of that height, and of (v dt /
+  ///   g_nSlideHops)^2 / (8 R), in position.
   /// @throws std::runtime_error if there are more than g_nMaxEvents or g_nMaxSlideHits, naming ball and
   /// place; the state is that
   ///         of no particular time then
   /// @throws std::invalid_argument unless dt is finite and at least 0
-  void Step(double dt, std::vector<CExactEvent>& events);
+  void Step(const T& dt, std::vector<CExactEvent<T>>& events);
 
-  /// Pairs of a ball and a shape that began to slide in a step, and their hits without an event, since the
-  /// start. Where they are not 0, the trajectory is not that of free balls.
+  /// Contacts that began to rest in a step, since the start: exact.
+  std::size_t GetRestCount() const { return m_nRests; }
+  /// Those that began to slide: approximate.
   std::size_t GetSlideCount() const { return m_nSlides; }
+  /// Hits without an event, of both.
   std::size_t GetSlideHits() const { return m_nSlideHits; }
+  /// Whether the way of the ball in the last step is approximate: it slid, or met a ball that did.
+  bool WasApproximate(std::size_t ball) const { return m_stdApproximate.at(ball); }
   /// Ambiguous misses since the start: ways within g_fGraze of a tangent that do not touch.
   std::size_t GetNearMissCount() const { return m_nNearMisses; }
 
 private:
   struct CSolid {
-    CFigure<double> m_cFigure; // as described
-    CVec2d m_vRotCenter;
-    double m_fRevs;
-    double m_fAngle;
-    double m_fElasticity;
+    CFigure<T> m_cFigure; // as described
+    CVec<T> m_vRotCenter;
+    T m_fRevs;
+    T m_fAngle;
+    T m_fElasticity;
     bool m_bKinematic;
     bool m_bIsSensor;
     bool m_bCanCollide;
-    CVec2d m_vLow; // box, of all angles if it turns
-    CVec2d m_vHigh;
+    CVec<T> m_vLow; // box, of all angles if it turns
+    CVec<T> m_vHigh;
 
-    double GetSpeed() const;
-    bool Turns() const { return m_bKinematic && m_fRevs != 0.0; }
-    CFigure<double> GetFigure(double t) const;
+    T GetSpeed() const;
+    bool Turns() const { return m_bKinematic && m_fRevs != T(0); }
+    CFigure<T> GetFigure(const T& t) const;
     void SetBox();
   };
-  struct CNext { // the next impact of a ball, at m_cHit.m_fTime in the step
+  struct CNext { // the next event of a ball, at m_cHit.m_fTime in the step
     bool m_bFound = false;
     bool m_bIsBall = false;
+    bool m_bEnds = false; // it passes the end of the segment on which it rests
     std::size_t m_nOther = 0;
-    CHit<double> m_cHit;
+    CHit<T> m_cHit;
   };
   struct CPair { // what has happened between a ball and a shape or ball in this step
     CPair(std::size_t ball, std::size_t other, bool isBall)
@@ -158,56 +181,79 @@ private:
     std::size_t m_nOther;
     bool m_bIsBall;
     int m_nHits = 0;
-    int m_nClose = 0;        // hits in a row that came at once
-    double m_fLast = -1e300; // time of the last hit
-    CVec2d m_vNorm = CVec2d::Zero();
-    CVec2d m_vSurface = CVec2d::Zero();
-    double m_fOut = 0.0; // normal speed that the last hit gave
-    bool m_bSlides = false;
+    int m_nClose = 0;      // hits in a row that came at once
+    T m_fLast = T(-1e300); // time of the last hit
+    CVec<T> m_vNorm = CVec<T>::Zero();
+    CVec<T> m_vSurface = CVec<T>::Zero();
+    T m_fOut = T(0); // normal speed that the last hit gave
+    T m_fForce = T(0);
+    bool m_bSlides = false; // permanent
+    bool m_bRests = false;  // and exact
     bool m_bSensed = false;
+    bool m_bCounted = false; // among the slides
   };
   struct CNear {
     std::size_t m_nBall;
     std::size_t m_nOther;
     bool m_bIsBall;
-    double m_fTime;
+    T m_fTime;
   };
 
-  CSweptBall<double> GetSwept(std::size_t ball, double t) const;
-  void FindNext(std::size_t ball);
-  void MeetShapes(std::size_t ball, CNext& next);
-  void MeetBall(std::size_t ball, std::size_t other, CNext& next);
-  bool IsNegligible(std::size_t ball, std::size_t other, bool isBall, const CHit<double>& hit);
-  void Offer(CNext& next, bool found, bool isBall, std::size_t ball, std::size_t other,
-             const CHit<double>& hit);
-  void FindAfter();
-  void Answer(std::size_t ball, const CNext& next, std::vector<CExactEvent>& events);
-  void AnswerShape(const CHit<double>& hit, CPair& pair, CExactEvent& event);
-  void AnswerBall(const CHit<double>& hit, CPair& pair, CExactEvent& event);
-  double Kick(CPair& pair);
-  void Settle();
-  bool Slides(CPair& pair, double e, bool pressed);
-  double HopSpeed(const CExactBall& ball, const CSolid& solid, const CHit<double>& hit) const;
+  // Reference.cpp
+  CSweptBall<T> GetSwept(std::size_t ball, const T& t) const;
+  void Advance(std::size_t ball, const T& t);
   CPair* FindPair(std::size_t ball, std::size_t other, bool isBall);
   CPair& GetPair(std::size_t ball, std::size_t other, bool isBall);
-  void CountNearMisses(double now);
   [[noreturn]] void Jammed(std::size_t ball) const;
+  // ReferenceMeet.cpp: what comes next
+  void FindNext(std::size_t ball);
+  void FindAfter();
+  void MeetShapes(std::size_t ball, CNext& next);
+  void MeetBall(std::size_t ball, std::size_t other, CNext& next);
+  void MeetEnds(std::size_t ball, CNext& next) const;
+  bool IsNegligible(std::size_t ball, std::size_t other, bool isBall, const CHit<T>& hit);
+  void Offer(CNext& next, bool found, bool isBall, std::size_t ball, std::size_t other, const CHit<T>& hit);
+  void CountNearMisses(const T& now);
+  // ReferenceAnswer.cpp: what an impact does
+  void Answer(std::size_t ball, const CNext& next, std::vector<CExactEvent<T>>& events, std::size_t first);
+  void AnswerShape(const CHit<T>& hit, CPair& pair, CExactEvent<T>& event);
+  void AnswerBall(const CHit<T>& hit, CPair& pair, CExactEvent<T>& event);
+  bool Begins(const CHit<T>& hit, const CPair& pair) const;
+  T Kick(CPair& pair);
+  // ReferenceSlide.cpp: permanent contacts
+  bool Slides(CPair& pair, const T& e, const T& approach, bool pressed);
+  void BeginSlide(CPair& pair);
+  T HopSpeed(const T& press, const T& size, const T& speeds) const;
+  T Press(const CPair& pair, const CHit<T>& hit) const;
+  void Settle();
+  // ReferenceRest.cpp: those that rest
+  void PassEnd(std::size_t ball, const CNext& next);
+  void CheckRests();
+  void Support();
+  bool Balance();
+  bool LeaveUnsteady();
+  T Slow(const CPair& pair) const;
 
   std::vector<CSolid> m_stdShapes;
-  std::vector<CExactBall> m_stdBalls;
-  CVec2d m_vGravity;
+  std::vector<CExactBall<T>> m_stdBalls;
+  CVec<T> m_vGravity;
+  std::size_t m_nRests = 0;
   std::size_t m_nSlides = 0;
   std::size_t m_nSlideHits = 0;
   std::size_t m_nNearMisses = 0;
+  std::vector<bool> m_stdApproximate;
 
   // Of the step that is going on.
-  double m_fStep = 0.0;
-  double m_fNow = 0.0;
-  std::vector<double> m_stdTime; // of each ball: when it is where m_stdBalls says
+  T m_fStep = T(0);
+  T m_fNow = T(0);
+  T m_fSpeeds = T(0);               // of the last hit, before it
+  std::vector<T> m_stdTime;         // of each ball: when it is where m_stdBalls says
+  std::vector<CVec<T>> m_stdAcc;    // of each ball
+  std::vector<CVec<T>> m_stdSolved; // as Balance finds it
   std::vector<CNext> m_stdNext;
   std::vector<CPair> m_stdPairs;
   std::vector<CNear> m_stdNear;
-  std::vector<std::size_t> m_stdChanged;  // balls with new velocities
+  std::vector<std::size_t> m_stdChanged;  // balls with new velocities or accelerations
   std::vector<std::size_t> m_stdSettling; // pairs
 };
 

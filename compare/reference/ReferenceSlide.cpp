@@ -1,94 +1,110 @@
 // SPDX-License-Identifier: MIT
-// Balls of the reference that are pressed against something: they slide.
+// Contacts of the reference that last: when they begin, and the hops of those that do not simply rest.
 #include "Reference.h"
+#include "Scalar.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace Shapes::Compare {
 
-// Whether the hit is what is left over of a sliding contact. Contacts that act on each other settle as a
-// geometric series of ever smaller hits; this is its end.
-bool CReference::IsNegligible(std::size_t i, std::size_t other, bool isBall, const CHit<double>& hit) {
-  const CPair* pPair = FindPair(i, other, isBall);
-  if (pPair == nullptr || !pPair->m_bSlides) return false;
-  if (!isBall && (hit.m_ePart == ePart::Inside || m_stdShapes[other].Turns())) return false;
-  const double approach = (hit.m_vSurface - m_stdBalls[i].m_vVel).dot(hit.m_vNorm);
-  return approach * (m_fStep - hit.m_fTime) < g_fRest * m_stdBalls[i].GetExtent();
-}
-
-// Gives the pair the normal speed m_fOut, if it has less. Returns what was missing.
-double CReference::Kick(CPair& pair) {
-  CExactBall& a = m_stdBalls[pair.m_nBall];
-  const CVec2d& n = pair.m_vNorm;
-  double first = 0.0;
-  // Twice: what rounding has left over of a normal velocity would be another approach.
-  for (int pass = 0; pass < 2; ++pass) {
-    const CVec2d other = pair.m_bIsBall ? m_stdBalls[pair.m_nOther].m_vVel : pair.m_vSurface;
-    const double kick = pair.m_fOut - (a.m_vVel - other).dot(n);
-    if (pass == 0) first = kick;
-    if (!(first > 0.0)) return 0.0;
-    if (pair.m_bIsBall) {
-      CExactBall& b = m_stdBalls[pair.m_nOther];
-      const double mass = a.m_fMass + b.m_fMass;
-      a.m_vVel += (kick * (b.m_fMass / mass)) * n;
-      b.m_vVel -= (kick * (a.m_fMass / mass)) * n;
-    } else {
-      a.m_vVel += kick * n;
-    }
-  }
-  return first;
-}
-
-// Contacts that slide at this moment act on each other: what one takes from a ball another gives back. All
-// are settled at once, one after the other until nothing changes any more (projected Gauss-Seidel, as engines
-// do). What contradicts itself, a ball between a blade and a wall, is given up and ends in a jam.
-void CReference::Settle() {
-  m_stdSettling.clear();
-  for (std::size_t k = 0; k < m_stdPairs.size(); ++k)
-    if (m_stdPairs[k].m_bSlides && m_fNow - m_stdPairs[k].m_fLast <= g_fClose * m_fStep)
-      m_stdSettling.push_back(k);
-  double scale = 0.0;
-  for (const std::size_t k : m_stdSettling) {
-    CPair& pair = m_stdPairs[k];
-    for (const std::size_t i : {pair.m_nBall, pair.m_bIsBall ? pair.m_nOther : pair.m_nBall}) {
-      m_stdBalls[i].m_vPos = GetSwept(i, m_fNow).m_vPos;
-      m_stdTime[i] = m_fNow;
-      m_stdChanged.push_back(i);
-      scale = std::max(scale, Norm(m_stdBalls[i].m_vVel));
-    }
-  }
-  for (int round = 0; round < 2000; ++round) {
-    double most = 0.0;
-    for (const std::size_t k : m_stdSettling)
-      most = std::max(most, Kick(m_stdPairs[k]));
-    if (most <= 16.0 * std::numeric_limits<double>::epsilon() * scale) break;
-  }
-}
-
-bool CReference::Slides(CPair& pair, double e, bool pressed) {
+template <class T>
+bool CReference<T>::Slides(CPair& pair, const T& e, const T& approach, bool pressed) {
   // Each hit takes the time of the last one times e: the series is at its end.
-  pair.m_nClose = m_fNow - pair.m_fLast <= g_fClose * m_fStep ? pair.m_nClose + 1 : 0;
+  const bool atOnce = m_fNow - pair.m_fLast <= T(g_fClose) * m_fStep;
+  pair.m_nClose = atOnce ? pair.m_nClose + 1 : 0;
   pair.m_fLast = m_fNow;
-  if (!pair.m_bSlides &&
-      (pressed || (e < 1.0 && (pair.m_nHits > g_nMaxHits || pair.m_nClose >= g_nMaxClose)))) {
-    pair.m_bSlides = true;
-    ++m_nSlides;
-  }
+  // A sliding ball that comes back faster than it left has been thrown: that is a hit.
+  if (!pressed && !atOnce && approach > T(2) * pair.m_fOut + Slow(pair)) pair.m_bSlides = false;
+  if (pressed || (e < T(1) && pair.m_nClose >= g_nMaxClose)) pair.m_bSlides = true;
   return pair.m_bSlides;
 }
 
-// The speed off the surface with which a hop lasts 1 / g_nSlideHops of the step, against the acceleration
-// with which the surface comes after the ball; 0 where it does not.
-double CReference::HopSpeed(const CExactBall& ball, const CSolid& solid, const CHit<double>& hit) const {
-  const double w = solid.GetSpeed();
-  const CVec2d q = hit.m_vCenter - solid.m_vRotCenter, rel = ball.m_vVel - w * Perp(q);
-  double accel = 2.0 * std::abs(w) * Norm(ball.m_vVel) + w * w * Norm(q);
-  if (hit.m_ePart == ePart::Inside) {
-    const double along = Cross(hit.m_vNorm, rel);
-    accel += along * along / (solid.m_cFigure.m_fRadius - ball.m_fRadius);
-  }
-  return std::min(0.5 * accel * m_fStep / g_nSlideHops, Norm(ball.m_vVel) + Norm(hit.m_vSurface));
+template <class T>
+void CReference<T>::BeginSlide(CPair& pair) {
+  m_stdApproximate[pair.m_nBall] = true;
+  if (pair.m_bIsBall) m_stdApproximate[pair.m_nOther] = true;
+  if (!pair.m_bCounted) ++m_nSlides;
+  pair.m_bCounted = true;
 }
+
+// The speed off the surface with which a hop lasts 1 / g_nSlideHops of the step at most and is not higher
+// than g_fHop of the size, against the acceleration with which the surface comes after the ball; 0 where it
+// does not.
+template <class T>
+T CReference<T>::HopSpeed(const T& press, const T& size, const T& speeds) const {
+  using std::sqrt;
+  if (!(press > T(0))) return T(0);
+  T time = m_fStep / T(g_nSlideHops);
+  if (size > T(0)) time = std::min(time, T(sqrt(T(8.0 * g_fHop) * size / press)));
+  return std::min(T(press * time / T(2)), T(speeds + Norm(m_vGravity) * time));
+}
+
+// The acceleration with which ball and surface come together, at most.
+template <class T>
+T CReference<T>::Press(const CPair& pair, const CHit<T>& hit) const {
+  using std::abs;
+  const CVec<T>& n = hit.m_vNorm;
+  if (pair.m_bIsBall) return -(m_stdAcc[pair.m_nBall] - m_stdAcc[pair.m_nOther]).dot(n);
+  const CExactBall<T>& ball = m_stdBalls[pair.m_nBall];
+  const CSolid& solid = m_stdShapes[pair.m_nOther];
+  const T w = solid.GetSpeed(), R = solid.m_cFigure.m_fRadius;
+  const CVec<T> q = hit.m_vCenter - solid.m_vRotCenter, rel = ball.m_vVel - w * Perp(q);
+  T press = -m_stdAcc[pair.m_nBall].dot(n);
+  if (w != T(0)) press += T(2) * abs(w) * Norm(ball.m_vVel) + w * w * Norm(q);
+  const T along = Cross(n, rel);
+  if (hit.m_ePart == ePart::Inside)
+    press += along * along / (R - ball.m_fRadius);
+  else if (w == T(0) && ball.m_fRadius > T(0)) // round it carries the ball off
+    press -= along * along / (ball.m_fRadius + (hit.m_ePart == ePart::Outside ? R : T(0)));
+  return press;
+}
+
+// Contacts that last at this moment act on each other: what one takes from a ball another gives back. All
+// are settled at once, one after the other until nothing changes any more (projected Gauss-Seidel, as engines
+// do). What contradicts itself, a ball between a blade and a wall, is given up and ends in a jam.
+template <class T>
+void CReference<T>::Settle() {
+  m_stdSettling.clear();
+  // Those that hang together with the balls of the hit, which are in m_stdChanged.
+  const auto hangsOn = [&](std::size_t i) {
+    return std::find(m_stdChanged.begin(), m_stdChanged.end(), i) != m_stdChanged.end();
+  };
+  for (std::size_t k = 0; k < m_stdPairs.size(); ++k) {
+    const CPair& pair = m_stdPairs[k];
+    const bool lasts = pair.m_bRests || (pair.m_bSlides && m_fNow - pair.m_fLast <= T(g_fClose) * m_fStep);
+    if (!lasts || !(hangsOn(pair.m_nBall) || (pair.m_bIsBall && hangsOn(pair.m_nOther))) ||
+        std::find(m_stdSettling.begin(), m_stdSettling.end(), k) != m_stdSettling.end())
+      continue;
+    m_stdSettling.push_back(k);
+    const std::size_t balls = m_stdChanged.size();
+    for (const std::size_t i : {pair.m_nBall, pair.m_bIsBall ? pair.m_nOther : pair.m_nBall}) {
+      if (hangsOn(i)) continue;
+      Advance(i, m_fNow);
+      m_stdChanged.push_back(i);
+    }
+    if (m_stdChanged.size() > balls) k = static_cast<std::size_t>(-1); // look at all again for the new one
+  }
+  T scale = T(0);
+  for (const std::size_t i : m_stdChanged)
+    scale = std::max(scale, Norm(m_stdBalls[i].m_vVel));
+  for (int round = 0; round < 2000; ++round) {
+    T most = T(0);
+    for (const std::size_t k : m_stdSettling)
+      most = std::max(most, Kick(m_stdPairs[k]));
+    if (most <= T(16) * std::numeric_limits<T>::epsilon() * scale) break;
+  }
+}
+
+template bool CReference<double>::Slides(CPair&, const double&, const double&, bool);
+template void CReference<double>::BeginSlide(CPair&);
+template double CReference<double>::HopSpeed(const double&, const double&, const double&) const;
+template double CReference<double>::Press(const CPair&, const CHit<double>&) const;
+template void CReference<double>::Settle();
+template bool CReference<CFifty>::Slides(CPair&, const CFifty&, const CFifty&, bool);
+template void CReference<CFifty>::BeginSlide(CPair&);
+template CFifty CReference<CFifty>::HopSpeed(const CFifty&, const CFifty&, const CFifty&) const;
+template CFifty CReference<CFifty>::Press(const CPair&, const CHit<CFifty>&) const;
+template void CReference<CFifty>::Settle();
 
 } // namespace Shapes::Compare

@@ -4,21 +4,45 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <variant>
+
 namespace Shapes::Compare {
 namespace {
 
 using nlohmann::ordered_json;
 
+ordered_json Number(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr); }
+
+ordered_json Number(const std::optional<double>& x) { return x ? Number(*x) : ordered_json(nullptr); }
+
+// Where nothing was measured there is no number: a zero would look like a good one.
 ordered_json ToJson(const CSummary& s) {
-  return {{"count", s.m_nCount}, {"median", s.m_fMedian}, {"p95", s.m_fP95}, {"max", s.m_fMax}};
+  const auto figure = [&](double x) { return s.m_nCount == 0 ? ordered_json(nullptr) : Number(x); };
+  return {{"count", s.m_nCount},
+          {"median", figure(s.m_fMedian)},
+          {"p95", figure(s.m_fP95)},
+          {"max", figure(s.m_fMax)}};
 }
 
-ordered_json ToJson(const CInterval& i) { return ordered_json::array({i.m_fLow, i.m_fHigh}); }
+ordered_json ToJson(const CInterval& i) { return ordered_json::array({Number(i.m_fLow), Number(i.m_fHigh)}); }
+
+ordered_json Rate(std::size_t hits, std::size_t n) {
+  const CInterval i = Wilson(hits, n);
+  return {
+      {"count", hits},
+      {"rate", n == 0 ? ordered_json(nullptr) : Number(static_cast<double>(hits) / static_cast<double>(n))},
+      {"low", i.m_fLow},
+      {"high", i.m_fHigh}};
+}
 
 ordered_json Settings(const CEngine& engine, const CScene& scene) {
+  ordered_json settings = ordered_json::object();
+  if (engine.m_pBackend == nullptr) return settings;
   const CWorldDesc desc = engine.MakeWorldDesc(scene);
-  ordered_json settings{{"time_step", desc.m_fTimeStep}, {"substeps", desc.m_nSubsteps}};
-  if (engine.m_sName == "box2d") {
+  settings["time_step"] = desc.m_fTimeStep;
+  settings["substeps"] = desc.m_nSubsteps;
+  if (engine.m_pBackend == GetBackend(eBackend::Box2D)) {
     settings["length_unit"] = desc.m_fLengthUnit;
     settings["sagitta_tolerance"] = desc.m_fSagittaTolerance;
     settings["velocity_iterations"] = desc.m_nVelocityIterations;
@@ -27,55 +51,178 @@ ordered_json Settings(const CEngine& engine, const CScene& scene) {
   return settings;
 }
 
-ordered_json EngineToJson(const CEngine& engine, const CSceneReport& scene, std::size_t e) {
-  const CEngineTotals& t = scene.m_cRestart.m_stdEngines[e];
-  const CCost& cost = scene.m_stdCosts[e];
-  const std::size_t n = scene.m_cRestart.m_stdContacts.size();
-  return {{"name", engine.m_sName},
-          {"settings", Settings(engine, scene.m_cScene)},
-          {"contacts", n},
-          {"missed", t.m_nMissed},
-          {"missed_rate_interval", ToJson(Wilson(t.m_nMissed, n))},
-          {"tunneled", t.GetTunneled()},
-          {"tunneled_rate_interval", ToJson(Wilson(t.GetTunneled(), n))},
-          {"late", t.m_nLate},
-          {"setback", ToJson(t.m_cSetback)},
+// What of a scene an engine has to do something for.
+ordered_json Features(const CScene& scene) {
+  bool turns = false, senses = false;
+  for (const CSceneShape& shape : scene.m_stdShapes) {
+    const CShapeDesc& desc = std::visit([](const auto& d) -> const CShapeDesc& { return d; }, shape.m_cDesc);
+    turns |= shape.m_cFlip.has_value() || desc.m_fRotSpeed != 0.0f;
+    senses |= desc.m_bIsSensor;
+  }
+  ordered_json features = ordered_json::array();
+  if (!scene.m_cWorld.m_vGravity.isZero(0.0f)) features.push_back("gravity");
+  if (turns) features.push_back("kinematics");
+  if (scene.m_stdBalls.size() > 1) features.push_back("ball_pairs");
+  if (senses) features.push_back("sensors");
+  return features;
+}
+
+// Both engines run what the scene calls for; Box2D sweeps the balls too, wherever they are.
+ordered_json Features(const CEngine& engine, const CScene& scene) {
+  ordered_json features = Features(scene);
+  if (engine.m_pBackend == GetBackend(eBackend::Box2D)) features.push_back("continuous");
+  return features;
+}
+
+ordered_json ToJson(const CBin& bin) {
+  const CTotals& t = bin.m_cTotals;
+  return {{"by", bin.m_sBy},
+          {"label", bin.m_sLabel},
+          {"contacts", t.m_nContacts},
+          {"tunneled", Rate(t.GetTunneled(), t.m_nContacts)},
           {"setback_error", ToJson(t.m_cSetbackError)},
-          {"ns_per_ball_step", cost.m_cNsPerBallStep.m_fMedian},
-          {"ns_per_ball_step_interval", ToJson(cost.m_cNsPerBallStep.m_cInterval)},
-          {"simulated_seconds", cost.m_fSimulatedSeconds},
-          {"escaped", cost.m_nEscaped},
-          {"not_finite", cost.m_nNotFinite}};
+          {"direction_error", ToJson(t.m_cDirectionError)}};
+}
+
+ordered_json EngineToJson(const CEngine& engine, const CSceneReport& scene, const CEngineReport& report) {
+  const CTotals& t = report.m_cTotals;
+  const CCost& cost = report.m_cCost;
+  const CLongRun& run = report.m_cLongRun;
+  const std::size_t n = t.m_nContacts;
+  ordered_json json{{"name", engine.m_sName},
+                    {"settings", Settings(engine, scene.m_cScene)},
+                    {"features", Features(engine, scene.m_cScene)},
+                    {"contacts", n},
+                    {"correct", n - t.GetTunneled() - t.m_nLate},
+                    {"late", t.m_nLate},
+                    {"missed", Rate(t.m_nMissed, n)},
+                    {"wrong_side", Rate(t.m_nWrongSide, n)},
+                    {"tunneled", Rate(t.GetTunneled(), n)},
+                    {"overlapped", Rate(t.m_nOverlapped, n)},
+                    {"ghost", Rate(report.m_nGhosts, scene.m_cRestart.m_nQuietSteps)},
+                    {"setback", ToJson(t.m_cSetback)},
+                    {"setback_error", ToJson(t.m_cSetbackError)},
+                    {"setback_error_normal", ToJson(t.m_cSetbackErrorNormal)},
+                    {"time_error", ToJson(t.m_cTimeError)},
+                    {"poi_error", ToJson(t.m_cPOIError)},
+                    {"normal_error", ToJson(t.m_cNormalError)},
+                    {"direction_error", ToJson(t.m_cDirectionError)},
+                    {"speed_error", ToJson(t.m_cSpeedError)},
+                    {"energy_error", ToJson(t.m_cEnergyError)},
+                    {"position_error", ToJson(t.m_cPositionError)},
+                    {"penetration", ToJson(t.m_cPenetration)},
+                    {"setback_error_histogram", report.m_cHistogram.m_stdSetbackError},
+                    {"penetration_histogram", report.m_cHistogram.m_stdPenetration},
+                    {"bins", ordered_json::array()},
+                    {"bounces", run.m_nBounces},
+                    {"energy_drift", Number(run.m_fEnergyDrift)},
+                    {"free_path_error", Number(run.m_fFreePathError)},
+                    {"angular_momentum_drift", Number(run.m_fAngularMomentumDrift)},
+                    {"ns_per_ball_step", Number(cost.m_cNsPerBallStep.m_fMedian)},
+                    {"ns_per_ball_step_interval", ToJson(cost.m_cNsPerBallStep.m_cInterval)},
+                    {"ns_per_contact", Number(cost.GetNsPerContact())},
+                    {"simulated_seconds", Number(cost.m_fSimulatedSeconds)},
+                    {"escaped", cost.m_nEscaped},
+                    {"not_finite", cost.m_nNotFinite}};
+  for (const CBin& bin : report.m_stdBins)
+    json["bins"].push_back(ToJson(bin));
+  return json;
+}
+
+ordered_json ToJson(const CSetAside& aside) {
+  return {{"resting", aside.m_nResting},
+          {"ambiguous", aside.m_nAmbiguous},
+          {"simultaneous", aside.m_nSimultaneous},
+          {"approximate", aside.m_nApproximate},
+          {"undecided", aside.m_nUndecided},
+          {"first_undecided",
+           aside.m_nUndecided == 0 ? ordered_json(nullptr) : ordered_json(aside.m_sUndecided)}};
+}
+
+ordered_json ToJson(const CHeatMap& map) {
+  if (map.m_stdCells.empty()) return nullptr;
+  ordered_json json{{"speeds", map.m_stdSpeeds},
+                    {"sizes", map.m_stdSizes},
+                    {"travel", Number(map.m_fTravel)},
+                    {"cells", ordered_json::array()}};
+  for (const CHeatCell& cell : map.m_stdCells)
+    json["cells"].push_back({{"contacts", cell.m_nContacts}, {"tunneled", cell.m_stdTunneled}});
+  return json;
+}
+
+ordered_json SceneToJson(const CRunReport& report, const CSceneReport& scene) {
+  const CScene& s = scene.m_cScene;
+  const Vector2& g = s.m_cWorld.m_vGravity;
+  ordered_json json{
+      {"name", s.m_sName},
+      {"description", s.m_sDescription},
+      {"length_unit", s.m_cWorld.m_fLengthUnit},
+      {"time_step", s.m_cWorld.m_fTimeStep},
+      {"gravity", ordered_json::array({g.x(), g.y()})},
+      {"duration", s.m_fDuration},
+      {"features", Features(s)},
+      {"shapes", s.m_stdShapes.size()},
+      {"balls", s.m_stdBalls.size()},
+      {"trials", scene.m_cRestart.m_nTrials},
+      {"quiet_steps", scene.m_cRestart.m_nQuietSteps},
+      {"set_aside", ToJson(scene.m_cRestart.m_cSetAside)},
+      {"apart", scene.m_stdEngines.size() < 2 ? ordered_json(nullptr) : ToJson(scene.m_cDifference)},
+      {"verdict", MakeVerdict(report, scene)},
+      {"answers", scene.m_cWork.m_stdAnswers},
+      {"engines", ordered_json::array()},
+      {"heat_map", ToJson(scene.m_cHeatMap)}};
+  for (std::size_t e = 0; e < scene.m_stdEngines.size(); ++e)
+    json["engines"].push_back(EngineToJson(report.m_stdEngines[e], scene, scene.m_stdEngines[e]));
+  return json;
+}
+
+ordered_json ToJson(const CRung& rung, const CScene& scene) {
+  return {{"scene", scene.m_sName},
+          {"engine", rung.m_cEngine.m_sName},
+          {"label", rung.m_cEngine.GetLabel()},
+          {"settings", Settings(rung.m_cEngine, scene)},
+          {"ns_per_ball_second", Number(rung.m_cNsPerBallSecond.m_fMedian)},
+          {"ns_per_ball_second_interval", ToJson(rung.m_cNsPerBallSecond.m_cInterval)},
+          {"direction_error_p95", Number(rung.m_fDirectionErrorP95)},
+          {"contacts", rung.m_nContacts},
+          {"miss_rate", Rate(rung.m_nMissed, rung.m_nContacts)},
+          {"tunneled_rate", Rate(rung.m_nTunneled, rung.m_nContacts)},
+          {"front_by_error", rung.m_bFrontByError},
+          {"front_by_misses", rung.m_bFrontByMisses}};
+}
+
+ordered_json HistogramEdges() {
+  ordered_json edges = ordered_json::array();
+  for (std::size_t i = 0; i <= g_nHistogramBins; ++i)
+    edges.push_back(std::pow(10.0, static_cast<double>(i) / 4.0 - 6.0));
+  return edges;
 }
 
 } // namespace
 
 std::string MakeJson(const CRunReport& report) {
   const CMachine machine = DescribeMachine();
-  ordered_json json{{"version", 1},
+  ordered_json json{{"version", 2},
                     {"command", report.m_sCommand},
                     {"seed", report.m_nSeed},
                     {"contacts_per_scene", report.m_nContacts},
+                    {"interrupted", report.m_bInterrupted},
                     {"machine",
                      {{"shapes", machine.m_sShapes},
                       {"box2d", machine.m_sBox2D},
                       {"compiler", machine.m_sCompiler},
                       {"cpu", machine.m_sCpu},
-                      {"cores", machine.m_nCores}}}};
-  json["scenes"] = ordered_json::array();
+                      {"cores", machine.m_nCores}}},
+                    {"histogram_edges", HistogramEdges()},
+                    {"scenes", ordered_json::array()},
+                    {"work_precision", ordered_json::array()}};
   for (const CSceneReport& scene : report.m_stdScenes) {
-    ordered_json s{{"name", scene.m_cScene.m_sName},
-                   {"description", scene.m_cScene.m_sDescription},
-                   {"trials", scene.m_cRestart.m_nTrials},
-                   {"resting", scene.m_cRestart.m_nResting},
-                   {"ambiguous", scene.m_cRestart.m_nAmbiguous},
-                   {"setback_difference", ToJson(scene.m_cRestart.m_cDifference)}};
-    s["engines"] = ordered_json::array();
-    for (std::size_t e = 0; e < report.m_stdEngines.size(); ++e)
-      s["engines"].push_back(EngineToJson(report.m_stdEngines[e], scene, e));
-    json["scenes"].push_back(std::move(s));
+    json["scenes"].push_back(SceneToJson(report, scene));
+    for (const CRung& rung : scene.m_cWork.m_stdRungs)
+      json["work_precision"].push_back(ToJson(rung, scene.m_cScene));
   }
-  return json.dump(2) + "\n";
+  // Bytes of a command line or a scene's name that are no UTF-8 are replaced, not refused at the very end.
+  return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 } // namespace Shapes::Compare

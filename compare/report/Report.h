@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What a run found, and the three forms in which it is handed out.
+// What a run found, and the forms in which it is handed out.
 #pragma once
 
 #include "../metrics/Cost.h"
+#include "../metrics/HeatMap.h"
+#include "../metrics/LongRun.h"
 #include "../metrics/Restart.h"
+#include "../metrics/Totals.h"
+#include "../metrics/WorkPrecision.h"
+#include "Replay.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -12,16 +17,31 @@
 
 namespace Shapes::Compare {
 
+/// One engine on one scene.
+struct CEngineReport {
+  CTotals m_cTotals;
+  std::size_t m_nGhosts = 0;
+  std::vector<CBin> m_stdBins;
+  CHistogram m_cHistogram;
+  CCost m_cCost;
+  CLongRun m_cLongRun;
+};
+
 struct CSceneReport {
   CScene m_cScene;
   CRestartResult m_cRestart;
-  std::vector<CCost> m_stdCosts; ///< of each engine
+  CSummary m_cDifference; ///< between the first two engines
+  std::vector<CEngineReport> m_stdEngines;
+  CWorkPrecision m_cWork;
+  CHeatMap m_cHeatMap;
+  std::vector<CClip> m_stdClips;
 };
 
 struct CRunReport {
   std::string m_sCommand; ///< what reproduces it
   std::uint64_t m_nSeed = 1;
   std::size_t m_nContacts = 0; ///< asked for in each scene
+  bool m_bInterrupted = false; ///< only the scenes that were finished are here
   std::vector<CEngine> m_stdEngines;
   std::vector<CSceneReport> m_stdScenes;
 };
@@ -29,13 +49,22 @@ struct CRunReport {
 /// The table for a terminal, ASCII, at most 116 columns.
 std::string MakeTable(const CRunReport& report);
 
-/// run.json. docs/accuracy.md describes it.
+/// What a reader wants to know of one scene first, a sentence each; losses of an engine as plainly as wins.
+std::vector<std::string> MakeVerdict(const CRunReport& report, const CSceneReport& scene);
+
+/// run.json. docs/run_json.md describes it, compare/run.schema.json is its schema.
 std::string MakeJson(const CRunReport& report);
+
+/// The shapes and trajectories of all scenes, for the replay in the report.
+std::string MakeReplayJson(const CRunReport& report);
 
 /// contacts.csv: a row for each impact.
 std::string MakeCsv(const CRunReport& report);
 
-/// Writes run.json and contacts.csv into a folder, which is made if it is not there.
+/// report.html, which needs nothing but itself, from the two JSON texts.
+std::string MakeHtml(const std::string& run, const std::string& replay);
+
+/// Writes report.html, run.json and contacts.csv into a folder, which is made if it is not there.
 /// @throws std::runtime_error naming the file that cannot be written
 void WriteReport(const CRunReport& report, const std::filesystem::path& folder);
 

@@ -1,17 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "Report.h"
 
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 
 namespace Shapes::Compare {
 namespace {
 
+constexpr std::array<const char*, 3> g_stdNames{"report.html", "run.json", "contacts.csv"};
+
+[[noreturn]] void Refuse(const std::filesystem::path& file) {
+  throw std::runtime_error(file.string() + ": cannot be written (" + std::strerror(errno) + ")");
+}
+
 void WriteFile(const std::filesystem::path& file, const std::string& text) {
+  errno = 0;
   std::ofstream out(file, std::ios::binary);
   out << text;
   out.close();
-  if (!out) throw std::runtime_error(file.string() + ": cannot be written");
+  if (!out) Refuse(file);
 }
 
 } // namespace
@@ -22,15 +32,22 @@ void RequireWritable(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder))
     throw std::runtime_error(folder.string() + ": is no folder and cannot be made one" +
                              (error ? " (" + error.message() + ")" : ""));
-  const std::filesystem::path probe = folder / ".writable";
-  WriteFile(probe, "");
-  std::filesystem::remove(probe, error);
+  // Each file is opened as it will be, but kept as it is if it is there.
+  for (const char* pName : g_stdNames) {
+    const std::filesystem::path file = folder / pName;
+    const bool isThere = std::filesystem::exists(file, error);
+    errno = 0;
+    if (!std::ofstream(file, std::ios::binary | std::ios::app)) Refuse(file);
+    if (!isThere) std::filesystem::remove(file, error);
+  }
 }
 
 void WriteReport(const CRunReport& report, const std::filesystem::path& folder) {
   RequireWritable(folder);
-  WriteFile(folder / "run.json", MakeJson(report));
-  WriteFile(folder / "contacts.csv", MakeCsv(report));
+  const std::string run = MakeJson(report);
+  WriteFile(folder / g_stdNames[0], MakeHtml(run, MakeReplayJson(report)));
+  WriteFile(folder / g_stdNames[1], run);
+  WriteFile(folder / g_stdNames[2], MakeCsv(report));
 }
 
 } // namespace Shapes::Compare

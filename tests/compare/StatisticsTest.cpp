@@ -32,6 +32,19 @@ TEST(StatisticsTest, SummariesLeaveOutWhatIsNotFinite) {
   EXPECT_EQ(Summarise({}).m_fMedian, 0.0);
 }
 
+TEST(StatisticsTest, SignedSummariesKeepTheSignOfTheMedianOnly) {
+  std::vector<double> values(100);
+  std::iota(values.begin(), values.end(), -80.0); // -80 .. 19
+  const CSummary s = SummariseSigned(values);
+  EXPECT_EQ(s.m_nCount, 100u);
+  EXPECT_EQ(s.m_fMedian, -31.0);
+  EXPECT_EQ(s.m_fP95, 75.0); // of 0, 1, 1, 2, 2 .. 19, 19, 20 .. 80
+  EXPECT_EQ(s.m_fMax, 80.0);
+  EXPECT_EQ(Summarise(values).m_fP95, 14.0); // the control: without that
+  EXPECT_EQ(SummariseSigned({std::numeric_limits<double>::quiet_NaN(), -2.0}).m_nCount, 1u);
+  EXPECT_EQ(SummariseSigned({}).m_nCount, 0u);
+}
+
 TEST(StatisticsTest, WilsonHasThePublishedValues) {
   // R. G. Newcombe, Two-sided confidence intervals for the single proportion, Statist. Med. 17 (1998), table
   // I, method 3.

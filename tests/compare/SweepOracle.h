@@ -21,9 +21,9 @@ public:
                double tMax)
       : m_cFigure(f), m_cTurning(turning), m_cBall(ball), m_fTimeMax(tMax) {
     // The distance is searched relative to the shape: the ball's speed plus that of the frame at the ball.
-    const CVec<double> q0 = ball.m_vPos - turning.m_vCenter, q1 = q0 + ball.m_vVel * tMax;
-    m_fSpeed = Len(ball.m_vVel.x(), ball.m_vVel.y()) +
-               std::abs(real(turning.m_fSpeed)) * std::max(Len(q0.x(), q0.y()), Len(q1.x(), q1.y()));
+    const CVec<double> q = ball.m_vPos - turning.m_vCenter;
+    const real speed = Len(ball.m_vVel.x(), ball.m_vVel.y()) + Len(ball.m_vAcc.x(), ball.m_vAcc.y()) * tMax;
+    m_fSpeed = speed + std::abs(real(turning.m_fSpeed)) * (Len(q.x(), q.y()) + speed * tMax);
   }
 
   /// Gap between ball and shape at time t; negative if they overlap.
@@ -60,8 +60,8 @@ private:
   }
 
   void Place(real t, real& x, real& y) const {
-    x = m_cBall.m_vPos.x() + real(m_cBall.m_vVel.x()) * t;
-    y = m_cBall.m_vPos.y() + real(m_cBall.m_vVel.y()) * t;
+    x = m_cBall.m_vPos.x() + real(m_cBall.m_vVel.x()) * t + real(m_cBall.m_vAcc.x()) * t * t / 2;
+    y = m_cBall.m_vPos.y() + real(m_cBall.m_vVel.y()) * t + real(m_cBall.m_vAcc.y()) * t * t / 2;
     IntoFrame(t, x, y);
   }
 

@@ -3,9 +3,8 @@
 #include "reference/Sweep.h"
 #include "Random.h"
 #include "SweepOracle.h"
+#include "reference/Scalar.h"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -16,7 +15,6 @@ namespace {
 
 using Shapes::Tests::CRandom;
 using CVec2d = CVec<double>;
-using real50 = boost::multiprecision::cpp_bin_float_50;
 
 constexpr double g_fEps = std::numeric_limits<double>::epsilon();
 
@@ -56,18 +54,19 @@ CFigure<double> RandomFigure(CRandom& random, eShape type, bool oneSided) {
 }
 
 // A ball that is clear of the shape, on a way that goes near it.
-CTrial RandomTrial(CRandom& random, eShape type, bool oneSided, bool turns) {
+CTrial RandomTrial(CRandom& random, eShape type, bool oneSided, bool turns, bool falls = false) {
   for (;;) {
     CTrial trial;
     trial.m_cFigure = RandomFigure(random, type, oneSided);
     const double r = Between(random, 0.01, 0.4);
     const CVec2d p = InSquare(random, 2.0), target = InSquare(random, 1.0);
-    trial.m_cBall = {p, (target - p) * Between(random, 0.5, 3.0), r};
+    trial.m_cBall = {p, (target - p) * Between(random, falls ? 0.0 : 0.5, 3.0), r};
     if (turns) {
       trial.m_cTurning = {InSquare(random, 1.0), Between(random, -60.0, 60.0)};
       trial.m_fTimeMax = Between(random, 0.01, 0.2);
       trial.m_cBall.m_vVel *= Between(random, 0.0, 8.0);
     }
+    if (falls) trial.m_cBall.m_vAcc = InSquare(random, turns ? 200.0 : 10.0);
     const CSweepOracle oracle(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax);
     const bool tooBigInside = trial.m_cFigure.m_bFull && r >= trial.m_cFigure.m_fRadius &&
                               (p - trial.m_cFigure.m_vCenter).norm() < trial.m_cFigure.m_fRadius;
@@ -79,7 +78,8 @@ CTrial RandomTrial(CRandom& random, eShape type, bool oneSided, bool turns) {
 double GapBound(const CTrial& trial) {
   return (trial.m_cTurning.m_fSpeed == 0.0 ? 16 : g_nTouchRoundings + 16) * g_fEps *
          (GetExtent(trial.m_cFigure, trial.m_cBall, trial.m_cTurning) +
-          trial.m_fTimeMax * trial.m_cBall.m_vVel.norm());
+          trial.m_fTimeMax * trial.m_cBall.m_vVel.norm() +
+          trial.m_fTimeMax * trial.m_fTimeMax * trial.m_cBall.m_vAcc.norm() / 2.0);
 }
 
 struct CCase {
@@ -87,6 +87,7 @@ struct CCase {
   bool m_bOneSided;
   bool m_bTurns;
   int m_nTrials;
+  bool m_bFalls = false; // under an acceleration of any direction
 };
 
 std::string Name(const CCase& c) {
@@ -94,7 +95,8 @@ std::string Name(const CCase& c) {
                       : c.m_eShapeType == eShape::LineSeg ? "LineSeg"
                       : c.m_eShapeType == eShape::Circle  ? "Circle"
                                                           : "Arc";
-  return std::string(shape) + (c.m_bOneSided ? "OneSided" : "") + (c.m_bTurns ? "Turning" : "");
+  return std::string(shape) + (c.m_bOneSided ? "OneSided" : "") + (c.m_bTurns ? "Turning" : "") +
+         (c.m_bFalls ? "Falling" : "");
 }
 void PrintTo(const CCase& c, std::ostream* pOut) { *pOut << Name(c); }
 
@@ -103,11 +105,12 @@ class CSweepAgainstSearch : public testing::TestWithParam<CCase> {};
 // No hit is missed, none is invented, the earliest is found, and POI and normal are those of the contact.
 TEST_P(CSweepAgainstSearch, FindsTheSameImpact) {
   const CCase& c = GetParam();
-  CRandom random(20240 + static_cast<std::uint64_t>(c.m_eShapeType) * 8 + c.m_bOneSided * 2 + c.m_bTurns);
+  CRandom random(20240 + static_cast<std::uint64_t>(c.m_eShapeType) * 8 + c.m_bOneSided * 2 + c.m_bTurns +
+                 c.m_bFalls * 1000);
   int hits = 0, misses = 0, ambiguous = 0;
   for (int i = 0; i < c.m_nTrials; ++i) {
     SCOPED_TRACE("seed " + std::to_string(random.GetSeed()) + " trial " + std::to_string(i));
-    const CTrial trial = RandomTrial(random, c.m_eShapeType, c.m_bOneSided, c.m_bTurns);
+    const CTrial trial = RandomTrial(random, c.m_eShapeType, c.m_bOneSided, c.m_bTurns, c.m_bFalls);
     const CSweepOracle oracle(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax);
     CHit<double> hit;
     const bool met = Sweep(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax, hit);
@@ -120,10 +123,10 @@ TEST_P(CSweepAgainstSearch, FindsTheSameImpact) {
     ++(met ? hits : misses);
     if (!met) continue;
     const double bound = GapBound(trial);
-    const double approach = -(trial.m_cBall.m_vVel - hit.m_vSurface).dot(hit.m_vNorm);
+    const CVec2d v = trial.m_cBall.GetVel(hit.m_fTime);
+    const double approach = -(v - hit.m_vSurface).dot(hit.m_vNorm);
     const double frame =
-        -(trial.m_cBall.m_vVel -
-          trial.m_cTurning.m_fSpeed * Perp(CVec2d(hit.m_vCenter - trial.m_cTurning.m_vCenter)))
+        -(v - trial.m_cTurning.m_fSpeed * Perp(CVec2d(hit.m_vCenter - trial.m_cTurning.m_vCenter)))
              .dot(hit.m_vNorm);
     ASSERT_NEAR(approach, frame,
                 1e-9 * (1.0 + std::abs(approach))); // rotation about the centre of the ball adds none
@@ -144,12 +147,18 @@ TEST_P(CSweepAgainstSearch, FindsTheSameImpact) {
 
 INSTANTIATE_TEST_SUITE_P(
     , CSweepAgainstSearch,
-    testing::Values(CCase{eShape::Point, false, false, 20000}, CCase{eShape::LineSeg, false, false, 20000},
-                    CCase{eShape::LineSeg, true, false, 20000}, CCase{eShape::Circle, false, false, 20000},
-                    CCase{eShape::Arc, false, false, 40000}, CCase{eShape::Arc, true, false, 40000},
-                    CCase{eShape::Point, false, true, 5000}, CCase{eShape::LineSeg, false, true, 10000},
-                    CCase{eShape::LineSeg, true, true, 10000}, CCase{eShape::Circle, false, true, 5000},
-                    CCase{eShape::Arc, false, true, 10000}, CCase{eShape::Arc, true, true, 10000}),
+    testing::Values(
+        CCase{eShape::Point, false, false, 20000}, CCase{eShape::LineSeg, false, false, 20000},
+        CCase{eShape::LineSeg, true, false, 20000}, CCase{eShape::Circle, false, false, 20000},
+        CCase{eShape::Arc, false, false, 40000}, CCase{eShape::Arc, true, false, 40000},
+        CCase{eShape::Point, false, true, 5000}, CCase{eShape::LineSeg, false, true, 10000},
+        CCase{eShape::LineSeg, true, true, 10000}, CCase{eShape::Circle, false, true, 5000},
+        CCase{eShape::Arc, false, true, 10000}, CCase{eShape::Arc, true, true, 10000},
+        CCase{eShape::Point, false, false, 20000, true}, CCase{eShape::LineSeg, false, false, 20000, true},
+        CCase{eShape::LineSeg, true, false, 20000, true}, CCase{eShape::Circle, false, false, 20000, true},
+        CCase{eShape::Arc, false, false, 40000, true}, CCase{eShape::Arc, true, false, 40000, true},
+        CCase{eShape::Point, false, true, 3000, true}, CCase{eShape::LineSeg, true, true, 3000, true},
+        CCase{eShape::Circle, false, true, 3000, true}, CCase{eShape::Arc, false, true, 5000, true}),
     [](const auto& test) { return Name(test.param); });
 
 // Two balls are one ball and a solid disc in the frame of the other.
@@ -185,47 +194,63 @@ TEST(Sweep, TwoBallsAgainstSearch) {
   EXPECT_GT(hits, 400);
 }
 
-CVec<real50> To50(const CVec2d& v) { return {real50(v.x()), real50(v.y())}; }
+CVec<CFifty> To50(const CVec2d& v) { return {CFifty(v.x()), CFifty(v.y())}; }
 
-bool Sweep50(const CTrial& trial, CHit<real50>& hit) {
-  const CFigure<double>& f = trial.m_cFigure;
-  CFigure<real50> g;
-  g.m_eShapeType = f.m_eShapeType;
-  g.m_eSides = f.m_eSides;
-  g.m_bFull = f.m_bFull;
-  g.m_bWide = f.m_bWide;
-  g.m_vCenter = To50(f.m_vCenter);
-  g.m_vPt0 = To50(f.m_vPt0);
-  g.m_vPt1 = To50(f.m_vPt1);
-  g.m_fRadius = real50(f.m_fRadius);
+bool Sweep50(const CTrial& trial, CHit<CFifty>& hit) {
   const CSweptBall<double>& b = trial.m_cBall;
-  return Sweep<real50>(g, {To50(trial.m_cTurning.m_vCenter), real50(trial.m_cTurning.m_fSpeed)},
-                       {To50(b.m_vPos), To50(b.m_vVel), real50(b.m_fRadius)}, real50(trial.m_fTimeMax), hit);
+  return Sweep<CFifty>(
+      trial.m_cFigure.Cast<CFifty>(), {To50(trial.m_cTurning.m_vCenter), CFifty(trial.m_cTurning.m_fSpeed)},
+      {To50(b.m_vPos), To50(b.m_vVel), CFifty(b.m_fRadius), To50(b.m_vAcc)}, CFifty(trial.m_fTimeMax), hit);
 }
 
+// On straight lines, parabolas and turning paths.
 TEST(Sweep, DoubleAgainst50Digits) {
   CRandom random(50);
-  int hits = 0;
-  for (int i = 0; i < 3000; ++i) {
+  int hits = 0, falling = 0;
+  for (int i = 0; i < 6000; ++i) {
     SCOPED_TRACE("seed 50 trial " + std::to_string(i));
     const eShape types[] = {eShape::Point, eShape::LineSeg, eShape::Circle, eShape::Arc};
     const eShape type = types[random.Below(4)];
-    const bool oneSided = random.Coin(), turns = random.Below(8) == 0;
-    const CTrial trial = RandomTrial(random, type, oneSided, turns);
+    const bool oneSided = random.Coin(), turns = random.Below(8) == 0, falls = random.Coin();
+    const CTrial trial = RandomTrial(random, type, oneSided, turns, falls);
     CHit<double> hit;
-    CHit<real50> exact;
+    CHit<CFifty> exact;
     const bool met = Sweep(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax, hit);
     const bool metExactly = Sweep50(trial, exact);
     if (hit.m_bGraze) continue;
     ASSERT_EQ(met, metExactly);
     if (!met) continue;
     ++hits;
+    falling += falls;
     ASSERT_EQ(hit.m_ePart, exact.m_ePart);
-    const double approach = -(trial.m_cBall.m_vVel - hit.m_vSurface).dot(hit.m_vNorm);
-    ASSERT_LE(std::abs(static_cast<double>(exact.m_fTime - real50(hit.m_fTime))),
+    const double approach = -(trial.m_cBall.GetVel(hit.m_fTime) - hit.m_vSurface).dot(hit.m_vNorm);
+    ASSERT_LE(std::abs(static_cast<double>(exact.m_fTime - CFifty(hit.m_fTime))),
               2.0 * GapBound(trial) / approach + 4.0 * g_fEps * hit.m_fTime);
   }
-  EXPECT_GT(hits, 500);
+  EXPECT_GT(hits, 1000);
+  EXPECT_GT(falling, 500);
+}
+
+// The control: gravity that is kicked at the start of the step, v += g dt, meets at another time.
+TEST(Sweep, KickedGravityMissesTheTimeOfImpact) {
+  CRandom random(51);
+  int hits = 0, wrong = 0;
+  for (int i = 0; i < 2000; ++i) {
+    SCOPED_TRACE("seed 51 trial " + std::to_string(i));
+    CTrial trial = RandomTrial(random, random.Coin() ? eShape::LineSeg : eShape::Circle, false, false, true);
+    CHit<double> hit, kicked;
+    if (!Sweep(trial.m_cFigure, trial.m_cBall, trial.m_fTimeMax, hit) || hit.m_bGraze) continue;
+    ++hits;
+    const double approach = -trial.m_cBall.GetVel(hit.m_fTime).dot(hit.m_vNorm);
+    const double bound = 2.0 * GapBound(trial) / approach + 4.0 * g_fEps * hit.m_fTime;
+    CSweptBall<double> ball = trial.m_cBall;
+    ball.m_vVel += ball.m_vAcc * trial.m_fTimeMax;
+    ball.m_vAcc = {0, 0};
+    wrong += !Sweep(trial.m_cFigure, ball, trial.m_fTimeMax, kicked) ||
+             std::abs(kicked.m_fTime - hit.m_fTime) > 1000.0 * bound;
+  }
+  EXPECT_GT(hits, 400);
+  EXPECT_EQ(wrong, hits);
 }
 
 // The bound of the straight path, and the control: the textbook formula of the quadratic does not keep it.
@@ -242,7 +267,7 @@ TEST(Sweep, NearGrazesKeepTheBoundThatTheTextbookBreaks) {
     trial.m_cBall = {d, {c, s}, R};
     trial.m_fTimeMax = 2.0 * far;
     CHit<double> hit;
-    CHit<real50> exact;
+    CHit<CFifty> exact;
     ASSERT_TRUE(Sweep(trial.m_cFigure, trial.m_cBall, trial.m_fTimeMax, hit));
     ASSERT_TRUE(Sweep50(trial, exact));
     const double truth = static_cast<double>(exact.m_fTime);

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "ExactGame.h"
+
+#include <algorithm>
+
+namespace Shapes::Compare {
+namespace {
+
+std::vector<CAnyShapeDesc> GetShapes(const CScene& scene) {
+  std::vector<CAnyShapeDesc> shapes;
+  for (const CSceneShape& shape : scene.m_stdShapes)
+    shapes.push_back(shape.m_cDesc);
+  return shapes;
+}
+
+} // namespace
+
+CExactGame::CExactGame(const CScene& scene, const CStart& start)
+    : m_cScene(scene),
+      m_cStart(start),
+      m_cReference(GetShapes(scene), start.m_stdBalls, scene.m_cWorld.m_vGravity),
+      m_stdBalls(start.m_stdBalls),
+      m_fTime(start.m_fTime),
+      m_fNextTime(start.m_fTime) {}
+
+void CExactGame::Step() {
+  const double dt = static_cast<double>(m_cScene.m_cWorld.m_fTimeStep);
+  m_fTime = m_fNextTime;
+  // What drained in the last step starts again now, so that its end could still be looked at.
+  for (const CExactEvent<double>& event : m_stdEvents)
+    if (!event.m_bIsBall && m_cScene.m_stdShapes[event.m_nShape].m_bIsDrain)
+      m_cReference.SetBall(event.m_nBall, ToDouble(m_cStart.m_stdBalls[event.m_nBall].m_vPos),
+                           ToDouble(m_cStart.m_stdBalls[event.m_nBall].m_vVel));
+  for (std::size_t i = 0; i < m_stdBalls.size(); ++i) {
+    CDynamicCircleDesc& ball = m_stdBalls[i];
+    ball.m_vPos = m_cReference.GetBall(i).m_vPos.cast<float>();
+    ball.m_vVel = m_cReference.GetBall(i).m_vVel.cast<float>();
+    m_cReference.SetBall(i, ToDouble(ball.m_vPos), ToDouble(ball.m_vVel));
+  }
+  for (std::size_t i = 0; i < m_cScene.m_stdShapes.size(); ++i) {
+    const CSceneShape& shape = m_cScene.m_stdShapes[i];
+    const float speed = RotSpeedAt(shape, m_fTime, dt);
+    if (speed == 0.0f && m_cReference.GetRotSpeed(i) == 0.0) continue;
+    m_cReference.SetOrientation(i, static_cast<double>(OrientationAt(shape, m_fTime)));
+    m_cReference.SetRotSpeed(i, static_cast<double>(speed));
+  }
+  m_stdEvents.clear();
+  m_cReference.Step(dt, m_stdEvents);
+  m_fNextTime = m_fTime + dt;
+  ++m_nSteps;
+}
+
+bool CExactGame::IsInBounds() const {
+  for (std::size_t i = 0; i < m_stdBalls.size(); ++i)
+    if (!(m_cScene.m_cBounds && Vector2(m_cReference.GetBall(i).m_vPos.cast<float>()))) return false;
+  return true;
+}
+
+} // namespace Shapes::Compare

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// --fail-above: a run as a gate, for a script that wants an exit code and no table.
+#pragma once
+
+#include "report/Report.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace Shapes::Compare {
+
+/// A metric and what is still allowed.
+struct CLimit {
+  std::string m_sMetric;
+  double m_fMost = 0.0;
+};
+
+/// The names of all metrics that can be limited.
+std::vector<std::string> GetMetricNames();
+
+/// @param text "METRIC=VALUE"
+/// @throws std::invalid_argument if there is no such metric (with its near matches), or VALUE is not a finite
+/// number of at least 0
+CLimit ParseLimit(std::string_view text);
+
+/// A sentence for every limit, scene and engine of the run that is above, naming the three and the value;
+/// and for a limit whose metric was measured on no scene at all, because that is no pass.
+std::vector<std::string> FindAbove(const CRunReport& report, std::span<const CLimit> limits);
+
+} // namespace Shapes::Compare

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "Run.h"
+
+#include "Interrupt.h"
+
+#include <algorithm>
+#include <exception>
+#include <stdexcept>
+
+namespace Shapes::Compare {
+namespace {
+
+// The settings of these engines.
+std::vector<CEngine> SelectLadder(const std::vector<CEngine>& engines) {
+  std::vector<CEngine> ladder = GetLadder();
+  std::erase_if(ladder, [&](const CEngine& rung) {
+    return std::none_of(engines.begin(), engines.end(),
+                        [&](const CEngine& engine) { return engine.m_sName == rung.m_sName; });
+  });
+  return ladder;
+}
+
+} // namespace
+
+CRunSizes CRunSizes::ForContacts(std::size_t contacts) const {
+  CRunSizes sizes = *this;
+  sizes.m_nContacts = contacts;
+  if (contacts >= m_nContacts) return sizes;
+  const double share = static_cast<double>(contacts) / static_cast<double>(m_nContacts);
+  const auto shrink = [&](std::size_t& n, std::size_t least) {
+    n = std::min(n, std::max(least, static_cast<std::size_t>(share * static_cast<double>(n))));
+  };
+  shrink(sizes.m_nBallSteps, 500);
+  shrink(sizes.m_nLadderContacts, 10);
+  shrink(sizes.m_nProof, 10);
+  shrink(sizes.m_nLadderBallSteps, 100);
+  shrink(sizes.m_nHeatContacts, 5);
+  shrink(sizes.m_nBounces, 100);
+  shrink(sizes.m_nLongSteps, 5000);
+  shrink(sizes.m_nFrames, 60);
+  return sizes;
+}
+
+CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, const CRunSizes& sizes,
+                      std::uint64_t seed, const std::function<void(ePart, double)>& progress) {
+  const auto during = [&](ePart part) { return [&progress, part](double share) { progress(part, share); }; };
+  CSceneReport report;
+  report.m_cScene = scene;
+
+  CRestartOptions restart;
+  restart.m_nSeed = seed;
+  restart.m_nContacts = sizes.m_nContacts;
+  restart.m_nMostTrials = g_nTrialsPerContact * sizes.m_nContacts;
+  restart.m_stdProgress = during(ePart::Restarts);
+  report.m_cRestart = RunRestarts(scene, engines, restart);
+  const std::vector<CContact>& contacts = report.m_cRestart.m_stdContacts;
+  report.m_cDifference = SummariseDifference(contacts);
+
+  CLadderOptions ladder;
+  ladder.m_nSeed = seed;
+  ladder.m_nContacts = sizes.m_nLadderContacts;
+  ladder.m_nMostTrials = g_nTrialsPerContact * sizes.m_nLadderContacts;
+  ladder.m_nProof = sizes.m_nProof;
+  ladder.m_nBallSteps = sizes.m_nLadderBallSteps;
+  ladder.m_nRepeats = sizes.m_nLadderRepeats;
+  ladder.m_stdProgress = during(ePart::Ladder);
+  report.m_cWork = MeasureWorkPrecision(scene, SelectLadder(engines), ladder);
+
+  const std::vector<CCost> costs =
+      MeasureCost(scene, engines, seed, sizes.m_nRepeats, sizes.m_nBallSteps, during(ePart::Timing));
+  report.m_cHeatMap = MeasureHeatMap(scene, engines, seed, sizes.m_nHeatContacts, during(ePart::HeatMap));
+  progress(ePart::LongRuns, 0.0);
+  const std::vector<CLongRun> longRuns =
+      MeasureLongRuns(scene, engines, seed, sizes.m_nBounces, sizes.m_nLongSteps);
+  progress(ePart::Replay, 0.0);
+  report.m_stdClips = MakeClips(scene, engines, report.m_cRestart, seed, sizes.m_nFrames);
+
+  for (std::size_t e = 0; e < engines.size(); ++e)
+    report.m_stdEngines.push_back({MakeTotals(contacts, e), report.m_cRestart.m_stdGhosts.at(e),
+                                   MakeBins(contacts, e), MakeHistogram(contacts, e), costs.at(e),
+                                   longRuns.at(e)});
+  return report;
+}
+
+CRunReport RunScenes(const std::vector<CScene>& scenes, const std::vector<CEngine>& engines,
+                     const CRunSizes& sizes, std::uint64_t seed, CProgress& progress,
+                     const std::function<void()>& check) {
+  CRunReport report;
+  report.m_nSeed = seed;
+  report.m_nContacts = sizes.m_nContacts;
+  report.m_stdEngines = engines;
+  try {
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      progress.BeginScene(i, scenes[i].m_sName);
+      report.m_stdScenes.push_back(RunScene(scenes[i], engines, sizes, seed, [&](ePart part, double share) {
+        check();
+        progress.Report(part, share);
+      }));
+    }
+  } catch (const CInterrupted&) {
+    report.m_bInterrupted = true;
+  } catch (const std::exception& e) {
+    throw std::runtime_error(scenes.at(report.m_stdScenes.size()).m_sName + ": " + e.what());
+  }
+  progress.Clear();
+  return report;
+}
+
+} // namespace Shapes::Compare

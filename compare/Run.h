@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The run itself: every measurement on every scene.
+#pragma once
+
+#include "Progress.h"
+#include "report/Report.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace Shapes::Compare {
+
+/// How much of everything is done in each scene.
+struct CRunSizes {
+  std::size_t m_nContacts;        ///< impacts at which the engines are restarted
+  int m_nRepeats;                 ///< of each timing
+  std::size_t m_nBallSteps;       ///< least length of one timing
+  std::size_t m_nLadderContacts;  ///< impacts for each setting of the ladder
+  std::size_t m_nProof;           ///< impacts without a miss that are called none
+  int m_nLadderRepeats;           ///< of each timing of a setting
+  std::size_t m_nLadderBallSteps; ///< least length of one timing of a setting
+  std::size_t m_nHeatContacts;    ///< impacts in each cell of the heat map
+  std::size_t m_nBounces;         ///< of the long run
+  std::size_t m_nLongSteps;       ///< most steps of the long run
+  std::size_t m_nFrames;          ///< of the replay from the start
+
+  /// The same with another number of contacts. Fewer make everything else smaller in proportion, but not so
+  /// small that nothing comes out; more leave it as it is.
+  CRunSizes ForContacts(std::size_t contacts) const;
+};
+
+inline constexpr CRunSizes g_cFullSizes{20000, 11, 50000, 5000, 100000, 11, 10000, 500, 10000, 1000000, 300};
+inline constexpr CRunSizes g_cQuickSizes{2000, 11, 2500, 300, 2000, 5, 600, 40, 1000, 50000, 200};
+
+/// Trials that are played for each impact that is wanted, before a scene in which little happens is given up.
+inline constexpr std::uint64_t g_nTrialsPerContact = 20;
+
+/// Everything that is measured on one scene.
+/// @param progress called again and again with the share of a part that is done; what it throws ends it
+/// @throws whatever an engine throws that cannot hold the scene
+CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, const CRunSizes& sizes,
+                      std::uint64_t seed, const std::function<void(ePart, double)>& progress);
+
+/// All scenes, one after the other. CInterrupted, thrown by `check`, ends the run with those that are
+/// finished.
+/// @param check called often, between pieces of work
+/// @throws std::runtime_error naming the scene that an engine cannot hold
+CRunReport RunScenes(const std::vector<CScene>& scenes, const std::vector<CEngine>& engines,
+                     const CRunSizes& sizes, std::uint64_t seed, CProgress& progress,
+                     const std::function<void()>& check);
+
+} // namespace Shapes::Compare

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// What the ladder of a scene says to somebody who has to choose a setting.
+#include "WorkPrecision.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace Shapes::Compare {
+namespace {
+
+double GetCost(const CRung& rung) { return rung.m_cNsPerBallSecond.m_fMedian; }
+
+double GetTunneledRate(const CRung& rung) {
+  return static_cast<double>(rung.m_nTunneled) / static_cast<double>(rung.m_nContacts);
+}
+
+std::string Time(double ns) {
+  if (ns < 999.5) return fmt::format("{:.0f} ns", ns);
+  const double us = ns / 1000;
+  return us < 9.95    ? fmt::format("{:.1f} us", us)
+         : us < 999.5 ? fmt::format("{:.0f} us", us)
+                      : fmt::format("{:.1f} ms", us / 1000);
+}
+
+std::string Setting(const CRung& rung) {
+  return fmt::format("{} ({})", rung.m_cEngine.m_sName, rung.m_cEngine.GetLabel());
+}
+
+using CTest = std::function<bool(const CRung&)>;
+
+// The cheapest rung of an engine (of any if the name is empty) that passes; nullptr if none does.
+const CRung* FindCheapest(const std::vector<CRung>& rungs, const std::string& engine, const CTest& passes) {
+  const CRung* pBest = nullptr;
+  for (const CRung& rung : rungs) {
+    if (rung.m_cEngine.m_sName == g_sExact || rung.m_nContacts == 0) continue;
+    if (!engine.empty() && rung.m_cEngine.m_sName != engine) continue;
+    if (passes(rung) && (pBest == nullptr || GetCost(rung) < GetCost(*pBest))) pBest = &rung;
+  }
+  return pBest;
+}
+
+// How close one comes: the setting whose error, or share of lost balls, whichever is larger, is the smallest.
+std::string Best(const std::vector<CRung>& rungs) {
+  const CRung* pBest = nullptr;
+  for (const CRung& rung : rungs) {
+    if (rung.m_cEngine.m_sName == g_sExact || rung.m_nContacts == 0 || !rung.m_fDirectionErrorP95) continue;
+    const auto key = [](const CRung& r) { return std::max(GetTunneledRate(r), *r.m_fDirectionErrorP95); };
+    if (pBest == nullptr || key(rung) < key(*pBest)) pBest = &rung;
+  }
+  if (pBest == nullptr) return "";
+  return fmt::format("; the best is {} with {:.1f}% and {:.2g}% lost", Setting(*pBest),
+                     100.0 * *pBest->m_fDirectionErrorP95, 100.0 * GetTunneledRate(*pBest));
+}
+
+// One sentence: the cheapest of all, and what the other engines need for the same.
+std::string Answer(const std::vector<CRung>& rungs, const std::string& what, const CTest& passes) {
+  const CRung* pBest = FindCheapest(rungs, "", passes);
+  if (pBest == nullptr) return fmt::format("{}: no setting that was tried{}.", what, Best(rungs));
+  std::string text =
+      fmt::format("{}: {}, {} per ball and second", what, Setting(*pBest), Time(GetCost(*pBest)));
+  std::vector<std::string> seen{pBest->m_cEngine.m_sName, g_sExact};
+  for (const CRung& rung : rungs) {
+    const std::string& engine = rung.m_cEngine.m_sName;
+    if (std::find(seen.begin(), seen.end(), engine) != seen.end()) continue;
+    seen.push_back(engine);
+    if (const CRung* pOther = FindCheapest(rungs, engine, passes))
+      text += fmt::format("; {} takes {:.1f} times as long", Setting(*pOther),
+                          GetCost(*pOther) / GetCost(*pBest));
+    else
+      text += fmt::format("; {} never", engine);
+  }
+  return text + ".";
+}
+
+} // namespace
+
+std::vector<std::string> MakeAnswers(const std::vector<CRung>& rungs, std::size_t proof) {
+  const auto below = [](double bound) {
+    return [bound](const CRung& rung) {
+      return rung.m_fDirectionErrorP95 && *rung.m_fDirectionErrorP95 < bound && GetTunneledRate(rung) < bound;
+    };
+  };
+  return {Answer(rungs, "Error below 1%", below(0.01)), Answer(rungs, "Error below .1%", below(0.001)),
+          Answer(rungs, fmt::format("No ball lost in {} impacts", proof),
+                 [&](const CRung& rung) { return rung.m_nTunneled == 0 && rung.m_nContacts >= proof; })};
+}
+
+} // namespace Shapes::Compare

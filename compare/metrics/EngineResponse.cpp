@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "EngineResponse.h"
+
+#include <algorithm>
+
+namespace Shapes::Compare {
+
+bool IsResponse(const CContactEvent& event) {
+  return !event.m_bIsSensor && (event.m_fSpeed > 0.0f || event.m_fSetback > 0.0f);
+}
+
+std::size_t CountResponses(const CWorld& world) {
+  const auto contacts = world.GetContacts();
+  return static_cast<std::size_t>(std::count_if(contacts.begin(), contacts.end(), IsResponse));
+}
+
+std::optional<CResponse> AsSeenBy(const CContactEvent& event, CShapeId ball) {
+  if (!IsResponse(event)) return std::nullopt;
+  if (event.m_cBall == ball) return CResponse{event.m_cShape, event.m_vPOI, event.m_vNorm};
+  if (event.m_cShape == ball) return CResponse{event.m_cBall, event.m_vPOI, -event.m_vNorm};
+  return std::nullopt;
+}
+
+std::optional<CResponse> FindResponse(const CWorld& world, CShapeId ball, CShapeId shape, bool onlyShape) {
+  std::optional<CResponse> first;
+  for (const CContactEvent& event : world.GetContacts()) {
+    const auto response = AsSeenBy(event, ball);
+    if (!response) continue;
+    if (response->m_cShape == shape) return response;
+    if (!onlyShape && !first) first = response;
+  }
+  return first;
+}
+
+} // namespace Shapes::Compare

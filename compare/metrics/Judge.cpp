@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "Judge.h"
+
+#include "../reference/Distance.h"
+#include "EngineResponse.h"
+#include "PairQuestion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numbers>
+#include <stdexcept>
+
+namespace Shapes::Compare {
+namespace {
+
+using CEvent = CExactEvent<double>;
+
+// Steps after the one of the impact in which a response still counts as late rather than missing.
+constexpr int g_nLateSteps = 2;
+
+ePair GetPair(const CScene& scene, const CEvent& event) {
+  if (event.m_bIsBall) return ePair::Ball;
+  const bool end = event.m_ePart == ePart::End0 || event.m_ePart == ePart::End1;
+  switch (scene.m_stdShapes[event.m_nShape].m_cDesc.index()) {
+  case 0: return ePair::Point;
+  case 1: return end ? ePair::SegmentEnd : ePair::Segment;
+  case 2: return ePair::Circle;
+  default: return end ? ePair::ArcEnd : ePair::Arc;
+  }
+}
+
+float GetElasticity(const CAnyShapeDesc& any) {
+  return std::visit([](const CShapeDesc& desc) { return desc.m_fElasticity; }, any);
+}
+
+// Well defined for every length; nowhere near a branch where small angles lose their digits.
+double AngleBetween(const CVec2d& a, const CVec2d& b) { return std::atan2(std::abs(Cross(a, b)), a.dot(b)); }
+
+std::ptrdiff_t CountImpacts(const std::vector<CEvent>& events, std::size_t ball) {
+  return std::count_if(events.begin(), events.end(), [&](const CEvent& e) {
+    return !e.m_bIsSensor && (e.m_nBall == ball || (e.m_bIsBall && e.m_nShape == ball));
+  });
+}
+
+// Whether nothing else than this event has bent the ways of those who take part in it: `impacts` of each in
+// these events.
+bool IsAlone(const CEvent& event, const std::vector<CEvent>& all, std::ptrdiff_t impacts) {
+  return CountImpacts(all, event.m_nBall) == impacts &&
+         (!event.m_bIsBall || CountImpacts(all, event.m_nShape) == impacts);
+}
+
+// One event and the world of one engine at the end of its step.
+class CEndOfStep {
+public:
+  CEndOfStep(const CExactGame& game, const CTrialWorld& world, const CEvent& event)
+      : m_cGame(game),
+        m_cWorld(world),
+        m_cEvent(event),
+        m_fRadius(game.GetReference().GetBall(event.m_nBall).m_fRadius) {}
+
+  // The response as it is reported.
+  void Touch(const CResponse& response, CEngineContact& c) const {
+    c.m_fPOIError = static_cast<float>(Norm(CVec2d(ToDouble(response.m_vPOI) - m_cEvent.m_vPOI)) / m_fRadius);
+    c.m_fNormalError = static_cast<float>(AngleBetween(ToDouble(response.m_vNorm), m_cEvent.m_vNorm));
+  }
+
+  // The state, against that of the exact game.
+  void Compare(CEngineContact& c) const {
+    const auto& exact = m_cGame.GetReference().GetBall(m_cEvent.m_nBall);
+    const CVec2d v = GetVel(m_cEvent.m_nBall);
+    const double speed = Norm(exact.m_vVel);
+    if (!(speed > 0.0)) return;
+    double energy = GetEnergy(m_cEvent.m_nBall), exactEnergy = GetExactEnergy(m_cEvent.m_nBall);
+    if (m_cEvent.m_bIsBall) {
+      energy += GetEnergy(m_cEvent.m_nShape);
+      exactEnergy += GetExactEnergy(m_cEvent.m_nShape);
+    }
+    c.m_fDirectionError =
+        static_cast<float>(v.isZero(0.0) ? std::numbers::pi : AngleBetween(v, exact.m_vVel));
+    c.m_fSpeedError = static_cast<float>(Norm(v) / speed - 1.0);
+    c.m_fEnergyError = static_cast<float>(energy / exactEnergy - 1.0);
+    c.m_fPositionError =
+        static_cast<float>(Norm(CVec2d(GetPos(m_cEvent.m_nBall) - exact.m_vPos)) / m_fRadius);
+    c.m_bCompared = std::isfinite(c.m_fDirectionError) && std::isfinite(c.m_fSpeedError) &&
+                    std::isfinite(c.m_fEnergyError) && std::isfinite(c.m_fPositionError);
+  }
+
+  float GetPenetration() const {
+    const CVec2d p = GetPos(m_cEvent.m_nBall);
+    const auto& reference = m_cGame.GetReference();
+    const double reach =
+        m_cEvent.m_bIsBall ? m_fRadius + reference.GetBall(m_cEvent.m_nShape).m_fRadius : m_fRadius;
+    const double distance = m_cEvent.m_bIsBall ? Norm(CVec2d(p - GetPos(m_cEvent.m_nShape)))
+                                               : Distance(reference.GetFigure(m_cEvent.m_nShape), p);
+    return static_cast<float>(std::max(0.0, reach - distance) / m_fRadius);
+  }
+
+private:
+  CVec2d GetPos(std::size_t ball) const {
+    return ToDouble(m_cWorld.m_pWorld->GetPos(m_cWorld.m_stdBalls[ball]));
+  }
+  CVec2d GetVel(std::size_t ball) const {
+    return ToDouble(m_cWorld.m_pWorld->GetVel(m_cWorld.m_stdBalls[ball]));
+  }
+  // Twice the kinetic energy.
+  double GetEnergy(std::size_t ball) const {
+    return m_cGame.GetReference().GetBall(ball).m_fMass * GetVel(ball).squaredNorm();
+  }
+  double GetExactEnergy(std::size_t ball) const {
+    const auto& exact = m_cGame.GetReference().GetBall(ball);
+    return exact.m_fMass * exact.m_vVel.squaredNorm();
+  }
+
+  const CExactGame& m_cGame;
+  const CTrialWorld& m_cWorld;
+  const CEvent& m_cEvent;
+  double m_fRadius;
+};
+
+eOutcome GetOutcome(const CResponse& response, const CEvent& event, int late) {
+  if (ToDouble(response.m_vNorm).dot(event.m_vNorm) < 0.0) return eOutcome::WrongSide;
+  return late == 0 ? eOutcome::Correct : eOutcome::Late;
+}
+
+} // namespace
+
+// The exact game at the end of the step of the impacts and of those after it, which are played when they are
+// asked for.
+class CAhead {
+public:
+  explicit CAhead(const CExactGame& game) : m_cGame(game) {}
+
+  /// After `late` further steps, if the reference can decide them, and if nothing but the event happened to
+  /// those who take part in it.
+  const CExactGame* Find(int late, const CEvent& event) {
+    while (static_cast<int>(m_stdLater.size()) < late && !m_bEnds)
+      Play();
+    if (static_cast<int>(m_stdLater.size()) < late || !IsAlone(event, m_cGame.GetEvents(), 1)) return nullptr;
+    for (int i = 0; i < late; ++i)
+      if (!IsAlone(event, m_stdLater[static_cast<std::size_t>(i)].GetEvents(), 0)) return nullptr;
+    return late == 0 ? &m_cGame : &m_stdLater[static_cast<std::size_t>(late - 1)];
+  }
+
+private:
+  void Play() {
+    CExactGame next = m_stdLater.empty() ? m_cGame : m_stdLater.back();
+    try {
+      next.Step();
+      m_stdLater.push_back(std::move(next));
+    } catch (const std::runtime_error&) {
+      m_bEnds = true;
+    }
+  }
+
+  const CExactGame& m_cGame;
+  std::deque<CExactGame> m_stdLater; // where they are does not change
+  bool m_bEnds = false;
+};
+
+void CJudge::Judge(std::uint64_t trial, const CExactGame& game, std::span<const CEvent> events,
+                   std::vector<CContact>& contacts) const {
+  const std::size_t first = contacts.size();
+  for (const CEvent& event : events)
+    contacts.push_back(Describe(trial, game, event));
+  const std::span<CContact> judged = std::span(contacts).subspan(first);
+  try {
+    CAhead ahead(game);
+    for (std::size_t e = 0; e < m_stdEngines.size(); ++e)
+      Run(e, game, events, ahead, judged);
+    for (std::size_t i = 0; m_bAsk && i < events.size(); ++i)
+      Ask(game, events[i], judged[i]);
+  } catch (...) {
+    contacts.resize(first); // half a judgement would read as misses
+    throw;
+  }
+}
+
+CContact CJudge::Describe(std::uint64_t trial, const CExactGame& game, const CEvent& event) const {
+  const CVec2d v = event.m_vVelBefore - event.m_vSurface;
+  const double dt = static_cast<double>(m_cScene.m_cWorld.m_fTimeStep), approach = -v.dot(event.m_vNorm);
+  const CDynamicCircleDesc& ball = game.GetBalls()[event.m_nBall];
+  CContact c;
+  c.m_nTrial = trial;
+  c.m_nStep = static_cast<std::uint32_t>(game.GetSteps() - 1);
+  c.m_nBall = static_cast<std::uint32_t>(event.m_nBall);
+  c.m_ePair = GetPair(m_cScene, event);
+  c.m_fTime = static_cast<float>(event.m_fTime / dt);
+  c.m_fTravel = static_cast<float>(Norm(event.m_vVelBefore) * dt / static_cast<double>(ball.m_fRadius));
+  c.m_fApproach = static_cast<float>(approach);
+  c.m_fIncidence = static_cast<float>(AngleBetween(-v, event.m_vNorm));
+  c.m_fElasticity =
+      ball.m_fElasticity * (event.m_bIsBall ? game.GetBalls()[event.m_nShape].m_fElasticity
+                                            : GetElasticity(m_cScene.m_stdShapes[event.m_nShape].m_cDesc));
+  c.m_stdEngines.resize(m_stdEngines.size());
+  return c;
+}
+
+// All events share one world: they belong to different balls.
+void CJudge::Run(std::size_t engine, const CExactGame& game, std::span<const CEvent> events, CAhead& ahead,
+                 std::span<CContact> contacts) const {
+  CTrialWorld world(m_cScene, m_stdEngines[engine], game.GetBalls(), game.GetTime());
+  std::size_t open = events.size();
+  for (int late = 0; late <= g_nLateSteps && open > 0; ++late) {
+    world.m_pWorld->Step();
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      const CEvent& event = events[i];
+      CEngineContact& c = contacts[i].m_stdEngines[engine];
+      if (late == 0) c.m_fPenetration = CEndOfStep(game, world, event).GetPenetration();
+      if (c.m_eOutcome != eOutcome::Missed) continue;
+      const auto& others = event.m_bIsBall ? world.m_stdBalls : world.m_stdShapes;
+      const auto response =
+          FindResponse(*world.m_pWorld, world.m_stdBalls[event.m_nBall], others[event.m_nShape], late > 0);
+      if (!response) continue;
+      --open;
+      c.m_eOutcome = GetOutcome(*response, event, late);
+      if (c.m_eOutcome == eOutcome::WrongSide) continue;
+      CEndOfStep(game, world, event).Touch(*response, c);
+      if (const CExactGame* pThen = ahead.Find(late, event)) CEndOfStep(*pThen, world, event).Compare(c);
+    }
+  }
+}
+
+void CJudge::Ask(const CExactGame& game, const CEvent& event, CContact& contact) const {
+  const CDynamicCircleDesc& ball = game.GetBalls()[event.m_nBall];
+  const CPairQuestion question =
+      event.m_bIsBall
+          ? CPairQuestion(game.GetBalls()[event.m_nShape], ball, m_cScene.m_cWorld)
+          : CPairQuestion(m_cScene.m_stdShapes[event.m_nShape], ball, game.GetTime(), m_cScene.m_cWorld);
+  const double r = static_cast<double>(ball.m_fRadius);
+  const double dt = static_cast<double>(m_cScene.m_cWorld.m_fTimeStep);
+  const CVec2d v = event.m_vVelBefore - event.m_vSurface;
+  CVec2d centres[2];
+  for (std::size_t i = 0; i < m_stdEngines.size(); ++i) {
+    const CPairQuestion::CAnswer answer = question.Ask(*m_stdEngines[i].m_pBackend);
+    CEngineContact& c = contact.m_stdEngines[i];
+    const CVec2d error = answer.m_vCentre - event.m_vCenter;
+    c.m_bDetected = answer.m_bDetected && error.allFinite();
+    if (!c.m_bDetected) continue;
+    c.m_fSetback = static_cast<float>(static_cast<double>(answer.m_fSetback) / r);
+    c.m_fSetbackError = static_cast<float>(Norm(error) / r);
+    c.m_fSetbackErrorNormal = static_cast<float>(error.dot(event.m_vNorm) / r);
+    c.m_fTimeError = static_cast<float>(error.dot(v) / (v.squaredNorm() * dt));
+    if (i < 2) centres[i] = answer.m_vCentre;
+  }
+  contact.m_bHasDifference =
+      m_stdEngines.size() >= 2 && contact.m_stdEngines[0].m_bDetected && contact.m_stdEngines[1].m_bDetected;
+  if (contact.m_bHasDifference)
+    contact.m_fDifference = static_cast<float>(Norm(CVec2d(centres[0] - centres[1])) / r);
+}
+
+} // namespace Shapes::Compare

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Work and precision: a scene on a ladder of settings of each engine, what each costs and how exact it is.
+#pragma once
+
+#include "../Trial.h"
+#include "Statistics.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Shapes::Compare {
+
+/// All settings that are tried. A new one is a line in WorkPrecision.cpp.
+/// @throws std::runtime_error if the Box2D engine was not built
+std::vector<CEngine> GetLadder();
+
+/// The name of the exact reference, which has no backend.
+inline constexpr const char* g_sExact = "exact";
+
+/// One setting on one scene.
+struct CRung {
+  CEngine m_cEngine;
+  CMedian m_cNsPerBallSecond; ///< time for a simulated second of one ball
+  /// 95th percentile, radians, of the contacts that were compared; absent if none was.
+  std::optional<double> m_fDirectionErrorP95;
+  std::size_t m_nContacts = 0;
+  std::size_t m_nMissed = 0, m_nTunneled = 0;
+  /// No other setting costs no more and is no worse, in this figure, without being the same in both.
+  bool m_bFrontByError = false, m_bFrontByMisses = false;
+};
+
+struct CWorkPrecision {
+  std::vector<CRung> m_stdRungs; ///< the ladder in its order, then the reference
+  /// What a user wants to know, a sentence each: the cheapest setting below 1%, below .1%, and without a
+  /// miss.
+  std::vector<std::string> m_stdAnswers;
+};
+
+struct CLadderOptions {
+  std::uint64_t m_nSeed = 1;
+  std::size_t m_nContacts = 0;               ///< impacts on each rung
+  std::uint64_t m_nMostTrials = 0;           ///< as in CRestartOptions
+  std::size_t m_nProof = 0;                  ///< impacts without a miss that are called "no miss"
+  std::size_t m_nBallSteps = 0;              ///< length of one timing
+  int m_nRepeats = 11;                       ///< timings of each rung, taking turns
+  std::function<void(double)> m_stdProgress; ///< as in CRestartOptions
+};
+
+/// Settings without a miss in m_nContacts impacts are tried on further ones, those of each engine in the
+/// order of the ladder, until one of that engine has none in m_nProof.
+CWorkPrecision MeasureWorkPrecision(const CScene& scene, const std::vector<CEngine>& ladder,
+                                    const CLadderOptions& options);
+
+/// Marks the rungs on the Pareto fronts.
+void MarkFronts(std::vector<CRung>& rungs);
+
+/// The sentences about rungs that are measured and marked.
+std::vector<std::string> MakeAnswers(const std::vector<CRung>& rungs, std::size_t proof);
+
+} // namespace Shapes::Compare

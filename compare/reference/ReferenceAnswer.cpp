@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// What an impact does to the balls of the reference.
+#include "Reference.h"
+#include "Scalar.h"
+
+#include <algorithm>
+
+namespace Shapes::Compare {
+namespace {
+
+// How far outside of what it has hit a ball is put, relative to its coordinates: more than the rounding of
+// that place, so that it is not inside, and much less than what counts as touching.
+template <class T>
+T Nudge() {
+  return T(4) * std::numeric_limits<T>::epsilon();
+}
+
+// A velocity that a hit without elasticity has left, relative to the speeds before it: below this it is
+// rounding, and the ball rests on what it has hit.
+template <class T>
+T Residue() {
+  return T(8) * std::numeric_limits<T>::epsilon();
+}
+
+template <class T>
+bool SharesBall(const CExactEvent<T>& a, const CExactEvent<T>& b) {
+  const auto has = [&](std::size_t ball) { return b.m_nBall == ball || (b.m_bIsBall && b.m_nShape == ball); };
+  return has(a.m_nBall) || (a.m_bIsBall && has(a.m_nShape));
+}
+
+// Between sensors and repeated hits of one pair there is no order to decide.
+template <class T>
+bool AreInOrder(const CExactEvent<T>& a, const CExactEvent<T>& b) {
+  const bool samePair = a.m_nBall == b.m_nBall && a.m_nShape == b.m_nShape && a.m_bIsBall == b.m_bIsBall;
+  return samePair || a.m_bIsSensor || b.m_bIsSensor || !SharesBall(a, b);
+}
+
+} // namespace
+
+template <class T>
+void CReference<T>::Answer(std::size_t i, const CNext& next, std::vector<CExactEvent<T>>& events,
+                           std::size_t first) {
+  const bool isBall = next.m_bIsBall;
+  const std::size_t a = isBall ? std::min(i, next.m_nOther) : i;
+  const std::size_t b = isBall ? std::max(i, next.m_nOther) : next.m_nOther;
+  CPair& pair = GetPair(a, b, isBall);
+  const CHit<T>& hit = next.m_cHit;
+  Advance(a, hit.m_fTime);
+  if (isBall) Advance(b, hit.m_fTime);
+  m_stdChanged = {a};
+  if (isBall) m_stdChanged.push_back(b);
+
+  CExactEvent<T> event{};
+  event.m_fTime = hit.m_fTime;
+  event.m_nBall = a;
+  event.m_nShape = b;
+  event.m_bIsBall = isBall;
+  event.m_bIsSensor =
+      m_stdBalls[a].m_bIsSensor || (isBall ? m_stdBalls[b].m_bIsSensor : m_stdShapes[b].m_bIsSensor);
+  event.m_bGraze = hit.m_bGraze;
+  event.m_bOverlapped = hit.m_fDepth > T(2 * g_fRest) * m_stdBalls[a].GetExtent();
+  event.m_ePart = hit.m_ePart;
+  event.m_vCenter = hit.m_vCenter;
+  event.m_vPOI = hit.m_vPOI;
+  event.m_vNorm = hit.m_vNorm;
+  event.m_vVelBefore = event.m_vVelAfter = m_stdBalls[a].m_vVel;
+  event.m_vSurface = hit.m_vSurface;
+  event.m_fDepth = event.m_bOverlapped ? hit.m_fDepth : T(0);
+
+  ++pair.m_nHits;
+  pair.m_vNorm = hit.m_vNorm;
+  pair.m_vSurface = hit.m_vSurface;
+  m_fSpeeds = Norm(m_stdBalls[a].m_vVel) + Norm(hit.m_vSurface);
+  if (event.m_bIsSensor)
+    pair.m_bSensed = true;
+  else if (isBall)
+    AnswerBall(hit, pair, event);
+  else
+    AnswerShape(hit, pair, event);
+
+  const bool permanent = pair.m_bSlides && !event.m_bIsSensor;
+  m_nSlideHits += permanent;
+  if (!permanent) {
+    for (std::size_t k = events.size(); k > first; --k) {
+      CExactEvent<T>& earlier = events[k - 1];
+      if (event.m_fTime - earlier.m_fTime > T(g_fSimultaneous) * m_fStep) break;
+      if (!AreInOrder(earlier, event)) earlier.m_bSimultaneous = event.m_bSimultaneous = true;
+    }
+    events.push_back(event);
+  }
+  if (permanent) Settle();
+  if (event.m_bIsSensor) return;
+  CheckRests();
+  Support();
+}
+
+// Whether the ball only begins to approach: the contact is permanent. One that is deep in something is not
+// passed over in silence, but hit first.
+template <class T>
+bool CReference<T>::Begins(const CHit<T>& hit, const CPair& pair) const {
+  const bool deep = hit.m_fDepth > T(g_fRounded) * m_stdBalls[pair.m_nBall].GetExtent();
+  return hit.m_bBegins && !(deep && pair.m_nHits == 1);
+}
+
+template <class T>
+void CReference<T>::AnswerShape(const CHit<T>& hit, CPair& pair, CExactEvent<T>& event) {
+  CExactBall<T>& ball = m_stdBalls[pair.m_nBall];
+  const CSolid& solid = m_stdShapes[pair.m_nOther];
+  const CVec<T>& n = hit.m_vNorm;
+  const T vn = (ball.m_vVel - hit.m_vSurface).dot(n), e = ball.m_fElasticity * solid.m_fElasticity;
+  const bool pressed = Begins(hit, pair) ||
+                       ((hit.m_ePart == ePart::Inside || solid.Turns()) && -vn < T(g_fPressed) * m_fSpeeds);
+  const bool slides = Slides(pair, e, T(-vn), pressed);
+  if (!slides) {
+    pair.m_fOut = std::max(T(0), T(-e * vn));
+  } else if ((hit.m_ePart == ePart::Front || hit.m_ePart == ePart::Back) && !solid.Turns()) {
+    pair.m_bRests = true;
+    pair.m_fOut = T(0);
+    ++m_nRests;
+  } else {
+    const T R = solid.m_cFigure.m_fRadius, r = ball.m_fRadius;
+    const T size = hit.m_ePart == ePart::Inside ? T(R - r) : T(R + r);
+    pair.m_fOut = HopSpeed(Press(pair, hit), size, m_fSpeeds);
+    BeginSlide(pair);
+  }
+
+  const bool lifts = slides && hit.m_fDepth <= T(g_fRounded) * ball.GetExtent();
+  ball.m_vPos = hit.m_vCenter;
+  if (!event.m_bOverlapped || lifts)
+    ball.m_vPos = hit.m_vPOI + (ball.m_fRadius + Nudge<T>() * ball.GetExtent()) * n;
+  Kick(pair);
+  if (pair.m_fOut == T(0) && Norm(CVec<T>(ball.m_vVel - hit.m_vSurface)) < Residue<T>() * m_fSpeeds)
+    ball.m_vVel = hit.m_vSurface;
+  event.m_vVelAfter = ball.m_vVel;
+}
+
+template <class T>
+void CReference<T>::AnswerBall(const CHit<T>& hit, CPair& pair, CExactEvent<T>& event) {
+  CExactBall<T>&a = m_stdBalls[pair.m_nBall], &b = m_stdBalls[pair.m_nOther];
+  const CVec<T>& n = hit.m_vNorm;
+  if (m_stdApproximate[pair.m_nBall] || m_stdApproximate[pair.m_nOther])
+    m_stdApproximate[pair.m_nBall] = m_stdApproximate[pair.m_nOther] = true;
+
+  const T vn = (a.m_vVel - b.m_vVel).dot(n), e = a.m_fElasticity * b.m_fElasticity;
+  const bool slides = Slides(pair, e, T(-vn), Begins(hit, pair));
+  pair.m_fOut = slides ? T(0) : std::max(T(0), T(-e * vn));
+  if (slides) {
+    // Support decides whether it can rest. Where nothing presses, it does not last.
+    pair.m_bRests = Press(pair, hit) > T(0);
+    if (pair.m_bRests)
+      ++m_nRests;
+    else
+      BeginSlide(pair);
+  }
+
+  const bool lifts = slides && hit.m_fDepth <= T(g_fRounded) * a.GetExtent();
+  if (!event.m_bOverlapped || lifts) {
+    const T apart = a.m_fRadius + b.m_fRadius + Nudge<T>() * (a.GetExtent() + b.GetExtent());
+    const CVec<T> shift = (T(0.5) * (apart - (a.m_vPos - b.m_vPos).dot(n))) * n;
+    a.m_vPos += shift;
+    b.m_vPos -= shift;
+  }
+  Kick(pair);
+  for (CExactBall<T>* pBall : {&a, &b})
+    if (pair.m_fOut == T(0) && Norm(pBall->m_vVel) < Residue<T>() * m_fSpeeds) pBall->m_vVel.setZero();
+  event.m_vVelAfter = a.m_vVel;
+}
+
+// Gives the pair the normal speed m_fOut, if it has less. Returns what was missing.
+template <class T>
+T CReference<T>::Kick(CPair& pair) {
+  CExactBall<T>& a = m_stdBalls[pair.m_nBall];
+  const CVec<T>& n = pair.m_vNorm;
+  T first = T(0);
+  // Twice: what rounding has left over of a normal velocity would be another approach.
+  for (int pass = 0; pass < 2; ++pass) {
+    const CVec<T> other = pair.m_bIsBall ? m_stdBalls[pair.m_nOther].m_vVel : pair.m_vSurface;
+    const T kick = pair.m_fOut - (a.m_vVel - other).dot(n);
+    if (pass == 0) first = kick;
+    if (!(first > T(0))) return T(0);
+    if (pair.m_bIsBall) {
+      CExactBall<T>& b = m_stdBalls[pair.m_nOther];
+      const T mass = a.m_fMass + b.m_fMass;
+      a.m_vVel += (kick * (b.m_fMass / mass)) * n;
+      b.m_vVel -= (kick * (a.m_fMass / mass)) * n;
+    } else {
+      a.m_vVel += kick * n;
+    }
+  }
+  return first;
+}
+
+template void CReference<double>::Answer(std::size_t, const CNext&, std::vector<CExactEvent<double>>&,
+                                         std::size_t);
+template double CReference<double>::Kick(CPair&);
+template void CReference<CFifty>::Answer(std::size_t, const CNext&, std::vector<CExactEvent<CFifty>>&,
+                                         std::size_t);
+template CFifty CReference<CFifty>::Kick(CPair&);
+
+} // namespace Shapes::Compare

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// What each ball of the reference meets next.
+#include "Reference.h"
+#include "Scalar.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::Compare {
+
+template <class T>
+void CReference<T>::FindNext(std::size_t i) {
+  CNext& next = m_stdNext[i];
+  next.m_bFound = false;
+  if (!m_stdBalls[i].m_bCanCollide) return;
+  MeetEnds(i, next);
+  MeetShapes(i, next);
+  for (std::size_t j = 0; j < m_stdBalls.size(); ++j)
+    MeetBall(i, j, next);
+}
+
+// When the centre passes the end of a segment on which the ball rests.
+template <class T>
+void CReference<T>::MeetEnds(std::size_t i, CNext& next) const {
+  using std::sqrt;
+  for (const CPair& pair : m_stdPairs) {
+    if (!pair.m_bRests || pair.m_bIsBall || pair.m_nBall != i) continue;
+    const T now = m_stdTime[i], left = m_fStep - now;
+    const CSweptBall<T> ball = GetSwept(i, now);
+    const CFigure<T> f = m_stdShapes[pair.m_nOther].GetFigure(now);
+    for (const bool first : {true, false}) {
+      const CVec<T>&end = first ? f.m_vPt0 : f.m_vPt1, &start = first ? f.m_vPt1 : f.m_vPt0;
+      const CVec<T> out = (end - start) / Norm(CVec<T>(end - start));
+      // x + v t + a t^2/2 rises through 0.
+      const T x = std::min(T(out.dot(CVec<T>(ball.m_vPos - end))), T(0));
+      const T v = out.dot(ball.m_vVel), a = out.dot(ball.m_vAcc), disc = v * v - T(2) * a * x;
+      if (disc < T(0) || !(v > T(0) || a > T(0))) continue;
+      const T root = sqrt(disc), t = v > T(0) ? T(T(-2) * x / (v + root)) : T((root - v) / a);
+      if (!(t <= left) || (next.m_bFound && !(now + t < next.m_cHit.m_fTime))) continue;
+      next = CNext{};
+      next.m_bFound = next.m_bEnds = true;
+      next.m_nOther = pair.m_nOther;
+      next.m_cHit.m_fTime = now + t;
+      next.m_cHit.m_vCenter = ball.GetPos(t);
+      next.m_cHit.m_vPOI = end;
+      next.m_cHit.m_vNorm = out;
+    }
+  }
+}
+
+template <class T>
+void CReference<T>::MeetShapes(std::size_t i, CNext& next) {
+  const T now = m_stdTime[i], left = m_fStep - now;
+  const CSweptBall<T> ball = GetSwept(i, now);
+  const CVec<T> end = ball.GetPos(left);
+  CVec<T> low = ball.m_vPos.cwiseMin(end), high = ball.m_vPos.cwiseMax(end);
+  for (int k = 0; k < 2; ++k) { // where the parabola turns back
+    const T v = ball.m_vVel[k], a = ball.m_vAcc[k];
+    if ((v < T(0)) == (a < T(0)) || a == T(0) || !(-v / a < left)) continue;
+    const T apex = ball.m_vPos[k] - v * v / (T(2) * a);
+    low[k] = std::min(low[k], apex);
+    high[k] = std::max(high[k], apex);
+  }
+  // Wider than what touches or nearly does, so that the boxes lose no hit and no near miss.
+  const T size = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()) + ball.m_fRadius;
+  const T pad = ball.m_fRadius * T(1.0 + 4.0 * g_fGraze) +
+                T(4 * g_nTouchRoundings) * std::numeric_limits<T>::epsilon() * size;
+  low -= CVec<T>(pad, pad);
+  high += CVec<T>(pad, pad);
+  for (std::size_t k = 0; k < m_stdShapes.size(); ++k) {
+    const CSolid& solid = m_stdShapes[k];
+    if (low.x() > solid.m_vHigh.x() || high.x() < solid.m_vLow.x() || low.y() > solid.m_vHigh.y() ||
+        high.y() < solid.m_vLow.y() || !solid.m_bCanCollide)
+      continue;
+    const bool sensor = solid.m_bIsSensor || m_stdBalls[i].m_bIsSensor;
+    if (const CPair* pPair = FindPair(i, k, false);
+        pPair && (pPair->m_bRests || (sensor && pPair->m_bSensed)))
+      continue;
+    CHit<T> hit;
+    const eMeet meet = sensor && now == T(0) ? eMeet::Touching : eMeet::Approaching;
+    const bool found = solid.m_bKinematic
+                           ? Sweep(solid.GetFigure(now), CTurning<T>{solid.m_vRotCenter, solid.GetSpeed()},
+                                   ball, left, hit, meet)
+                           : Sweep(solid.m_cFigure, ball, left, hit, meet);
+    hit.m_fTime += now;
+    Offer(next, found && !IsNegligible(i, k, false, hit), false, i, k, hit);
+  }
+}
+
+template <class T>
+void CReference<T>::MeetBall(std::size_t i, std::size_t j, CNext& next) {
+  if (i == j || !m_stdBalls[j].m_bCanCollide) return;
+  const std::size_t a = std::min(i, j), b = std::max(i, j);
+  const CSweptBall<T> lower = GetSwept(a, m_fNow), upper = GetSwept(b, m_fNow);
+  // Too far to come near each other in the time that is left.
+  const T left = m_fStep - m_fNow;
+  const T way = (Norm(CVec<T>(upper.m_vVel - lower.m_vVel)) +
+                 Norm(CVec<T>(upper.m_vAcc - lower.m_vAcc)) * (left / T(2))) *
+                left;
+  const CVec<T> d = upper.m_vPos - lower.m_vPos;
+  const T near = way + (lower.m_fRadius + upper.m_fRadius) * T(1.0 + 4.0 * g_fGraze) +
+                 T(4 * g_nTouchRoundings) * std::numeric_limits<T>::epsilon() *
+                     (m_stdBalls[a].GetExtent() + m_stdBalls[b].GetExtent() + way);
+  if (d.dot(d) > near * near) return;
+  const bool sensor = m_stdBalls[i].m_bIsSensor || m_stdBalls[j].m_bIsSensor;
+  if (const CPair* pPair = FindPair(a, b, true); pPair && (pPair->m_bRests || (sensor && pPair->m_bSensed)))
+    return;
+  CHit<T> hit;
+  const eMeet meet = sensor && m_fNow == T(0) ? eMeet::Touching : eMeet::Approaching;
+  const bool found = SweepBalls(upper, lower, left, hit, meet);
+  hit.m_fTime += m_fNow;
+  // The hit is that of the lower ball, whichever of the two it is kept for.
+  Offer(next, found && !IsNegligible(a, b, true, hit), true, i, j, hit);
+}
+
+// Whether the hit is what is left over of a sliding contact that nothing presses. Contacts that act on each
+// other settle as a geometric series of ever smaller hits; this is its end.
+template <class T>
+bool CReference<T>::IsNegligible(std::size_t i, std::size_t other, bool isBall, const CHit<T>& hit) {
+  const CPair* pPair = FindPair(i, other, isBall);
+  if (pPair == nullptr || !pPair->m_bSlides || hit.m_bBegins) return false;
+  if (!isBall && (hit.m_ePart == ePart::Inside || m_stdShapes[other].Turns())) return false;
+  const CVec<T> acc = isBall ? CVec<T>(m_stdAcc[i] - m_stdAcc[other]) : m_stdAcc[i];
+  const T eps = T(g_nTouchRoundings) * std::numeric_limits<T>::epsilon();
+  if (acc.dot(hit.m_vNorm) < -eps * Norm(m_vGravity)) return false;
+  const T approach = (hit.m_vSurface - GetSwept(i, hit.m_fTime).m_vVel).dot(hit.m_vNorm);
+  return approach * (m_fStep - hit.m_fTime) < T(g_fRest) * m_stdBalls[i].GetExtent();
+}
+
+template <class T>
+void CReference<T>::Offer(CNext& next, bool found, bool isBall, std::size_t i, std::size_t other,
+                          const CHit<T>& hit) {
+  if (found) {
+    const CHit<T>& old = next.m_cHit;
+    const auto isFace = [](const CHit<T>& h) {
+      return h.m_ePart == ePart::Front || h.m_ePart == ePart::Back;
+    };
+    bool earlier = hit.m_fTime < old.m_fTime;
+    // Where a ball comes to lie on a joint it lies on the side, not on an end.
+    if (next.m_bFound && !next.m_bEnds && hit.m_bBegins && old.m_bBegins && isFace(hit) != isFace(old)) {
+      using std::abs;
+      if (abs(hit.m_fTime - old.m_fTime) <= T(g_fSimultaneous) * m_fStep) earlier = isFace(hit);
+    }
+    if (!next.m_bFound || earlier) next = {true, isBall, false, other, hit};
+  }
+  if (found || !hit.m_bGraze) return;
+  const std::size_t a = isBall ? std::min(i, other) : i, b = isBall ? std::max(i, other) : other;
+  const bool known = std::any_of(m_stdNear.begin(), m_stdNear.end(), [&](const CNear& n) {
+    return n.m_nBall == a && n.m_nOther == b && n.m_bIsBall == isBall;
+  });
+  if (!known) m_stdNear.push_back({a, b, isBall, hit.m_fTime});
+}
+
+template <class T>
+void CReference<T>::CountNearMisses(const T& now) {
+  m_nNearMisses += std::erase_if(m_stdNear, [&](const CNear& n) { return n.m_fTime <= now; });
+}
+
+// Some balls have got new velocities: what was found with their old ones is void.
+template <class T>
+void CReference<T>::FindAfter() {
+  const auto changed = [&](std::size_t i) {
+    return std::find(m_stdChanged.begin(), m_stdChanged.end(), i) != m_stdChanged.end();
+  };
+  std::sort(m_stdChanged.begin(), m_stdChanged.end());
+  m_stdChanged.erase(std::unique(m_stdChanged.begin(), m_stdChanged.end()), m_stdChanged.end());
+  std::erase_if(m_stdNear,
+                [&](const CNear& n) { return changed(n.m_nBall) || (n.m_bIsBall && changed(n.m_nOther)); });
+  for (std::size_t i = 0; i < m_stdBalls.size(); ++i) {
+    CNext& next = m_stdNext[i];
+    if (changed(i) || (next.m_bFound && next.m_bIsBall && changed(next.m_nOther)))
+      FindNext(i);
+    else if (m_stdBalls[i].m_bCanCollide)
+      for (const std::size_t j : m_stdChanged)
+        MeetBall(i, j, next);
+  }
+}
+
+template void CReference<double>::FindNext(std::size_t);
+template void CReference<double>::FindAfter();
+template void CReference<double>::CountNearMisses(const double&);
+template void CReference<CFifty>::FindNext(std::size_t);
+template void CReference<CFifty>::FindAfter();
+template void CReference<CFifty>::CountNearMisses(const CFifty&);
+
+} // namespace Shapes::Compare

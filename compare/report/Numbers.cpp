@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "Numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::Compare {
+namespace {
+
+// What a percentage shows at least.
+constexpr double g_fLeastPercent = 0.0001;
+
+// Decimals with which a percentage shows two digits that matter; one from 1 on, four below 0.01.
+int Decimals(double x) {
+  if (!(x > 0.0)) return 1;
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(x))), 1, 4);
+}
+
+double Percent(std::size_t hits, std::size_t n) {
+  return 100.0 * static_cast<double>(hits) / static_cast<double>(n);
+}
+
+} // namespace
+
+std::string SizeText(double x) {
+  if (x == 0.0) return "0";
+  if (x < 0.0005) return "<.001";
+  if (x < 9.9995) return fmt::format("{:.3f}", x);
+  return x < 1e6 ? fmt::format("{:.1f}", x) : fmt::format("{:.0e}", x);
+}
+
+std::string CountText(std::size_t n) {
+  const std::string digits = std::to_string(n);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string RateText(std::size_t hits, std::size_t n) {
+  if (n == 0) return "-";
+  if (hits == 0) return fmt::format("<{}%", TwoDigits(std::min(100.0, 300.0 / static_cast<double>(n))));
+  if (hits == n) return "100%";
+  const double percent = Percent(hits, n);
+  if (percent < g_fLeastPercent) return fmt::format("<{}%", g_fLeastPercent);
+  return fmt::format("{:.{}f}%", percent, Decimals(percent));
+}
+
+std::string RateTextWithError(std::size_t hits, std::size_t n) {
+  if (n == 0 || hits == 0 || Percent(hits, n) < g_fLeastPercent) return RateText(hits, n);
+  const CInterval i = Wilson(hits, n);
+  return fmt::format("{} +-{:.{}f}", RateText(hits, n), 50.0 * (i.m_fHigh - i.m_fLow),
+                     Decimals(Percent(hits, n)));
+}
+
+std::string TwoDigits(double x) {
+  if (!(x > 0.0)) return "0";
+  const int decimals = 1 - static_cast<int>(std::floor(std::log10(x)));
+  if (decimals <= 0) return fmt::format("{:.0f}", x);
+  std::string text = fmt::format("{:.{}f}", x, std::min(decimals, 9));
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+bool Overlap(const CInterval& a, const CInterval& b) {
+  return a.m_fLow <= b.m_fHigh && b.m_fLow <= a.m_fHigh;
+}
+
+} // namespace Shapes::Compare

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Numbers for people, and elements of the page. What is no number is a dash, never NaN.
+const Format = (() => {
+  const dash = '\u2013';
+  const superscripts = {
+    '-': '\u207b',
+    0: '\u2070',
+    1: '\u00b9',
+    2: '\u00b2',
+    3: '\u00b3',
+    4: '\u2074',
+    5: '\u2075',
+    6: '\u2076',
+    7: '\u2077',
+    8: '\u2078',
+    9: '\u2079'
+  };
+
+  const isNumber = (x) => typeof x === 'number' && Number.isFinite(x);
+  const power = (n) => '10' + [...String(n)].map((c) => superscripts[c]).join('');
+  const grouped = (n) => String(n).replace(/\B(?=(\d{3})+$)/g, '\u202f');
+
+  function positive(x) {
+    if (x >= 999.5) return x < 1e7 ? grouped(Math.round(x)) : scientific(x);
+    return x >= 0.000995 ? x.toPrecision(3) : scientific(x);
+  }
+  function scientific(x) {
+    const [mantissa, exponent] = x.toExponential(1).split('e');
+    return `${mantissa}\u00b7${power(Number(exponent))}`;
+  }
+
+  /** Three digits; powers of ten where they would be zeros. */
+  function num(x) {
+    if (!isNumber(x)) return dash;
+    if (x === 0) return '0';
+    return (x < 0 ? '\u2212' : '') + positive(Math.abs(x));
+  }
+  /** Without zeros at the end, for factors and edges. */
+  const plain = (x) => (isNumber(x) ? String(Number(x.toPrecision(3))) : dash);
+  const signed = (x) => (isNumber(x) && x > 0 ? '+' : '') + num(x);
+  const count = (n) => (isNumber(n) ? grouped(Math.round(n)) : dash);
+  const percent = (x) => (isNumber(x) ? num(100 * x) : dash);
+
+  function interval(pair, scale = 1) {
+    if (!Array.isArray(pair) || !isNumber(pair[0]) || !isNumber(pair[1])) return '';
+    return `${num(scale * pair[0])}${dash}${num(scale * pair[1])}`;
+  }
+
+  /** A rate in percent, of n events. None seen in n is no zero: at 95% it is below 3 in n. */
+  function rate(r, n) {
+    if (!r || !isNumber(r.count) || !(n > 0)) return dash;
+    if (r.count > 0) return percent(r.rate ?? r.count / n);
+    return n > 3 ? `< ${percent(3 / n)}` : `none in ${n}`;
+  }
+  const rateInterval = (r, n) => (r && r.count > 0 && n > 0 ? interval([r.low, r.high], 100) : '');
+
+  /** Nanoseconds in the unit that suits. */
+  const time = (ns) => withUnit(ns, num);
+  const plainTime = (ns) => withUnit(ns, plain);
+  function withUnit(ns, format) {
+    if (!isNumber(ns)) return dash;
+    const [unit, size] = ns < 999.5     ? ['ns', 1]
+                         : ns < 999.5e3 ? ['\u00b5s', 1e3]
+                         : ns < 999.5e6 ? ['ms', 1e6]
+                                        : ['s', 1e9];
+    return `${format(ns / size)}\u00a0${unit}`;
+  }
+
+  /** An element. Attributes that begin with "on" are listeners, those that are null or false are left out. */
+  function el(tag, attributes, ...children) {
+    const element = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes ?? {})) {
+      if (name.startsWith('on'))
+        element.addEventListener(name.slice(2), value);
+      else if (name.startsWith('--'))
+        element.style.setProperty(name, value);
+      else if (value !== null && value !== undefined && value !== false)
+        element.setAttribute(name, value === true ? '' : value);
+    }
+    element.append(
+        ...children.flat(Infinity).filter((child) => child !== null && child !== undefined && child !== ''));
+    return element;
+  }
+  /** A figure with its interval, if there is one. */
+  const withInterval = (text, range) =>
+      (range ? [text, ' ', el('span', {class: 'interval'}, `(${range})`)] : [text]);
+  const rateWithInterval = (r, n) => withInterval(rate(r, n), rateInterval(r, n));
+  /** Median and 95th percentile. */
+  const summary = (s) => (s && s.count > 0 ? `${num(s.median)} / ${num(s.p95)}` : dash);
+  const sentences = (list) => el('ul', {class: 'sentences'}, (list ?? []).map((s) => el('li', null, s)));
+
+  return {
+    dash,
+    isNumber,
+    num,
+    plain,
+    signed,
+    count,
+    percent,
+    interval,
+    rate,
+    rateInterval,
+    time,
+    plainTime,
+    power,
+    el,
+    withInterval,
+    rateWithInterval,
+    summary,
+    sentences
+  };
+})();

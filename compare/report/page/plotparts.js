@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// What all plots share: colours of the page, logarithmic axes, and what Chart.js does not draw by itself.
+const PlotParts = (() => {
+  const {el, isNumber} = Format;
+
+  function applyTheme() {
+    Chart.defaults.animation = false;
+    Chart.defaults.responsive = true;
+    Chart.defaults.maintainAspectRatio = false;
+    Chart.defaults.color = Data.css('--ink');
+    Chart.defaults.borderColor = Data.css('--line');
+    Chart.defaults.font.family = getComputedStyle(document.body).fontFamily;
+    Chart.defaults.font.size = 12;
+  }
+
+  // Axes end at a 1, 2 or 5 of a decade.
+  function niceBelow(x) {
+    const decade = 10 ** Math.floor(Math.log10(x));
+    return [5, 2, 1].map((k) => k * decade).find((v) => v <= x * (1 + 1e-9)) ?? decade;
+  }
+  function niceAbove(x) {
+    const decade = 10 ** Math.floor(Math.log10(x));
+    return [1, 2, 5, 10].map((k) => k * decade).find((v) => v >= x * (1 - 1e-9));
+  }
+
+  /** Labels the decades, and more where the axis is short; the floor gets a name of its own. */
+  function logAxis(title, min, max, label, {floorLabel = null, isSmall = false} = {}) {
+    const span = (isSmall ? 15 : 1) * max / min;
+    const leads = span < 99 ? [1, 2, 5] : span < 3000 ? [1, 3] : [1];
+    const isLabelled = (v) =>
+        leads.some((k) => Math.abs(v / (k * 10 ** Math.floor(Math.log10(v / k) + 1e-9)) - 1) < 1e-6);
+    return {
+      type: 'logarithmic',
+      min,
+      max,
+      title: {display: Boolean(title), text: title},
+      grid: {drawTicks: true},
+      ticks: {
+        autoSkip: false,
+        maxRotation: 0,
+        callback(v) {
+          if (floorLabel && Math.abs(v / min - 1) < 1e-6) return floorLabel;
+          return v >= min * (1 - 1e-9) && isLabelled(v) ? label(v) : null;
+        },
+      },
+    };
+  }
+
+  /** The floor stands for zero, which a logarithmic axis does not have. */
+  const floorLine = {
+    id: 'floorLine',
+    beforeDatasetsDraw(chart, _args, options) {
+      if (!isNumber(options.y)) return;
+      const {ctx, chartArea: {left, right}} = chart;
+      const y = chart.scales.y.getPixelForValue(options.y);
+      ctx.save();
+      ctx.strokeStyle = Data.css('--muted');
+      ctx.setLineDash([2, 3]);
+      ctx.beginPath();
+      ctx.moveTo(left, y);
+      ctx.lineTo(right, y);
+      ctx.stroke();
+      ctx.restore();
+    },
+  };
+
+  /** 95% intervals: a point may carry xs and ys, each [low, high]. */
+  const intervals = {
+    id: 'intervals',
+    beforeDatasetsDraw(chart) {
+      const {ctx, chartArea, scales: {x, y}} = chart;
+      ctx.save();
+      ctx.beginPath();
+      ctx.rect(chartArea.left, chartArea.top, chartArea.width, chartArea.height + 1);
+      ctx.clip();
+      ctx.lineWidth = 1;
+      ctx.globalAlpha = 0.4;
+      for (const dataset of chart.data.datasets) {
+        ctx.strokeStyle = dataset.borderColor;
+        ctx.beginPath();
+        for (const point of dataset.data) {
+          const px = x.getPixelForValue(point.x), py = y.getPixelForValue(point.y);
+          if (point.xs) {
+            ctx.moveTo(x.getPixelForValue(point.xs[0]), py);
+            ctx.lineTo(x.getPixelForValue(point.xs[1]), py);
+          }
+          if (point.ys) {
+            ctx.moveTo(px, y.getPixelForValue(Math.max(point.ys[0], y.min)));
+            ctx.lineTo(px, y.getPixelForValue(Math.max(point.ys[1], y.min)));
+          }
+        }
+        ctx.stroke();
+      }
+      ctx.restore();
+    },
+  };
+
+  const overlaps = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+
+  /** Names of points beside them, where there is room; what stays without has its tooltip. */
+  const pointNames = {
+    id: 'pointNames',
+    afterDatasetsDraw(chart) {
+      const {ctx, chartArea: area} = chart;
+      const taken = [];
+      const points = chart.data.datasets.flatMap(
+          (dataset, d) => chart.getDatasetMeta(d).data.map(
+              (element, i) => ({element, point: dataset.data[i], colour: dataset.borderColor})));
+      for (const {element} of points)
+        taken.push([element.x - 4, element.y - 4, element.x + 4, element.y + 4]);
+      ctx.save();
+      ctx.font = `11px ${Chart.defaults.font.family}`;
+      ctx.textBaseline = 'middle';
+      for (const {element, point, colour} of points.filter((p) => p.point.name)) {
+        const width = ctx.measureText(point.name).width;
+        const spots = [[7, -9], [7, 10], [-width - 7, -9], [-width - 7, 10]].map(
+            ([dx, dy]) => [element.x + dx, element.y + dy]);
+        const boxOf = ([bx, by]) => [bx - 1, by - 6, bx + width + 1, by + 6];
+        const isFree = (box) => box[0] >= area.left && box[2] <= area.right && box[1] >= area.top &&
+                                box[3] <= area.bottom && !taken.some((other) => overlaps(box, other));
+        const spot = spots.find((s) => isFree(boxOf(s)));
+        if (!spot) continue;
+        taken.push(boxOf(spot));
+        ctx.fillStyle = colour;
+        ctx.fillText(point.name, spot[0], spot[1]);
+      }
+      ctx.restore();
+    },
+  };
+
+  const canvas = (label) => el('canvas', {role: 'img', 'aria-label': label});
+  const frame = (child, isLow) => el('div', {class: isLow ? 'plot low' : 'plot'}, child);
+  const nothing = (text) => el('p', {class: 'note'}, text);
+
+  // Charts by their canvas, so that one that is drawn again or left behind is freed.
+  const charts = new Map();
+  function draw(canvas, config) {
+    charts.get(canvas)?.destroy();
+    for (const [old, chart] of charts) {
+      if (old.isConnected) continue;
+      chart.destroy();
+      charts.delete(old);
+    }
+    charts.set(canvas, new Chart(canvas, config));
+  }
+
+  return {
+    applyTheme,
+    niceBelow,
+    niceAbove,
+    logAxis,
+    floorLine,
+    intervals,
+    pointNames,
+    canvas,
+    frame,
+    nothing,
+    draw
+  };
+})();

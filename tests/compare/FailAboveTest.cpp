@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "FailAbove.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "SampleReport.h"
+
+namespace Shapes::Compare {
+namespace {
+
+std::vector<std::string> Find(const CRunReport& report, const std::string& limit) {
+  const CLimit limits[] = {ParseLimit(limit)};
+  return FindAbove(report, limits);
+}
+
+TEST(FailAboveTest, LimitsAreParsed) {
+  EXPECT_EQ(ParseLimit("missed=0.25").m_sMetric, "missed");
+  EXPECT_EQ(ParseLimit("missed=.25").m_fMost, 0.25);
+  EXPECT_EQ(ParseLimit("energy_drift=1e-3").m_fMost, 1e-3);
+  EXPECT_EQ(ParseLimit("ghost=0").m_fMost, 0.0);
+}
+
+TEST(FailAboveTest, WhatIsNoLimitIsRefused) {
+  for (const char* pText :
+       {"missed", "missed=", "missed=x", "missed=1x", "missed=-1", "missed=nan", "missed=inf", "missed=1e999",
+        "missed= 1", "missed==1", "", "=1", "Missed=1", "misses=1"})
+    EXPECT_THROW(ParseLimit(pText), std::invalid_argument) << pText;
+  try {
+    ParseLimit("tunelled=1");
+    FAIL();
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("there is no metric 'tunelled': did you mean 'tunneled'?"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
+// Each metric with what the sample has of it; on native, then on box2d.
+TEST(FailAboveTest, EveryMetricIsTheRightOne) {
+  struct CExpected {
+    const char* m_sMetric;
+    double m_fNative, m_fBox2D;
+  };
+  const CExpected expected[] = {
+      {"missed", 0.101, 0.003},      {"wrong_side", 0.102, 0.003},     {"tunneled", 0.203, 0.006},
+      {"overlapped", 0.02, 0.02},    {"ghost", 0.0025, 0.0025},        {"late", 0.005, 0.005},
+      {"setback_error", 0.75, 0.75}, {"poi_error", 0.12, 0.12},        {"time_error", 0.04, 0.04},
+      {"normal_error", 0.15, 0.15},  {"direction_error", 1e-4, 0.02},  {"speed_error", 0.18, 0.18},
+      {"energy_error", 0.22, 0.22},  {"position_error", 0.26, 0.26},   {"penetration", 0.005, 0.005},
+      {"energy_drift", 0.03, 0.03},  {"ns_per_ball_step", 50.0, 500.0}};
+  EXPECT_EQ(std::size(expected), GetMetricNames().size());
+  const CRunReport report = MakeSampleReport();
+  for (const CExpected& e : expected) {
+    SCOPED_TRACE(e.m_sMetric);
+    const auto count = [&](double most) {
+      const CLimit limits[] = {{e.m_sMetric, most}};
+      return FindAbove(report, limits).size();
+    };
+    // At the value nothing is above, just below it is: so the value is this one.
+    const double low = std::min(e.m_fNative, e.m_fBox2D), high = std::max(e.m_fNative, e.m_fBox2D);
+    EXPECT_EQ(count(high), 0u);
+    EXPECT_EQ(count(high * (1 - 1e-12)), low == high ? 2u : 1u);
+    EXPECT_EQ(count(low * (1 - 1e-12)), 2u);
+  }
+}
+
+TEST(FailAboveTest, SaysWhichSceneEngineAndValue) {
+  const auto above = Find(MakeSampleReport(), "tunneled=0.1");
+  ASSERT_EQ(above.size(), 1u);
+  EXPECT_EQ(above[0], "tunneled is 0.203 on spinner with native: above 0.1");
+}
+
+TEST(FailAboveTest, WhatWasMeasuredNowhereIsNoPass) {
+  CRunReport report = MakeSampleReport();
+  report.m_stdScenes = {MakeUndecidedScene()};
+  const auto above = Find(report, "missed=1");
+  ASSERT_EQ(above.size(), 1u);
+  EXPECT_NE(above[0].find("missed was not measured"), std::string::npos);
+  report.m_stdScenes.push_back(MakeSampleScene());
+  EXPECT_TRUE(Find(report, "missed=1").empty());
+}
+
+} // namespace
+} // namespace Shapes::Compare

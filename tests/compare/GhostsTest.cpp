@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Responses to what is not touched: a scene in which Box2D has them, by a mechanism that is known, and
+// controls.
+#include "MadeScenes.h"
+#include "metrics/Restart.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace Shapes::Compare::Tests {
+namespace {
+
+// A ball that flies to and fro between two walls, 5 millimetres above a floor of `pieces` segments that are
+// joined in a line.
+CScene OverFloor(int pieces, float height) {
+  CScene scene = MakeScene(4, 10);
+  const float width = 4.0f / static_cast<float>(pieces);
+  for (int i = 0; i < pieces; ++i) {
+    const float x = -2.0f + width * static_cast<float>(i);
+    AddShape(scene, CLineSegDesc({x, 0}, {x + width, 0}));
+  }
+  AddShape(scene, CLineSegDesc({-2, 0.05f}, {-2, 1}));
+  AddShape(scene, CLineSegDesc({2, 0.05f}, {2, 1}));
+  AddBall(scene, {{0, height}, 0.1f, {3, 0}});
+  return scene;
+}
+
+CRestartResult JudgeTrials(const CScene& scene, std::size_t contacts) {
+  CRestartOptions options;
+  options.m_nContacts = contacts;
+  options.m_nMostTrials = 10 * contacts;
+  options.m_bAsk = false;
+  return RunRestarts(scene, GetEngines(), options);
+}
+
+// Box2D's edges have a skin of .01. A ball within it before a joint is nearest to the end of the next edge,
+// whose normal leans back: it is braked. That is so while dx^2 + .105^2 < .11^2, dx < .0328, of every .2.
+TEST(GhostsTest, JointsOfAFloorBumpABallOnBox2D) {
+  const CRestartResult result = JudgeTrials(OverFloor(20, 0.105f), 600);
+  ASSERT_GT(result.m_nQuietSteps, 550u);
+  EXPECT_LE(result.m_nQuietSteps, 600u);
+  EXPECT_EQ(result.m_stdGhosts[g_nNative], 0u);
+  const double n = static_cast<double>(result.m_nQuietSteps),
+               rate = std::sqrt(0.11 * 0.11 - 0.105 * 0.105) / 0.2;
+  EXPECT_NEAR(static_cast<double>(result.m_stdGhosts[g_nBox2D]), n * rate,
+              4 * std::sqrt(n * rate * (1 - rate)));
+}
+
+TEST(GhostsTest, WithoutJointsThereAreNone) {
+  const CRestartResult result = JudgeTrials(OverFloor(1, 0.105f), 300);
+  EXPECT_GT(result.m_nQuietSteps, 250u);
+  EXPECT_EQ(result.m_stdGhosts[g_nNative], 0u);
+  EXPECT_EQ(result.m_stdGhosts[g_nBox2D], 0u);
+}
+
+TEST(GhostsTest, OutsideTheSkinThereAreNone) {
+  const CRestartResult result = JudgeTrials(OverFloor(20, 0.112f), 300);
+  EXPECT_GT(result.m_nQuietSteps, 250u);
+  EXPECT_EQ(result.m_stdGhosts[g_nBox2D], 0u);
+}
+
+// What is farther away than a radius is not passed: only the steps beside the walls are quiet ones.
+TEST(GhostsTest, StepsFarFromEverythingAreNotCounted) {
+  const CRestartResult near = JudgeTrials(OverFloor(1, 0.195f), 300),
+                       far = JudgeTrials(OverFloor(1, 0.205f), 300);
+  EXPECT_GT(near.m_nQuietSteps, 250u);
+  EXPECT_GT(far.m_nQuietSteps, 100u);
+  // With 3 m/s, the ball is within a radius of a wall in 4 to 6 of the 76 steps between two impacts.
+  CScene lone = OverFloor(1, 0.205f);
+  lone.m_stdShapes.erase(lone.m_stdShapes.begin() + 1, lone.m_stdShapes.end());
+  EXPECT_EQ(JudgeTrials(lone, 10).m_nQuietSteps, 0u);
+}
+
+// A response that comes before its time is none: Box2D's skin answers the ball a step before it is there.
+TEST(GhostsTest, EarlyAnswersAreNoGhosts) {
+  CScene scene = MakeScene(4, 10);
+  AddShape(scene, CLineSegDesc({0, -2}, {0, 2}));
+  AddShape(scene, CLineSegDesc({-1, -2}, {-1, 2}));
+  AddBall(scene, {{-0.5f, 0}, 0.1f, {0.2f, 0}}); // three thousandths a step, so it is in the skin for three
+  const CRestartResult result = JudgeTrials(scene, 300);
+  EXPECT_GT(result.m_nQuietSteps, 250u);
+  EXPECT_EQ(result.m_stdGhosts[g_nNative], 0u);
+  // The third step before the impact may still be in the skin: that one is a ghost by definition.
+  EXPECT_LT(result.m_stdGhosts[g_nBox2D], 60u);
+}
+
+} // namespace
+} // namespace Shapes::Compare::Tests

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+// The exact reference under gravity: balls that bounce, come to rest, lie on slopes, in wedges and on each
+// other, and roll off.
+#include "reference/Reference.h"
+#include "reference/Scalar.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace Shapes::Compare::Tests {
+namespace {
+
+using CShapes = std::vector<CAnyShapeDesc>;
+using CBalls = std::vector<CDynamicCircleDesc>;
+using CEvents = std::vector<CExactEvent<double>>;
+using CReferenced = CReference<double>;
+
+constexpr double g_fEps = std::numeric_limits<double>::epsilon();
+const Vector2 g_vDown(0, -9.81f);
+const double g_fG = static_cast<double>(9.81f);
+
+CLineSegDesc Wall(const Vector2& a, const Vector2& b, float e = 1) { return CLineSegDesc(a, b, e); }
+
+CReferenced Make(const CShapes& shapes, const CBalls& balls, const Vector2& g = g_vDown) {
+  return CReferenced(shapes, balls, g);
+}
+
+CEvents Carry(CReferenced& reference, double dt, int steps = 1) {
+  CEvents events;
+  for (int i = 0; i < steps; ++i)
+    reference.Step(dt, events);
+  return events;
+}
+
+// Through memory: g++ 12 at -O2 takes a pair of conversions to float and back for none.
+CVec2d AsFloats(const CVec2d& v) {
+  volatile float x = static_cast<float>(v.x()), y = static_cast<float>(v.y());
+  return {static_cast<double>(x), static_cast<double>(y)};
+}
+
+// What a step of an engine starts from.
+void RoundToFloat(CReferenced& reference) {
+  for (std::size_t i = 0; i < reference.GetBallCount(); ++i)
+    reference.SetBall(i, AsFloats(reference.GetBall(i).m_vPos), AsFloats(reference.GetBall(i).m_vVel));
+}
+
+TEST(ReferenceGravity, RoundingToFloatsRounds) {
+  volatile double third = 1.0 / 3;
+  EXPECT_NE(AsFloats({third, third}).x(), third);
+}
+
+// Dropped from h = 1 with e = .5 it rests after sqrt(2 h / g) (1 + e) / (1 - e).
+TEST(ReferenceGravity, BouncingBallComesToRest) {
+  CReferenced reference = Make({Wall({-1, 0}, {1, 0}, .5f)}, {CDynamicCircleDesc({0, 1.125f}, .125f)});
+  const CEvents events = Carry(reference, 2);
+  const double first = std::sqrt(2 / g_fG), rest = 3 * first;
+  ASSERT_GT(events.size(), 20u);
+  EXPECT_NEAR(rest, 1.354570923, 1e-7); // g is a float
+  EXPECT_NEAR(events[0].m_fTime, first, 16 * g_fEps);
+  EXPECT_NEAR(events.back().m_fTime, rest, 2 * g_fClose * 2);
+  for (std::size_t i = 1; i < 20; ++i) // each hop takes half of the time of the last
+    EXPECT_NEAR(events[i].m_fTime - events[i - 1].m_fTime, 2 * first * std::pow(.5, i), 1e-14) << i;
+  EXPECT_EQ(reference.GetBall(0).m_vVel, CVec2d(0, 0));
+  EXPECT_NEAR(reference.GetBall(0).m_vPos.y(), .125, 16 * g_fEps);
+  EXPECT_EQ(reference.GetRestCount(), 1u);
+  EXPECT_EQ(reference.GetSlideCount(), 0u);
+  EXPECT_FALSE(reference.WasApproximate(0));
+}
+
+// Many honest bounces in one step are not rest: the k-th hop takes 2 v e^k / g.
+TEST(ReferenceGravity, HundredsOfBouncesInAStepAreEvents) {
+  CReferenced reference =
+      Make({Wall({-1, 0}, {1, 0}, .9990234375f)}, {CDynamicCircleDesc({0, .125f}, .125f)});
+  reference.SetBall(0, {0, .125}, {0, .05});
+  const CEvents events = Carry(reference, 2);
+  ASSERT_GT(events.size(), 200u);
+  double time = 0, v = .05;
+  for (const CExactEvent<double>& event : events) {
+    time += 2 * v / g_fG;
+    v *= .9990234375;
+    ASSERT_NEAR(event.m_fTime, time, 1e-12);
+    ASSERT_NEAR(event.m_vVelAfter.y(), v, 1e-14);
+  }
+  EXPECT_EQ(reference.GetRestCount() + reference.GetSlideCount(), 0u);
+}
+
+// Where the way turns back between two places that are far below what it meets.
+TEST(ReferenceGravity, ApexOfALongStepIsNotOverlooked) {
+  CReferenced reference = Make({CPointDesc({0, 5.25f})}, {CDynamicCircleDesc({-1, 0}, .5f, {1, 9.9f})});
+  const CEvents events = Carry(reference, 2.5);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_GT(events[0].m_vCenter.y(), 4.7);
+}
+
+TEST(ReferenceGravity, WayDoesNotDependOnTheSteps) {
+  const CShapes shapes = {Wall({-2, -2}, {2, -1.5f}, .8f), Wall({2, -2}, {2, 2}),
+                          Wall({-2, -2}, {-2, 2}),         CArcDesc({0, -1.5f}, .5f, 0, 3, .9f),
+                          CCircleDesc({-1, .5f}, .25f),    CPointDesc({1, 0})};
+  CReferenced one = Make(shapes, {CDynamicCircleDesc({-1, 1.5f}, .125f, {1, 0}),
+                                  CDynamicCircleDesc({1, 1}, .25f, {-.5f, .25f}, 2)});
+  CReferenced many = one;
+  const std::size_t hits = Carry(one, 1.5).size();
+  EXPECT_GE(hits, 4u);
+  EXPECT_EQ(Carry(many, 1.5 / 1000, 1000).size(), hits);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_NEAR((one.GetBall(i).m_vPos - many.GetBall(i).m_vPos).norm(), 0, 1e-9);
+}
+
+// Never in, never out by more than the float that its place was rounded to and the hop that this allows: it
+// falls from one rounding, and bounces no higher.
+TEST(ReferenceGravity, RestsOnAFloorFromRoundedPlaces) {
+  for (const float e : {0.0f, .5f, .9f, 1.0f})
+    for (const Vector2& tilt : {Vector2(0, 0), Vector2(0, 1)}) {
+      SCOPED_TRACE("e " + std::to_string(e) + " tilt " + std::to_string(tilt.y()));
+      // Gravity is straight into the floor, whichever way it is tilted.
+      const Vector2 along = Vector2(3, tilt.y()).normalized();
+      const CVec2d n = Perp(CVec2d(Vector2(3, tilt.y()).cast<double>())).normalized();
+      CReferenced reference = Make({Wall({-3, -tilt.y()}, {3, tilt.y()}, e)},
+                                   {CDynamicCircleDesc({0, 0}, .3f)}, 9.81f * Vector2(along.y(), -along.x()));
+      const double r = reference.GetBall(0).m_fRadius, rounding = 0x1p-24;
+      reference.SetBall(0, r * n, {0, 0});
+      double least = 1, most = -1;
+      for (int i = 0; i < 10000; ++i) {
+        RoundToFloat(reference);
+        Carry(reference, 1.0 / 60);
+        const double gap = reference.GetBall(0).m_vPos.dot(n) - r;
+        least = std::min(least, gap);
+        most = std::max(most, gap);
+      }
+      EXPECT_GE(least, -rounding);
+      // Elastic balls may gain a rounding of height where a step begins; the others lose it.
+      if (e < 1) {
+        EXPECT_LE(most, 2 * rounding);
+        EXPECT_GT(reference.GetRestCount(), 100u);
+      }
+      EXPECT_EQ(reference.GetSlideCount(), 0u);
+    }
+}
+
+TEST(ReferenceGravity, OnASlopeItAcceleratesBySine) {
+  CReferenced reference = Make({Wall({0, 0}, {40, -30}, .5f)}, {CDynamicCircleDesc({0, 0}, .25f)});
+  const CVec2d along(.8, -.6), n(.6, .8);
+  for (const int steps : {1, 64}) { // whichever way two seconds are cut
+    reference.SetBall(0, 2 * along + .25 * n, {0, 0});
+    EXPECT_TRUE(Carry(reference, 2.0 / steps, steps).empty());
+    const CExactBall<double>& ball = reference.GetBall(0);
+    EXPECT_NEAR((ball.m_vVel - 2 * .6 * g_fG * along).norm(), 0, 1e-13);
+    EXPECT_NEAR((ball.m_vPos - (2 + .5 * .6 * g_fG * 4) * along - .25 * n).norm(), 0, 1e-12);
+    EXPECT_FALSE(reference.WasApproximate(0));
+  }
+  EXPECT_EQ(reference.GetSlideCount(), 0u);
+}
+
+// Fast enough it flies off at the end at once: v^2 > g r. Slower it rolls over the end, which is approximate.
+TEST(ReferenceGravity, RollsOffTheEndAndFalls) {
+  for (const double v : {2.0, .5}) {
+    SCOPED_TRACE(v);
+    CReferenced reference = Make({Wall({-4, 0}, {0, 0}, .5f)}, {CDynamicCircleDesc({-1, .25f}, .25f)});
+    reference.SetBall(0, {-1, .25}, {v, 0});
+    Carry(reference, 1 / v + .4);
+    const CExactBall<double>& ball = reference.GetBall(0);
+    if (v == 2.0) {
+      EXPECT_NEAR((ball.m_vPos - CVec2d(v * .4, .25 - .5 * g_fG * .16)).norm(), 0, 1e-12);
+      EXPECT_NEAR((ball.m_vVel - CVec2d(v, -g_fG * .4)).norm(), 0, 1e-12);
+      EXPECT_FALSE(reference.WasApproximate(0));
+    } else {
+      EXPECT_LT(ball.m_vPos.y(), 0);
+      EXPECT_GT(ball.m_vPos.norm(), .25);
+      // Nothing has been gained but the height.
+      const double energy = .5 * ball.m_vVel.squaredNorm() + g_fG * ball.m_vPos.y();
+      EXPECT_NEAR(energy, .5 * v * v + g_fG * .25, 1e-2);
+      EXPECT_TRUE(reference.WasApproximate(0));
+      EXPECT_GT(reference.GetSlideCount(), 0u);
+    }
+  }
+}
+
+TEST(ReferenceGravity, JointOfTwoFloorsIsNoObstacle) {
+  for (const bool slope : {false, true}) {
+    const float fall = slope ? -.5f : 0;
+    CReferenced reference = Make({Wall({-4, -4 * fall}, {0, 0}, .5f), Wall({0, 0}, {4, 4 * fall}, .5f)},
+                                 {CDynamicCircleDesc({0, 0}, .25f)});
+    const CVec2d along = CVec2d(1, static_cast<double>(fall)).normalized(), n = Perp(along);
+    reference.SetBall(0, .25 * n - along, 2 * along);
+    Carry(reference, 1);
+    const double a = -g_fG * along.y();
+    EXPECT_NEAR((reference.GetBall(0).m_vPos - .25 * n - (1 + .5 * a) * along).norm(), 0, 1e-12);
+    EXPECT_NEAR((reference.GetBall(0).m_vVel - (2 + a) * along).norm(), 0, 1e-12);
+    EXPECT_FALSE(reference.WasApproximate(0));
+  }
+}
+
+TEST(ReferenceGravity, WedgeHoldsABall) {
+  for (const float e : {0.0f, .5f, .8f}) {
+    SCOPED_TRACE(e);
+    CReferenced reference =
+        Make({Wall({-2, 2}, {0, 0}, e), Wall({0, 0}, {1, 2}, e)}, {CDynamicCircleDesc({0, 1}, .25f)});
+    Carry(reference, 10);
+    const CVec2d p = reference.GetBall(0).m_vPos;
+    Carry(reference, 1.0 / 60, 600);
+    EXPECT_NEAR((reference.GetBall(0).m_vPos - p).norm(), 0, 1e-12);
+    EXPECT_NEAR(reference.GetBall(0).m_vVel.norm(), 0, 1e-12);
+    EXPECT_NEAR((p.x() + p.y()) * std::sqrt(.5), .25, 1e-12); // it touches both
+    EXPECT_NEAR((p.y() - 2 * p.x()) / std::sqrt(5), .25, 1e-12);
+    EXPECT_FALSE(reference.WasApproximate(0));
+    EXPECT_GT(reference.GetRestCount(), 1000u);
+    for (int i = 0; i < 600; ++i) {
+      RoundToFloat(reference);
+      Carry(reference, 1.0 / 60);
+    }
+    EXPECT_NEAR((reference.GetBall(0).m_vPos - p).norm(), 0, 1e-6);
+  }
+}
+
+TEST(ReferenceGravity, StackOfTwoStands) {
+  for (const float e : {0.0f, .5f, 1.0f}) {
+    SCOPED_TRACE(e);
+    CReferenced reference =
+        Make({Wall({-2, 0}, {2, 0}, e)}, {CDynamicCircleDesc({0, .25f}, .25f, {0, 0}, 3, e),
+                                          CDynamicCircleDesc({0, .75f}, .25f, {0, 0}, 5, e)});
+    EXPECT_TRUE(Carry(reference, 1.0 / 60, 600).empty());
+    EXPECT_NEAR((reference.GetBall(0).m_vPos - CVec2d(0, .25)).norm(), 0, 1e-13);
+    EXPECT_NEAR((reference.GetBall(1).m_vPos - CVec2d(0, .75)).norm(), 0, 1e-13);
+    EXPECT_EQ(reference.GetSlideCount(), 0u);
+    Carry(reference, 20);
+    EXPECT_NEAR((reference.GetBall(1).m_vPos - CVec2d(0, .75)).norm(), 0, 1e-13);
+  }
+  // One that does not stand straight falls over, by hops.
+  CReferenced leaning = Make({Wall({-20, 0}, {20, 0}, .5f)},
+                             {CDynamicCircleDesc({0, .25f}, .25f), CDynamicCircleDesc({.125f, .75f}, .25f)});
+  Carry(leaning, 1.0 / 60, 60);
+  EXPECT_TRUE(leaning.GetSlideCount() > 0);
+  EXPECT_GT(leaning.GetBall(1).m_vPos.x(), .4);
+  EXPECT_GE(leaning.GetBall(1).m_vPos.y(), .25 - 1e-12);
+}
+
+// A dropped pair: the lower comes to rest, then the upper on it.
+TEST(ReferenceGravity, StackSettles) {
+  CReferenced reference =
+      Make({Wall({-2, 0}, {2, 0}, .5f)}, {CDynamicCircleDesc({0, .5f}, .25f, {0, 0}, 3, .7f),
+                                          CDynamicCircleDesc({0, 1.5f}, .25f, {0, 0}, 1, .7f)});
+  Carry(reference, 10);
+  EXPECT_NEAR((reference.GetBall(0).m_vPos - CVec2d(0, .25)).norm(), 0, 1e-12);
+  EXPECT_NEAR((reference.GetBall(1).m_vPos - CVec2d(0, .75)).norm(), 0, 1e-12);
+  EXPECT_NEAR(reference.GetBall(1).m_vVel.norm(), 0, 1e-12);
+}
+
+// A resting ball that is hit leaves, and rests again.
+TEST(ReferenceGravity, RestEndsByAHit) {
+  CReferenced reference =
+      Make({Wall({-99, 0}, {99, 0}, .5f)},
+           {CDynamicCircleDesc({0, .25f}, .25f), CDynamicCircleDesc({-1, .35f}, .25f, {4, 0})});
+  const CEvents events = Carry(reference, 3);
+  ASSERT_GT(events.size(), 10u);
+  EXPECT_TRUE(events[0].m_bIsBall || events[1].m_bIsBall);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(reference.GetBall(i).m_vPos.y(), .25, 1e-12);
+    EXPECT_NEAR(reference.GetBall(i).m_vVel.y(), 0, 1e-12);
+  }
+}
+
+// 16 roundings of the energy a bounce.
+TEST(ReferenceGravity, ElasticBounceKeepsItsEnergy) {
+  for (const bool curved : {false, true}) {
+    SCOPED_TRACE(curved);
+    const CShapes shapes = {curved ? CAnyShapeDesc(CCircleDesc({0, -1}, 1))
+                                   : CAnyShapeDesc(Wall({-1, -.0f}, {1, 0}))};
+    CReferenced reference = Make(shapes, {CDynamicCircleDesc({0, 1}, .25f)});
+    const double energy = g_fG * .75;
+    std::size_t bounces = 0;
+    for (const double dt : {1.0 / 60, 30.0})
+      while (bounces < (dt < 1 ? 5000u : 10000u)) {
+        bounces += Carry(reference, dt).size();
+        const CExactBall<double>& ball = reference.GetBall(0);
+        const double now = g_fG * (ball.m_vPos.y() - .25) + .5 * ball.m_vVel.squaredNorm();
+        ASSERT_NEAR(now / energy, 1, 16 * g_fEps * static_cast<double>(bounces + 1)) << bounces;
+      }
+    EXPECT_EQ(reference.GetSlideCount() + reference.GetRestCount(), 0u);
+  }
+  // Control: an elasticity a little off.
+  CReferenced lossy = Make({Wall({-1, 0}, {1, 0}, 1 - 1e-6f)}, {CDynamicCircleDesc({0, 1}, .25f)});
+  const std::size_t bounces = Carry(lossy, 30).size();
+  const CExactBall<double>& ball = lossy.GetBall(0);
+  const double now = g_fG * (ball.m_vPos.y() - .25) + .5 * ball.m_vVel.squaredNorm();
+  EXPECT_LT(now / (g_fG * .75), 1 - 16 * g_fEps * static_cast<double>(bounces));
+}
+
+// Backwards it goes the same way. Each bounce off a curve may spread what rounding has made of a difference;
+// after six it is still small.
+TEST(ReferenceGravity, ElasticWayCanBeReversed) {
+  CShapes shapes = {Wall({-2, -2}, {2, -2}), Wall({2, -2}, {2, 2}),           Wall({-2, -2}, {-2, 2}),
+                    Wall({-2, 2}, {2, 2}),   CArcDesc({0, -2}, 1, .5f, 2.5f), CCircleDesc({-1, .5f}, .25f),
+                    CPointDesc({1, 0})};
+  CReferenced reference = Make(shapes, {CDynamicCircleDesc({-1, 1.5f}, .125f, {1, 0}),
+                                        CDynamicCircleDesc({1, 1}, .25f, {-.5f, .25f}, 2)});
+  const CReferenced start = reference;
+  const CEvents there = Carry(reference, 1.25);
+  for (std::size_t i = 0; i < 2; ++i)
+    reference.SetBall(i, reference.GetBall(i).m_vPos, -reference.GetBall(i).m_vVel);
+  const CEvents back = Carry(reference, 1.25);
+  EXPECT_GE(there.size(), 4u);
+  ASSERT_EQ(there.size(), back.size());
+  for (std::size_t k = 0; k < there.size(); ++k)
+    EXPECT_NEAR(there[k].m_fTime, 1.25 - back[back.size() - 1 - k].m_fTime, 1e-9);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR((reference.GetBall(i).m_vPos - start.GetBall(i).m_vPos).norm(), 0, 1e-9);
+    EXPECT_NEAR((reference.GetBall(i).m_vVel + start.GetBall(i).m_vVel).norm(), 0, 1e-8);
+  }
+}
+
+TEST(ReferenceGravity, SimultaneousEventsAreTold) {
+  CReferenced corner = Make({Wall({-1, 0}, {1, 0}), Wall({-1, -1}, {-1, 1})},
+                            {CDynamicCircleDesc({-.5f, .5f}, .25f, {-1, -1})}, Vector2::Zero());
+  CEvents events = Carry(corner, 1);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_TRUE(events[0].m_bSimultaneous && events[1].m_bSimultaneous);
+  corner.SetBall(0, {-.5, .5 + 1e-9}, {-1, -1}); // control
+  events = Carry(corner, 1);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_FALSE(events[0].m_bSimultaneous || events[1].m_bSimultaneous);
+}
+
+// A table of everything in 50 digits and in double: the same events until chaos has eaten the digits.
+TEST(ReferenceGravity, DoubleAgainst50Digits) {
+  const CShapes shapes = {Wall({-2, -2}, {2, -1.5f}, .8f), Wall({2, -2}, {2, 2}),
+                          Wall({-2, -2}, {-2, 2}),         CArcDesc({0, -1.5f}, .5f, 0, 3, .9f),
+                          CCircleDesc({-1, .5f}, .25f),    CPointDesc({1, 0})};
+  const CBalls balls = {CDynamicCircleDesc({-1, 1.5f}, .125f, {1, 0}),
+                        CDynamicCircleDesc({1, 1}, .25f, {-.5f, .25f}, 2)};
+  CReferenced rough(shapes, balls, g_vDown);
+  CReference<CFifty> fine(shapes, balls, g_vDown);
+  CEvents events;
+  std::vector<CExactEvent<CFifty>> exact;
+  rough.Step(1.5, events);
+  fine.Step(CFifty(1.5), exact);
+  ASSERT_EQ(events.size(), exact.size());
+  EXPECT_GE(events.size(), 4u);
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    EXPECT_EQ(events[k].m_nShape, exact[k].m_nShape);
+    EXPECT_EQ(events[k].m_ePart, exact[k].m_ePart);
+    EXPECT_NEAR(events[k].m_fTime, static_cast<double>(exact[k].m_fTime), 1e-11) << k;
+  }
+}
+
+} // namespace
+} // namespace Shapes::Compare::Tests

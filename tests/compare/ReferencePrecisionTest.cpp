@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: MIT
+// The exact reference in double against itself with 50 digits, and against its own past: random scenes with
+// everything in them, bounce by bounce. Errors of billiards grow exponentially, so each scene carries a bound
+// that grows with it, and is compared as long as the bound is small.
+#include "Random.h"
+#include "SweepOracle.h"
+#include "reference/Reference.h"
+#include "reference/Scalar.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace Shapes::Compare::Tests {
+namespace {
+
+using Shapes::Tests::CRandom;
+using CShapes = std::vector<CAnyShapeDesc>;
+using CBalls = std::vector<CDynamicCircleDesc>;
+template <class T>
+using CEvents = std::vector<CExactEvent<T>>;
+
+struct CScene {
+  CShapes m_stdShapes;
+  CBalls m_stdBalls;
+  Vector2 m_vGravity = Vector2::Zero();
+};
+
+std::string Text(double f) {
+  std::ostringstream out;
+  out << f;
+  return out.str();
+}
+
+template <class TDesc>
+TDesc Turning(TDesc desc, CRandom& random) {
+  desc.m_eMotionType = eMotion::Kinematic;
+  desc.m_vRotCenter = random.InSquare(1);
+  desc.m_fRotSpeed = random.Uniform(-.5f, .5f);
+  return desc;
+}
+
+CAnyShapeDesc RandomShape(CRandom& random, float e) {
+  const Vector2 p = random.InSquare(1.5f);
+  switch (random.Below(5)) {
+  case 0: return CPointDesc(p, e);
+  case 1: return CLineSegDesc(p, p + random.VectorOfLength(.2f, 1), e);
+  case 2: return CCircleDesc(p, random.Uniform(.1f, .5f), e);
+  case 3: return Turning(CLineSegDesc(p, p + random.VectorOfLength(.2f, 1), e), random);
+  default: {
+    const float r = random.Uniform(.2f, .8f), a0 = random.Uniform(0, 6), span = random.Uniform(.5f, 5);
+    return CArcDesc(p, r, a0, a0 + span, e);
+  }
+  }
+}
+
+// A box with shapes of all kinds, and balls that are clear of them.
+CScene RandomScene(CRandom& random, bool elastic) {
+  const auto elasticity = [&] { return elastic ? 1.0f : random.Uniform(.8f, 1); };
+  CScene scene;
+  if (random.Coin()) scene.m_vGravity = random.InSquare(5);
+  const Vector2 corners[] = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
+  for (int i = 0; i < 4; ++i)
+    scene.m_stdShapes.emplace_back(CLineSegDesc(corners[i], corners[(i + 1) % 4], elasticity()));
+  const std::uint32_t shapes = 2 + random.Below(3), balls = 1 + random.Below(3);
+  for (std::uint32_t k = 0; k < shapes; ++k)
+    scene.m_stdShapes.push_back(RandomShape(random, elasticity()));
+  while (scene.m_stdBalls.size() < balls) {
+    const float r = random.Uniform(.03f, .2f), m = random.Uniform(.2f, 5);
+    const Vector2 p = random.InSquare(1.7f), v = random.VectorOfLength(.5f, 3);
+    const CSweptBall<double> ball{ToDouble(p), ToDouble(v), static_cast<double>(r)};
+    const bool isClear =
+        std::all_of(scene.m_stdShapes.begin(), scene.m_stdShapes.end(),
+                    [&](const CAnyShapeDesc& desc) {
+                      return CSweepOracle(MakeFigure(desc), CTurning<double>(), ball, 0).Gap(0) > .01L;
+                    }) &&
+        std::all_of(scene.m_stdBalls.begin(), scene.m_stdBalls.end(), [&](const CDynamicCircleDesc& other) {
+          return (other.m_vPos - p).norm() > other.m_fRadius + r + .01f;
+        });
+    if (isClear) scene.m_stdBalls.emplace_back(p, r, v, m, elasticity());
+  }
+  return scene;
+}
+
+template <class T>
+CReference<T> Make(const CScene& scene) {
+  return CReference<T>(scene.m_stdShapes, scene.m_stdBalls, scene.m_vGravity);
+}
+
+// How far two runs of a scene may be apart, that differ by roundings only: bounds of the errors x of the
+// position and v of the velocity of each ball, in first order.
+// - A hit finds the place to 2 (g_nTouchRoundings + 16) roundings of the coordinates (Sweep.h).
+// - An error x of the place at which a ball with speed u meets a surface at the approach speed c is one of
+//   x u / c along the surface. On a surface with the contact radius R (of both bodies together) it turns the
+//   normal by x u / (R c), and that turns the velocity by twice as much: v grows by 2 x u^2 / (R c). This is
+//   the growth of dispersing billiards, by a factor of 1 + 2 s / (R cos) for the way s to the next hit.
+// - The time of the hit errs by x / c. Meanwhile gravity changes the velocity by g x / c, and a surface that
+//   turns with w by up to 2 (w u + w^2 L) x / c: v grows by twice that.
+// - Two balls share the larger errors of the two.
+// - In flight x grows by v t.
+class CErrorBound {
+public:
+  template <class T>
+  CErrorBound(const CScene& scene, const CReference<T>& start)
+      : m_cScene(scene),
+        m_fEps(static_cast<double>(std::numeric_limits<T>::epsilon())),
+        m_stdPlace(scene.m_stdBalls.size(), 0.0),
+        m_stdSpeed(m_stdPlace),
+        m_stdTime(m_stdPlace),
+        m_fGravity(static_cast<double>(scene.m_vGravity.norm())) {
+    for (std::size_t k = 0; k < start.GetShapeCount(); ++k) {
+      m_stdFigures.push_back(MakeFigure(scene.m_stdShapes[k]));
+      m_stdTurns.push_back(2 * std::numbers::pi * std::abs(static_cast<double>(start.GetRotSpeed(k))));
+    }
+  }
+
+  struct CBound {
+    double m_fPlace; // of the ball
+    double m_fTime;  // of the hit
+    double m_fSpeed; // of the velocity after it
+  };
+
+  /// Goes on to the hit, at `time` since the start of the run.
+  template <class T>
+  CBound Hit(const CExactEvent<T>& event, double time) {
+    const std::size_t i = event.m_nBall, j = event.m_bIsBall ? event.m_nShape : i;
+    Fly(i, time);
+    Fly(j, time);
+    const auto relative = [](const CVec<T>& a, const CVec<T>& b) {
+      return CVec2d(static_cast<double>(a.x() - b.x()), static_cast<double>(a.y() - b.y()));
+    };
+    const CVec<T> zero = CVec<T>::Zero();
+    const CVec2d n = relative(event.m_vNorm, zero), rel = relative(event.m_vVelBefore, event.m_vSurface);
+    const double own = relative(event.m_vVelBefore, zero).norm() + relative(event.m_vSurface, zero).norm();
+    const double u = rel.norm(), c = -rel.dot(n), w = event.m_bIsBall ? 0 : m_stdTurns[event.m_nShape];
+    const double size = relative(event.m_vCenter, zero).cwiseAbs().maxCoeff() + 4; // the box
+    const double x = std::max(m_stdPlace[i], m_stdPlace[j]) + 2 * (g_nTouchRoundings + 16) * m_fEps * size +
+                     4 * m_fEps * time * own;
+    const double v = std::max(m_stdSpeed[i], m_stdSpeed[j]) +
+                     2 * x * (u * u * Curvature(event) + m_fGravity + 2 * w * (u + w * size)) / c +
+                     32 * m_fEps * own;
+    m_stdPlace[i] = m_stdPlace[j] = x;
+    m_stdSpeed[i] = m_stdSpeed[j] = v;
+    return {x, x / c + 4 * m_fEps * time, v + m_fGravity * x / c};
+  }
+
+  /// All balls go on to `time`. Returns the bound for their places.
+  double End(double time) {
+    for (std::size_t i = 0; i < m_stdPlace.size(); ++i)
+      Fly(i, time);
+    return m_stdPlace.empty() ? 0 : *std::max_element(m_stdPlace.begin(), m_stdPlace.end());
+  }
+
+private:
+  void Fly(std::size_t i, double time) {
+    m_stdPlace[i] += m_stdSpeed[i] * (time - m_stdTime[i]);
+    m_stdTime[i] = time;
+  }
+
+  template <class T>
+  double Curvature(const CExactEvent<T>& event) const {
+    const double r = static_cast<double>(m_cScene.m_stdBalls[event.m_nBall].m_fRadius);
+    if (event.m_bIsBall) return 1 / (r + static_cast<double>(m_cScene.m_stdBalls[event.m_nShape].m_fRadius));
+    const double R = m_stdFigures[event.m_nShape].m_fRadius;
+    switch (event.m_ePart) {
+    case ePart::Front:
+    case ePart::Back: return 0;
+    case ePart::Outside: return 1 / (R + r);
+    case ePart::Inside: return 1 / (R - r);
+    default: return 1 / r;
+    }
+  }
+
+  const CScene& m_cScene;
+  double m_fEps;
+  std::vector<double> m_stdPlace;
+  std::vector<double> m_stdSpeed;
+  std::vector<double> m_stdTime;
+  std::vector<CFigure<double>> m_stdFigures;
+  std::vector<double> m_stdTurns;
+  double m_fGravity;
+};
+
+// A scene is compared up to this bound of the place. Beyond it a near miss may be a hit in the other run
+// without being marked as one, because it misses by more than g_fGraze of the contact radius.
+constexpr double g_fComparable = 1e-9;
+
+double Apart(const CVec<double>& a, const CVec<CFifty>& b) {
+  const CFifty x = CFifty(a.x()) - b.x(), y = CFifty(a.y()) - b.y();
+  return static_cast<double>(sqrt(x * x + y * y));
+}
+
+// What the comparison of runs has found.
+struct CTally {
+  int m_nHits = 0;
+  int m_nMost = 0;      // in one scene
+  int m_nWhole = 0;     // scenes compared to their end
+  int m_nAmbiguous = 0; // scenes given up at a graze, or where the order of two hits is open
+  int m_nParts[8] = {};
+  int m_nTurning = 0; // hits on shapes that turn
+  double m_fTime = 0; // largest errors
+  double m_fSpeed = 0;
+  double m_fFirstTime = 0; // of first hits
+  double m_fShare = 0;     // of their bounds
+  double m_fGrowth = 0;    // decimal logarithm of the bound's growth, all scenes together
+};
+
+// `push` changes the first velocity in the run of the doubles by this share of it.
+void CompareRuns(const CScene& scene, double seconds, CTally& tally, double push = 0) {
+  CReference<double> run = Make<double>(scene);
+  run.SetBall(0, run.GetBall(0).m_vPos, run.GetBall(0).m_vVel * (1 + push));
+  CReference<CFifty> exact = Make<CFifty>(scene);
+  CErrorBound cumulative(scene, run);
+  CEvents<double> events;
+  CEvents<CFifty> truths;
+  run.Step(seconds, events);
+  exact.Step(CFifty(seconds), truths);
+
+  std::vector<CErrorBound::CBound> bounds; // of the hits that can be compared
+  bool ambiguous = exact.GetNearMissCount() + run.GetNearMissCount() > 0;
+  for (const CExactEvent<CFifty>& truth : truths) {
+    const auto bound = cumulative.Hit(truth, static_cast<double>(truth.m_fTime));
+    if (!(bound.m_fPlace < g_fComparable)) break;
+    const std::size_t k = bounds.size();
+    ambiguous = ambiguous || truth.m_bGraze ||
+                (k > 0 && truth.m_fTime - truths[k - 1].m_fTime < bound.m_fTime + bounds[k - 1].m_fTime);
+    bounds.push_back(bound);
+  }
+  if (ambiguous) {
+    ++tally.m_nAmbiguous;
+    return;
+  }
+  ASSERT_GE(events.size(), bounds.size());
+  for (std::size_t k = 0; k < bounds.size(); ++k) {
+    SCOPED_TRACE("hit " + std::to_string(k));
+    const CExactEvent<double>& event = events[k];
+    const CExactEvent<CFifty>& truth = truths[k];
+    ASSERT_EQ(event.m_nBall, truth.m_nBall);
+    ASSERT_EQ(event.m_bIsBall, truth.m_bIsBall);
+    ASSERT_EQ(event.m_nShape, truth.m_nShape);
+    ASSERT_EQ(event.m_bOverlapped, truth.m_bOverlapped);
+    // Where a face goes over into an end both are right.
+    if (event.m_ePart != truth.m_ePart) {
+      ASSERT_LE(Apart(event.m_vPOI, truth.m_vPOI), 2 * g_fComparable);
+    }
+    const double timeOff = std::abs(static_cast<double>(CFifty(event.m_fTime) - truth.m_fTime));
+    const double speedOff = Apart(event.m_vVelAfter, truth.m_vVelAfter);
+    ++tally.m_nParts[static_cast<int>(event.m_ePart)];
+    if (!event.m_bIsBall && run.GetRotSpeed(event.m_nShape) != 0) ++tally.m_nTurning;
+    tally.m_fTime = std::max(tally.m_fTime, timeOff);
+    tally.m_fSpeed = std::max(tally.m_fSpeed, speedOff);
+    if (k == 0) tally.m_fFirstTime = std::max(tally.m_fFirstTime, timeOff);
+    tally.m_fShare = std::max({tally.m_fShare, timeOff / bounds[k].m_fTime, speedOff / bounds[k].m_fSpeed});
+  }
+  tally.m_nHits += static_cast<int>(bounds.size());
+  tally.m_nMost = std::max(tally.m_nMost, static_cast<int>(bounds.size()));
+  if (!bounds.empty()) tally.m_fGrowth += std::log10(bounds.back().m_fPlace / bounds.front().m_fPlace);
+  if (bounds.size() < truths.size()) return;
+  ++tally.m_nWhole;
+  EXPECT_EQ(events.size(), truths.size());
+  EXPECT_EQ(run.GetSlideCount(), exact.GetSlideCount());
+  EXPECT_EQ(run.GetRestCount(), exact.GetRestCount());
+  const double place = cumulative.End(seconds);
+  for (std::size_t i = 0; i < scene.m_stdBalls.size(); ++i)
+    tally.m_fShare =
+        std::max(tally.m_fShare, Apart(run.GetBall(i).m_vPos, exact.GetBall(i).m_vPos) / (place + 1e-15));
+}
+
+TEST(ReferencePrecision, DoubleFollowsFiftyDigits) {
+  CTally tally;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    CRandom random(seed);
+    const CScene scene = RandomScene(random, seed % 2 == 0);
+    CompareRuns(scene, 2, tally);
+    if (HasFatalFailure()) break;
+    ASSERT_LE(tally.m_fShare, 1);
+  }
+  const int scenes = 300;
+  EXPECT_LT(tally.m_nAmbiguous, scenes / 10);
+  EXPECT_GT(tally.m_nHits, 3 * scenes);
+  for (const int hits : tally.m_nParts)
+    EXPECT_GT(hits, 5);
+  EXPECT_GT(tally.m_nTurning, 20);
+  RecordProperty("hits", tally.m_nHits);
+  RecordProperty("most hits in a scene", tally.m_nMost);
+  RecordProperty("scenes to their end", tally.m_nWhole);
+  RecordProperty("ambiguous", tally.m_nAmbiguous);
+  RecordProperty("on turning shapes", tally.m_nTurning);
+  RecordProperty("errors", "time " + Text(tally.m_fTime) + ", of first hits " + Text(tally.m_fFirstTime) +
+                               ", velocity " + Text(tally.m_fSpeed) + ", share of the bound " +
+                               Text(tally.m_fShare));
+  RecordProperty("growth of the bound per hit", Text(std::pow(10, tally.m_fGrowth / tally.m_nHits)));
+  for (int k = 0; k < 8; ++k)
+    RecordProperty("part " + std::to_string(k), tally.m_nParts[k]);
+}
+
+TEST(ReferencePrecision, BoundIsNarrow) { // control: a velocity that is off by 1e-10 is noticed
+  int noticed = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    CRandom random(seed);
+    CTally tally;
+    CompareRuns(RandomScene(random, true), 1, tally, 1e-10);
+    noticed += tally.m_fShare > 1;
+  }
+  EXPECT_GE(noticed, 15);
+}
+
+// Turns everything round: velocities and rotations.
+template <class T>
+void Reverse(CReference<T>& reference) {
+  for (std::size_t i = 0; i < reference.GetBallCount(); ++i)
+    reference.SetBall(i, reference.GetBall(i).m_vPos, -reference.GetBall(i).m_vVel);
+  for (std::size_t k = 0; k < reference.GetShapeCount(); ++k)
+    if (reference.GetRotSpeed(k) != T(0)) reference.SetRotSpeed(k, -reference.GetRotSpeed(k));
+}
+
+struct CReturn {
+  std::size_t m_nHits = 0; // both ways
+  double m_fBound = 0;
+  double m_fOff = 0; // largest distance from the start
+};
+
+// For `seconds` there, and as long back. The bound goes on growing on the way back.
+template <class T>
+CReturn ThereAndBack(const CScene& scene, double seconds, bool reversed = true) {
+  CReference<T> run = Make<T>(scene);
+  CErrorBound bound(scene, run);
+  CReturn result;
+  for (const bool back : {false, true}) {
+    if (back && reversed) Reverse(run);
+    CEvents<T> events;
+    run.Step(T(seconds), events);
+    result.m_nHits += events.size();
+    for (const CExactEvent<T>& event : events)
+      bound.Hit(event, static_cast<double>(event.m_fTime) + (back ? seconds : 0));
+    result.m_fBound = bound.End(back ? 2 * seconds : seconds);
+  }
+  for (std::size_t i = 0; i < scene.m_stdBalls.size(); ++i) {
+    const CVec<T> d = run.GetBall(i).m_vPos - scene.m_stdBalls[i].m_vPos.template cast<T>();
+    result.m_fOff = std::max(result.m_fOff, static_cast<double>(Norm(d)));
+  }
+  return result;
+}
+
+// Elastic balls under gravity run backwards when they are turned round. Scenes whose bound has grown beyond
+// `most` are left out.
+template <class T>
+void ExpectReturns(std::uint64_t scenes, double seconds, double most, std::size_t expected) {
+  std::size_t hits = 0, returned = 0;
+  double worst = 0, share = 0;
+  for (std::uint64_t seed = 1001; seed <= 1000 + scenes; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    CRandom random(seed);
+    const CScene scene = RandomScene(random, true);
+    const CReturn result = ThereAndBack<T>(scene, seconds);
+    if (!(result.m_fBound < most)) continue;
+    EXPECT_LE(result.m_fOff, result.m_fBound);
+    EXPECT_EQ(result.m_nHits % 2, 0u);
+    ++returned;
+    hits += result.m_nHits;
+    worst = std::max(worst, result.m_fOff);
+    share = std::max(share, result.m_fOff / result.m_fBound);
+  }
+  EXPECT_GT(returned, scenes / 4);
+  EXPECT_GT(hits, expected);
+  testing::Test::RecordProperty("returned", static_cast<int>(returned));
+  testing::Test::RecordProperty("hits", static_cast<int>(hits));
+  testing::Test::RecordProperty("worst", Text(worst) + ", share of the bound " + Text(share));
+}
+
+TEST(ReferencePrecision, TimeRunsBackwards) { ExpectReturns<double>(400, 1, 1e-6, 800); }
+TEST(ReferencePrecision, TimeRunsBackwardsInFiftyDigits) { ExpectReturns<CFifty>(40, 4, 1e-6, 600); }
+
+TEST(ReferencePrecision, TimeDoesNotRunBackwardsOtherwise) { // control: a loss, or not turned round
+  int strays = 0, hit = 0;
+  for (std::uint64_t seed = 1001; seed <= 1100; ++seed) {
+    CRandom random(seed);
+    CScene scene = RandomScene(random, true);
+    EXPECT_GT(ThereAndBack<double>(scene, 1, false).m_fOff, 1e-3) << "seed " << seed;
+    for (CDynamicCircleDesc& ball : scene.m_stdBalls)
+      ball.m_fElasticity = .99f;
+    const CReturn lossy = ThereAndBack<double>(scene, 1);
+    hit += lossy.m_nHits > 0;
+    strays += lossy.m_fOff > 1e-6;
+  }
+  EXPECT_GT(hit, 80);
+  EXPECT_EQ(strays, hit);
+}
+
+} // namespace
+} // namespace Shapes::Compare::Tests

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+// The exact reference against what is known in closed form: collision counts, cradles, and the time at
+// which a bouncing ball comes to rest. Each has a control that breaks what it rests on.
+#include "Random.h"
+#include "reference/Reference.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Shapes::Compare::Tests {
+namespace {
+
+using Shapes::Tests::CRandom;
+using CExact = CReference<double>;
+using CEvents = std::vector<CExactEvent<double>>;
+using CShapes = std::vector<CAnyShapeDesc>;
+using CBalls = std::vector<CDynamicCircleDesc>;
+
+constexpr double g_fEps = std::numeric_limits<double>::epsilon();
+
+CLineSegDesc Wall(float x0, float y0, float x1, float y1, float e = 1) {
+  return CLineSegDesc({x0, y0}, {x1, y1}, e);
+}
+
+std::string Text(double f) {
+  std::ostringstream out;
+  out << f;
+  return out.str();
+}
+
+CEvents Carry(CExact& reference, double dt) {
+  CEvents events;
+  reference.Step(dt, events);
+  return events;
+}
+
+double Energy(const CExact& reference) {
+  double energy = 0;
+  for (std::size_t i = 0; i < reference.GetBallCount(); ++i)
+    energy += 0.5 * reference.GetBall(i).m_fMass * reference.GetBall(i).m_vVel.squaredNorm();
+  return energy;
+}
+
+double Momentum(const CExact& reference) { // along x
+  double momentum = 0;
+  for (std::size_t i = 0; i < reference.GetBallCount(); ++i)
+    momentum += reference.GetBall(i).m_fMass * reference.GetBall(i).m_vVel.x();
+  return momentum;
+}
+
+// A wall at x = 0, a ball of mass 1 at rest, and one of mass `ratio` that comes with speed 1 from the right.
+CExact WallAndTwoBalls(double ratio, float e = 1) {
+  return CExact(CShapes{Wall(0, -1, 0, 1)},
+                CBalls{CDynamicCircleDesc({1, 0}, .125f, {0, 0}, 1, e),
+                       CDynamicCircleDesc({2, 0}, .125f, {-1, 0}, static_cast<float>(ratio))},
+                Vector2::Zero());
+}
+
+// G. Galperin, Playing pool with pi, Regular and Chaotic Dynamics 8 (2003): the number of hits is the number
+// of multiples of theta = arctan(1 / sqrt(ratio)) below pi. In the plane of (v1, sqrt(ratio) v2) each hit of
+// the balls is a reflection, and with the next hit of the wall a turn by 2 theta; so after the j-th hit of
+// the balls the heavy one has the velocity -cos(2 j theta).
+//
+// The order of the hits is fixed, so only the directions err: by some roundings a hit, pi sqrt(ratio) hits.
+// The count is safe as long as that is less than what pi lacks to the next multiple, a share of theta. For
+// ratios of 100^n this is 10^2n pi eps < .07 (the share is .14, .41, .59, .93, .93 for n = 0 .. 4), n <= 6.
+// The float mass is exact up to n = 5.
+class CPoolWithPi : public testing::TestWithParam<int> {};
+
+TEST_P(CPoolWithPi, CountsTheDigits) {
+  const int n = GetParam();
+  const std::size_t expected[] = {3, 31, 314, 3141, 31415};
+  const double ratio = std::pow(100, n), theta = std::atan(1 / std::sqrt(ratio));
+  CExact reference = WallAndTwoBalls(ratio);
+  const CEvents events = Carry(reference, 20);
+  ASSERT_EQ(events.size(), expected[n]);
+  EXPECT_EQ(reference.GetSlideCount(), 0u);
+  const double bound = 8 * g_fEps * static_cast<double>(events.size()); // of the direction
+  EXPECT_NEAR(Energy(reference) / (.5 * ratio), 1, 2 * bound);
+  int pairs = 0;
+  double before = -1, worst = 0; // of the heavy ball
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    ASSERT_EQ(events[k].m_bIsBall, k % 2 == 0) << "hit " << k; // they take turns
+    if (!events[k].m_bIsBall) continue;
+    worst = std::max(worst, std::abs(events[k].m_vSurface.x() - before));
+    before = -std::cos(2 * ++pairs * theta);
+  }
+  worst = std::max(worst, std::abs(reference.GetBall(1).m_vVel.x() - before));
+  EXPECT_LE(worst, bound);
+  RecordProperty("worst velocity error", Text(worst));
+}
+
+// The same by velocities alone: who approaches whom. Hits of the balls and of the wall take turns.
+std::size_t CountHits(double ratio, double e) {
+  double light = 0, heavy = -1;
+  for (std::size_t hits = 0;;) {
+    if (heavy < light) {
+      const double kick = (1 + e) * (light - heavy) / (ratio + 1);
+      light -= kick * ratio;
+      heavy += kick;
+      ++hits;
+    }
+    if (light < 0) {
+      light *= -e;
+      ++hits;
+    }
+    if (heavy >= light) return hits;
+  }
+}
+
+TEST_P(CPoolWithPi, OtherMassesAndLossesCountOtherwise) { // control
+  const int n = GetParam();
+  const double right = std::pow(100, n), wrong = .7 * right;
+  // Much more loss than this, and the heavy ball presses the light one onto the wall.
+  const float loss = 2 / static_cast<float>(std::numbers::pi * std::pow(10, n));
+  const auto count = [](CExact reference) {
+    CEvents events;
+    for (int i = 0; i < 40; ++i) // hits with a loss must not come within g_fClose of a step
+      reference.Step(.5, events);
+    return events.size();
+  };
+  const std::size_t hits = CountHits(right, 1), others = CountHits(wrong, 1);
+  const std::size_t lossy = CountHits(right, static_cast<double>(1 - loss));
+  EXPECT_EQ(count(WallAndTwoBalls(right)), hits);
+  EXPECT_EQ(count(WallAndTwoBalls(wrong)), others);
+  EXPECT_EQ(count(WallAndTwoBalls(right, 1 - loss)), lossy);
+  EXPECT_NE(lossy, hits);
+  if (n > 0) { // .7 has 3 hits too
+    EXPECT_NE(others, hits);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Reference, CPoolWithPi, testing::Range(0, 5));
+
+// Balls on a line, of diameter 1/4 and equal masses, exchange their velocities: what moves on is the
+// velocity. Seen so, velocity i starts at x_i - i / 4 and goes straight, and each crossing of two is a hit.
+struct CLineOfBalls {
+  CBalls m_stdBalls;
+  std::vector<double> m_stdTimes; // of the crossings, ascending
+};
+
+CLineOfBalls RandomLine(CRandom& random, int n) {
+  std::vector<int> order;
+  for (int i = 0; i < n; ++i)
+    order.push_back(i);
+  for (std::uint32_t i = static_cast<std::uint32_t>(n); i > 1; --i)
+    std::swap(order[i - 1], order[random.Below(i)]);
+  CLineOfBalls line;
+  std::vector<double> start, speed;
+  float x = 0;
+  for (const int rank : order) {
+    x += random.Uniform(.3f, 2);
+    const float v = static_cast<float>(rank) + random.Uniform(-.4f, .4f); // .2 apart at least
+    line.m_stdBalls.emplace_back(Vector2(x, 0), .125f, Vector2(v, 0));
+    start.push_back(static_cast<double>(x) - .25 * static_cast<double>(start.size()));
+    speed.push_back(static_cast<double>(v));
+  }
+  for (std::size_t j = 0; j < start.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (speed[i] > speed[j]) line.m_stdTimes.push_back((start[j] - start[i]) / (speed[i] - speed[j]));
+  std::sort(line.m_stdTimes.begin(), line.m_stdTimes.end());
+  return line;
+}
+
+TEST(ReferenceTruth, HitsOnALineAreInversions) {
+  CRandom random(1203);
+  double worst = 0;
+  int unlike = 0;
+  for (int n = 2; n <= 12; ++n)
+    for (int trial = 0; trial < 40; ++trial) {
+      SCOPED_TRACE("seed 1203, " + std::to_string(n) + " balls, trial " + std::to_string(trial));
+      CLineOfBalls line = RandomLine(random, n);
+      if (trial == 0) { // the most: all against each other
+        std::vector<float> speeds;
+        for (const CDynamicCircleDesc& ball : line.m_stdBalls)
+          speeds.push_back(ball.m_vVel.x());
+        std::sort(speeds.rbegin(), speeds.rend());
+        for (std::size_t i = 0; i < speeds.size(); ++i)
+          line.m_stdBalls[i].m_vVel.x() = speeds[i];
+        CExact reference({}, line.m_stdBalls, Vector2::Zero());
+        EXPECT_EQ(Carry(reference, 200).size(), static_cast<std::size_t>(n * (n - 1) / 2));
+        continue;
+      }
+      CExact reference({}, line.m_stdBalls, Vector2::Zero());
+      const double energy = Energy(reference), momentum = Momentum(reference);
+      const CEvents events = Carry(reference, 200); // the last crossing comes before 24 / .2 seconds
+      ASSERT_EQ(events.size(), line.m_stdTimes.size());
+      // A velocity errs by a few eps of the largest, 12, and that over 120 s, at a least approach of .2.
+      for (std::size_t k = 0; k < events.size(); ++k)
+        worst = std::max(worst, std::abs(events[k].m_fTime - line.m_stdTimes[k]));
+      const double bound = 8 * g_fEps * static_cast<double>(events.size() + 1);
+      EXPECT_NEAR(Energy(reference), energy, bound * energy);
+      EXPECT_NEAR(Momentum(reference), momentum, bound * 12 * n);
+      // Control: one ball of another mass, or a loss, and the crossings are others.
+      line.m_stdBalls[1].m_fMass = 3;
+      CExact heavy({}, line.m_stdBalls, Vector2::Zero());
+      unlike += Carry(heavy, 200).size() != events.size();
+    }
+  EXPECT_LE(worst, 1e-10);
+  EXPECT_GT(unlike, 100);
+  RecordProperty("worst time error", Text(worst));
+}
+
+// As many as come in go out, with the whole speed: k (5 - k) hits. Every velocity goes from ball to ball
+// unchanged but for two roundings a hit.
+TEST(ReferenceTruth, CradlePassesOnWhatComesIn) {
+  for (const double gap : {1e-2, 1e-5, 1e-8})
+    for (std::size_t k = 1; k <= 4; ++k)
+      for (const float middle : {1.0f, 2.0f}) { // a heavier ball in the middle is the control
+        SCOPED_TRACE(std::to_string(k) + " balls, gap " + std::to_string(gap));
+        CBalls balls(5, CDynamicCircleDesc({0, 0}, .5f));
+        balls[2].m_fMass = middle;
+        CExact reference({}, balls, Vector2::Zero());
+        for (std::size_t i = 0; i < 5; ++i)
+          reference.SetBall(i, {static_cast<double>(i) * (1 + gap) - (i < k ? 1.0 : 0.0), 0},
+                            {i < k ? 1.0 : 0.0, 0});
+        const double energy = Energy(reference), momentum = Momentum(reference);
+        const std::size_t hits = Carry(reference, 4).size();
+        const double bound = 4 * g_fEps * static_cast<double>(hits);
+        EXPECT_NEAR(Energy(reference), energy, bound * energy);
+        EXPECT_NEAR(Momentum(reference), momentum, bound * momentum);
+        double worst = 0;
+        for (std::size_t i = 0; i < 5; ++i)
+          worst = std::max(worst, (reference.GetBall(i).m_vVel - CVec2d(i >= 5 - k ? 1 : 0, 0)).norm());
+        if (middle == 1) {
+          EXPECT_EQ(hits, k * (5 - k));
+          EXPECT_LE(worst, bound);
+        } else {
+          EXPECT_GT(worst, .1);
+        }
+      }
+}
+
+// A ball that falls from the height h falls for t0 = sqrt(2 h / g), and hop k after that lasts 2 t0 e^k: the
+// bounces are at t0 (1 + 2 e + ... + 2 e^k), and it lies still at t0 (1 + e) / (1 - e). For h = 1, g = 9.81
+// and e = .5 that is 3 sqrt(2 / 9.81) = 1.354570923 seconds. Gravity is a float, so the height takes up its
+// rounding: only the ratio counts.
+constexpr float g_fFall = 9.81f;
+
+CExact FallingBall(float e) {
+  CExact reference(CShapes{Wall(-1, 0, 1, 0, e)}, CBalls{CDynamicCircleDesc({0, 2}, .125f)}, {0, -g_fFall});
+  reference.SetBall(0, {0, .125 + static_cast<double>(g_fFall) / 9.81}, {0, 0});
+  return reference;
+}
+
+TEST(ReferenceTruth, BouncingBallComesToRest) {
+  const double t0 = std::sqrt(2 / 9.81), seconds = 2;
+  for (const float e : {.5f, .25f, .625f}) {
+    SCOPED_TRACE(e);
+    const double loss = static_cast<double>(e), rest = t0 * (1 + loss) / (1 - loss);
+    CExact reference = FallingBall(e);
+    const CEvents events = Carry(reference, seconds);
+    // The sweep errs by 16 roundings of the size, 1, over the approach speed, g hop / 2.
+    double t = t0, hop = 2 * t0, worst = 0;
+    for (const auto& event : events) {
+      worst = std::max(worst, std::abs(event.m_fTime - t) * hop);
+      EXPECT_NEAR(event.m_fTime, t, 1e-15 / hop + 1e-15);
+      hop *= loss;
+      t += hop;
+    }
+    RecordProperty("e " + Text(loss), "last bounce " + Text(events.back().m_fTime) + ", bounces " +
+                                          Text(static_cast<double>(events.size())) +
+                                          ", worst time error x hop " + Text(worst));
+    // It is put to rest when hops last less than g_fClose of the step.
+    EXPECT_NEAR(events.back().m_fTime, rest, seconds * g_fClose / (1 - loss));
+    EXPECT_EQ(reference.GetRestCount(), 1u);
+    EXPECT_EQ(reference.GetSlideCount(), 0u);
+    EXPECT_EQ(reference.GetBall(0).m_vVel, CVec2d(0, 0));
+    EXPECT_NEAR(reference.GetBall(0).m_vPos.y(), .125, 1e-14);
+    EXPECT_EQ(e == .5f, std::abs(events.back().m_fTime - 1.354570923) < 1e-9); // control: the others
+  }
+}
+
+TEST(ReferenceTruth, StepsDoNotChangeWhenTheBallRests) {
+  CExact reference = FallingBall(.5f);
+  double last = 0;
+  std::size_t bounces = 0;
+  for (int k = 0; k < 120; ++k) {
+    const CEvents events = Carry(reference, 1.0 / 60);
+    bounces += events.size();
+    if (!events.empty()) last = k / 60.0 + events.back().m_fTime;
+    if (k >= 82) { // 1.36666 s
+      EXPECT_TRUE(events.empty()) << "step " << k;
+      EXPECT_EQ(reference.GetBall(0).m_vVel, CVec2d(0, 0)) << "step " << k;
+    }
+  }
+  EXPECT_NEAR(last, 1.354570923, 1e-9);
+  EXPECT_GT(bounces, 30u);
+}
+
+// Without a loss it bounces at t0 (2 k + 1) for ever. The energy errs by some roundings a bounce, all to one
+// side at worst, so the period by half of that, and the times by the sum of the periods' errors.
+TEST(ReferenceTruth, ElasticBallKeepsItsBeat) {
+  const double t0 = std::sqrt(2 / 9.81);
+  CExact reference = FallingBall(1);
+  const CEvents events = Carry(reference, 2000 * t0);
+  ASSERT_EQ(events.size(), 1000u);
+  double worst = 0;
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    const double beats = 2 * static_cast<double>(k) + 1;
+    EXPECT_NEAR(events[k].m_fTime, t0 * beats, g_fEps * (beats + 4) * beats);
+    worst = std::max(worst, std::abs(events[k].m_fTime - t0 * beats));
+  }
+  RecordProperty("worst time error", Text(worst));
+}
+
+} // namespace
+} // namespace Shapes::Compare::Tests

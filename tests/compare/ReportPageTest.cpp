@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: MIT
+// report.html in a browser without a window and without a network: a script does what a reader does, and
+// notes what is then to be seen.
+#include "page/SampleReport.h"
+#include "report/Report.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace Shapes::Compare {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+enum class eScheme { Dark, Light }; // in the browser's order
+
+// What WCAG 2.1 asks of text (1.4.3), and of what is drawn (1.4.11).
+constexpr double g_fTextContrast = 4.5, g_fGraphicsContrast = 3.0;
+// A thin line of a plot covers hundreds of pixels, most of them blended; some have the pure colour.
+constexpr int g_nPixelsOfALine = 20;
+
+std::string ReadFile(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  if (text.str().empty()) throw std::runtime_error(file.string() + " is missing or empty");
+  return text.str();
+}
+
+std::string ReadPart(const char* pName) {
+  return "<script>\n" + ReadFile(fs::path(SHAPES_SOURCE_DIR) / "tests/compare/page" / pName) + "</script>\n";
+}
+
+/// Puts a text before or behind the one place where the page has `mark`.
+std::string Insert(std::string page, const std::string& mark, const std::string& text, bool isBehind) {
+  const std::size_t at = page.rfind(mark);
+  if (at == std::string::npos) throw std::runtime_error("the page has no " + mark);
+  return page.insert(at + (isBehind ? mark.size() : 0), text);
+}
+
+std::string RunCommand(const std::string& command) {
+  FILE* pPipe = popen(command.c_str(), "r");
+  if (pPipe == nullptr) throw std::runtime_error("cannot run " + command);
+  std::string output;
+  char buffer[65536];
+  while (const std::size_t n = fread(buffer, 1, sizeof buffer, pPipe))
+    output.append(buffer, n);
+  const int status = pclose(pPipe);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw std::runtime_error(command + " failed: " + output.substr(0, 2000));
+  return output;
+}
+
+class ReportPageTest : public testing::Test {
+protected:
+  void SetUp() override {
+    const auto* pInfo = testing::UnitTest::GetInstance()->current_test_info();
+    m_cFolder = fs::temp_directory_path() / ("shapes-page-test-" + std::to_string(getpid()) + pInfo->name());
+    fs::create_directories(m_cFolder);
+  }
+  void TearDown() override { fs::remove_all(m_cFolder); }
+
+  /// What the exercise leaves behind.
+  json Exercise(const std::string& page, eScheme scheme = eScheme::Light, int width = 1280) const {
+    const fs::path file = m_cFolder / "page.html";
+    // rfind of "<head>" is right as long as the data has none: '<' is escaped in it.
+    const std::string watched = Insert(page, "<head>\n", ReadPart("watch.js"), true);
+    std::ofstream(file, std::ios::binary) << Insert(watched, "</body>", ReadPart("exercise.js"), false);
+    // Without a network where the system lets one do so, and without names to look up in any case.
+    const std::string offline = std::system("unshare -rn true 2>/dev/null") == 0 ? "unshare -rn " : "";
+    const std::string command =
+        offline + "timeout 150 '" SHAPES_CHROMIUM "' --headless --no-sandbox --disable-gpu --no-first-run" +
+        " --disable-dev-shm-usage --host-resolver-rules='MAP * ~NOTFOUND' --force-device-scale-factor=1" +
+        " --blink-settings=preferredColorScheme=" + std::to_string(static_cast<int>(scheme)) +
+        " --window-size=" + std::to_string(width) + ",1000 --user-data-dir='" +
+        (m_cFolder / "profile").string() + "' --timeout=120000 --dump-dom 'file://" + file.string() +
+        "' 2>'" + (m_cFolder / "log").string() + "'";
+    const std::string dom = RunCommand(command);
+    const std::string open = "<pre id=\"test-result\">";
+    const std::size_t begin = dom.find(open), end = dom.find("</pre>", begin);
+    if (begin == std::string::npos || end == std::string::npos)
+      throw std::runtime_error("the page left no result; the browser says: " + ReadFile(m_cFolder / "log"));
+    return json::parse(dom.substr(begin + open.size(), end - begin - open.size()));
+  }
+
+  static void ExpectSound(const json& result) {
+    EXPECT_EQ(result.at("errors"), json::array());
+    EXPECT_TRUE(result.at("isDone").get<bool>());
+    EXPECT_EQ(result.at("resources"), json::array()); // nothing was fetched
+    EXPECT_EQ(result.at("width"), 0);                 // nothing sticks out
+    EXPECT_GE(result.at("seriesContrast").get<double>(), g_fGraphicsContrast);
+    for (const json& scene : result.at("scenes")) {
+      SCOPED_TRACE(scene.at("name"));
+      EXPECT_EQ(scene.at("odd"), json::array());
+      EXPECT_EQ(scene.at("hash"), "#scene=" + scene.at("name").get<std::string>());
+      EXPECT_GE(scene.at("text").at("contrast").get<double>(), g_fTextContrast)
+          << scene.at("text").at("where");
+      if (scene.contains("replay")) ExpectReplay(scene);
+    }
+  }
+
+  static void ExpectDrawn(const json& seen, std::initializer_list<const char*> engines) {
+    EXPECT_GT(seen.at("colours").get<int>(), 3);
+    for (const char* pEngine : engines)
+      EXPECT_GE(seen.at(pEngine).get<int>(), g_nPixelsOfALine) << pEngine;
+  }
+
+  // What has to work on whatever was recorded.
+  static void ExpectReplay(const json& scene) {
+    EXPECT_GT(scene.at("replay").at("colours").get<int>(), 3);
+    const json& play = scene.at("play");
+    EXPECT_GT(play.at("after").get<int>(), play.at("before").get<int>());
+    EXPECT_EQ(play.at("isPlaying"), "false");
+    EXPECT_TRUE(play.at("rested").get<bool>());
+    for (const json& worst : scene.at("worst")) {
+      EXPECT_NEAR(worst.at("x").get<double>(), 0.5, 1.0 / 6);
+      EXPECT_NEAR(worst.at("y").get<double>(), 0.5, 1.0 / 6);
+      EXPECT_GT(worst.at("middle").at("exact").get<int>(), 0);
+      EXPECT_GT(worst.at("middle").at("native").get<int>() + worst.at("middle").at("box2d").get<int>(), 0);
+    }
+    const json& keys = scene.at("keys");
+    for (const char* pKey : {"plus", "minus", "all", "wheel"})
+      EXPECT_TRUE(keys.at(pKey).get<bool>()) << pKey;
+    EXPECT_EQ(keys.at("space"), "true");
+    EXPECT_EQ(keys.at("spaceAgain"), "false");
+    EXPECT_NEAR(keys.at("dragged").get<double>(), 30,
+                0.2); // as far as the pointer, and not after its release
+    EXPECT_GT(keys.at("shown").get<int>(), 0);
+    EXPECT_EQ(keys.at("hidden"), 0);
+  }
+
+  // What the made-up scenes hold beyond that.
+  static void ExpectFull(const json& scene) {
+    SCOPED_TRACE(scene.at("name"));
+    ExpectDrawn(scene.at("plots").at("error"), {"native", "box2d", "exact"});
+    ExpectDrawn(scene.at("plots").at("tunneled"), {"native", "box2d", "exact"});
+    ExpectDrawn(scene.at("plots").at("setback_error_histogram"), {"native", "box2d"});
+    ExpectDrawn(scene.at("plots").at("penetration_histogram"), {"native", "box2d"});
+    EXPECT_EQ(scene.at("heatMaps"), 2);
+    EXPECT_EQ(scene.at("outcomes"), 2);
+    EXPECT_GT(scene.at("metrics").get<int>(), 30);
+    EXPECT_GT(scene.at("bins").get<int>(), 10);
+    ASSERT_TRUE(scene.contains("replay"));
+    for (const char* pEngine : {"native", "box2d"}) {
+      const json& worst = scene.at("worst").at(pEngine);
+      EXPECT_EQ(worst.at("clip"), std::string("worst ") + pEngine);
+      EXPECT_EQ(worst.at("frame"), g_nSampleContact);
+      EXPECT_NE(worst.at("text").get<std::string>().find(": s"), std::string::npos); // title: what goes wrong
+    }
+    EXPECT_EQ(scene.at("keys").at("right"), 1);
+    EXPECT_EQ(scene.at("keys").at("left"), -1);
+    EXPECT_EQ(scene.at("keys").at("scrubbed"), 5);
+  }
+
+  static std::string ToPage(const CSampleReport& sample) {
+    return MakeHtml(sample.m_cRun.dump(), sample.m_cReplay.dump());
+  }
+
+  fs::path m_cFolder;
+};
+
+TEST_F(ReportPageTest, AFullReportInTheLight) {
+  const json result = Exercise(ToPage(MakeSampleReport({"bowl", "corner", "a name & a <b>"})));
+  ExpectSound(result);
+  EXPECT_FALSE(result.at("isDark").get<bool>());
+  EXPECT_FALSE(result.at("isInterrupted").get<bool>());
+  EXPECT_EQ(result.at("cards"), 3);
+  EXPECT_EQ(result.at("rows"), 6);
+  EXPECT_EQ(result.at("small").size(), 3u);
+  for (const json& small : result.at("small"))
+    ExpectDrawn(small, {"native", "box2d", "exact"});
+  for (const char* pFact :
+       {"shapes-compare run", "seed 1", "0.1.0 (1234567)", "2.4.1", "g++ 12.2.0", "Some CPU"})
+    EXPECT_NE(result.at("text").get<std::string>().find(pFact), std::string::npos) << pFact;
+  EXPECT_EQ(result.at("links"), json({"bowl", "corner", "bowl", "#scene=bowl"})); // card, next, before, top
+  ASSERT_EQ(result.at("scenes").size(), 3u);
+  for (const json& scene : result.at("scenes"))
+    ExpectFull(scene);
+}
+
+TEST_F(ReportPageTest, AFullReportInTheDark) {
+  const json result = Exercise(ToPage(MakeSampleReport({"bowl"})), eScheme::Dark);
+  ExpectSound(result);
+  EXPECT_TRUE(result.at("isDark").get<bool>());
+  EXPECT_EQ(result.at("print").at("paper"), json({255, 255, 255}));
+  EXPECT_NE(result.at("print").at("screen"), json({255, 255, 255}));
+  EXPECT_GE(result.at("print").at("plot").get<int>(), g_nPixelsOfALine);
+  EXPECT_GE(result.at("print").at("plotAfter").get<int>(), g_nPixelsOfALine);
+  ExpectFull(result.at("scenes").at(0));
+}
+
+TEST_F(ReportPageTest, AFullReportInANarrowWindow) {
+  const json result = Exercise(ToPage(MakeSampleReport({"bowl"})), eScheme::Light, 800);
+  ExpectSound(result);
+  ExpectFull(result.at("scenes").at(0));
+}
+
+TEST_F(ReportPageTest, WhatARunMayLeaveOut) {
+  const json result = Exercise(ToPage(MakeSparseReport()));
+  ExpectSound(result);
+  EXPECT_TRUE(result.at("isInterrupted").get<bool>());
+  EXPECT_EQ(result.at("rows"), 9);
+  ASSERT_EQ(result.at("scenes").size(), 5u);
+  ExpectFull(result.at("scenes")[0]);
+  const auto find = [&](const std::string& name) -> const json& {
+    for (const json& scene : result.at("scenes"))
+      if (scene.at("name") == name) return scene;
+    throw std::runtime_error("there is no scene " + name);
+  };
+  EXPECT_EQ(find("no_contacts").at("outcomes"), 0);
+  EXPECT_FALSE(find("no_contacts").at("plots").contains("setback_error_histogram"));
+  EXPECT_EQ(find("one_engine").at("outcomes"), 1);
+  ExpectDrawn(find("one_engine").at("plots").at("setback_error_histogram"), {"native"});
+  EXPECT_TRUE(find("nulls").at("plots").empty());
+  EXPECT_TRUE(find("nulls").contains("replay"));
+  EXPECT_FALSE(find("no_clips").contains("replay"));
+}
+
+TEST_F(ReportPageTest, NoSceneAtAll) {
+  const json result = Exercise(ToPage(MakeSampleReport({})));
+  ExpectSound(result);
+  EXPECT_EQ(result.at("cards"), 0);
+  EXPECT_TRUE(result.at("scenes").empty());
+}
+
+TEST_F(ReportPageTest, WhatTheProgramWrites) {
+  RunCommand("'" SHAPES_COMPARE "' run --quick --contacts 50 --scenes bowl,pinball --out '" +
+             m_cFolder.string() + "' 2>&1");
+  const json result = Exercise(ReadFile(m_cFolder / "report.html"));
+  ExpectSound(result);
+  ASSERT_EQ(result.at("scenes").size(), 2u);
+  for (const json& scene : result.at("scenes")) {
+    SCOPED_TRACE(scene.at("name"));
+    ExpectDrawn(scene.at("plots").at("error"), {"native", "box2d", "exact"});
+    ASSERT_TRUE(scene.contains("replay"));
+    EXPECT_TRUE(scene.at("worst").contains("native") && scene.at("worst").contains("box2d"));
+    for (const json& worst : scene.at("worst"))
+      EXPECT_GT(worst.at("frame").get<int>(), 0);
+  }
+}
+
+// The controls: pages with a fault each, which has to be seen.
+
+TEST_F(ReportPageTest, ControlBrokenData) {
+  CSampleReport sample = MakeSampleReport({"bowl"});
+  const std::string run = sample.m_cRun.dump();
+  const json result = Exercise(MakeHtml(run.substr(0, run.size() / 2), sample.m_cReplay.dump()));
+  EXPECT_GE(result.at("errors").size(), 1u);
+  EXPECT_EQ(result.at("errors").at(0).get<std::string>().rfind("error: ", 0), 0u) << result.at("errors");
+  EXPECT_FALSE(result.at("isDone").get<bool>());
+  EXPECT_NE(result.at("text").get<std::string>().find("cannot be shown"), std::string::npos);
+}
+
+TEST_F(ReportPageTest, ControlSomethingIsFetched) {
+  const std::string page = ToPage(MakeSampleReport({"bowl"}));
+  const std::string picture = "<img alt='' src='http://example.invalid/picture.png'>";
+  const json blocked = Exercise(Insert(page, "</body>", picture, false));
+  ASSERT_EQ(blocked.at("errors").size(), 1u);
+  EXPECT_NE(blocked.at("errors")[0].get<std::string>().find("blocked: img-src"), std::string::npos);
+
+  // Without the policy it is tried, and that is seen as well.
+  std::string open = page;
+  const std::string policy = "http-equiv=\"Content-Security-Policy\"";
+  open.replace(open.find(policy), policy.size(), "name=\"none\"");
+  EXPECT_EQ(Exercise(Insert(open, "</body>", picture, false)).at("resources").size(), 1u);
+}
+
+TEST_F(ReportPageTest, ControlTextThatCannotBeRead) {
+  const std::string style = "<style>.lead { color: #999 !important }</style>";
+  const json result = Exercise(Insert(ToPage(MakeSampleReport({"bowl"})), "</head>", style, false));
+  EXPECT_LT(result.at("scenes").at(0).at("text").at("contrast").get<double>(), g_fTextContrast);
+}
+
+TEST_F(ReportPageTest, ControlAWordThatIsNoFigure) {
+  CSampleReport sample = MakeSampleReport({"bowl"});
+  sample.m_cRun.at("scenes")[0].at("verdict")[0] = "native takes NaN ns";
+  EXPECT_EQ(Exercise(ToPage(sample)).at("scenes").at(0).at("odd"), json({"NaN"}));
+}
+
+TEST_F(ReportPageTest, ControlAnEngineThatIsNotDrawn) {
+  CSampleReport sample = MakeSampleReport({"bowl"});
+  json& rows = sample.m_cRun.at("work_precision");
+  for (json& row : rows)
+    if (row.at("engine") == "box2d") row["direction_error_p95"] = nullptr;
+  const json result = Exercise(ToPage(sample));
+  EXPECT_EQ(result.at("errors"), json::array());
+  EXPECT_EQ(result.at("scenes").at(0).at("plots").at("error").at("box2d"), 0);
+}
+
+} // namespace
+} // namespace Shapes::Compare

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// What is judged, what is set aside, and what the options do.
+#include "ExactGame.h"
+#include "MadeScenes.h"
+#include "metrics/Restart.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+
+namespace Shapes::Compare::Tests {
+namespace {
+
+CRestartOptions MakeOptions(std::size_t contacts, std::uint64_t mostTrials) {
+  CRestartOptions options;
+  options.m_nSeed = 5;
+  options.m_nContacts = contacts;
+  options.m_nMostTrials = mostTrials;
+  return options;
+}
+
+CScene LoadBundled(const std::string& name) {
+  return LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");
+}
+
+bool Equal(const CEngineContact& a, const CEngineContact& b) {
+  const auto all = [](const CEngineContact& c) {
+    return std::tie(c.m_eOutcome, c.m_bDetected, c.m_fSetback, c.m_fSetbackError, c.m_fSetbackErrorNormal,
+                    c.m_fTimeError, c.m_fPOIError, c.m_fNormalError, c.m_bCompared, c.m_fDirectionError,
+                    c.m_fSpeedError, c.m_fEnergyError, c.m_fPositionError, c.m_fPenetration);
+  };
+  return all(a) == all(b);
+}
+
+// In the scene `corner` a ball often meets both walls in one step. Those are not compared at the end of the
+// step, where the second impact shows too; counted with another game.
+TEST(RestartRulesTest, OnlyAloneImpactsAreCompared) {
+  const CScene scene = LoadBundled("corner");
+  const CRestartResult result = RunRestarts(scene, GetEngines(), MakeOptions(2000, 2000));
+  std::map<std::pair<std::uint64_t, std::uint32_t>, std::size_t> impacts;
+  std::size_t alone = 0, notAlone = 0;
+  for (const CContact& contact : result.m_stdContacts) {
+    CExactGame game(scene, MakeStart(scene, 5, contact.m_nTrial));
+    while (game.GetSteps() <= contact.m_nStep)
+      game.Step();
+    const bool isAlone = game.GetEvents().size() == 1;
+    ++(isAlone ? alone : notAlone);
+    for (const CEngineContact& c : contact.m_stdEngines) {
+      // A late one may have had another impact before the response.
+      if (c.m_eOutcome == eOutcome::Late && isAlone) continue;
+      ASSERT_EQ(c.m_bCompared, isAlone && c.m_eOutcome == eOutcome::Correct);
+    }
+    // Of both, only the first is judged.
+    const double dt = static_cast<double>(scene.m_cWorld.m_fTimeStep);
+    ASSERT_EQ(contact.m_fTime, static_cast<float>(game.GetEvents()[0].m_fTime / dt));
+    ++impacts[{contact.m_nTrial, contact.m_nStep}];
+  }
+  EXPECT_GT(alone, 100u);
+  EXPECT_GT(notAlone, 20u);
+  for (const auto& [where, count] : impacts)
+    EXPECT_EQ(count, 1u);
+}
+
+// Box2D answers two balls a step late. They are compared where it has answered: had they been compared at the
+// end of the step of the impact, they would still fly on as before.
+TEST(RestartRulesTest, LateResponsesAreComparedWhenTheyCome) {
+  const CRestartResult result =
+      RunRestarts(LoadBundled("ball_on_ball"), GetEngines(), MakeOptions(500, 2000));
+  std::size_t late = 0;
+  for (const CContact& contact : result.m_stdContacts) {
+    const CEngineContact& c = contact.m_stdEngines.at(1);
+    if (c.m_eOutcome != eOutcome::Late || !c.m_bCompared) continue;
+    ++late;
+    EXPECT_LT(c.m_fDirectionError, 1.0f) << contact.m_nTrial;
+    EXPECT_NEAR(c.m_fEnergyError, 0.0f, 1e-5f);
+    EXPECT_GT(c.m_fPositionError, 0.0f);
+  }
+  EXPECT_GT(late, 400u);
+}
+
+// A ball that bounces out: each of its impacts below 2 g dt is set aside, those above are judged.
+TEST(RestartRulesTest, SlowImpactsAreResting) {
+  CScene scene = MakeScene(2, 3);
+  scene.m_cWorld.m_vGravity = {0, -9.81f};
+  CLineSegDesc floor({-1, 0}, {1, 0});
+  floor.m_fElasticity = 0.7f;
+  AddShape(scene, floor);
+  AddBall(scene, {{0, 0.6f}, 0.1f});
+  const CRestartResult result = RunRestarts(scene, GetEngines(), MakeOptions(1000, 20));
+  const float slow = 2 * 9.81f / 60;
+  EXPECT_GT(result.m_cSetAside.m_nResting, 20u);
+  EXPECT_EQ(result.m_cSetAside.m_nAmbiguous, 0u);
+  // From 3.1 m/s it takes 7 impacts to .37.
+  EXPECT_GE(result.m_stdContacts.size(), 20u * 5);
+  for (const CContact& contact : result.m_stdContacts)
+    EXPECT_GT(contact.m_fApproach, slow);
+  EXPECT_TRUE(std::any_of(result.m_stdContacts.begin(), result.m_stdContacts.end(),
+                          [&](const CContact& c) { return c.m_fApproach < 2 * slow; }));
+}
+
+TEST(RestartRulesTest, OverlapsAreAmbiguous) {
+  CScene scene = MakeScene(2, 0.1f);
+  AddShape(scene, CLineSegDesc({0, -1}, {0, 1}));
+  AddBall(scene, {{-0.05f, 0}, 0.1f, {1, 0}});
+  const CRestartResult result = RunRestarts(scene, GetEngines(), MakeOptions(10, 30));
+  EXPECT_EQ(result.m_cSetAside.m_nAmbiguous, 30u);
+  EXPECT_TRUE(result.m_stdContacts.empty());
+  // The control: the same ball from outside.
+  scene.m_stdBalls[0].m_cDesc.m_vPos.x() = -0.15f;
+  EXPECT_EQ(RunRestarts(scene, GetEngines(), MakeOptions(10, 30)).m_stdContacts.size(), 10u);
+}
+
+// Along the diagonal into a right angle both walls are met at once, and the order decides which is answered.
+TEST(RestartRulesTest, ImpactsAtOnceAreSimultaneous) {
+  CScene scene = MakeScene(4, 0.5f);
+  AddShape(scene, CLineSegDesc({0, -3}, {0, 3}));
+  AddShape(scene, CLineSegDesc({-3, 0}, {3, 0}));
+  AddBall(scene, {{-1, -1}, 0.125f, {4, 4}});
+  const CRestartResult result = RunRestarts(scene, GetEngines(), MakeOptions(10, 30));
+  EXPECT_EQ(result.m_cSetAside.m_nSimultaneous, 30u);
+  EXPECT_TRUE(result.m_stdContacts.empty());
+  scene.m_stdBalls[0].m_cDesc.m_vPos.x() = -1.01f; // the control
+  const CRestartResult other = RunRestarts(scene, GetEngines(), MakeOptions(10, 30));
+  EXPECT_EQ(other.m_cSetAside.m_nSimultaneous, 0u);
+  EXPECT_EQ(other.m_stdContacts.size(), 10u);
+}
+
+// A bar sweeps through a box in which a ball has nowhere to go: nobody can say what happens, so it is said
+// where it was.
+TEST(RestartRulesTest, WhatTheReferenceGivesUpIsReported) {
+  CScene scene = MakeScene(2, 2);
+  const Vector2 corners[] = {{0, 0}, {0.25f, 0}, {0.25f, 0.25f}, {0, 0.25f}};
+  for (std::size_t i = 0; i < 4; ++i)
+    AddShape(scene, CLineSegDesc(corners[i], corners[(i + 1) % 4]));
+  CLineSegDesc bar({0, 0}, {1, 0});
+  bar.m_eMotionType = eMotion::Kinematic;
+  bar.m_fRotSpeed = 1;
+  AddShape(scene, bar);
+  AddBall(scene, {{0.12f, 0.13f}, 0.1f, {0.1f, 0}});
+  const CRestartResult result = RunRestarts(scene, GetEngines(), MakeOptions(100000, 3));
+  const CSetAside& aside = result.m_cSetAside;
+  EXPECT_EQ(result.m_nTrials, 3u);
+  EXPECT_EQ(aside.m_nUndecided, 3u);
+  EXPECT_EQ(aside.m_sUndecided.rfind("trial 0, step ", 0), 0u) << aside.m_sUndecided;
+  EXPECT_NE(aside.m_sUndecided.find("ball 0"), std::string::npos) << aside.m_sUndecided;
+  scene.m_stdShapes.pop_back(); // the control: without the bar
+  EXPECT_EQ(RunRestarts(scene, GetEngines(), MakeOptions(50, 3)).m_cSetAside.m_nUndecided, 0u);
+}
+
+// What one engine cannot hold is judged on none.
+TEST(RestartRulesTest, WhatAnEngineRefusesIsReportedAndNotJudged) {
+  CScene scene = MakeScene(1, 1e-7f);
+  scene.m_cWorld.m_fTimeStep = 1e-11f;
+  AddShape(scene, CLineSegDesc({0, -1}, {0, 1}));
+  AddBall(scene, {{-0.5f, 0}, 0.1f, {4e9f, 0}}); // Box2D takes 1e9
+  const CRestartResult result = RunRestarts(scene, GetEngines(), MakeOptions(10, 5));
+  EXPECT_TRUE(result.m_stdContacts.empty());
+  EXPECT_EQ(result.m_cSetAside.m_nUndecided, 5u);
+  EXPECT_NE(result.m_cSetAside.m_sUndecided.find("m_vVel"), std::string::npos)
+      << result.m_cSetAside.m_sUndecided;
+  const std::vector<CEngine> native = {GetEngines()[g_nNative]}; // the control: it takes them
+  EXPECT_EQ(RunRestarts(scene, native, MakeOptions(10, 20)).m_stdContacts.size(), 10u);
+}
+
+TEST(RestartRulesTest, OptionsLeaveOutWhatTheySay) {
+  const CScene scene = LoadBundled("tangent_joint");
+  const CRestartOptions all = MakeOptions(200, 1000);
+  CRestartOptions few = all;
+  few.m_bAsk = few.m_bGhosts = false;
+  const CRestartResult full = RunRestarts(scene, GetEngines(), all),
+                       lean = RunRestarts(scene, GetEngines(), few);
+  EXPECT_GT(full.m_nQuietSteps, 100u);
+  EXPECT_LE(full.m_nQuietSteps, 200u);
+  EXPECT_EQ(lean.m_nQuietSteps, 0u);
+  ASSERT_EQ(full.m_stdContacts.size(), 200u);
+  ASSERT_EQ(lean.m_stdContacts.size(), 200u);
+  std::size_t detected = 0;
+  for (std::size_t i = 0; i < 200; ++i) {
+    EXPECT_FALSE(lean.m_stdContacts[i].m_bHasDifference);
+    for (std::size_t e = 0; e < 2; ++e) {
+      const CEngineContact &a = full.m_stdContacts[i].m_stdEngines[e],
+                           &b = lean.m_stdContacts[i].m_stdEngines[e];
+      detected += a.m_bDetected;
+      EXPECT_FALSE(b.m_bDetected);
+      EXPECT_EQ(a.m_eOutcome, b.m_eOutcome);
+      EXPECT_EQ(a.m_fDirectionError, b.m_fDirectionError);
+      EXPECT_EQ(a.m_fPenetration, b.m_fPenetration);
+    }
+  }
+  EXPECT_GT(detected, 300u);
+}
+
+TEST(RestartRulesTest, TheSameSeedGivesTheSameBits) {
+  const CScene scene = LoadBundled("pinball");
+  const CRestartResult a = RunRestarts(scene, GetEngines(), MakeOptions(200, 100)),
+                       b = RunRestarts(scene, GetEngines(), MakeOptions(200, 100));
+  ASSERT_EQ(a.m_stdContacts.size(), 200u);
+  ASSERT_EQ(b.m_stdContacts.size(), 200u);
+  for (std::size_t i = 0; i < 200; ++i) {
+    EXPECT_EQ(a.m_stdContacts[i].m_fTime, b.m_stdContacts[i].m_fTime);
+    for (std::size_t e = 0; e < 2; ++e)
+      EXPECT_TRUE(Equal(a.m_stdContacts[i].m_stdEngines[e], b.m_stdContacts[i].m_stdEngines[e]));
+  }
+  EXPECT_EQ(a.m_stdGhosts, b.m_stdGhosts);
+  EXPECT_EQ(a.m_nQuietSteps, b.m_nQuietSteps);
+  // An engine alone makes the same of them: engines do not see each other.
+  const CRestartResult alone = RunRestarts(scene, {GetEngines()[g_nBox2D]}, MakeOptions(200, 100));
+  for (std::size_t i = 0; i < 200; ++i)
+    EXPECT_TRUE(Equal(a.m_stdContacts[i].m_stdEngines[g_nBox2D], alone.m_stdContacts[i].m_stdEngines[0]));
+  CRestartOptions other = MakeOptions(200, 100); // the control
+  other.m_nSeed = 6;
+  EXPECT_NE(RunRestarts(scene, GetEngines(), other).m_stdContacts[0].m_fTime, a.m_stdContacts[0].m_fTime);
+}
+
+TEST(RestartRulesTest, ProgressGoesUpToOneAndMayEndTheRun) {
+  const CScene scene = LoadBundled("head_on_wall");
+  std::vector<double> shares;
+  CRestartOptions options = MakeOptions(20, 100);
+  options.m_stdProgress = [&](double share) { shares.push_back(share); };
+  const CRestartResult result = RunRestarts(scene, GetEngines(), options);
+  EXPECT_EQ(result.m_nTrials, shares.size());
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.back(), 1.0);
+  struct CEnough {};
+  options.m_stdProgress = [&](double) { throw CEnough(); };
+  EXPECT_THROW(RunRestarts(scene, GetEngines(), options), CEnough);
+  EXPECT_EQ(RunRestarts(scene, GetEngines(), MakeOptions(0, 100)).m_nTrials, 0u);
+}
+
+} // namespace
+} // namespace Shapes::Compare::Tests

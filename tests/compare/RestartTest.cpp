@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// Single contacts whose figures follow from geometry.
+#include "metrics/Restart.h"
+#include "MadeScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace Shapes::Compare::Tests {
+namespace {
+
+constexpr double g_fRadius = 0.1, g_fStep = 1.0 / 60.0;
+constexpr std::size_t g_nContacts = 400;
+
+// Positions of size 1 in float, in radii, and some of them added up.
+constexpr double g_fRounding = 8 * 1.2e-7 / g_fRadius;
+
+// A ball that flies `normal` and `along` radii a step at and along the wall x = 0.
+CScene AtWall(double normal, double along, float e = 1.0f) {
+  CScene scene = MakeScene(5, 1);
+  CLineSegDesc wall({0, -4}, {0, 4});
+  wall.m_fElasticity = e;
+  AddShape(scene, wall);
+  const double perStep = g_fRadius / g_fStep;
+  AddBall(scene, {{-1, -0.5f},
+                  static_cast<float>(g_fRadius),
+                  {static_cast<float>(normal * perStep), static_cast<float>(along * perStep)}});
+  return scene;
+}
+
+CRestartResult JudgeTrials(const CScene& scene, std::size_t contacts = g_nContacts) {
+  CRestartOptions options;
+  options.m_nContacts = contacts;
+  options.m_nMostTrials = 2 * contacts;
+  options.m_bGhosts = false;
+  return RunRestarts(scene, GetEngines(), options);
+}
+
+double AsDouble(float x) { return static_cast<double>(x); }
+
+// What is left of the step after the impact, as a share.
+double Rest(const CContact& c) { return 1.0 - AsDouble(c.m_fTime); }
+
+// Too close to where the answer changes for float to tell.
+bool IsClose(double x, double edge) { return std::abs(x - edge) < 1e-4; }
+
+TEST(RestartTest, HeadOnOutcomesOfNativeFollowFromThePhase) {
+  for (const double length : {0.7, 2.0, 4.0}) {
+    SCOPED_TRACE(length);
+    std::set<eOutcome> seen;
+    const CRestartResult result = JudgeTrials(AtWall(length, 0));
+    ASSERT_EQ(result.m_stdContacts.size(), g_nContacts);
+    for (const CContact& contact : result.m_stdContacts) {
+      // Where the centre ends, in radii behind the wall: native sees it between -1 and 1, and takes the side.
+      const double end = Rest(contact) * length - 1;
+      if (IsClose(end, 0) || IsClose(end, 1)) continue;
+      const eOutcome expected = end < 0   ? eOutcome::Correct
+                                : end < 1 ? eOutcome::WrongSide
+                                          : eOutcome::Missed;
+      EXPECT_EQ(contact.m_stdEngines[g_nNative].m_eOutcome, expected) << end;
+      seen.insert(expected);
+      // The control: Box2D sweeps. Where its wall, which lies up to .01 farther in, is reached in the next
+      // step only, it is late.
+      const eOutcome box2d = contact.m_stdEngines[g_nBox2D].m_eOutcome;
+      EXPECT_TRUE(box2d == eOutcome::Correct || (box2d == eOutcome::Late && Rest(contact) * length < 0.11))
+          << end;
+    }
+    EXPECT_EQ(seen.size(), length < 1 ? 1u : length < 3 ? 2u : 3u);
+  }
+}
+
+TEST(RestartTest, ContactsAreDescribed) {
+  const CRestartResult result = JudgeTrials(AtWall(0.9, 1.2, 0.5f), 50);
+  ASSERT_EQ(result.m_stdContacts.size(), 50u);
+  EXPECT_EQ(result.m_nTrials, 50u); // one impact in each
+  for (std::size_t i = 0; i < 50; ++i) {
+    const CContact& c = result.m_stdContacts[i];
+    EXPECT_EQ(c.m_nTrial, i);
+    EXPECT_EQ(c.m_nBall, 0u);
+    EXPECT_EQ(c.m_ePair, ePair::Segment);
+    EXPECT_NEAR(c.m_fTravel, 1.5, 1e-6); // 3, 4, 5
+    EXPECT_NEAR(c.m_fApproach, 5.4, 1e-5);
+    EXPECT_NEAR(c.m_fIncidence, std::acos(0.6), 1e-6);
+    EXPECT_EQ(c.m_fElasticity, 0.5f);
+    EXPECT_GE(c.m_fTime, 0.0f);
+    EXPECT_LE(c.m_fTime, 1.0f);
+    // From x = -1 + phase to x = -r at .09 a step.
+    EXPECT_GE(c.m_nStep, 8u);
+    EXPECT_LE(c.m_nStep, 10u);
+  }
+}
+
+// The exact ball comes back from the wall for the rest of the step; native leaves it at the wall.
+TEST(RestartTest, PositionErrorOfNativeHeadOnIsTheTravelThatIsLost) {
+  for (const float e : {1.0f, 0.5f}) {
+    std::size_t compared = 0;
+    for (const CContact& contact : JudgeTrials(AtWall(1.5, 0, e)).m_stdContacts) {
+      const CEngineContact& c = contact.m_stdEngines[g_nNative];
+      EXPECT_EQ(c.m_bCompared, c.m_eOutcome == eOutcome::Correct);
+      if (!c.m_bCompared) continue;
+      ++compared;
+      EXPECT_NEAR(c.m_fPositionError, AsDouble(e) * 1.5 * Rest(contact), 3 * g_fRounding);
+      EXPECT_EQ(c.m_fDirectionError, 0.0f);
+      EXPECT_NEAR(c.m_fSpeedError, 0.0, 2.4e-7);
+      EXPECT_NEAR(c.m_fEnergyError, 0.0, 4.8e-7);
+      EXPECT_EQ(c.m_fNormalError, 0.0f);
+      EXPECT_NEAR(c.m_fPenetration, 0.0, g_fRounding);
+    }
+    EXPECT_GT(compared, g_nContacts / 2);
+  }
+}
+
+// At a slant native looks straight at the wall from where the ball is at the end of the step, and so is off
+// by what the ball has flown along the wall since the impact.
+TEST(RestartTest, SetbackErrorOfNativeAtASlantIsAlongTheWall) {
+  std::size_t detected = 0;
+  for (const CContact& contact : JudgeTrials(AtWall(0.9, 1.2)).m_stdContacts) {
+    const CEngineContact& c = contact.m_stdEngines[g_nNative];
+    ASSERT_TRUE(c.m_bDetected);
+    ++detected;
+    const double rest = Rest(contact), slid = 1.2 * rest;
+    EXPECT_NEAR(c.m_fSetback, 0.9 * rest, g_fRounding);
+    EXPECT_NEAR(c.m_fSetbackError, slid, g_fRounding);
+    EXPECT_NEAR(c.m_fSetbackErrorNormal, 0.0, g_fRounding);
+    EXPECT_NEAR(c.m_fTimeError, slid * 1.2 / (1.5 * 1.5), g_fRounding);
+    EXPECT_NEAR(c.m_fPOIError, slid, g_fRounding);
+    EXPECT_EQ(c.m_fNormalError, 0.0f);
+    EXPECT_NEAR(c.m_fDirectionError, 0.0, 4e-7);
+    // Straight ahead it is right, so only what was lost across the wall is an error of the position.
+    EXPECT_NEAR(c.m_fPositionError, 0.9 * rest, 3 * g_fRounding);
+    // The control: Box2D sweeps along the way, and is off by its slop of at most .1 radii across the wall.
+    const CEngineContact& b = contact.m_stdEngines[g_nBox2D];
+    ASSERT_TRUE(b.m_bDetected);
+    EXPECT_LE(std::abs(b.m_fSetbackErrorNormal), 0.101f);
+    EXPECT_LE(b.m_fSetbackError, 0.101f * 1.5f / 0.9f);
+    EXPECT_NEAR(contact.m_fDifference, AsDouble(c.m_fSetbackError), 0.17);
+  }
+  EXPECT_EQ(detected, g_nContacts);
+}
+
+// A ball that is pushed through is claimed to have been on the far side: two radii too far, and too late by
+// the time that it takes to fly them.
+TEST(RestartTest, WrongSidesAreTwoRadiiOff) {
+  std::size_t wrong = 0;
+  for (const CContact& contact : JudgeTrials(AtWall(1.8, 0)).m_stdContacts) {
+    const CEngineContact& c = contact.m_stdEngines[g_nNative];
+    if (c.m_eOutcome != eOutcome::WrongSide) continue;
+    ++wrong;
+    EXPECT_NEAR(c.m_fSetbackError, 2.0, g_fRounding);
+    EXPECT_NEAR(c.m_fSetbackErrorNormal, -2.0, g_fRounding);
+    EXPECT_NEAR(c.m_fTimeError, 2.0 / 1.8, g_fRounding);
+    EXPECT_FALSE(c.m_bCompared);
+    EXPECT_NEAR(c.m_fPenetration, 0.0, g_fRounding); // on the far side it is free
+  }
+  EXPECT_GT(wrong, g_nContacts / 4);
+}
+
+// Box2D sweeps no two balls: those that meet within a step are seen at the beginning of the next one. Until
+// then they are in each other by all that they flew since.
+TEST(RestartTest, Box2DAnswersTwoBallsAStepLate) {
+  CScene scene = MakeScene(5, 1);
+  const float v = static_cast<float>(0.3 * g_fRadius / g_fStep), r = static_cast<float>(g_fRadius);
+  AddBall(scene, {{-0.5f, 0}, r, {v, 0}, 2.0f});
+  AddBall(scene, {{0.5f, 0}, r, {-v, 0}, 1.0f});
+  const CRestartResult result = JudgeTrials(scene);
+  ASSERT_EQ(result.m_stdContacts.size(), g_nContacts);
+  for (const CContact& contact : result.m_stdContacts) {
+    EXPECT_EQ(contact.m_ePair, ePair::Ball);
+    EXPECT_NEAR(contact.m_fApproach, 2 * AsDouble(v), 1e-5);
+    const CEngineContact &native = contact.m_stdEngines[g_nNative], &box2d = contact.m_stdEngines[g_nBox2D];
+    if (!IsClose(Rest(contact), 0)) {
+      EXPECT_EQ(native.m_eOutcome, eOutcome::Correct);
+      EXPECT_EQ(box2d.m_eOutcome, eOutcome::Late);
+      EXPECT_TRUE(native.m_bCompared && box2d.m_bCompared);
+    }
+    EXPECT_NEAR(box2d.m_fDirectionError, 0.0, 1e-6); // at the end of the step in which it has answered
+    EXPECT_NEAR(box2d.m_fEnergyError, 0.0, 1e-6);
+    EXPECT_NEAR(box2d.m_fPenetration, 0.6 * Rest(contact), 2 * g_fRounding);
+    EXPECT_NEAR(native.m_fPenetration, 0.0, 2 * g_fRounding);
+    EXPECT_NEAR(native.m_fDirectionError, 0.0, 1e-6);
+    EXPECT_NEAR(native.m_fEnergyError, 0.0, 1e-6); // of both
+  }
+}
+
+// Energy of two balls is that of both: a ball of elasticity .5 loses some, which is no error.
+TEST(RestartTest, EnergyOfAPairIsOfBoth) {
+  CScene scene = MakeScene(5, 1);
+  const float v = static_cast<float>(0.3 * g_fRadius / g_fStep), r = static_cast<float>(g_fRadius);
+  AddBall(scene, {{-0.5f, 0}, r, {v, 0}, 3.0f, 0.5f});
+  AddBall(scene, {{0.5f, 0.1f}, r, {-v, 0}, 1.0f});
+  bool differs = false;
+  for (const CContact& contact : JudgeTrials(scene).m_stdContacts) {
+    const CEngineContact& c = contact.m_stdEngines[g_nNative];
+    EXPECT_EQ(contact.m_fElasticity, 0.5f);
+    if (!c.m_bCompared) continue;
+    // The normal of native is off here, so what goes where differs. With d = the angle between the normals,
+    // each response takes (1 - e^2)/2 of the reduced mass times the approach along its own normal squared.
+    const double approach = AsDouble(contact.m_fApproach), all = 0.5 * 4.0 * AsDouble(v) * AsDouble(v);
+    const double incidence = AsDouble(contact.m_fIncidence), d = AsDouble(c.m_fNormalError);
+    const double loss = 0.5 * 0.75 * 0.75; // reduced mass 3/4
+    const double exact = all - loss * approach * approach;
+    const auto engine = [&](double angle) {
+      const double along = approach / std::cos(incidence) * std::cos(angle);
+      return (all - loss * along * along) / exact - 1.0;
+    };
+    const double nearer = std::min(std::abs(engine(incidence + d) - AsDouble(c.m_fEnergyError)),
+                                   std::abs(engine(incidence - d) - AsDouble(c.m_fEnergyError)));
+    EXPECT_NEAR(nearer, 0.0, 2e-5);
+    differs |= std::abs(c.m_fEnergyError - c.m_fSpeedError) > 1e-3f;
+  }
+  EXPECT_TRUE(differs); // the control: it is not the ball's alone
+}
+
+TEST(RestartTest, EveryPairHasItsName) {
+  const auto first = [](const CAnyShapeDesc& shape, const Vector2& from, const Vector2& v) {
+    CScene scene = MakeScene(5, 2);
+    AddShape(scene, shape);
+    AddBall(scene, {from, static_cast<float>(g_fRadius), v});
+    const CRestartResult result = JudgeTrials(scene, 1);
+    return result.m_stdContacts.empty() ? std::string("none") : GetName(result.m_stdContacts[0].m_ePair);
+  };
+  const CLineSegDesc segment({-1, 0}, {1, 0});
+  const CArcDesc arc({0, 0}, 1, 0, g_fPi);
+  EXPECT_EQ(first(CPointDesc({0, 0}), {0, 2}, {0, -3}), "point");
+  EXPECT_EQ(first(segment, {0, 2}, {0, -3}), "segment");
+  EXPECT_EQ(first(segment, {-3, 0}, {3, 0}), "segment end");
+  EXPECT_EQ(first(CCircleDesc({0, 0}, 1), {0, 2}, {0, -3}), "circle");
+  EXPECT_EQ(first(arc, {0, 2}, {0, -3}), "arc");
+  EXPECT_EQ(first(arc, {1, -2}, {0, 3}), "arc end");
+  EXPECT_STREQ(GetName(ePair::Ball), "ball");
+  EXPECT_STREQ(GetName(eOutcome::Correct), "correct");
+  EXPECT_STREQ(GetName(eOutcome::Late), "late");
+  EXPECT_STREQ(GetName(eOutcome::WrongSide), "wrong side");
+  EXPECT_STREQ(GetName(eOutcome::Missed), "missed");
+}
+
+} // namespace
+} // namespace Shapes::Compare::Tests

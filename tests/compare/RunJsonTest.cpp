@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+// run.json is what compare/run.schema.json and docs/run_json.md say.
+#include "Run.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "SampleReport.h"
+
+namespace Shapes::Compare {
+namespace {
+
+using nlohmann::json;
+
+std::string ReadSource(const std::string& name) {
+  std::ifstream in(std::string(SHAPES_SOURCE_DIR) + "/" + name);
+  EXPECT_TRUE(in) << name;
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+const json& SchemaJson() {
+  static const json schema = json::parse(ReadSource("compare/run.schema.json"));
+  return schema;
+}
+
+// Where a document does not fit the schema; empty if it does.
+std::string FindFault(const json& doc) {
+  static const auto pSchema = [] {
+    auto p = std::make_unique<valijson::Schema>();
+    const valijson::adapters::NlohmannJsonAdapter adapter(SchemaJson());
+    valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(adapter, *p);
+    return p;
+  }();
+  valijson::ValidationResults results;
+  const valijson::adapters::NlohmannJsonAdapter adapter(doc);
+  if (valijson::Validator().validate(*pSchema, adapter, &results)) return "";
+  std::string fault = "refused:";
+  for (const auto& error : results) {
+    fault += '\n';
+    for (const std::string& step : error.context)
+      fault += step;
+    fault += " " + error.description;
+  }
+  return fault;
+}
+
+// A real run, small; made once.
+const CRunReport& RealRun() {
+  static const CRunReport report = [] {
+    CProgress progress(2, false);
+    CRunReport run = RunScenes({LoadBundled("bowl"), LoadBundled("pinball")}, GetEngines(),
+                               g_cQuickSizes.ForContacts(40), 3, progress, [] {});
+    run.m_sCommand = "shapes-compare run";
+    return run;
+  }();
+  return report;
+}
+
+TEST(RunJsonTest, ARealRunFitsTheSchema) {
+  const json doc = json::parse(MakeJson(RealRun()));
+  EXPECT_EQ(FindFault(doc), "");
+  ASSERT_EQ(doc.at("scenes").size(), 2u);
+  EXPECT_EQ(doc.at("/scenes/1/engines/1/settings/velocity_iterations"_json_pointer), 8);
+  // What is written is what was meant: nothing is lost on the way through the text.
+  EXPECT_EQ(json::parse(doc.dump()), doc);
+}
+
+TEST(RunJsonTest, TheSameRunGivesTheSameBitsApartFromTimes) {
+  CProgress progress(1, false);
+  const auto run = [&](std::uint64_t seed) {
+    json doc = json::parse(MakeJson(RunScenes({LoadBundled("spinner")}, GetEngines(),
+                                              g_cQuickSizes.ForContacts(25), seed, progress, [] {})));
+    // docs/run_json.md says which depend on times.
+    const std::function<void(json&)> strip = [&](json& value) {
+      if (value.is_object())
+        for (auto it = value.begin(); it != value.end();) {
+          const std::string& key = it.key();
+          if (key.starts_with("ns_") || key == "front_by_error" || key == "front_by_misses" ||
+              key == "answers" || key == "verdict")
+            it = value.erase(it);
+          else
+            strip(*it), ++it;
+        }
+      else if (value.is_array())
+        for (json& item : value)
+          strip(item);
+    };
+    strip(doc);
+    return doc;
+  };
+  const json once = run(5), again = run(5);
+  EXPECT_EQ(once.dump() == again.dump(), true) << json::diff(once, again).dump(1).substr(0, 2000);
+  EXPECT_NE(once.dump(), run(6).dump()); // the control
+}
+
+TEST(RunJsonTest, TheSampleFitsTheSchema) {
+  CRunReport report = MakeSampleReport();
+  EXPECT_EQ(FindFault(json::parse(MakeJson(report))), "");
+  report.m_stdScenes.push_back(MakeUndecidedScene());
+  report.m_bInterrupted = true;
+  report.m_nSeed = std::numeric_limits<std::uint64_t>::max();
+  EXPECT_EQ(FindFault(json::parse(MakeJson(report))), "");
+  report.m_stdScenes.clear();
+  EXPECT_EQ(FindFault(json::parse(MakeJson(report))), "");
+}
+
+TEST(RunJsonTest, OneEngineAloneFitsTheSchema) {
+  CRunReport report = MakeSampleReport();
+  report.m_stdEngines.resize(1);
+  report.m_stdScenes[0].m_stdEngines.resize(1);
+  const json doc = json::parse(MakeJson(report));
+  EXPECT_EQ(FindFault(doc), "");
+  EXPECT_TRUE(doc.at("/scenes/0/apart"_json_pointer).is_null());
+}
+
+TEST(RunJsonTest, FiguresAreWhereTheyBelong) {
+  CRunReport report = MakeSampleReport();
+  report.m_stdScenes.push_back(MakeUndecidedScene());
+  const json doc = json::parse(MakeJson(report));
+  const auto at = [&](const char* pPath) { return doc.at(json::json_pointer(pPath)); };
+  EXPECT_EQ(at("/version"), 2);
+  EXPECT_EQ(at("/seed"), 5);
+  EXPECT_EQ(at("/contacts_per_scene"), 1000);
+  EXPECT_EQ(at("/histogram_edges/0"), 1e-6);
+  EXPECT_EQ(at("/histogram_edges/24"), 1.0);
+  EXPECT_EQ(at("/scenes/0/features"), json({"kinematics"}));
+  EXPECT_EQ(at("/scenes/0/shapes"), 3);
+  EXPECT_EQ(at("/scenes/0/set_aside"), json::parse(R"({"resting": 1, "ambiguous": 2, "simultaneous": 3,
+      "approximate": 4, "undecided": 0, "first_undecided": null})"));
+  EXPECT_EQ(at("/scenes/0/apart/p95"), 0.5);
+  EXPECT_EQ(at("/scenes/0/engines/0/contacts"), 1000);
+  EXPECT_EQ(at("/scenes/0/engines/0/correct"), 1000 - 203 - 5);
+  EXPECT_EQ(at("/scenes/0/engines/0/missed/count"), 101);
+  EXPECT_EQ(at("/scenes/0/engines/0/wrong_side/count"), 102);
+  EXPECT_EQ(at("/scenes/0/engines/0/tunneled/rate"), 0.203);
+  EXPECT_NEAR(at("/scenes/0/engines/0/tunneled/low").get<double>(), 0.179, 5e-4);
+  EXPECT_EQ(at("/scenes/0/engines/0/ghost/rate"), 0.0025);
+  EXPECT_EQ(at("/scenes/0/engines/0/features"), json({"kinematics"}));
+  EXPECT_EQ(at("/scenes/0/engines/1/features"), json({"kinematics", "continuous"}));
+  EXPECT_EQ(at("/scenes/0/engines/0/ns_per_contact"), 5000.0);
+  EXPECT_EQ(at("/scenes/0/engines/0/energy_drift"), -0.03);
+  EXPECT_TRUE(at("/scenes/0/engines/0/free_path_error").is_null());
+  EXPECT_EQ(at("/scenes/0/engines/0/setback_error_histogram/31"), 28);
+  EXPECT_EQ(at("/scenes/0/heat_map/cells/0/tunneled"), json({1, 2}));
+  EXPECT_EQ(at("/work_precision/0/tunneled_rate/rate"), 0.2);
+  EXPECT_TRUE(at("/work_precision/0/direction_error_p95").is_null());
+  EXPECT_EQ(at("/work_precision/2/engine"), "exact");
+  EXPECT_EQ(at("/work_precision/2/settings"), json::object());
+  EXPECT_EQ(at("/work_precision/3/scene"), "hopeless");
+}
+
+TEST(RunJsonTest, WhatWasNotMeasuredIsNullAndNotZero) {
+  CRunReport report = MakeSampleReport();
+  report.m_stdScenes = {MakeUndecidedScene()};
+  const json doc = json::parse(MakeJson(report));
+  const json& scene = doc.at("scenes")[0];
+  EXPECT_EQ(scene.at("set_aside").at("undecided"), 40);
+  EXPECT_EQ(scene.at("set_aside").at("first_undecided"), "trial 0, step 2: ball 0 is jammed at (1, 2)");
+  const json& engine = scene.at("engines")[0];
+  EXPECT_EQ(engine.at("tunneled"), json::parse(R"({"count": 0, "rate": null, "low": 0.0, "high": 1.0})"));
+  EXPECT_EQ(engine.at("setback_error"),
+            json::parse(R"({"count": 0, "median": null, "p95": null, "max": null})"));
+  EXPECT_TRUE(engine.at("ns_per_contact").is_null());
+  EXPECT_TRUE(engine.at("energy_drift").is_null());
+}
+
+TEST(RunJsonTest, WhatIsNotFiniteIsNull) {
+  CRunReport report = MakeSampleReport();
+  CEngineReport& engine = report.m_stdScenes[0].m_stdEngines[0];
+  engine.m_cLongRun.m_fEnergyDrift = std::numeric_limits<double>::quiet_NaN();
+  engine.m_cTotals.m_cPenetration.m_fMax = std::numeric_limits<double>::infinity();
+  const json doc = json::parse(MakeJson(report));
+  EXPECT_TRUE(doc.at("/scenes/0/engines/0/energy_drift"_json_pointer).is_null());
+  EXPECT_TRUE(doc.at("/scenes/0/engines/0/penetration/max"_json_pointer).is_null());
+  EXPECT_EQ(FindFault(doc), "");
+}
+
+TEST(RunJsonTest, BytesThatAreNoTextDoNotLoseTheRun) {
+  CRunReport report = MakeSampleReport();
+  report.m_sCommand = "shapes-compare run --out \xff";
+  EXPECT_EQ(FindFault(json::parse(MakeJson(report))), "");
+}
+
+// The control: every single field of the document matters to the schema.
+TEST(RunJsonTest, AChangedDocumentIsRefused) {
+  const json good = json::parse(MakeJson(MakeSampleReport()));
+  ASSERT_EQ(FindFault(good), "");
+  std::size_t changes = 0;
+  const auto expectRefused = [&](const json& bad, const std::string& what) {
+    EXPECT_NE(FindFault(bad), "") << what;
+    ++changes;
+  };
+  std::set<std::string> seen; // each kind of object once
+  const std::function<void(const json&, const json::json_pointer&)> visit =
+      [&](const json& value, const json::json_pointer& path) {
+        if (value.is_array())
+          for (std::size_t i = 0; i < value.size(); ++i)
+            visit(value[i], path / i);
+        if (!value.is_object()) return;
+        std::string kind;
+        for (const auto& field : value.items())
+          kind += field.key() + " ";
+        if (!seen.insert(kind).second) return;
+        json bad = good;
+        bad[path]["surplus"] = 1;
+        expectRefused(bad, (path / "surplus").to_string());
+        for (const auto& field : value.items()) {
+          const json::json_pointer here = path / field.key();
+          bad = good;
+          bad[path].erase(field.key());
+          expectRefused(bad, "without " + here.to_string());
+          bad = good;
+          bad[here] = field.value().is_boolean() ? json(1) : json(true);
+          expectRefused(bad, "of another type: " + here.to_string());
+          visit(field.value(), here);
+        }
+      };
+  visit(good, json::json_pointer());
+  EXPECT_GT(changes, 200u);
+
+  json bad = good;
+  bad["/scenes/0/engines/0/missed/rate"_json_pointer] = 1.5;
+  expectRefused(bad, "rate");
+  bad = good;
+  bad["/scenes/0/engines/0/contacts"_json_pointer] = -1;
+  expectRefused(bad, "contacts");
+  bad = good;
+  bad["/scenes/0/engines/0/name"_json_pointer] = "jolt";
+  expectRefused(bad, "name");
+  bad = good;
+  bad["version"] = 1;
+  expectRefused(bad, "version");
+}
+
+// Every field that the schema knows, and what is strict about it.
+void VisitObjects(const json& schema, const std::function<void(const json&)>& visit) {
+  if (schema.is_object() && schema.contains("properties")) visit(schema);
+  if (schema.is_structured())
+    for (const json& part : schema)
+      VisitObjects(part, visit);
+}
+
+TEST(RunJsonTest, ThePageNamesEveryFieldOfTheSchema) {
+  const std::string page = ReadSource("docs/run_json.md");
+  std::size_t fields = 0;
+  VisitObjects(SchemaJson(), [&](const json& object) {
+    EXPECT_EQ(object.at("additionalProperties"), false);
+    std::set<std::string> required;
+    for (const json& name : object.value("required", json::array()))
+      required.insert(name.get<std::string>());
+    for (const auto& field : object.at("properties").items()) {
+      ++fields;
+      const std::string& name = field.key();
+      const auto named = [&](const std::string& text) { return page.find(text) != page.npos; };
+      EXPECT_TRUE(named("`" + name + "`") || named("\"" + name + "\"") || named("`" + name + "[]`")) << name;
+      // The settings are those of one engine or the other.
+      if (!object.at("properties").contains("substeps")) {
+        EXPECT_TRUE(required.contains(name)) << name;
+      }
+    }
+  });
+  EXPECT_GT(fields, 90u);
+}
+
+} // namespace
+} // namespace Shapes::Compare

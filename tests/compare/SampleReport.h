@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// A report that no run has made: every figure in it is known.
+#pragma once
+
+#include "report/Report.h"
+
+#include <string>
+
+namespace Shapes::Compare {
+
+inline CScene LoadBundled(const std::string& name) {
+  return LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");
+}
+
+inline CContact MakeSampleContact() {
+  CContact contact{};
+  contact.m_nTrial = 3;
+  contact.m_nStep = 14;
+  contact.m_nBall = 0;
+  contact.m_ePair = ePair::SegmentEnd;
+  contact.m_fTime = 0.25f;
+  contact.m_fTravel = 1.5f;
+  contact.m_fApproach = 8.0f;
+  contact.m_fIncidence = 0.125f;
+  contact.m_fElasticity = 0.5f;
+  contact.m_bHasDifference = true;
+  contact.m_fDifference = 0.0625f;
+  CEngineContact right;
+  right.m_eOutcome = eOutcome::Correct;
+  right.m_bDetected = right.m_bCompared = true;
+  right.m_fSetback = 0.5f;
+  right.m_fSetbackError = 0.03125f;
+  right.m_fSetbackErrorNormal = -0.015625f;
+  right.m_fTimeError = -0.001953125f;
+  right.m_fPOIError = 0.0078125f;
+  right.m_fNormalError = 0.00390625f;
+  right.m_fDirectionError = 2.0f;
+  right.m_fSpeedError = -3.0f;
+  right.m_fEnergyError = 4.0f;
+  right.m_fPositionError = 5.0f;
+  right.m_fPenetration = 6.0f;
+  CEngineContact missed;
+  missed.m_fPenetration = 7.0f;
+  contact.m_stdEngines = {right, missed};
+  return contact;
+}
+
+/// Times of 11 repeats that scatter about `ns` by up to a twentieth; other engines scatter otherwise.
+inline void SetSampleTimes(CCost& cost, double ns, std::size_t shift) {
+  cost.m_stdRepeats.clear();
+  for (std::size_t i = 0; i < 11; ++i)
+    cost.m_stdRepeats.push_back(ns * (0.95 + 0.01 * static_cast<double>((i * shift) % 11)));
+  cost.m_cNsPerBallStep = MedianWithInterval(cost.m_stdRepeats);
+}
+
+/// One engine that lost `tunneled` of 1000 balls.
+inline CEngineReport MakeSampleEngine(std::size_t tunneled, double ns, double direction) {
+  CEngineReport report;
+  CTotals& t = report.m_cTotals;
+  t.m_nContacts = 1000;
+  t.m_nMissed = tunneled / 2;
+  t.m_nWrongSide = tunneled - tunneled / 2;
+  t.m_nLate = 5;
+  t.m_nOverlapped = 20;
+  t.m_cSetback = {900, 0.5, 0.9, 1.0};
+  t.m_cSetbackError = {900, 0.25, 0.75, 1.5};
+  t.m_cSetbackErrorNormal = {900, -0.125, 0.5, 1.0};
+  t.m_cTimeError = {900, 0.03, 0.04, 0.05};
+  t.m_cPOIError = {895, 0.11, 0.12, 0.13};
+  t.m_cNormalError = {895, 0.14, 0.15, 0.16};
+  t.m_cDirectionError = {890, direction / 2, direction, direction * 2};
+  t.m_cSpeedError = {890, 0.17, 0.18, 0.19};
+  t.m_cEnergyError = {890, 0.21, 0.22, 0.23};
+  t.m_cPositionError = {890, 0.24, 0.26, 0.27};
+  t.m_cPenetration = {899, 0.0, 0.005, 0.02};
+  report.m_nGhosts = 2;
+  report.m_stdBins = {{"travel", "1 to 2", t}};
+  report.m_cHistogram.m_stdSetbackError.assign(g_nHistogramBins, 28);
+  report.m_cHistogram.m_stdPenetration.assign(g_nHistogramBins, 29);
+  SetSampleTimes(report.m_cCost, ns, tunneled % 10 + 1);
+  report.m_cCost.m_fSimulatedSeconds = 100.0;
+  report.m_cCost.m_nBallSteps = 6000;
+  report.m_cCost.m_nContacts = 60;
+  report.m_cLongRun.m_nBounces = 10000;
+  report.m_cLongRun.m_fEnergyDrift = -0.03;
+  return report;
+}
+
+/// Two engines on the spinner: native loses 203 of 1000 and takes 50 ns, box2d 6 and 500 ns.
+inline CSceneReport MakeSampleScene() {
+  CSceneReport report;
+  report.m_cScene = LoadBundled("spinner");
+  report.m_cRestart.m_stdContacts = {MakeSampleContact()};
+  report.m_cRestart.m_stdGhosts = {2, 2};
+  report.m_cRestart.m_nQuietSteps = 800;
+  report.m_cRestart.m_nTrials = 1200;
+  report.m_cRestart.m_cSetAside = {1, 2, 3, 4, 0, ""};
+  report.m_cDifference = {850, 0.06, 0.5, 1.25};
+  report.m_stdEngines = {MakeSampleEngine(203, 50.0, 0.0001), MakeSampleEngine(6, 500.0, 0.02)};
+  report.m_cWork.m_stdAnswers = {"Error below 1%: box2d."};
+  const std::vector<CEngine> engines = GetEngines();
+  CRung native, box2d, exact;
+  native.m_cEngine = engines[0];
+  native.m_cNsPerBallSecond = {3000.0, {2900.0, 3100.0}};
+  native.m_nContacts = 100;
+  native.m_nMissed = 10;
+  native.m_nTunneled = 20;
+  box2d = native;
+  box2d.m_cEngine = engines[1];
+  box2d.m_fDirectionErrorP95 = 0.02;
+  exact = native;
+  exact.m_cEngine = {g_sExact, nullptr};
+  exact.m_fDirectionErrorP95 = 0.0;
+  report.m_cWork.m_stdRungs = {native, box2d, exact};
+  report.m_cHeatMap.m_stdSpeeds = {1.0, 2.0};
+  report.m_cHeatMap.m_stdSizes = {1.0};
+  report.m_cHeatMap.m_fTravel = 1.25;
+  report.m_cHeatMap.m_stdCells = {{50, {1, 2}}, {0, {0, 0}}};
+  CClip clip;
+  clip.m_sName = "worst native";
+  clip.m_nContact = 1;
+  clip.m_sWhat = "native with segment: missed";
+  clip.m_stdTracks = {
+      {{1.0f, 2.0f}, {1.5f, 2.25f}}, {{1.0f, 2.0f}, {1.5f, 2.5f}}, {{1.0f, 2.0f}, {1.123456f, 3.0f}}};
+  report.m_stdClips = {clip};
+  return report;
+}
+
+/// The sample scene alone.
+inline CRunReport MakeSampleReport() {
+  CRunReport report;
+  report.m_sCommand = "shapes-compare run";
+  report.m_nSeed = 5;
+  report.m_nContacts = 1000;
+  report.m_stdEngines = GetEngines();
+  report.m_stdScenes = {MakeSampleScene()};
+  return report;
+}
+
+/// The sample scene as it is where nothing could be judged.
+inline CSceneReport MakeUndecidedScene() {
+  CSceneReport report = MakeSampleScene();
+  report.m_cScene.m_sName = "hopeless";
+  report.m_cRestart = {};
+  report.m_cRestart.m_stdGhosts = {0, 0};
+  report.m_cRestart.m_nTrials = 40;
+  report.m_cRestart.m_cSetAside.m_nUndecided = 40;
+  report.m_cRestart.m_cSetAside.m_sUndecided = "trial 0, step 2: ball 0 is jammed at (1, 2)";
+  report.m_cDifference = {};
+  for (CEngineReport& engine : report.m_stdEngines) {
+    const CCost cost = engine.m_cCost;
+    engine = {};
+    engine.m_cHistogram.m_stdSetbackError.assign(g_nHistogramBins, 0);
+    engine.m_cHistogram.m_stdPenetration.assign(g_nHistogramBins, 0);
+    engine.m_cCost = cost;
+    engine.m_cCost.m_nContacts = 0;
+  }
+  return report;
+}
+
+} // namespace Shapes::Compare

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "metrics/WorkPrecision.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace Shapes::Compare {
+namespace {
+
+CRung Rung(const std::string& engine, unsigned substeps, double ns, std::optional<double> error,
+           std::size_t contacts, std::size_t tunneled) {
+  CRung rung;
+  rung.m_cEngine = {engine, nullptr, substeps};
+  rung.m_cNsPerBallSecond = {ns, {ns, ns}};
+  rung.m_fDirectionErrorP95 = error;
+  rung.m_nContacts = contacts;
+  rung.m_nTunneled = tunneled;
+  return rung;
+}
+
+TEST(WorkPrecision, TheLadderHasEachSettingOnceAndBeginsWithTheEnginesAsTheyCome) {
+  std::set<std::string> labels;
+  for (const CEngine& engine : GetLadder())
+    EXPECT_TRUE(labels.insert(engine.m_sName + ": " + engine.GetLabel()).second) << engine.GetLabel();
+  EXPECT_TRUE(labels.count("native: as it comes"));
+  EXPECT_TRUE(labels.count("box2d: as it comes"));
+  EXPECT_TRUE(labels.count("native: 64 substeps"));
+  EXPECT_TRUE(labels.count("box2d: 4 substeps, 10x scale, 1+1 iterations"));
+  EXPECT_EQ(labels.size(), 30u);
+}
+
+TEST(WorkPrecision, TheFrontIsWhatNothingBeats) {
+  std::vector<CRung> rungs{Rung("native", 1, 100, .5, 100, 50), Rung("native", 2, 200, .1, 100, 0),
+                           Rung("box2d", 1, 300, .2, 100, 0),   Rung("box2d", 2, 400, .05, 100, 1),
+                           Rung("box2d", 4, 150, {}, 0, 0),     Rung("native", 4, 200, .1, 100, 0)};
+  MarkFronts(rungs);
+  const bool byError[] = {true, true, false, true, false, true};
+  const bool byMisses[] = {true, true, false, false, false, true};
+  for (std::size_t i = 0; i < rungs.size(); ++i) {
+    EXPECT_EQ(rungs[i].m_bFrontByError, byError[i]) << i;
+    EXPECT_EQ(rungs[i].m_bFrontByMisses, byMisses[i]) << i;
+  }
+}
+
+TEST(WorkPrecision, AnswersNameTheCheapestAndWhatTheOtherEngineNeeds) {
+  const std::vector<CRung> rungs{Rung("native", 1, 1000, .5, 1000, 500),
+                                 Rung("native", 8, 8000, .009, 1000, 0),
+                                 Rung("box2d", 1, 40000, .002, 100000, 0),
+                                 Rung("box2d", 2, 60000, .0005, 500, 0), Rung("exact", 1, 10, 0., 1000, 0)};
+  const auto answers = MakeAnswers(rungs, 100000);
+  ASSERT_EQ(answers.size(), 3u);
+  EXPECT_EQ(answers[0],
+            "Error below 1%: native (8 substeps), 8.0 us per ball and second; box2d (as it comes) "
+            "takes 5.0 times as long.");
+  EXPECT_EQ(answers[1], "Error below .1%: box2d (2 substeps), 60 us per ball and second; native never.");
+  EXPECT_EQ(answers[2],
+            "No ball lost in 100000 impacts: box2d (as it comes), 40 us per ball and second; native never.");
+  EXPECT_EQ(
+      MakeAnswers({Rung("native", 1, 1000, .5, 1000, 500)}, 10)[0],
+      "Error below 1%: no setting that was tried; the best is native (as it comes) with 50.0% and 50% lost.");
+}
+
+TEST(WorkPrecision, SmallErrorsAloneDoNotMakeASettingGood) { // it loses every second ball
+  const auto answers = MakeAnswers({Rung("native", 1, 1000, 1e-6, 1000, 500)}, 10);
+  EXPECT_NE(answers[1].find("no setting"), std::string::npos) << answers[1];
+}
+
+// On a small ladder: substeps make native exact where it lost half of the balls, and cost more.
+TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
+  const CScene scene = LoadScene(std::string(SHAPES_SCENES_DIR) + "/head_on_wall.json");
+  std::vector<CEngine> ladder = GetEngines();
+  ladder.push_back(ladder[0]);
+  ladder.back().m_nSubsteps = 8;
+  CLadderOptions options;
+  options.m_nContacts = 300;
+  options.m_nMostTrials = 6000;
+  options.m_nProof = 1000;
+  options.m_nBallSteps = 2000;
+  options.m_nRepeats = 7;
+  double last = 0.0;
+  options.m_stdProgress = [&](double done) {
+    EXPECT_GE(done, 0.0);
+    EXPECT_LE(done, 1.0);
+    last = done;
+  };
+  const CWorkPrecision work = MeasureWorkPrecision(scene, ladder, options);
+  EXPECT_EQ(last, 1.0);
+  ASSERT_EQ(work.m_stdRungs.size(), 4u);
+  const CRung &one = work.m_stdRungs[0], &box2d = work.m_stdRungs[1], &eight = work.m_stdRungs[2];
+  const CRung& exact = work.m_stdRungs[3];
+  EXPECT_GT(one.m_nTunneled, one.m_nContacts / 3);
+  EXPECT_EQ(eight.m_nTunneled, 0u);
+  EXPECT_EQ(box2d.m_nTunneled, 0u);
+  EXPECT_GE(eight.m_nContacts, 1000u); // the proof; a setting that has lost balls gets none
+  EXPECT_EQ(one.m_nContacts, 300u);
+  EXPECT_GT(eight.m_cNsPerBallSecond.m_fMedian, one.m_cNsPerBallSecond.m_fMedian);
+  EXPECT_GT(exact.m_cNsPerBallSecond.m_fMedian, 0.0);
+  EXPECT_EQ(exact.m_cEngine.m_sName, g_sExact);
+  EXPECT_EQ(work.m_stdAnswers.size(), 3u);
+}
+
+} // namespace
+} // namespace Shapes::Compare

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: MIT
+#include "SampleReport.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <utility>
+
+namespace Shapes::Compare {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t g_nHistogramBins = 32;
+
+// Figures that differ from scene to scene; what they are does not matter.
+class CFigures {
+public:
+  explicit CFigures(std::uint64_t seed) : m_nState(seed * 0x9E3779B97F4A7C15u + 1) {}
+
+  /// From [low, high).
+  double operator()(double low, double high) {
+    m_nState = m_nState * 6364136223846793005u + 1442695040888963407u;
+    return low + (high - low) * static_cast<double>(m_nState >> 40) / 16777216.0;
+  }
+
+private:
+  std::uint64_t m_nState;
+};
+
+json Summary(double median, int count = 19000) {
+  if (count == 0) return {{"count", 0}, {"median", nullptr}, {"p95", nullptr}, {"max", nullptr}};
+  return {
+      {"count", count}, {"median", median}, {"p95", 3.1 * std::abs(median)}, {"max", 9 * std::abs(median)}};
+}
+
+json Rate(int count, int n) {
+  if (n == 0) return {{"count", 0}, {"rate", nullptr}, {"low", 0}, {"high", 1}};
+  const double p = double(count) / n, s = 2 * std::sqrt((p * (1 - p) + 1.0 / n) / n);
+  return {{"count", count}, {"rate", p}, {"low", std::max(0.0, p - s)}, {"high", std::min(1.0, p + s)}};
+}
+
+json Histogram(double scale, int n) {
+  json counts = json::array();
+  for (std::size_t i = 0; i < g_nHistogramBins; ++i)
+    counts.push_back(int(n * std::exp(-25 * std::pow(double(i) / scale - 1, 2)) / (scale * 0.35)));
+  return counts;
+}
+
+json Bins(CFigures& figures, double lost) {
+  json bins = json::array();
+  const auto add = [&](const char* pBy, const char* pLabel, double factor) {
+    const int n = int(figures(500, 9000));
+    bins.push_back({{"by", pBy},
+                    {"label", pLabel},
+                    {"contacts", n},
+                    {"tunneled", Rate(int(n * lost * factor), n)},
+                    {"setback_error", Summary(0.1 * factor + 0.01)},
+                    {"direction_error", Summary(0.02 * factor + 1e-6)}});
+  };
+  add("travel", "< 0.5 radii", 0);
+  add("travel", "0.5 - 1 radii", 0.3);
+  add("travel", "1 - 2 radii", 2);
+  add("incidence", "0 - 30 degrees", 0.6);
+  add("incidence", "30 - 60 degrees", 1);
+  add("incidence", "60 - 90 degrees", 1.7);
+  add("pair", "segment", 0.5);
+  add("pair", "segment end", 2.4);
+  add("elasticity", "< 1", 1);
+  return bins;
+}
+
+json Engine(const std::string& name, CFigures& figures, int n) {
+  const bool isNative = name == "native";
+  const double lost = isNative ? std::pow(figures(0, 0.6), 3) : std::max(0.0, figures(-0.003, 0.004));
+  const int missed = int(n * lost * 0.4), wrong = int(n * lost * 0.6), late = isNative ? 0 : int(n * 0.002);
+  const double error = isNative ? figures(0.05, 0.5) : figures(0.01, 0.1);
+  const double ns = isNative ? figures(35, 220) : figures(400, 2100);
+  return {{"name", name},
+          {"settings", {{"time_step", 1.0 / 60}, {"substeps", 1}}},
+          {"features", {"gravity", "ball_pairs"}},
+          {"contacts", n},
+          {"correct", n - missed - wrong - late},
+          {"late", late},
+          {"missed", Rate(missed, n)},
+          {"wrong_side", Rate(wrong, n)},
+          {"tunneled", Rate(missed + wrong, n)},
+          {"overlapped", Rate(isNative ? 0 : n / 40, n)},
+          {"ghost", Rate(isNative ? 0 : 3, 54321)},
+          {"setback", Summary(error * 2)},
+          {"setback_error", Summary(error)},
+          {"setback_error_normal", Summary(-error / 5)},
+          {"time_error", Summary(error / 9)},
+          {"poi_error", Summary(error / 2)},
+          {"normal_error", Summary(error / 30)},
+          {"direction_error", Summary(isNative ? error / 10 : error / 200)},
+          {"speed_error", Summary(1.2e-7)},
+          {"energy_error", Summary(-3.4e-5)},
+          {"position_error", Summary(error / 3)},
+          {"penetration", Summary(isNative ? 0 : 0.004)},
+          {"setback_error_histogram", Histogram(isNative ? 22 : 18, n)},
+          {"penetration_histogram", Histogram(isNative ? 5 : 17, n)},
+          {"bins", Bins(figures, lost)},
+          {"bounces", 100000},
+          {"energy_drift", isNative ? json(-0.0012) : json(0.031)},
+          {"free_path_error", 0.002},
+          {"angular_momentum_drift", nullptr},
+          {"ns_per_ball_step", ns},
+          {"ns_per_ball_step_interval", {ns * 0.97, ns * 1.04}},
+          {"ns_per_contact", ns * 11},
+          {"simulated_seconds", 833.3},
+          {"escaped", 2},
+          {"not_finite", 0}};
+}
+
+json HeatMap(CFigures& figures) {
+  const std::vector<double> speeds{0.25, 0.5, 1, 2, 4, 8}, sizes{0.25, 0.5, 1, 2};
+  const double travel = figures(0.4, 2.5);
+  json map{{"speeds", speeds}, {"sizes", sizes}, {"travel", travel}, {"cells", json::array()}};
+  for (const double size : sizes)
+    for (const double speed : speeds) {
+      const double way = travel * speed / size;
+      const int n = size == 2 && speed == 0.25 ? 0 : 2000;
+      map["cells"].push_back(
+          {{"contacts", n},
+           {"tunneled", {int(n * std::max(0.0, 1 - 1 / way)), int(map["cells"].size()) * n / 23}}});
+    }
+  return map;
+}
+
+json WorkRow(const std::string& scene, const std::string& engine, const std::string& label, json settings,
+             double ns, double error, double lost) {
+  const int n = 5000;
+  return {{"scene", scene},
+          {"engine", engine},
+          {"label", label},
+          {"settings", std::move(settings)},
+          {"ns_per_ball_second", ns},
+          {"ns_per_ball_second_interval", {ns * 0.96, ns * 1.05}},
+          {"direction_error_p95", error},
+          {"contacts", n},
+          {"miss_rate", Rate(int(n * lost / 2), n)},
+          {"tunneled_rate", Rate(int(n * lost), n)}};
+}
+
+// Whether nothing in `rows` is both cheaper and better.
+bool IsOnFront(const json& rows, const json& row, const std::function<double(const json&)>& badness) {
+  const auto cost = [](const json& r) { return r["ns_per_ball_second"].get<double>(); };
+  return std::none_of(rows.begin(), rows.end(), [&](const json& other) {
+    return (cost(other) < cost(row) && badness(other) <= badness(row)) ||
+           (cost(other) <= cost(row) && badness(other) < badness(row));
+  });
+}
+
+json Work(const std::string& scene, CFigures& figures) {
+  json rows = json::array();
+  const double base = figures(2000, 9000), error = figures(0.02, 0.6), lost = figures(0.001, 0.5);
+  for (const int steps : {1, 2, 4, 8, 16})
+    rows.push_back(WorkRow(scene, "native", steps == 1 ? "as it comes" : std::to_string(steps) + " substeps",
+                           {{"time_step", 1.0 / 60}, {"substeps", steps}}, base * (0.3 + 0.7 * steps),
+                           error / steps, steps > 4 ? 0 : lost / steps / steps));
+  const std::array<const char*, 5> labels{"as it comes", "2 substeps", "4 substeps", "20 velocity iterations",
+                                          "2 substeps, 10 units to a metre"};
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    rows.push_back(WorkRow(scene, "box2d", labels[i], {{"time_step", 1.0 / 60}, {"substeps", 1}},
+                           base * figures(8, 40), error * figures(0.005, 0.1), i == 1 ? 0.002 : 0.0));
+  rows.push_back(WorkRow(scene, "exact", "exact", json::object(), base * 60, 0, 0));
+  json judged = rows;
+  for (json& row : judged) {
+    row["front_by_error"] =
+        IsOnFront(rows, row, [](const json& r) { return r["direction_error_p95"].get<double>(); });
+    row["front_by_misses"] =
+        IsOnFront(rows, row, [](const json& r) { return r["tunneled_rate"]["rate"].get<double>(); });
+  }
+  return judged;
+}
+
+json Scene(const std::string& name, CFigures& figures) {
+  const int n = 20000;
+  return {{"name", name},
+          {"description",
+           "Made up: two balls in a box with a bar that turns, </script><b>1 < 2</b> & \"quotes\"."},
+          {"length_unit", 1},
+          {"time_step", 1.0 / 60},
+          {"gravity", {0, -10}},
+          {"duration", 10},
+          {"features", {"gravity", "kinematics", "ball_pairs"}},
+          {"shapes", 9},
+          {"balls", 2},
+          {"trials", 1234},
+          {"quiet_steps", 54321},
+          {"set_aside",
+           {{"resting", 12},
+            {"ambiguous", 3},
+            {"simultaneous", 0},
+            {"approximate", 1},
+            {"undecided", 0},
+            {"first_undecided", nullptr}}},
+          {"apart", Summary(0.2)},
+          {"verdict",
+           {"native loses 2.3% of 20 000 impacts, box2d none; native takes 53 ns per ball and step, box2d "
+            "751 ns.",
+            "Where both respond, balls fly off native by 0.021 rad (median), off box2d by 3.1e-4 rad."}},
+          {"answers",
+           {"Error below 1%: native (4 substeps), 9.2 us per ball and second; box2d (as it comes) takes 5.1 "
+            "times as long.",
+            "Error below .1%: box2d (4 substeps), 160 us per ball and second; native never.",
+            "No ball lost in 5000 impacts: native (8 substeps), 21 us per ball and second."}},
+          {"engines", {Engine("native", figures, n), Engine("box2d", figures, n)}},
+          {"heat_map", HeatMap(figures)}};
+}
+
+json Shapes() {
+  return {
+      {{"type", "segment"}, {"points", {{-2, -1}, {2, -1}}}, {"sensor", false}, {"turns", false}},
+      {{"type", "segment"}, {"points", {{2, -1}, {2, 1}}}, {"sensor", false}, {"turns", false}},
+      {{"type", "arc"},
+       {"points", {{0, 1}}},
+       {"radius", 2},
+       {"angles", {0, 3.14159}},
+       {"sensor", false},
+       {"turns", false}},
+      {{"type", "segment"}, {"points", {{-2, 1}, {-2, -1}}}, {"sensor", false}, {"turns", false}},
+      {{"type", "circle"}, {"points", {{1.2, 0.6}}}, {"radius", 0.3}, {"sensor", false}, {"turns", false}},
+      {{"type", "circle"}, {"points", {{-1.2, 1.6}}}, {"radius", 0.3}, {"sensor", true}, {"turns", false}},
+      {{"type", "arc"},
+       {"points", {{0, 2}}},
+       {"radius", 0.2},
+       {"angles", {0, 6.283185}},
+       {"sensor", false},
+       {"turns", false}},
+      {{"type", "point"}, {"points", {{-1, 0.2}}}, {"sensor", false}, {"turns", false}},
+      {{"type", "segment"},
+       {"points", {{-0.4, 0.5}, {0.4, 0.5}}},
+       {"center", {0, 0.5}},
+       {"sensor", false},
+       {"turns", true}}};
+}
+
+// Balls that bounce on the floor at y = -1. `sink` is how far the engine lets them in.
+json Track(int frames, double sink, double sideways) {
+  json track = json::array();
+  for (int f = 0; f < frames; ++f)
+    for (int ball = 0; ball < 2; ++ball) {
+      const double t = f / 60.0, bounce = g_nSampleContact / 60.0, x0 = ball == 0 ? -1 : 0.3;
+      const double after = std::max(0.0, t - bounce);
+      const double y = -0.9 + 6 * std::abs(t - bounce) - (after > 0 ? sink : 0.0);
+      track.push_back(x0 + 2 * t + sideways * after);
+      track.push_back(y);
+    }
+  return track;
+}
+
+json Clip(const std::string& name, const std::string& title, const std::string& what, int contact) {
+  const int frames = 31;
+  json angles = json::array();
+  for (int f = 0; f < frames; ++f)
+    angles.push_back(f * 0.1);
+  return {{"name", name},
+          {"title", title},
+          {"what", what},
+          {"contact", contact},
+          {"ball", g_nSampleBall},
+          {"frames", frames},
+          {"tracks", {Track(frames, 0.08, 1.5), Track(frames, -0.02, 0.3), Track(frames, 0, 0)}},
+          {"orientations", {angles}}};
+}
+
+} // namespace
+
+CSampleReport MakeSampleReport(const std::vector<std::string>& scenes) {
+  json run{{"version", 2},
+           {"command", "shapes-compare run --contacts 20000"},
+           {"seed", 1},
+           {"contacts_per_scene", 20000},
+           {"interrupted", false},
+           {"machine",
+            {{"shapes", "0.1.0 (1234567)"},
+             {"box2d", "2.4.1"},
+             {"compiler", "g++ 12.2.0, Release"},
+             {"cpu", "Some CPU"},
+             {"cores", 8}}},
+           {"histogram_edges", json::array()},
+           {"scenes", json::array()},
+           {"work_precision", json::array()}};
+  for (std::size_t i = 0; i <= g_nHistogramBins; ++i)
+    run["histogram_edges"].push_back(std::pow(10, double(i) / 4 - 6));
+  json replay{{"engines", {"native", "box2d", "exact"}}, {"scenes", json::array()}};
+  std::uint64_t seed = 0;
+  for (const std::string& name : scenes) {
+    CFigures figures(++seed);
+    run["scenes"].push_back(Scene(name, figures));
+    for (json& row : Work(name, figures))
+      run["work_precision"].push_back(std::move(row));
+    replay["scenes"].push_back(
+        {{"name", name},
+         {"time_step", 1.0 / 60},
+         {"bounds", {{"left", -10}, {"bottom", -10}, {"right", 10}, {"top", 10}}},
+         {"radii", {0.1, 0.15}},
+         {"shapes", Shapes()},
+         {"clips",
+          {Clip("start", "First trial", "", 0),
+           Clip("worst native", "Worst contact of native", "sent off 0.61 rad from the exact direction",
+                g_nSampleContact),
+           Clip("worst box2d", "Worst contact of box2d", "set back 0.1 radii too far", g_nSampleContact)}}});
+  }
+  return {std::move(run), std::move(replay)};
+}
+
+CSampleReport MakeSparseReport() {
+  CSampleReport report = MakeSampleReport({"full", "no_contacts", "one_engine", "nulls", "no_clips"});
+  report.m_cRun["interrupted"] = true;
+  const auto dropWork = [&](const std::string& scene) {
+    json& rows = report.m_cRun["work_precision"];
+    rows.erase(
+        std::remove_if(rows.begin(), rows.end(), [&](const json& row) { return row["scene"] == scene; }),
+        rows.end());
+  };
+
+  json& none = report.m_cRun["scenes"][1];
+  for (json& engine : none["engines"]) {
+    for (auto& [key, value] : engine.items()) {
+      if (value.is_object() && value.contains("median")) value = Summary(0, 0);
+      if (value.is_object() && value.contains("rate")) value = Rate(0, 0);
+      if (value.is_array() && !value.empty() && value[0].is_number_integer()) value = json(value.size(), 0);
+    }
+    for (const char* pKey : {"contacts", "correct", "late", "bounces"})
+      engine[pKey] = 0;
+    engine["bins"] = json::array();
+    engine["ns_per_contact"] = nullptr;
+  }
+  none["heat_map"] = nullptr;
+  none["quiet_steps"] = 0;
+  for (json& row : report.m_cRun["work_precision"])
+    if (row["scene"] == "no_contacts") {
+      row["contacts"] = 0;
+      row["miss_rate"] = row["tunneled_rate"] = Rate(0, 0);
+      if (row["engine"] != "exact") row["direction_error_p95"] = nullptr;
+    }
+
+  json& single = report.m_cRun["scenes"][2];
+  single["engines"].erase(1);
+  single["apart"] = nullptr;
+  single["heat_map"] = nullptr;
+
+  json& nulls = report.m_cRun["scenes"][3];
+  for (const char* pKey :
+       {"description", "gravity", "features", "verdict", "answers", "set_aside", "heat_map", "apart"})
+    nulls[pKey] = nullptr;
+  for (json& engine : nulls["engines"])
+    for (auto& [key, value] : engine.items())
+      if (key != "name") value = nullptr;
+  dropWork("nulls");
+
+  // A ball that left the numbers, and a scene that was not recorded at all.
+  json& clips = report.m_cReplay["scenes"][3]["clips"];
+  for (int i = 80; i < 90; ++i)
+    clips[0]["tracks"][0][static_cast<std::size_t>(i)] = nullptr;
+  clips[0]["orientations"] = json::array();
+  report.m_cReplay["scenes"][2]["clips"] = json::array();
+  report.m_cReplay["scenes"].erase(4);
+  return report;
+}
+
+} // namespace Shapes::Compare

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+// After everything else on the page: does what a reader does, looks at what is then to be seen, and leaves it
+// as JSON.
+(async () => {
+  const engines = ['native', 'box2d', 'exact'];
+  const $ = (selector, root = document) => root.querySelector(selector);
+  const $$ = (selector, root = document) => [...root.querySelectorAll(selector)];
+  const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+  const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+  async function until(condition, what) {
+    for (let i = 0; i < 1000; ++i) {
+      if (condition()) return;
+      await wait(20);
+    }
+    throw new Error(`waited in vain for ${what}`);
+  }
+
+  // Any colour of CSS as [red, green, blue, alpha] from 0 to 255.
+  const probe = document.createElement('canvas').getContext('2d', {willReadFrequently: true});
+  function rgba(colour) {
+    probe.clearRect(0, 0, 1, 1);
+    probe.fillStyle = colour;
+    probe.fillRect(0, 0, 1, 1);
+    return [...probe.getImageData(0, 0, 1, 1).data];
+  }
+
+  /** Pixels in exactly the colour of each engine, and how many colours there are; of a part of the canvas. */
+  function look(canvas, part = [0, 0, 1, 1]) {
+    const {width, height} = canvas;
+    const [x, y, w, h] =
+        [part[0] * width, part[1] * height, part[2] * width, part[3] * height].map(Math.round);
+    const data = new Uint32Array(canvas.getContext('2d').getImageData(x, y, w, h).data.buffer);
+    const counts = new Map();
+    for (const pixel of data)
+      counts.set(pixel, (counts.get(pixel) ?? 0) + 1);
+    const of = (name) =>
+        counts.get(new Uint32Array(new Uint8ClampedArray(rgba(css(`--${name}`))).buffer)[0]) ?? 0;
+    return {colours: counts.size, ...Object.fromEntries(engines.map((name) => [name, of(name)]))};
+  }
+  const picture = (canvas) => canvas.toDataURL();
+
+  // Contrast as WCAG 2 defines it.
+  function luminance(colour) {
+    const [r, g, b] = colour.slice(0, 3)
+                          .map((c) => c / 255)
+                          .map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  }
+  function contrast(a, b) {
+    const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y);
+    return (high + 0.05) / (low + 0.05);
+  }
+  function backgroundOf(element) {
+    for (let e = element; e; e = e.parentElement) {
+      const colour = rgba(getComputedStyle(e).backgroundColor);
+      if (colour[3] === 255) return colour;
+    }
+    return [255, 255, 255, 255];
+  }
+  /** The text of the page that is hardest to read. */
+  function worstText() {
+    let worst = {contrast: 21, where: ''};
+    for (const element of $$('body *')) {
+      const hasText =
+          [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent.trim());
+      if (!hasText || element.closest('script, noscript') || element.getClientRects().length === 0 ||
+          element.matches(':disabled'))
+        continue;
+      const found = contrast(rgba(getComputedStyle(element).color), backgroundOf(element));
+      if (found < worst.contrast)
+        worst = {
+          contrast: found,
+          where: `${element.tagName}.${element.className} "${element.textContent.slice(0, 40)}"`
+        };
+    }
+    return worst;
+  }
+
+  /** Words that say that a value was not there. */
+  function oddWords() {
+    const attributes =
+        $$('main *, header *')
+            .flatMap((e) => [e.title, e.getAttribute('aria-label'), e.getAttribute('aria-valuetext')])
+            .filter(Boolean);
+    const text = [$('header').innerText, $('main').innerText, ...attributes].join('\n');
+    return [...new Set(text.match(/\b(NaN|undefined|null|Infinity)\b|\[object/g) ?? [])];
+  }
+
+  const key = (element, name) =>
+      element.dispatchEvent(new KeyboardEvent('keydown', {key: name, bubbles: true, cancelable: true}));
+  const frameOf = (replay) => Number(replay.dataset.frame);
+
+  async function playReplay(replay) {
+    const play = $('[data-action=play]', replay), before = frameOf(replay);
+    play.click();
+    await until(() => frameOf(replay) > before + 2, 'frames to pass');
+    const wasPlaying = replay.dataset.playing;
+    if (replay.dataset.playing === 'true') play.click();
+    const stopped = frameOf(replay);
+    await wait(300);
+    return {
+      before,
+      after: stopped,
+      wasPlaying,
+      isPlaying: replay.dataset.playing,
+      rested: frameOf(replay) === stopped
+    };
+  }
+
+  async function goToWorst(replay, engine) {
+    const canvas = $('canvas', replay);
+    $(`[data-worst="${engine}"]`, replay).click();
+    await wait(50);
+    return {
+      clip: replay.dataset.clip,
+      frame: frameOf(replay),
+      text: $('.what', replay).textContent,
+      x: Number(replay.dataset.ballX) / canvas.clientWidth,
+      y: Number(replay.dataset.ballY) / canvas.clientHeight,
+      middle: look(canvas, [1 / 3, 1 / 3, 1 / 3, 1 / 3]),
+      whole: look(canvas),
+    };
+  }
+
+  async function useKeys(replay) {
+    const canvas = $('canvas', replay), start = frameOf(replay), seen = {};
+    key(canvas, 'ArrowRight');
+    seen.right = frameOf(replay) - start;
+    key(canvas, 'ArrowLeft');
+    key(canvas, 'ArrowLeft');
+    seen.left = frameOf(replay) - start;
+    key(canvas, ' ');
+    seen.space = replay.dataset.playing;
+    key(canvas, ' ');
+    seen.spaceAgain = replay.dataset.playing;
+    const moved = (act) => {
+      const before = picture(canvas);
+      act();
+      return picture(canvas) !== before;
+    };
+    seen.plus = moved(() => key(canvas, '+'));
+    seen.minus = moved(() => key(canvas, '-'));
+    seen.all = moved(() => key(canvas, '0'));
+    canvas.focus();
+    seen.wheel = moved(
+        () => canvas.dispatchEvent(new WheelEvent('wheel', {deltaY: -300, bubbles: true, cancelable: true})));
+    const x = Number(replay.dataset.ballX);
+    canvas.dispatchEvent(new PointerEvent('pointerdown', {clientX: 100, clientY: 100, bubbles: true}));
+    window.dispatchEvent(new PointerEvent('pointermove', {clientX: 130, clientY: 100}));
+    window.dispatchEvent(new PointerEvent('pointerup', {}));
+    window.dispatchEvent(new PointerEvent('pointermove', {clientX: 300, clientY: 100}));
+    seen.dragged = Number(replay.dataset.ballX) - x;
+    const slider = $('input[type=range]', replay);
+    slider.value = 5;
+    slider.dispatchEvent(new Event('input'));
+    seen.scrubbed = frameOf(replay);
+    key(canvas, '0');
+    seen.shown = look(canvas).native;
+    $('[data-track=native]', replay).click();
+    seen.hidden = look(canvas).native;
+    $('[data-track=native]', replay).click();
+    return seen;
+  }
+
+  async function visit(name) {
+    const select = $('#scene-select');
+    select.value = name;
+    select.dispatchEvent(new Event('change'));
+    await until(() => $('#scene-body').dataset.scene === name, name);
+    await until(() => !$('.replay') || 'ready' in $('.replay').dataset, 'the replay');
+    await wait(100);
+    const seen = {
+      name,
+      hash: decodeURIComponent(location.hash),
+      odd: oddWords(),
+      text: worstText(),
+      heatMaps: $$('[data-heat]').length,
+      outcomes: $$('[data-outcomes]').length,
+      metrics: $$('[data-metrics] tr').length,
+      bins: $$('[data-bins] tr').length
+    };
+    seen.plots = Object.fromEntries(
+        $$('#scene-body canvas[data-plot]').map((canvas) => [canvas.dataset.plot, look(canvas)]));
+    const replay = $('.replay');
+    if (!replay) return seen;
+    seen.replay = look($('canvas', replay));
+    seen.play = await playReplay(replay);
+    seen.worst = {};
+    for (const button of $$('[data-worst]', replay))
+      seen.worst[button.dataset.worst] = await goToWorst(replay, button.dataset.worst);
+    seen.keys = await useKeys(replay);
+    return seen;
+  }
+
+  /** Paper is white, whatever the screen is. */
+  function print() {
+    const plot = () => look($('canvas[data-plot=small]')).native;
+    window.dispatchEvent(new Event('beforeprint'));
+    const seen = {paper: rgba(css('--bg')).slice(0, 3), plot: plot()};
+    window.dispatchEvent(new Event('afterprint'));
+    return {...seen, screen: rgba(css('--bg')).slice(0, 3), plotAfter: plot()};
+  }
+
+  async function followLinks(names) {
+    const shown = () => $('#scene-body').dataset.scene;
+    const seen = [];
+    const follow = async (selector, name) => {
+      $(selector).click();
+      await until(() => shown() === name, `${name} by ${selector}`);
+      seen.push(shown());
+    };
+    await follow('#verdict-cards a', names[0]);
+    await follow('[aria-label="Next scene"]', names[1 % names.length]);
+    await follow('[aria-label="Scene before"]', names[0]);
+    $('a[href="#top"]').click();
+    await wait(200);
+    return [...seen, location.hash];
+  }
+
+  async function exercise(result) {
+    const isReady = () => 'ready' in document.documentElement.dataset;
+    await until(() => isReady() || window.noted.length > 0, 'the page');
+    result.text = $('header').innerText;
+    if (!isReady()) return;
+    result.isInterrupted = Boolean($('#interrupted'));
+    result.rows = $$('#overview-table tbody tr').length;
+    result.cards = $$('#verdict-cards .card').length;
+    result.small = $$('canvas[data-plot=small]').map((canvas) => look(canvas));
+    result.width = document.documentElement.scrollWidth - document.documentElement.clientWidth;
+    result.isDark = matchMedia('(prefers-color-scheme: dark)').matches;
+    result.seriesContrast =
+        Math.min(...engines.map((name) => contrast(rgba(css(`--${name}`)), rgba(css('--surface')))));
+    const names = $$('#scene-select option').map((option) => option.value);
+    for (const name of names)
+      result.scenes.push(await visit(name));
+    if (names.length > 0) {
+      result.links = await followLinks(names);
+      result.print = print();
+    }
+    result.isDone = true;
+  }
+
+  // The browser hands out the page once it is loaded, which it is not before this frame is. Time is real:
+  // with virtual time no frames are drawn.
+  const holder = document.createElement('iframe');
+  holder.hidden = true;
+  document.body.append(holder);
+  holder.contentDocument.open();
+
+  const result = {errors: window.noted, scenes: [], isDone: false};
+  try {
+    await exercise(result);
+  } catch (error) {
+    window.noted.push(`exercise: ${error.message}`);
+  }
+  result.resources = performance.getEntriesByType('resource').map((entry) => entry.name);
+  const text = document.createElement('pre');
+  text.id = 'test-result';
+  text.textContent = JSON.stringify(result).replace(/[<>&]/g, (c) => `\\u00${c.charCodeAt(0).toString(16)}`);
+  document.body.append(text);
+  holder.contentDocument.close();
+})();
