@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -67,6 +68,9 @@ const CMetric* FindMetric(std::string_view name) {
   return nullptr;
 }
 
+// Rates of impacts: what was not seen in n of them may still be 3/n.
+constexpr std::string_view g_stdRates[] = {"missed", "wrong_side", "tunneled", "overlapped", "ghost", "late"};
+
 } // namespace
 
 std::vector<std::string> GetMetricNames() {
@@ -88,6 +92,17 @@ CLimit ParseLimit(std::string_view text) {
     throw std::invalid_argument(
         fmt::format("{}=VALUE: expected a finite number of at least 0, got '{}'", name, value));
   return limit;
+}
+
+std::string WarnOfFew(const CLimit& limit, std::size_t contacts) {
+  const bool isRate =
+      std::find(std::begin(g_stdRates), std::end(g_stdRates), limit.m_sMetric) != std::end(g_stdRates);
+  const double needed = 3.0 / limit.m_fMost;
+  if (!isRate || limit.m_fMost == 0.0 || static_cast<double>(contacts) >= needed) return "";
+  return fmt::format(
+      "{}={:g}: that none is above in {} impacts shows no more than a rate below {:.2g}; it takes "
+      "{:.0f} (--contacts)",
+      limit.m_sMetric, limit.m_fMost, contacts, 3.0 / static_cast<double>(contacts), std::ceil(needed));
 }
 
 std::vector<std::string> FindAbove(const CRunReport& report, std::span<const CLimit> limits) {

@@ -4,6 +4,7 @@
 
 #include "report/Report.h"
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,6 +25,10 @@ std::vector<std::string> GetMetricNames();
 /// @throws std::invalid_argument if there is no such metric (with its near matches), or VALUE is not a finite
 /// number of at least 0
 CLimit ParseLimit(std::string_view text);
+
+/// What to tell about a limit on a rate that so many impacts cannot show (none in n is a rate below 3/n, with
+/// 95% confidence); empty if they can.
+std::string WarnOfFew(const CLimit& limit, std::size_t contacts);
 
 /// A sentence for every limit, scene and engine of the run that is above, naming the three and the value;
 /// and for a limit whose metric was measured on no scene at all, because that is no pass.

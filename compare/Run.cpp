@@ -10,11 +10,22 @@
 namespace Shapes::Compare {
 namespace {
 
-// The settings of these engines.
-std::vector<CEngine> SelectLadder(const std::vector<CEngine>& engines) {
+// A larger scale makes what an engine can hold smaller.
+bool CanHold(const CEngine& engine, const CScene& scene) {
+  try {
+    CTrialWorld(scene, engine, MakeStart(scene, 0, 0).m_stdBalls, 0.0);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+// The settings of these engines under which the scene can be played.
+std::vector<CEngine> SelectLadder(const std::vector<CEngine>& engines, const CScene& scene) {
   std::vector<CEngine> ladder = GetLadder();
   std::erase_if(ladder, [&](const CEngine& rung) {
-    return std::none_of(engines.begin(), engines.end(),
+    return !CanHold(rung, scene) ||
+           std::none_of(engines.begin(), engines.end(),
                         [&](const CEngine& engine) { return engine.m_sName == rung.m_sName; });
   });
   return ladder;
@@ -64,7 +75,7 @@ CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, 
   ladder.m_nBallSteps = sizes.m_nLadderBallSteps;
   ladder.m_nRepeats = sizes.m_nLadderRepeats;
   ladder.m_stdProgress = during(ePart::Ladder);
-  report.m_cWork = MeasureWorkPrecision(scene, SelectLadder(engines), ladder);
+  report.m_cWork = MeasureWorkPrecision(scene, SelectLadder(engines, scene), ladder);
 
   const std::vector<CCost> costs =
       MeasureCost(scene, engines, seed, sizes.m_nRepeats, sizes.m_nBallSteps, during(ePart::Timing));

@@ -280,6 +280,8 @@ std::vector<CScene> LoadScenes(const std::filesystem::path& folder) {
   if (error)
     throw CSceneError(
         fmt::format("{}: expected a folder of scenes, got {}", folder.string(), error.message()));
+  if (files.empty())
+    throw CSceneError(fmt::format("{}: expected a folder of scenes (*.json), got none", folder.string()));
   std::sort(files.begin(), files.end());
 
   std::vector<CScene> scenes;

@@ -63,8 +63,8 @@ public:
 CScene LoadScene(const std::filesystem::path& file);
 
 /// All files *.json of the folder, sorted by file name.
-/// @throws CSceneError if the folder cannot be read, one of its files is no scene, or two scenes have the
-/// same name
+/// @throws CSceneError if the folder cannot be read or has none, one of its files is no scene, or two scenes
+/// have the same name
 std::vector<CScene> LoadScenes(const std::filesystem::path& folder);
 
 /// Radians from rest at time t, in seconds; any finite t. In double up to the result, so the error is 1 ulp

@@ -113,16 +113,21 @@ CTrialWorld::CTrialWorld(const CScene& scene, const CEngine& engine,
     m_stdBalls.push_back(m_pWorld->Add(ball));
 }
 
+void CTrialWorld::Flip(const CScene& scene, double time) {
+  for (std::size_t i = 0; i < scene.m_stdShapes.size(); ++i)
+    if (scene.m_stdShapes[i].m_cFlip)
+      m_pWorld->SetRotSpeed(m_stdShapes[i], RotSpeedAt(scene.m_stdShapes[i], time,
+                                                       static_cast<double>(scene.m_cWorld.m_fTimeStep)));
+}
+
 CGame::CGame(const CScene& scene, const CEngine& engine, const CStart& start)
     : CGame(scene, engine, start, start.m_stdBalls, start.m_fTime) {}
 
 CGame::CGame(const CScene& scene, const CEngine& engine, const CStart& start,
              std::span<const CDynamicCircleDesc> balls, double time)
     : m_cScene(scene), m_cStart(start), m_cWorld(scene, engine, balls, time), m_fTime(time) {
-  for (std::size_t i = 0; i < scene.m_stdShapes.size(); ++i) {
-    if (scene.m_stdShapes[i].m_cFlip) m_stdFlips.push_back(i);
-    m_bHasDrain |= scene.m_stdShapes[i].m_bIsDrain;
-  }
+  for (const CSceneShape& shape : scene.m_stdShapes)
+    m_bHasDrain |= shape.m_bIsDrain;
 }
 
 void CGame::StartAgain(std::size_t ball) {
@@ -133,8 +138,7 @@ void CGame::StartAgain(std::size_t ball) {
 void CGame::Step() {
   CWorld& world = *m_cWorld.m_pWorld;
   const double dt = m_cScene.m_cWorld.m_fTimeStep;
-  for (const std::size_t i : m_stdFlips)
-    world.SetRotSpeed(m_cWorld.m_stdShapes[i], RotSpeedAt(m_cScene.m_stdShapes[i], m_fTime, dt));
+  m_cWorld.Flip(m_cScene, m_fTime);
   world.Step();
   m_fTime += dt;
 

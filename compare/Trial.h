@@ -58,6 +58,9 @@ struct CTrialWorld {
 
   CTrialWorld(const CScene& scene, const CEngine& engine, std::span<const CDynamicCircleDesc> balls,
               double time);
+
+  /// Gives the flippers the speed that they have in the step that begins at `time`.
+  void Flip(const CScene& scene, double time);
 };
 
 /// A scene that is played on: flippers flip, drained balls start again, and balls that left the bounds or
@@ -86,7 +89,6 @@ private:
   CStart m_cStart;
   CTrialWorld m_cWorld;
   double m_fTime;
-  std::vector<std::size_t> m_stdFlips; // shapes with a flip
   bool m_bHasDrain = false;
   bool m_bPutBack = true;
   std::size_t m_nEscaped = 0, m_nNotFinite = 0, m_nDrained = 0;

@@ -43,12 +43,19 @@ int Run(const std::vector<CScene>& scenes, const COptions& options, const std::s
   for (const std::string& text : options.m_stdLimits)
     limits.push_back(ParseLimit(text));
   RequireWritable(options.m_cOut);
+  for (const CLimit& limit : limits)
+    if (const std::string warning = WarnOfFew(limit, options.GetSizes().m_nContacts); !warning.empty())
+      fmt::print(stderr, "shapes-compare: {}\n", warning);
 
   CatchInterrupt();
   CProgress progress(scenes.size(), isatty(STDERR_FILENO) != 0);
   CRunReport report =
       RunScenes(scenes, engines, options.GetSizes(), options.m_nSeed, progress, &CheckInterrupt);
   report.m_sCommand = command;
+  if (report.m_stdScenes.empty()) { // an earlier report stays as it is
+    fmt::print(stderr, "shapes-compare: interrupted before a scene was finished; nothing is written\n");
+    return g_nInterruptedExit;
+  }
   fmt::print("{}\n", MakeTable(report));
   WriteReport(report, options.m_cOut);
   fmt::print("Written to {}: report.html (open it in a browser), run.json, contacts.csv\n",
@@ -68,7 +75,9 @@ void AddRunOptions(CLI::App& app, COptions& options) {
       ->delimiter(',');
   app.add_option("--out", options.m_cOut, "Folder for report.html, run.json and contacts.csv")
       ->capture_default_str();
-  app.add_option("--seed", options.m_nSeed, "Seed of the random trials")->capture_default_str();
+  app.add_option("--seed", options.m_nSeed, "Seed of the random trials")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--contacts", options.m_nContacts, "Impacts in each scene")
       ->capture_default_str()
       ->check(CLI::Range(1, 100000000));

@@ -13,7 +13,7 @@ namespace {
 double GetCost(const CRung& rung) { return rung.m_cNsPerBallSecond.m_fMedian; }
 
 double GetTunneledRate(const CRung& rung) {
-  return static_cast<double>(rung.m_nTunneled) / static_cast<double>(rung.m_nContacts);
+  return static_cast<double>(rung.GetAllTunneled()) / static_cast<double>(rung.GetAllContacts());
 }
 
 std::string Time(double ns) {
@@ -50,8 +50,8 @@ std::string Best(const std::vector<CRung>& rungs) {
     if (pBest == nullptr || key(rung) < key(*pBest)) pBest = &rung;
   }
   if (pBest == nullptr) return "";
-  return fmt::format("; the best is {} with {:.1f}% and {:.2g}% lost", Setting(*pBest),
-                     100.0 * *pBest->m_fDirectionErrorP95, 100.0 * GetTunneledRate(*pBest));
+  return fmt::format("; the best is {} with {:.2g} rad and {:.2g}% lost", Setting(*pBest),
+                     *pBest->m_fDirectionErrorP95, 100.0 * GetTunneledRate(*pBest));
 }
 
 // One sentence: the cheapest of all, and what the other engines need for the same.
@@ -69,7 +69,7 @@ std::string Answer(const std::vector<CRung>& rungs, const std::string& what, con
       text += fmt::format("; {} takes {:.1f} times as long", Setting(*pOther),
                           GetCost(*pOther) / GetCost(*pBest));
     else
-      text += fmt::format("; {} never", engine);
+      text += fmt::format("; no setting of {} that was tried", engine);
   }
   return text + ".";
 }
@@ -82,9 +82,11 @@ std::vector<std::string> MakeAnswers(const std::vector<CRung>& rungs, std::size_
       return rung.m_fDirectionErrorP95 && *rung.m_fDirectionErrorP95 < bound && GetTunneledRate(rung) < bound;
     };
   };
-  return {Answer(rungs, "Error below 1%", below(0.01)), Answer(rungs, "Error below .1%", below(0.001)),
-          Answer(rungs, fmt::format("No ball lost in {} impacts", proof),
-                 [&](const CRung& rung) { return rung.m_nTunneled == 0 && rung.m_nContacts >= proof; })};
+  return {Answer(rungs, "Direction within .01 rad and less than 1% lost", below(0.01)),
+          Answer(rungs, "Direction within .001 rad and less than .1% lost", below(0.001)),
+          Answer(rungs, fmt::format("None lost in {} impacts", proof), [&](const CRung& rung) {
+            return rung.GetAllTunneled() == 0 && rung.GetAllContacts() >= proof;
+          })};
 }
 
 } // namespace Shapes::Compare

@@ -21,15 +21,4 @@ std::optional<CResponse> AsSeenBy(const CContactEvent& event, CShapeId ball) {
   return std::nullopt;
 }
 
-std::optional<CResponse> FindResponse(const CWorld& world, CShapeId ball, CShapeId shape, bool onlyShape) {
-  std::optional<CResponse> first;
-  for (const CContactEvent& event : world.GetContacts()) {
-    const auto response = AsSeenBy(event, ball);
-    if (!response) continue;
-    if (response->m_cShape == shape) return response;
-    if (!onlyShape && !first) first = response;
-  }
-  return first;
-}
-
 } // namespace Shapes::Compare

@@ -23,10 +23,6 @@ struct CResponse {
   Vector2 m_vNorm;   ///< towards the ball that looks
 };
 
-/// The response of a ball in the last step to `shape`, if there is one; else its first response to anything,
-/// unless `onlyShape`.
-std::optional<CResponse> FindResponse(const CWorld& world, CShapeId ball, CShapeId shape, bool onlyShape);
-
 /// The event as the ball sees it; none if it is no response or not one of this ball.
 std::optional<CResponse> AsSeenBy(const CContactEvent& event, CShapeId ball);
 

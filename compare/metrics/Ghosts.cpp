@@ -5,8 +5,8 @@
 #include "EngineResponse.h"
 
 #include <algorithm>
+#include <exception>
 #include <optional>
-#include <stdexcept>
 
 namespace Shapes::Compare {
 namespace {
@@ -21,8 +21,9 @@ constexpr double g_fTouching = 1e-3;
 constexpr double g_fPass = 1.0;
 
 // Ways are walked in pieces of at least this many radii, so that walking ends. Passes are found to that
-// depth.
+// depth. And in so many pieces at most, if the ball is a point.
 constexpr double g_fPiece = 0.125;
+constexpr double g_fMostPieces = 4096.0;
 
 // Whether the disc of this radius about a centre that moves from p0 to p1 meets the figure. As far as the
 // figure is away the centre may move without meeting it.
@@ -33,7 +34,7 @@ bool Passes(const CFigure<double>& figure, const CVec2d& p0, const CVec2d& p1, d
     const double gap = Distance(figure, p) - reach;
     if (gap <= 0.0) return true;
     if (done >= way) return false;
-    done = std::min(way, done + std::max(gap, piece));
+    done = std::min(way, done + std::max({gap, piece, way / g_fMostPieces}));
   }
 }
 
@@ -106,7 +107,7 @@ void CGhostHunter::Judge(const CExactGame& game, CRestartResult& result) {
         ahead.Step();
         MarkTouched(ahead);
       }
-    } catch (const std::runtime_error&) {
+    } catch (const std::exception&) {
       return; // nobody knows what would have been touched
     }
   }

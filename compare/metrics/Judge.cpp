@@ -8,8 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <exception>
 #include <numbers>
-#include <stdexcept>
+#include <optional>
 
 namespace Shapes::Compare {
 namespace {
@@ -18,6 +19,13 @@ using CEvent = CExactEvent<double>;
 
 // Steps after the one of the impact in which a response still counts as late rather than missing.
 constexpr int g_nLateSteps = 2;
+
+// An approach below this share of that before the impact is none: floats, and the gravity of a step.
+constexpr double g_fStill = 1e-3;
+
+// Points of impact nearer than this to each other are one place, in radii of the ball. A ball that lies on a
+// floor touches it at least a radius away from where it meets a wall.
+constexpr double g_fSamePlace = 0.5;
 
 ePair GetPair(const CScene& scene, const CEvent& event) {
   if (event.m_bIsBall) return ePair::Ball;
@@ -49,6 +57,11 @@ bool IsAlone(const CEvent& event, const std::vector<CEvent>& all, std::ptrdiff_t
   return CountImpacts(all, event.m_nBall) == impacts &&
          (!event.m_bIsBall || CountImpacts(all, event.m_nShape) == impacts);
 }
+
+struct CAnswer {
+  CResponse m_cResponse;
+  eOutcome m_eOutcome;
+};
 
 // One event and the world of one engine at the end of its step.
 class CEndOfStep {
@@ -86,6 +99,30 @@ public:
                     std::isfinite(c.m_fEnergyError) && std::isfinite(c.m_fPositionError);
   }
 
+  // The response to what the exact ball met, or else another one that does as well.
+  std::optional<CAnswer> FindAnswer(CShapeId other, int late) const {
+    std::optional<CAnswer> answer;
+    for (const CContactEvent& contact : m_cWorld.m_pWorld->GetContacts()) {
+      const auto response = AsSeenBy(contact, m_cWorld.m_stdBalls[m_cEvent.m_nBall]);
+      if (!response) continue;
+      const bool same = response->m_cShape == other;
+      const auto outcome = GetOutcome(*response, same, late);
+      if (outcome && (same || !answer)) answer = CAnswer{*response, *outcome};
+      if (outcome && same) break;
+    }
+    return answer;
+  }
+
+  // What a response is worth, if it is one to this event. That to another shape (a guard point, the neighbour
+  // at a joint) is one only in the step of the impact, and only if it was in the same place, or if the ball
+  // no longer approaches what it met.
+  std::optional<eOutcome> GetOutcome(const CResponse& response, bool sameShape, int late) const {
+    const bool back = ToDouble(response.m_vNorm).dot(m_cEvent.m_vNorm) >= 0.0 && IsOnExactSide();
+    if (!sameShape && (late > 0 || !back || (!IsSamePlace(response) && Approaches()))) return std::nullopt;
+    if (!back) return eOutcome::WrongSide;
+    return late == 0 ? eOutcome::Correct : eOutcome::Late;
+  }
+
   float GetPenetration() const {
     const CVec2d p = GetPos(m_cEvent.m_nBall);
     const auto& reference = m_cGame.GetReference();
@@ -97,6 +134,32 @@ public:
   }
 
 private:
+  bool IsSamePlace(const CResponse& response) const {
+    return Norm(CVec2d(ToDouble(response.m_vPOI) - m_cEvent.m_vPOI)) <= g_fSamePlace * m_fRadius;
+  }
+
+  bool Approaches() const {
+    const CVec2d v =
+        GetVel(m_cEvent.m_nBall) - (m_cEvent.m_bIsBall ? GetVel(m_cEvent.m_nShape) : m_cEvent.m_vSurface);
+    return v.dot(m_cEvent.m_vNorm) < -g_fStill * Norm(CVec2d(m_cEvent.m_vVelBefore - m_cEvent.m_vSurface));
+  }
+
+  // Whether the centre is on the side of the shape that the exact ball met. Ends, points and balls have none.
+  bool IsOnExactSide() const {
+    if (m_cEvent.m_bIsBall) return true;
+    const CFigure<double> f = m_cGame.GetReference().GetFigure(m_cEvent.m_nShape);
+    const CVec2d p = GetPos(m_cEvent.m_nBall);
+    const double above = Cross(CVec2d(f.m_vPt1 - f.m_vPt0), CVec2d(p - f.m_vPt0)),
+                 out = Norm(CVec2d(p - f.m_vCenter)) - f.m_fRadius;
+    switch (m_cEvent.m_ePart) {
+    case ePart::Front: return above >= 0.0;
+    case ePart::Back: return above <= 0.0;
+    case ePart::Outside: return out >= 0.0;
+    case ePart::Inside: return out <= 0.0;
+    default: return true;
+    }
+  }
+
   CVec2d GetPos(std::size_t ball) const {
     return ToDouble(m_cWorld.m_pWorld->GetPos(m_cWorld.m_stdBalls[ball]));
   }
@@ -118,11 +181,6 @@ private:
   double m_fRadius;
 };
 
-eOutcome GetOutcome(const CResponse& response, const CEvent& event, int late) {
-  if (ToDouble(response.m_vNorm).dot(event.m_vNorm) < 0.0) return eOutcome::WrongSide;
-  return late == 0 ? eOutcome::Correct : eOutcome::Late;
-}
-
 } // namespace
 
 // The exact game at the end of the step of the impacts and of those after it, which are played when they are
@@ -131,15 +189,21 @@ class CAhead {
 public:
   explicit CAhead(const CExactGame& game) : m_cGame(game) {}
 
-  /// After `late` further steps, if the reference can decide them, and if nothing but the event happened to
-  /// those who take part in it.
-  const CExactGame* Find(int late, const CEvent& event) {
+  /// After `late` further steps; the last that the reference could decide if it gave up before.
+  const CExactGame& Find(int late) {
     while (static_cast<int>(m_stdLater.size()) < late && !m_bEnds)
       Play();
-    if (static_cast<int>(m_stdLater.size()) < late || !IsAlone(event, m_cGame.GetEvents(), 1)) return nullptr;
-    for (int i = 0; i < late; ++i)
-      if (!IsAlone(event, m_stdLater[static_cast<std::size_t>(i)].GetEvents(), 0)) return nullptr;
-    return late == 0 ? &m_cGame : &m_stdLater[static_cast<std::size_t>(late - 1)];
+    return late == 0 || m_stdLater.empty()
+               ? m_cGame
+               : m_stdLater[std::min<std::size_t>(m_stdLater.size(), static_cast<std::size_t>(late)) - 1];
+  }
+
+  /// Whether it could decide these steps, and nothing but the event happened in them to those who take part.
+  bool IsClear(int late, const CEvent& event) {
+    Find(late);
+    if (static_cast<int>(m_stdLater.size()) < late || !IsAlone(event, m_cGame.GetEvents(), 1)) return false;
+    return std::all_of(m_stdLater.begin(), m_stdLater.begin() + late,
+                       [&](const CExactGame& game) { return IsAlone(event, game.GetEvents(), 0); });
   }
 
 private:
@@ -148,7 +212,7 @@ private:
     try {
       next.Step();
       m_stdLater.push_back(std::move(next));
-    } catch (const std::runtime_error&) {
+    } catch (const std::exception&) {
       m_bEnds = true;
     }
   }
@@ -202,21 +266,23 @@ void CJudge::Run(std::size_t engine, const CExactGame& game, std::span<const CEv
   CTrialWorld world(m_cScene, m_stdEngines[engine], game.GetBalls(), game.GetTime());
   std::size_t open = events.size();
   for (int late = 0; late <= g_nLateSteps && open > 0; ++late) {
+    if (late > 0)
+      world.Flip(m_cScene, game.GetTime() + late * static_cast<double>(m_cScene.m_cWorld.m_fTimeStep));
     world.m_pWorld->Step();
     for (std::size_t i = 0; i < events.size(); ++i) {
       const CEvent& event = events[i];
       CEngineContact& c = contacts[i].m_stdEngines[engine];
       if (late == 0) c.m_fPenetration = CEndOfStep(game, world, event).GetPenetration();
       if (c.m_eOutcome != eOutcome::Missed) continue;
-      const auto& others = event.m_bIsBall ? world.m_stdBalls : world.m_stdShapes;
-      const auto response =
-          FindResponse(*world.m_pWorld, world.m_stdBalls[event.m_nBall], others[event.m_nShape], late > 0);
-      if (!response) continue;
+      const CShapeId other = (event.m_bIsBall ? world.m_stdBalls : world.m_stdShapes)[event.m_nShape];
+      const CEndOfStep end(ahead.Find(late), world, event);
+      const auto answer = end.FindAnswer(other, late);
+      if (!answer) continue;
       --open;
-      c.m_eOutcome = GetOutcome(*response, event, late);
-      if (c.m_eOutcome == eOutcome::WrongSide) continue;
-      CEndOfStep(game, world, event).Touch(*response, c);
-      if (const CExactGame* pThen = ahead.Find(late, event)) CEndOfStep(*pThen, world, event).Compare(c);
+      c.m_eOutcome = answer->m_eOutcome;
+      if (!c.HasTurnedBack()) continue;
+      end.Touch(answer->m_cResponse, c);
+      if (ahead.IsClear(late, event)) end.Compare(c);
     }
   }
 }

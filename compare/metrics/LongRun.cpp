@@ -15,8 +15,6 @@ namespace {
 // Drifts are between the means over this share of the steps at either end: within the period of a bounce the
 // energy of a world that goes in steps goes up and down.
 constexpr double g_fEnds = 0.1;
-// Drifts are given per this many bounces.
-constexpr double g_fPerBounces = 1e4;
 // With fewer bounces there is no figure: it would be rounding, or chance.
 constexpr std::size_t g_nLeastBounces = 100;
 // Trials over which the free path is averaged. Engines lose volume in phase space, so a single one may end in
@@ -59,23 +57,21 @@ std::optional<Vector2> FindCentre(const CScene& scene) {
 
 // The state at the end of a step.
 struct CSample {
-  double m_fBounces; // so far
   double m_fEnergy;
   double m_fMomentum;
 };
 
-// Relative change from the first tenth of the samples to the last, per g_fPerBounces.
+// Relative change from the first tenth of the samples to the last.
 std::optional<double> GetDrift(const std::vector<CSample>& samples, double CSample::*pFigure) {
   const auto n = static_cast<std::size_t>(g_fEnds * static_cast<double>(samples.size()));
   if (n == 0) return std::nullopt;
-  double first = 0.0, last = 0.0, bounces = 0.0;
+  double first = 0.0, last = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const CSample &a = samples[i], &b = samples[samples.size() - n + i];
     first += a.*pFigure;
     last += b.*pFigure;
-    bounces += b.m_fBounces - a.m_fBounces;
   }
-  const double drift = (last / first - 1.0) / (bounces / static_cast<double>(n)) * g_fPerBounces;
+  const double drift = last / first - 1.0;
   return std::isfinite(drift) ? std::optional(drift) : std::nullopt;
 }
 
@@ -100,8 +96,7 @@ public:
       run.m_nBounces += CountResponses(m_cGame.GetWorld());
       run.m_fSeconds += dt;
       m_fWay += way;
-      if (m_cKept.m_bEnergy || m_cKept.m_cCentre)
-        m_stdSamples.push_back({static_cast<double>(run.m_nBounces), GetEnergy(), GetMomentum()});
+      if (m_cKept.m_bEnergy || m_cKept.m_cCentre) m_stdSamples.push_back({GetEnergy(), GetMomentum()});
     }
     if (run.m_nBounces < g_nLeastBounces) return run;
     if (m_cKept.m_bEnergy) run.m_fEnergyDrift = GetDrift(m_stdSamples, &CSample::m_fEnergy);

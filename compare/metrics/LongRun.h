@@ -15,13 +15,13 @@ namespace Shapes::Compare {
 struct CLongRun {
   std::size_t m_nBounces = 0; ///< responses in the long trial
   double m_fSeconds = 0.0;    ///< simulated in it
-  /// Relative change of the total energy per 10^4 bounces, signed: where every elasticity product is 1,
+  /// Relative change of the total energy over the run, signed: where every elasticity product is 1,
   /// nothing turns, drains or senses. Heights are from the lowest corner of the scene's bounds.
   std::optional<double> m_fEnergyDrift;
   /// Mean way between bounces against that of the exact reference on the same starts, minus 1: one ball,
   /// no gravity, energy kept. Over as many bounces again, shared by several trials.
   std::optional<double> m_fFreePathError;
-  /// Relative change of the angular momentum about the common centre per 10^4 bounces, signed: where all
+  /// Relative change of the angular momentum about the common centre over the run, signed: where all
   /// shapes are circles and full arcs about one centre, nothing turns, and there is no gravity.
   std::optional<double> m_fAngularMomentumDrift;
 };

@@ -36,7 +36,7 @@ CInterval Wilson(std::size_t hits, std::size_t trials, double z) {
   const double n = static_cast<double>(trials), p = static_cast<double>(hits) / n, z2 = z * z;
   const double centre = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
   const double half = z / (1.0 + z2 / n) * std::sqrt(p * (1.0 - p) / n + z2 / (4.0 * n * n));
-  // The ends are exact where nothing, or everything, was hit: no rounding there.
+  // Where nothing, or everything, was hit, an end is exact: it must not come out as a rounding.
   return {hits == 0 ? 0.0 : std::max(0.0, centre - half),
           hits == trials ? 1.0 : std::min(1.0, centre + half)};
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 
 namespace Shapes::Compare {
 
@@ -28,7 +29,7 @@ std::vector<CEngine> GetLadder() {
     return engine;
   };
   // A substep of Box2D is a whole step of it at a higher rate. Iterations matter where contacts act on each
-  // other; the scale shrinks its skin and slop, the sagitta the error of arcs. About by cost: see Prove.
+  // other; the scale shrinks its skin and slop, the sagitta the error of arcs.
   return {
       native(1),
       native(2),
@@ -78,13 +79,19 @@ void MeasureErrors(const CScene& scene, const std::vector<CEngine>& ladder, cons
   restart.m_stdProgress = [&](double done) { options.m_stdProgress(g_fErrorShare * done); };
   const CRestartResult result = RunRestarts(scene, ladder, restart);
   for (std::size_t i = 0; i < ladder.size(); ++i) {
-    const CTotals totals = MakeTotals(result.m_stdContacts, i);
     CRung& rung = rungs[i];
     rung.m_cEngine = ladder[i];
-    if (totals.m_cDirectionError.m_nCount > 0) rung.m_fDirectionErrorP95 = totals.m_cDirectionError.m_fP95;
-    rung.m_nContacts = totals.m_nContacts;
-    rung.m_nMissed = totals.m_nMissed;
-    rung.m_nTunneled = totals.GetTunneled();
+    rung.m_nContacts = result.m_stdContacts.size();
+    std::vector<double> errors;
+    for (const CContact& contact : result.m_stdContacts) {
+      const CEngineContact& c = contact.m_stdEngines[i];
+      rung.m_nMissed += c.m_eOutcome == eOutcome::Missed;
+      rung.m_nTunneled += !c.HasTurnedBack();
+      if (c.m_bCompared || !c.HasTurnedBack())
+        errors.push_back(c.HasTurnedBack() ? static_cast<double>(c.m_fDirectionError) : std::numbers::pi);
+    }
+    if (const CSummary summary = Summarise(std::move(errors)); summary.m_nCount > 0)
+      rung.m_fDirectionErrorP95 = summary.m_fP95;
   }
 }
 
@@ -103,28 +110,40 @@ void MeasureCosts(const CScene& scene, const CLadderOptions& options, std::vecto
   }
 }
 
-// Goes on with a rung until it has had `proof` impacts or a miss.
+// Goes on with a rung until it has had `proof` impacts or a loss.
 void Prove(const CScene& scene, const CLadderOptions& options, CRung& rung) {
   CRestartOptions restart;
   restart.m_nContacts = std::max<std::size_t>(options.m_nContacts, 1);
   restart.m_nMostTrials = options.m_nMostTrials;
   restart.m_bAsk = restart.m_bGhosts = false;
   restart.m_stdProgress = [&](double) { options.m_stdProgress(g_fErrorShare + g_fCostShare); };
-  for (restart.m_nSeed = options.m_nSeed + 1; rung.m_nContacts < options.m_nProof && rung.m_nTunneled == 0;
-       ++restart.m_nSeed) {
+  for (restart.m_nSeed = options.m_nSeed + 1;
+       rung.GetAllContacts() < options.m_nProof && rung.GetAllTunneled() == 0; ++restart.m_nSeed) {
     const CRestartResult result = RunRestarts(scene, {rung.m_cEngine}, restart);
     if (result.m_stdContacts.empty()) return;
-    const CTotals totals = MakeTotals(result.m_stdContacts, 0);
-    rung.m_nContacts += totals.m_nContacts;
-    rung.m_nMissed += totals.m_nMissed;
-    rung.m_nTunneled += totals.GetTunneled();
+    rung.m_nProofContacts += result.m_stdContacts.size();
+    rung.m_nProofTunneled += MakeTotals(result.m_stdContacts, 0).GetTunneled();
   }
+}
+
+std::vector<CRung*> ByCost(std::vector<CRung>& rungs) {
+  std::vector<CRung*> sorted;
+  for (CRung& rung : rungs)
+    sorted.push_back(&rung);
+  std::sort(sorted.begin(), sorted.end(), [](const CRung* a, const CRung* b) {
+    return a->m_cNsPerBallSecond.m_fMedian < b->m_cNsPerBallSecond.m_fMedian;
+  });
+  return sorted;
 }
 
 } // namespace
 
 void MarkFronts(std::vector<CRung>& rungs) {
-  const auto mark = [&](auto figure, bool CRung::*pFront) {
+  const auto mark = [&](auto value, bool CRung::*pFront) {
+    // The reference is no engine that one could choose.
+    const auto figure = [&](const CRung& rung) {
+      return rung.m_cEngine.m_sName == g_sExact ? std::optional<double>() : value(rung);
+    };
     for (CRung& rung : rungs)
       rung.*pFront = figure(rung) && std::none_of(rungs.begin(), rungs.end(), [&](const CRung& other) {
                        if (!figure(other)) return false;
@@ -155,13 +174,12 @@ CWorkPrecision MeasureWorkPrecision(const CScene& scene, const std::vector<CEngi
   exact.m_nContacts = work.m_stdRungs.front().m_nContacts;
   MeasureCosts(scene, options, work.m_stdRungs);
 
-  // In the order of the ladder and not of the times, so that the counts are the same in every run.
   std::map<std::string, bool> proven;
-  for (CRung& rung : work.m_stdRungs) {
-    bool& done = proven[rung.m_cEngine.m_sName];
-    if (done || &rung == &exact || rung.m_nTunneled > 0 || rung.m_nContacts == 0) continue;
-    Prove(scene, options, rung);
-    done = rung.m_nTunneled == 0 && rung.m_nContacts >= options.m_nProof;
+  for (CRung* pRung : ByCost(work.m_stdRungs)) {
+    bool& done = proven[pRung->m_cEngine.m_sName];
+    if (done || pRung == &exact || pRung->m_nTunneled > 0 || pRung->m_nContacts == 0) continue;
+    Prove(scene, options, *pRung);
+    done = pRung->GetAllTunneled() == 0 && pRung->GetAllContacts() >= options.m_nProof;
   }
   MarkFronts(work.m_stdRungs);
   work.m_stdAnswers = MakeAnswers(work.m_stdRungs, options.m_nProof);

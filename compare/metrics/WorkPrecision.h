@@ -24,12 +24,19 @@ inline constexpr const char* g_sExact = "exact";
 struct CRung {
   CEngine m_cEngine;
   CMedian m_cNsPerBallSecond; ///< time for a simulated second of one ball
-  /// 95th percentile, radians, of the contacts that were compared; absent if none was.
+  /// 95th percentile, radians, of the contacts that were compared, with pi for each that tunneled: what goes
+  /// on through the wall goes the wrong way. Absent if there were none.
   std::optional<double> m_fDirectionErrorP95;
   std::size_t m_nContacts = 0;
   std::size_t m_nMissed = 0, m_nTunneled = 0;
-  /// No other setting costs no more and is no worse, in this figure, without being the same in both.
+  /// Further impacts, which only settings without a loss are given, and how many of them tunneled.
+  std::size_t m_nProofContacts = 0, m_nProofTunneled = 0;
+  /// No other setting of an engine costs no more and is no worse, in this figure, without being the same in
+  /// both.
   bool m_bFrontByError = false, m_bFrontByMisses = false;
+
+  std::size_t GetAllTunneled() const { return m_nTunneled + m_nProofTunneled; }
+  std::size_t GetAllContacts() const { return m_nContacts + m_nProofContacts; }
 };
 
 struct CWorkPrecision {
@@ -49,8 +56,9 @@ struct CLadderOptions {
   std::function<void(double)> m_stdProgress; ///< as in CRestartOptions
 };
 
-/// Settings without a miss in m_nContacts impacts are tried on further ones, those of each engine in the
-/// order of the ladder, until one of that engine has none in m_nProof.
+/// Settings that lost nothing in m_nContacts impacts are given further ones, the cheapest of each engine
+/// first, until one of that engine has lost nothing in m_nProof. Which ones these are depends on the times;
+/// all other counts do not.
 CWorkPrecision MeasureWorkPrecision(const CScene& scene, const std::vector<CEngine>& ladder,
                                     const CLadderOptions& options);
 

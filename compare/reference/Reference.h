@@ -173,6 +173,7 @@ private:
     bool m_bEnds = false; // it passes the end of the segment on which it rests
     std::size_t m_nOther = 0;
     CHit<T> m_cHit;
+    bool m_bTies = false; // another one at the same time, to another side
   };
   struct CPair { // what has happened between a ball and a shape or ball in this step
     CPair(std::size_t ball, std::size_t other, bool isBall)
@@ -212,6 +213,8 @@ private:
   void MeetBall(std::size_t ball, std::size_t other, CNext& next);
   void MeetEnds(std::size_t ball, CNext& next) const;
   bool IsNegligible(std::size_t ball, std::size_t other, bool isBall, const CHit<T>& hit);
+  bool AreApart(std::size_t ball, bool isBall0, std::size_t other0, const CHit<T>& hit0, bool isBall1,
+                std::size_t other1, const CHit<T>& hit1) const;
   void Offer(CNext& next, bool found, bool isBall, std::size_t ball, std::size_t other, const CHit<T>& hit);
   void CountNearMisses(const T& now);
   // ReferenceAnswer.cpp: what an impact does

@@ -58,6 +58,7 @@ void CReference<T>::Answer(std::size_t i, const CNext& next, std::vector<CExactE
   event.m_bIsSensor =
       m_stdBalls[a].m_bIsSensor || (isBall ? m_stdBalls[b].m_bIsSensor : m_stdShapes[b].m_bIsSensor);
   event.m_bGraze = hit.m_bGraze;
+  event.m_bSimultaneous = next.m_bTies;
   event.m_bOverlapped = hit.m_fDepth > T(2 * g_fRest) * m_stdBalls[a].GetExtent();
   event.m_ePart = hit.m_ePart;
   event.m_vCenter = hit.m_vCenter;

@@ -127,6 +127,19 @@ bool CReference<T>::IsNegligible(std::size_t i, std::size_t other, bool isBall, 
   return approach * (m_fStep - hit.m_fTime) < T(g_fRest) * m_stdBalls[i].GetExtent();
 }
 
+// Whether two hits of ball i at the same time would send it to different sides, so that their order decides.
+template <class T>
+bool CReference<T>::AreApart(std::size_t i, bool isBall0, std::size_t other0, const CHit<T>& hit0,
+                             bool isBall1, std::size_t other1, const CHit<T>& hit1) const {
+  const auto isSensor = [&](bool isBall, std::size_t k) {
+    return m_stdBalls[i].m_bIsSensor || (isBall ? m_stdBalls[k].m_bIsSensor : m_stdShapes[k].m_bIsSensor);
+  };
+  if (isSensor(isBall0, other0) || isSensor(isBall1, other1)) return false;
+  // Of two balls the normal is that of the lower one.
+  const T side0 = isBall0 && i > other0 ? T(-1) : T(1), side1 = isBall1 && i > other1 ? T(-1) : T(1);
+  return Norm(CVec<T>(side0 * hit0.m_vNorm - side1 * hit1.m_vNorm)) > T(g_fGraze);
+}
+
 template <class T>
 void CReference<T>::Offer(CNext& next, bool found, bool isBall, std::size_t i, std::size_t other,
                           const CHit<T>& hit) {
@@ -135,13 +148,17 @@ void CReference<T>::Offer(CNext& next, bool found, bool isBall, std::size_t i, s
     const auto isFace = [](const CHit<T>& h) {
       return h.m_ePart == ePart::Front || h.m_ePart == ePart::Back;
     };
+    using std::abs;
     bool earlier = hit.m_fTime < old.m_fTime;
+    const bool together =
+        next.m_bFound && !next.m_bEnds && abs(hit.m_fTime - old.m_fTime) <= T(g_fSimultaneous) * m_fStep;
     // Where a ball comes to lie on a joint it lies on the side, not on an end.
-    if (next.m_bFound && !next.m_bEnds && hit.m_bBegins && old.m_bBegins && isFace(hit) != isFace(old)) {
-      using std::abs;
-      if (abs(hit.m_fTime - old.m_fTime) <= T(g_fSimultaneous) * m_fStep) earlier = isFace(hit);
-    }
+    if (together && hit.m_bBegins && old.m_bBegins && isFace(hit) != isFace(old)) earlier = isFace(hit);
+    // Two that answer alike, as the sides of a joint do, are one.
+    const bool ties =
+        together && (next.m_bTies || AreApart(i, next.m_bIsBall, next.m_nOther, old, isBall, other, hit));
     if (!next.m_bFound || earlier) next = {true, isBall, false, other, hit};
+    next.m_bTies = earlier || together ? ties : next.m_bTies;
   }
   if (found || !hit.m_bGraze) return;
   const std::size_t a = isBall ? std::min(i, other) : i, b = isBall ? std::max(i, other) : other;

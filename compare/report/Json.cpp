@@ -177,6 +177,9 @@ ordered_json SceneToJson(const CRunReport& report, const CSceneReport& scene) {
 }
 
 ordered_json ToJson(const CRung& rung, const CScene& scene) {
+  ordered_json proof;
+  if (rung.m_nProofContacts > 0)
+    proof = {{"contacts", rung.m_nProofContacts}, {"tunneled", rung.m_nProofTunneled}};
   return {{"scene", scene.m_sName},
           {"engine", rung.m_cEngine.m_sName},
           {"label", rung.m_cEngine.GetLabel()},
@@ -187,6 +190,7 @@ ordered_json ToJson(const CRung& rung, const CScene& scene) {
           {"contacts", rung.m_nContacts},
           {"miss_rate", Rate(rung.m_nMissed, rung.m_nContacts)},
           {"tunneled_rate", Rate(rung.m_nTunneled, rung.m_nContacts)},
+          {"proof", std::move(proof)},
           {"front_by_error", rung.m_bFrontByError},
           {"front_by_misses", rung.m_bFrontByMisses}};
 }

@@ -22,11 +22,20 @@ double Badness(const CEngineContact& c) {
   return c.m_bDetected ? static_cast<double>(c.m_fSetbackError) : 0.0;
 }
 
+std::string Happened(eOutcome outcome, const char* pWhat) {
+  switch (outcome) {
+  case eOutcome::Correct: return fmt::format("meets the {}", pWhat);
+  case eOutcome::Late: return fmt::format("meets the {} late", pWhat);
+  case eOutcome::WrongSide: return fmt::format("pushes the ball through the {}", pWhat);
+  case eOutcome::Missed: break;
+  }
+  return fmt::format("misses the {}", pWhat);
+}
+
 std::string Describe(const CContact& contact, const CEngine& engine, const CEngineContact& c) {
-  std::string text =
-      fmt::format("{} with {}: {}", engine.m_sName, GetName(contact.m_ePair), GetName(c.m_eOutcome));
+  std::string text = fmt::format("{} {}", engine.m_sName, Happened(c.m_eOutcome, GetName(contact.m_ePair)));
   if (c.m_bCompared) text += fmt::format(", direction {:.3g} rad off", c.m_fDirectionError);
-  if (c.m_bDetected) text += fmt::format(", set back {:.2g} radii from the exact place", c.m_fSetbackError);
+  if (c.m_bDetected) text += fmt::format(", put {:.2g} radii from the exact place", c.m_fSetbackError);
   return text +
          fmt::format(" (trial {}, step {}, ball {})", contact.m_nTrial, contact.m_nStep, contact.m_nBall);
 }

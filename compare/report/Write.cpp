@@ -16,12 +16,16 @@ constexpr std::array<const char*, 3> g_stdNames{"report.html", "run.json", "cont
   throw std::runtime_error(file.string() + ": cannot be written (" + std::strerror(errno) + ")");
 }
 
+// Under another name first: a file that is there stays whole until the new one is.
 void WriteFile(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path part = file.string() + ".part";
   errno = 0;
-  std::ofstream out(file, std::ios::binary);
+  std::ofstream out(part, std::ios::binary);
   out << text;
   out.close();
-  if (!out) Refuse(file);
+  std::error_code error;
+  if (out) std::filesystem::rename(part, file, error);
+  if (!out || error) Refuse(file);
 }
 
 } // namespace

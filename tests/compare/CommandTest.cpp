@@ -184,6 +184,21 @@ TEST_F(CommandTest, CtrlCReportsWhatIsFinished) {
   EXPECT_TRUE(fs::exists(m_cFolder / "report.html") && fs::exists(m_cFolder / "contacts.csv"));
 }
 
+TEST_F(CommandTest, CtrlCBeforeTheFirstSceneLeavesAnEarlierReportAlone) {
+  Write("run.json", "earlier");
+  bool typed = false;
+  const CResult result =
+      CallOnTerminal("run --scenes pinball --out " + m_cFolder.string(), [&](const std::string& output) {
+        const bool now = !typed && output.find("1/1 ") != std::string::npos;
+        typed |= now;
+        return now ? "\x03" : "";
+      });
+  EXPECT_EQ(result.m_nExit, 130) << result.m_sOutput;
+  EXPECT_NE(result.m_sOutput.find("nothing is written"), std::string::npos) << result.m_sOutput;
+  EXPECT_EQ(Read("run.json"), "earlier");
+  EXPECT_FALSE(fs::exists(m_cFolder / "report.html"));
+}
+
 TEST_F(CommandTest, ASceneOfOnesOwnIsRun) {
   const std::string file = Write("mine.json", R"({"name": "mine", "duration": 1, "time_step": 0.01,
     "bounds": {"left": -2, "bottom": -2, "right": 2, "top": 2},
@@ -208,6 +223,10 @@ TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
   ExpectBadInput("run --fail-above missed=nan" + out, "got 'nan'");
   ExpectBadInput("run --fail-above missed" + out, "got ''");
   ExpectBadInput("run --seed x" + out, "--seed");
+  ExpectBadInput("run --seed -1" + out, "--seed");
+  fs::create_directories(m_cFolder / "empty");
+  ExpectBadInput("run --folder " + (m_cFolder / "empty").string() + out,
+                 "empty: expected a folder of scenes");
   ExpectBadInput("run --contacts 0" + out, "--contacts");
   ExpectBadInput("jump", "jump");
   ExpectBadInput("", "subcommand");

@@ -82,5 +82,12 @@ TEST(FailAboveTest, WhatWasMeasuredNowhereIsNoPass) {
   EXPECT_TRUE(Find(report, "missed=1").empty());
 }
 
+TEST(FailAboveTest, FewImpactsShowNoSmallRate) {
+  EXPECT_EQ(WarnOfFew({"tunneled", 0.001}, 3000), "");
+  EXPECT_NE(WarnOfFew({"tunneled", 0.001}, 100).find("takes 3000"), std::string::npos);
+  EXPECT_EQ(WarnOfFew({"tunneled", 0.0}, 100), "");          // no number of impacts would
+  EXPECT_EQ(WarnOfFew({"direction_error", 0.001}, 100), ""); // no rate
+}
+
 } // namespace
 } // namespace Shapes::Compare

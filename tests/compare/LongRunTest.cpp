@@ -97,9 +97,9 @@ TEST(LongRunTest, EnergyOfAnElasticDrop) {
   ASSERT_TRUE(runs[g_nNative].m_fEnergyDrift && runs[g_nBox2D].m_fEnergyDrift);
   EXPECT_EQ(runs[g_nNative].m_nBounces, 1000u);
   // 2 m in 1.25 s: documented as .0035 of the height in 300 s, that is 240 bounces.
-  EXPECT_NEAR(*runs[g_nNative].m_fEnergyDrift, 0.0, 0.0035 / 240 * 1e4);
+  EXPECT_NEAR(*runs[g_nNative].m_fEnergyDrift, 0.0, 0.0035 / 240 * 1000);
   EXPECT_LT(runs[g_nBox2D].m_nBounces, 1000u); // it has left
-  EXPECT_GT(*runs[g_nBox2D].m_fEnergyDrift, 100.0);
+  EXPECT_GT(*runs[g_nBox2D].m_fEnergyDrift, 1.0);
   EXPECT_FALSE(runs[g_nNative].m_fFreePathError);
   EXPECT_FALSE(runs[g_nNative].m_fAngularMomentumDrift);
 }

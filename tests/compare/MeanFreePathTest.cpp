@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The exact reference in billiards, against their mean free paths.
 #include "Random.h"
-#include "reference/Reference.h"
+#include "ReferenceTesting.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,20 +16,6 @@ namespace Shapes::Compare::Tests {
 namespace {
 
 using Shapes::Tests::CRandom;
-using CExact = CReference<double>;
-using CEvents = std::vector<CExactEvent<double>>;
-using CShapes = std::vector<CAnyShapeDesc>;
-using CBalls = std::vector<CDynamicCircleDesc>;
-
-constexpr double g_fEps = std::numeric_limits<double>::epsilon();
-
-CLineSegDesc Wall(float x0, float y0, float x1, float y1) { return CLineSegDesc({x0, y0}, {x1, y1}); }
-
-std::string Text(double f) {
-  std::ostringstream out;
-  out << f;
-  return out.str();
-}
 
 // The mean free path of a billiard is pi A / P (N. Chernov, Entropy, Lyapunov exponents, and mean free path
 // for billiards, Journal of Statistical Physics 88 (1997)), where A and P are area and perimeter of what the
@@ -52,7 +36,7 @@ void PrintTo(const CBilliard& billiard, std::ostream* pOut) { *pOut << billiard.
 constexpr double g_fPi = std::numbers::pi;
 
 CShapes Table(float w, float h, const CShapes& others = {}) {
-  CShapes shapes = {Wall(0, 0, w, 0), Wall(w, 0, w, h), Wall(0, h, w, h), Wall(0, 0, 0, h)};
+  CShapes shapes = Box({0, 0}, {w, h});
   shapes.insert(shapes.end(), others.begin(), others.end());
   return shapes;
 }
@@ -99,7 +83,7 @@ const std::vector<CBilliard>& Billiards() {
       {"Stadium", // Bunimovich's; segments and the insides of arcs, with tangent joints
        [](double r) { return 1 - 2 * r + g_fPi * (.5 - r) * (.5 - r); },
        [](double r) { return 2 + 2 * g_fPi * (.5 - r); },
-       {Wall(.5f, 0, 1.5f, 0), Wall(.5f, 1, 1.5f, 1), CArcDesc({.5f, .5f}, .5f, pi / 2, 3 * pi / 2),
+       {Wall({.5f, 0}, {1.5f, 0}), Wall({.5f, 1}, {1.5f, 1}), CArcDesc({.5f, .5f}, .5f, pi / 2, 3 * pi / 2),
         CArcDesc({1.5f, .5f}, .5f, 3 * pi / 2, pi / 2)},
        .125f,
        {0, 0},
@@ -116,7 +100,7 @@ const std::vector<CBilliard>& Billiards() {
          const double R = .5 + r, a = BiteAngle(r);
          return 2 * (1 - 2 * r) + 2 * (1 - r - R * std::cos(a)) + R * (g_fPi / 2 - 2 * a);
        },
-       {Wall(0, 0, 1, 0), Wall(0, 0, 0, 1), Wall(1, 0, 1, .5f), Wall(0, 1, .5f, 1),
+       {Wall({0, 0}, {1, 0}), Wall({0, 0}, {0, 1}), Wall({1, 0}, {1, .5f}), Wall({0, 1}, {.5f, 1}),
         CArcDesc({1, 1}, .5f, pi, 3 * pi / 2)},
        .0625f,
        {0, 0},
@@ -133,7 +117,7 @@ const std::vector<CBilliard>& Billiards() {
       {"NeedleInRectangle", // both faces and both ends of a segment
        [](double r) { return (1.5 - 2 * r) * (1 - 2 * r) - g_fPi * r * r - 2 * r * .5; },
        [](double r) { return 5 - 8 * r + 2 * g_fPi * r + 2 * .5; },
-       Table(1.5f, 1, {Wall(.5f, .5f, 1, .5f)}),
+       Table(1.5f, 1, {Wall({.5f, .5f}, {1, .5f})}),
        .09375f,
        {0, 0},
        {1.5, 1},
@@ -173,9 +157,8 @@ TEST_P(CMeanFreePath, IsPiAreaOverPerimeter) {
   constexpr int nBalls = 5000;
   const double length = 60 * truth;
   CRandom random(1997);
-  CExact reference(b.m_stdShapes, CBalls{CDynamicCircleDesc({0, 0}, b.m_fRadius)}, Vector2::Zero());
+  CExact reference = Make(b.m_stdShapes, {CDynamicCircleDesc({0, 0}, b.m_fRadius)});
   double sum = 0, squares = 0;
-  CEvents events;
   for (int k = 0; k < nBalls; ++k) {
     SCOPED_TRACE("seed 1997 ball " + std::to_string(k));
     CVec2d p;
@@ -185,8 +168,7 @@ TEST_P(CMeanFreePath, IsPiAreaOverPerimeter) {
     } while (!b.m_pIsFree(p, r));
     const CVec2d v = Unit(ToDouble(random.Direction()), CVec2d(1, 0));
     reference.SetBall(0, p, v);
-    events.clear();
-    reference.Step(length, events);
+    const CEvents events = Carry(reference, length);
     const double hits = static_cast<double>(events.size()), bound = 8 * g_fEps * hits;
     sum += hits;
     squares += hits * hits;

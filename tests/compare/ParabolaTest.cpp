@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sweep along parabolas, on cases with known answers: a ball that is thrown and met by each kind of
 // shape, tangents, and what touches or overlaps at the start.
+#include "ReferenceTesting.h"
 #include "reference/Scalar.h"
 #include "reference/Sweep.h"
 
@@ -15,7 +16,6 @@ namespace {
 
 using CBalld = CSweptBall<double>;
 
-constexpr double g_fEps = std::numeric_limits<double>::epsilon();
 const CVec2d g_vDown(0, -8);
 
 struct CResult {
@@ -30,12 +30,6 @@ CResult Throw(const CAnyShapeDesc& desc, const CVec2d& p, const CVec2d& v, doubl
   return result;
 }
 
-template <class TDesc>
-TDesc Sided(TDesc desc, eSides sides) {
-  desc.m_eSides = sides;
-  return desc;
-}
-
 // Thrown so that at time 2 it touches at `center`, moving at `v`: the earlier touches are excluded by hand.
 TEST(Parabola, IsCaughtByEachKindOfShape) {
   const struct {
@@ -46,13 +40,13 @@ TEST(Parabola, IsCaughtByEachKindOfShape) {
     CVec2d m_vNorm;
   } cases[] = {
       {"point", CPointDesc({1, 0}), {1, .25}, {3, -10}, ePart::Point, {0, 1}},
-      {"face", CLineSegDesc({-1, 0}, {3, 0}), {1, .25}, {3, -10}, ePart::Front, {0, 1}},
-      {"back, from below", CLineSegDesc({-1, 0}, {3, 0}), {1, -.25}, {3, 20}, ePart::Back, {0, -1}},
-      {"end", CLineSegDesc({1, 0}, {3, 0}), {.8, .15}, {3, -10}, ePart::End0, {-.8, .6}},
+      {"face", Wall({-1, 0}, {3, 0}), {1, .25}, {3, -10}, ePart::Front, {0, 1}},
+      {"back, from below", Wall({-1, 0}, {3, 0}), {1, -.25}, {3, 20}, ePart::Back, {0, -1}},
+      {"end", Wall({1, 0}, {3, 0}), {.8, .15}, {3, -10}, ePart::End0, {-.8, .6}},
       {"circle", CCircleDesc({1, -1}, 1), {1, .25}, {3, -10}, ePart::Outside, {0, 1}},
       {"arc", CArcDesc({1, -1}, 1, .5f, 2.5f), {1, .25}, {3, -10}, ePart::Outside, {0, 1}},
       {"one-sided face",
-       Sided(CLineSegDesc({-1, 0}, {3, 0}), eSides::Front),
+       Sided(Wall({-1, 0}, {3, 0}), eSides::Front),
        {1, .25},
        {3, -10},
        ePart::Front,
@@ -110,7 +104,7 @@ TEST(Parabola, ApexIsFoundInOneLongStep) { // both ends of the way are far below
 TEST(Parabola, TangentsAreFlaggedOnBothSides) {
   // Up to the apex at y = 1, where it touches a ceiling, or a point, if r = .5.
   for (const CAnyShapeDesc& shape :
-       {CAnyShapeDesc(CLineSegDesc({-9, 1.5f}, {9, 1.5f})), CAnyShapeDesc(CPointDesc({1, 1.5f}))}) {
+       {CAnyShapeDesc(Wall({-9, 1.5f}, {9, 1.5f})), CAnyShapeDesc(CPointDesc({1, 1.5f}))}) {
     const auto toss = [&](double over) { return Throw(shape, {0, over}, {2, 4}, .5, 1); };
     EXPECT_TRUE(toss(1e-11).m_bMet);
     EXPECT_TRUE(toss(1e-11).m_cHit.m_bGraze);
@@ -126,9 +120,9 @@ TEST(Parabola, TangentsAreFlaggedOnBothSides) {
 // Touching and overlapping balls that do not approach are met when they begin to.
 TEST(Parabola, WhatBeginsToApproachIsMet) {
   for (const CAnyShapeDesc& floor :
-       {CAnyShapeDesc(CLineSegDesc({-9, 0}, {9, 0})), CAnyShapeDesc(CCircleDesc({0, -2}, 2)),
+       {CAnyShapeDesc(Wall({-9, 0}, {9, 0})), CAnyShapeDesc(CCircleDesc({0, -2}, 2)),
         CAnyShapeDesc(CPointDesc({0, 0})), CAnyShapeDesc(CArcDesc({0, 4}, 4, 0, 0)),
-        CAnyShapeDesc(Sided(CLineSegDesc({-9, 0}, {9, 0}), eSides::Front))}) {
+        CAnyShapeDesc(Sided(Wall({-9, 0}, {9, 0}), eSides::Front))}) {
     SCOPED_TRACE(floor.index());
     for (const double depth : {0.0, 1e-8, .125}) {
       const CResult rests = Throw(floor, {0, .5 - depth}, {0, 0}, .5);
@@ -151,16 +145,16 @@ TEST(Parabola, WhatBeginsToApproachIsMet) {
     // Accelerated off, or along a straight one, it is let go.
     EXPECT_FALSE(Throw(floor, {0, .5}, {0, 0}, .5, .1, {0, 8}).m_bMet);
   }
-  EXPECT_FALSE(Throw(CLineSegDesc({-9, 0}, {9, 0}), {0, .5}, {1, 0}, .5, 1, {3, 0}).m_bMet);
+  EXPECT_FALSE(Throw(Wall({-9, 0}, {9, 0}), {0, .5}, {1, 0}, .5, 1, {3, 0}).m_bMet);
   // A centre on the other side is not held back.
-  EXPECT_FALSE(Throw(Sided(CLineSegDesc({-9, 0}, {9, 0}), eSides::Front), {0, -.1}, {0, 0}, .5).m_bMet);
-  EXPECT_FALSE(Throw(CLineSegDesc({-9, 0}, {9, 0}), {0, -.1}, {0, 0}, .5).m_bMet);
+  EXPECT_FALSE(Throw(Sided(Wall({-9, 0}, {9, 0}), eSides::Front), {0, -.1}, {0, 0}, .5).m_bMet);
+  EXPECT_FALSE(Throw(Wall({-9, 0}, {9, 0}), {0, -.1}, {0, 0}, .5).m_bMet);
 }
 
 // Hops of any height last 2 v / g to a few roundings, though their height is below every rounding of place.
 TEST(Parabola, TinyHopsKeepTheirRelativePrecision) {
   for (const CAnyShapeDesc& floor :
-       {CAnyShapeDesc(CLineSegDesc({-9, 0}, {9, 0})), CAnyShapeDesc(CCircleDesc({0, -2}, 2))})
+       {CAnyShapeDesc(Wall({-9, 0}, {9, 0})), CAnyShapeDesc(CCircleDesc({0, -2}, 2))})
     for (const double v : {1e-3, 1e-6, 1e-9, 1e-11}) {
       const CResult hop = Throw(floor, {0, .5 + 4 * g_fEps}, {0, v}, .5);
       ASSERT_TRUE(hop.m_bMet);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The exact reference under gravity: balls that bounce, come to rest, lie on slopes, in wedges and on each
 // other, and roll off.
-#include "reference/Reference.h"
+#include "ReferenceTesting.h"
 #include "reference/Scalar.h"
 
 #include <gtest/gtest.h>
@@ -12,27 +12,17 @@
 namespace Shapes::Compare::Tests {
 namespace {
 
-using CShapes = std::vector<CAnyShapeDesc>;
-using CBalls = std::vector<CDynamicCircleDesc>;
-using CEvents = std::vector<CExactEvent<double>>;
-using CReferenced = CReference<double>;
-
-constexpr double g_fEps = std::numeric_limits<double>::epsilon();
 const Vector2 g_vDown(0, -9.81f);
 const double g_fG = static_cast<double>(9.81f);
 
-CLineSegDesc Wall(const Vector2& a, const Vector2& b, float e = 1) { return CLineSegDesc(a, b, e); }
+CExact MakeHeavy(const CShapes& shapes, const CBalls& balls) { return Make(shapes, balls, g_vDown); }
 
-CReferenced Make(const CShapes& shapes, const CBalls& balls, const Vector2& g = g_vDown) {
-  return CReferenced(shapes, balls, g);
-}
-
-CEvents Carry(CReferenced& reference, double dt, int steps = 1) {
-  CEvents events;
-  for (int i = 0; i < steps; ++i)
-    reference.Step(dt, events);
-  return events;
-}
+// Two balls above a table with a piece of every kind.
+const CBalls g_stdTwo = {CDynamicCircleDesc({-1, 1.5f}, .125f, {1, 0}),
+                         CDynamicCircleDesc({1, 1}, .25f, {-.5f, .25f}, 2)};
+const CShapes g_stdTable = {Wall({-2, -2}, {2, -1.5f}, .8f), Wall({2, -2}, {2, 2}),
+                            Wall({-2, -2}, {-2, 2}),         CArcDesc({0, -1.5f}, .5f, 0, 3, .9f),
+                            CCircleDesc({-1, .5f}, .25f),    CPointDesc({1, 0})};
 
 // Through memory: g++ 12 at -O2 takes a pair of conversions to float and back for none.
 CVec2d AsFloats(const CVec2d& v) {
@@ -41,7 +31,7 @@ CVec2d AsFloats(const CVec2d& v) {
 }
 
 // What a step of an engine starts from.
-void RoundToFloat(CReferenced& reference) {
+void RoundToFloat(CExact& reference) {
   for (std::size_t i = 0; i < reference.GetBallCount(); ++i)
     reference.SetBall(i, AsFloats(reference.GetBall(i).m_vPos), AsFloats(reference.GetBall(i).m_vVel));
 }
@@ -53,7 +43,7 @@ TEST(ReferenceGravity, RoundingToFloatsRounds) {
 
 // Dropped from h = 1 with e = .5 it rests after sqrt(2 h / g) (1 + e) / (1 - e).
 TEST(ReferenceGravity, BouncingBallComesToRest) {
-  CReferenced reference = Make({Wall({-1, 0}, {1, 0}, .5f)}, {CDynamicCircleDesc({0, 1.125f}, .125f)});
+  CExact reference = MakeHeavy({Wall({-1, 0}, {1, 0}, .5f)}, {CDynamicCircleDesc({0, 1.125f}, .125f)});
   const CEvents events = Carry(reference, 2);
   const double first = std::sqrt(2 / g_fG), rest = 3 * first;
   ASSERT_GT(events.size(), 20u);
@@ -71,8 +61,8 @@ TEST(ReferenceGravity, BouncingBallComesToRest) {
 
 // Many honest bounces in one step are not rest: the k-th hop takes 2 v e^k / g.
 TEST(ReferenceGravity, HundredsOfBouncesInAStepAreEvents) {
-  CReferenced reference =
-      Make({Wall({-1, 0}, {1, 0}, .9990234375f)}, {CDynamicCircleDesc({0, .125f}, .125f)});
+  CExact reference =
+      MakeHeavy({Wall({-1, 0}, {1, 0}, .9990234375f)}, {CDynamicCircleDesc({0, .125f}, .125f)});
   reference.SetBall(0, {0, .125}, {0, .05});
   const CEvents events = Carry(reference, 2);
   ASSERT_GT(events.size(), 200u);
@@ -88,19 +78,15 @@ TEST(ReferenceGravity, HundredsOfBouncesInAStepAreEvents) {
 
 // Where the way turns back between two places that are far below what it meets.
 TEST(ReferenceGravity, ApexOfALongStepIsNotOverlooked) {
-  CReferenced reference = Make({CPointDesc({0, 5.25f})}, {CDynamicCircleDesc({-1, 0}, .5f, {1, 9.9f})});
+  CExact reference = MakeHeavy({CPointDesc({0, 5.25f})}, {CDynamicCircleDesc({-1, 0}, .5f, {1, 9.9f})});
   const CEvents events = Carry(reference, 2.5);
   ASSERT_EQ(events.size(), 1u);
   EXPECT_GT(events[0].m_vCenter.y(), 4.7);
 }
 
 TEST(ReferenceGravity, WayDoesNotDependOnTheSteps) {
-  const CShapes shapes = {Wall({-2, -2}, {2, -1.5f}, .8f), Wall({2, -2}, {2, 2}),
-                          Wall({-2, -2}, {-2, 2}),         CArcDesc({0, -1.5f}, .5f, 0, 3, .9f),
-                          CCircleDesc({-1, .5f}, .25f),    CPointDesc({1, 0})};
-  CReferenced one = Make(shapes, {CDynamicCircleDesc({-1, 1.5f}, .125f, {1, 0}),
-                                  CDynamicCircleDesc({1, 1}, .25f, {-.5f, .25f}, 2)});
-  CReferenced many = one;
+  CExact one = MakeHeavy(g_stdTable, g_stdTwo);
+  CExact many = one;
   const std::size_t hits = Carry(one, 1.5).size();
   EXPECT_GE(hits, 4u);
   EXPECT_EQ(Carry(many, 1.5 / 1000, 1000).size(), hits);
@@ -117,8 +103,8 @@ TEST(ReferenceGravity, RestsOnAFloorFromRoundedPlaces) {
       // Gravity is straight into the floor, whichever way it is tilted.
       const Vector2 along = Vector2(3, tilt.y()).normalized();
       const CVec2d n = Perp(CVec2d(Vector2(3, tilt.y()).cast<double>())).normalized();
-      CReferenced reference = Make({Wall({-3, -tilt.y()}, {3, tilt.y()}, e)},
-                                   {CDynamicCircleDesc({0, 0}, .3f)}, 9.81f * Vector2(along.y(), -along.x()));
+      CExact reference = Make({Wall({-3, -tilt.y()}, {3, tilt.y()}, e)}, {CDynamicCircleDesc({0, 0}, .3f)},
+                              9.81f * Vector2(along.y(), -along.x()));
       const double r = reference.GetBall(0).m_fRadius, rounding = 0x1p-24;
       reference.SetBall(0, r * n, {0, 0});
       double least = 1, most = -1;
@@ -140,7 +126,7 @@ TEST(ReferenceGravity, RestsOnAFloorFromRoundedPlaces) {
 }
 
 TEST(ReferenceGravity, OnASlopeItAcceleratesBySine) {
-  CReferenced reference = Make({Wall({0, 0}, {40, -30}, .5f)}, {CDynamicCircleDesc({0, 0}, .25f)});
+  CExact reference = MakeHeavy({Wall({0, 0}, {40, -30}, .5f)}, {CDynamicCircleDesc({0, 0}, .25f)});
   const CVec2d along(.8, -.6), n(.6, .8);
   for (const int steps : {1, 64}) { // whichever way two seconds are cut
     reference.SetBall(0, 2 * along + .25 * n, {0, 0});
@@ -157,7 +143,7 @@ TEST(ReferenceGravity, OnASlopeItAcceleratesBySine) {
 TEST(ReferenceGravity, RollsOffTheEndAndFalls) {
   for (const double v : {2.0, .5}) {
     SCOPED_TRACE(v);
-    CReferenced reference = Make({Wall({-4, 0}, {0, 0}, .5f)}, {CDynamicCircleDesc({-1, .25f}, .25f)});
+    CExact reference = MakeHeavy({Wall({-4, 0}, {0, 0}, .5f)}, {CDynamicCircleDesc({-1, .25f}, .25f)});
     reference.SetBall(0, {-1, .25}, {v, 0});
     Carry(reference, 1 / v + .4);
     const CExactBall<double>& ball = reference.GetBall(0);
@@ -180,7 +166,7 @@ TEST(ReferenceGravity, RollsOffTheEndAndFalls) {
 TEST(ReferenceGravity, JointOfTwoFloorsIsNoObstacle) {
   for (const bool slope : {false, true}) {
     const float fall = slope ? -.5f : 0;
-    CReferenced reference = Make({Wall({-4, -4 * fall}, {0, 0}, .5f), Wall({0, 0}, {4, 4 * fall}, .5f)},
+    CExact reference = MakeHeavy({Wall({-4, -4 * fall}, {0, 0}, .5f), Wall({0, 0}, {4, 4 * fall}, .5f)},
                                  {CDynamicCircleDesc({0, 0}, .25f)});
     const CVec2d along = CVec2d(1, static_cast<double>(fall)).normalized(), n = Perp(along);
     reference.SetBall(0, .25 * n - along, 2 * along);
@@ -195,8 +181,8 @@ TEST(ReferenceGravity, JointOfTwoFloorsIsNoObstacle) {
 TEST(ReferenceGravity, WedgeHoldsABall) {
   for (const float e : {0.0f, .5f, .8f}) {
     SCOPED_TRACE(e);
-    CReferenced reference =
-        Make({Wall({-2, 2}, {0, 0}, e), Wall({0, 0}, {1, 2}, e)}, {CDynamicCircleDesc({0, 1}, .25f)});
+    CExact reference =
+        MakeHeavy({Wall({-2, 2}, {0, 0}, e), Wall({0, 0}, {1, 2}, e)}, {CDynamicCircleDesc({0, 1}, .25f)});
     Carry(reference, 10);
     const CVec2d p = reference.GetBall(0).m_vPos;
     Carry(reference, 1.0 / 60, 600);
@@ -217,9 +203,9 @@ TEST(ReferenceGravity, WedgeHoldsABall) {
 TEST(ReferenceGravity, StackOfTwoStands) {
   for (const float e : {0.0f, .5f, 1.0f}) {
     SCOPED_TRACE(e);
-    CReferenced reference =
-        Make({Wall({-2, 0}, {2, 0}, e)}, {CDynamicCircleDesc({0, .25f}, .25f, {0, 0}, 3, e),
-                                          CDynamicCircleDesc({0, .75f}, .25f, {0, 0}, 5, e)});
+    CExact reference =
+        MakeHeavy({Wall({-2, 0}, {2, 0}, e)}, {CDynamicCircleDesc({0, .25f}, .25f, {0, 0}, 3, e),
+                                               CDynamicCircleDesc({0, .75f}, .25f, {0, 0}, 5, e)});
     EXPECT_TRUE(Carry(reference, 1.0 / 60, 600).empty());
     EXPECT_NEAR((reference.GetBall(0).m_vPos - CVec2d(0, .25)).norm(), 0, 1e-13);
     EXPECT_NEAR((reference.GetBall(1).m_vPos - CVec2d(0, .75)).norm(), 0, 1e-13);
@@ -228,7 +214,7 @@ TEST(ReferenceGravity, StackOfTwoStands) {
     EXPECT_NEAR((reference.GetBall(1).m_vPos - CVec2d(0, .75)).norm(), 0, 1e-13);
   }
   // One that does not stand straight falls over, by hops.
-  CReferenced leaning = Make({Wall({-20, 0}, {20, 0}, .5f)},
+  CExact leaning = MakeHeavy({Wall({-20, 0}, {20, 0}, .5f)},
                              {CDynamicCircleDesc({0, .25f}, .25f), CDynamicCircleDesc({.125f, .75f}, .25f)});
   Carry(leaning, 1.0 / 60, 60);
   EXPECT_TRUE(leaning.GetSlideCount() > 0);
@@ -238,9 +224,9 @@ TEST(ReferenceGravity, StackOfTwoStands) {
 
 // A dropped pair: the lower comes to rest, then the upper on it.
 TEST(ReferenceGravity, StackSettles) {
-  CReferenced reference =
-      Make({Wall({-2, 0}, {2, 0}, .5f)}, {CDynamicCircleDesc({0, .5f}, .25f, {0, 0}, 3, .7f),
-                                          CDynamicCircleDesc({0, 1.5f}, .25f, {0, 0}, 1, .7f)});
+  CExact reference =
+      MakeHeavy({Wall({-2, 0}, {2, 0}, .5f)}, {CDynamicCircleDesc({0, .5f}, .25f, {0, 0}, 3, .7f),
+                                               CDynamicCircleDesc({0, 1.5f}, .25f, {0, 0}, 1, .7f)});
   Carry(reference, 10);
   EXPECT_NEAR((reference.GetBall(0).m_vPos - CVec2d(0, .25)).norm(), 0, 1e-12);
   EXPECT_NEAR((reference.GetBall(1).m_vPos - CVec2d(0, .75)).norm(), 0, 1e-12);
@@ -249,9 +235,9 @@ TEST(ReferenceGravity, StackSettles) {
 
 // A resting ball that is hit leaves, and rests again.
 TEST(ReferenceGravity, RestEndsByAHit) {
-  CReferenced reference =
-      Make({Wall({-99, 0}, {99, 0}, .5f)},
-           {CDynamicCircleDesc({0, .25f}, .25f), CDynamicCircleDesc({-1, .35f}, .25f, {4, 0})});
+  CExact reference =
+      MakeHeavy({Wall({-99, 0}, {99, 0}, .5f)},
+                {CDynamicCircleDesc({0, .25f}, .25f), CDynamicCircleDesc({-1, .35f}, .25f, {4, 0})});
   const CEvents events = Carry(reference, 3);
   ASSERT_GT(events.size(), 10u);
   EXPECT_TRUE(events[0].m_bIsBall || events[1].m_bIsBall);
@@ -267,7 +253,7 @@ TEST(ReferenceGravity, ElasticBounceKeepsItsEnergy) {
     SCOPED_TRACE(curved);
     const CShapes shapes = {curved ? CAnyShapeDesc(CCircleDesc({0, -1}, 1))
                                    : CAnyShapeDesc(Wall({-1, -.0f}, {1, 0}))};
-    CReferenced reference = Make(shapes, {CDynamicCircleDesc({0, 1}, .25f)});
+    CExact reference = MakeHeavy(shapes, {CDynamicCircleDesc({0, 1}, .25f)});
     const double energy = g_fG * .75;
     std::size_t bounces = 0;
     for (const double dt : {1.0 / 60, 30.0})
@@ -280,7 +266,7 @@ TEST(ReferenceGravity, ElasticBounceKeepsItsEnergy) {
     EXPECT_EQ(reference.GetSlideCount() + reference.GetRestCount(), 0u);
   }
   // Control: an elasticity a little off.
-  CReferenced lossy = Make({Wall({-1, 0}, {1, 0}, 1 - 1e-6f)}, {CDynamicCircleDesc({0, 1}, .25f)});
+  CExact lossy = MakeHeavy({Wall({-1, 0}, {1, 0}, 1 - 1e-6f)}, {CDynamicCircleDesc({0, 1}, .25f)});
   const std::size_t bounces = Carry(lossy, 30).size();
   const CExactBall<double>& ball = lossy.GetBall(0);
   const double now = g_fG * (ball.m_vPos.y() - .25) + .5 * ball.m_vVel.squaredNorm();
@@ -290,12 +276,12 @@ TEST(ReferenceGravity, ElasticBounceKeepsItsEnergy) {
 // Backwards it goes the same way. Each bounce off a curve may spread what rounding has made of a difference;
 // after six it is still small.
 TEST(ReferenceGravity, ElasticWayCanBeReversed) {
-  CShapes shapes = {Wall({-2, -2}, {2, -2}), Wall({2, -2}, {2, 2}),           Wall({-2, -2}, {-2, 2}),
-                    Wall({-2, 2}, {2, 2}),   CArcDesc({0, -2}, 1, .5f, 2.5f), CCircleDesc({-1, .5f}, .25f),
-                    CPointDesc({1, 0})};
-  CReferenced reference = Make(shapes, {CDynamicCircleDesc({-1, 1.5f}, .125f, {1, 0}),
-                                        CDynamicCircleDesc({1, 1}, .25f, {-.5f, .25f}, 2)});
-  const CReferenced start = reference;
+  CShapes shapes = Box(2);
+  shapes.emplace_back(CArcDesc({0, -2}, 1, .5f, 2.5f));
+  shapes.emplace_back(CCircleDesc({-1, .5f}, .25f));
+  shapes.emplace_back(CPointDesc({1, 0}));
+  CExact reference = MakeHeavy(shapes, g_stdTwo);
+  const CExact start = reference;
   const CEvents there = Carry(reference, 1.25);
   for (std::size_t i = 0; i < 2; ++i)
     reference.SetBall(i, reference.GetBall(i).m_vPos, -reference.GetBall(i).m_vVel);
@@ -311,8 +297,8 @@ TEST(ReferenceGravity, ElasticWayCanBeReversed) {
 }
 
 TEST(ReferenceGravity, SimultaneousEventsAreTold) {
-  CReferenced corner = Make({Wall({-1, 0}, {1, 0}), Wall({-1, -1}, {-1, 1})},
-                            {CDynamicCircleDesc({-.5f, .5f}, .25f, {-1, -1})}, Vector2::Zero());
+  CExact corner = Make({Wall({-1, 0}, {1, 0}), Wall({-1, -1}, {-1, 1})},
+                       {CDynamicCircleDesc({-.5f, .5f}, .25f, {-1, -1})});
   CEvents events = Carry(corner, 1);
   ASSERT_EQ(events.size(), 2u);
   EXPECT_TRUE(events[0].m_bSimultaneous && events[1].m_bSimultaneous);
@@ -324,17 +310,10 @@ TEST(ReferenceGravity, SimultaneousEventsAreTold) {
 
 // A table of everything in 50 digits and in double: the same events until chaos has eaten the digits.
 TEST(ReferenceGravity, DoubleAgainst50Digits) {
-  const CShapes shapes = {Wall({-2, -2}, {2, -1.5f}, .8f), Wall({2, -2}, {2, 2}),
-                          Wall({-2, -2}, {-2, 2}),         CArcDesc({0, -1.5f}, .5f, 0, 3, .9f),
-                          CCircleDesc({-1, .5f}, .25f),    CPointDesc({1, 0})};
-  const CBalls balls = {CDynamicCircleDesc({-1, 1.5f}, .125f, {1, 0}),
-                        CDynamicCircleDesc({1, 1}, .25f, {-.5f, .25f}, 2)};
-  CReferenced rough(shapes, balls, g_vDown);
-  CReference<CFifty> fine(shapes, balls, g_vDown);
-  CEvents events;
-  std::vector<CExactEvent<CFifty>> exact;
-  rough.Step(1.5, events);
-  fine.Step(CFifty(1.5), exact);
+  CExact rough = MakeHeavy(g_stdTable, g_stdTwo);
+  CReference<CFifty> fine(g_stdTable, g_stdTwo, g_vDown);
+  const CEvents events = Carry(rough, 1.5);
+  const CEventsOf<CFifty> exact = Carry(fine, 1.5);
   ASSERT_EQ(events.size(), exact.size());
   EXPECT_GE(events.size(), 4u);
   for (std::size_t k = 0; k < events.size(); ++k) {

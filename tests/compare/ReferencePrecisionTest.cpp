@@ -3,8 +3,8 @@
 // everything in them, bounce by bounce. Errors of billiards grow exponentially, so each scene carries a bound
 // that grows with it, and is compared as long as the bound is small.
 #include "Random.h"
+#include "ReferenceTesting.h"
 #include "SweepOracle.h"
-#include "reference/Reference.h"
 #include "reference/Scalar.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -22,10 +21,6 @@ namespace Shapes::Compare::Tests {
 namespace {
 
 using Shapes::Tests::CRandom;
-using CShapes = std::vector<CAnyShapeDesc>;
-using CBalls = std::vector<CDynamicCircleDesc>;
-template <class T>
-using CEvents = std::vector<CExactEvent<T>>;
 
 struct CScene {
   CShapes m_stdShapes;
@@ -33,27 +28,17 @@ struct CScene {
   Vector2 m_vGravity = Vector2::Zero();
 };
 
-std::string Text(double f) {
-  std::ostringstream out;
-  out << f;
-  return out.str();
-}
-
-template <class TDesc>
-TDesc Turning(TDesc desc, CRandom& random) {
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_vRotCenter = random.InSquare(1);
-  desc.m_fRotSpeed = random.Uniform(-.5f, .5f);
-  return desc;
-}
-
 CAnyShapeDesc RandomShape(CRandom& random, float e) {
   const Vector2 p = random.InSquare(1.5f);
   switch (random.Below(5)) {
   case 0: return CPointDesc(p, e);
-  case 1: return CLineSegDesc(p, p + random.VectorOfLength(.2f, 1), e);
+  case 1: return Wall(p, p + random.VectorOfLength(.2f, 1), e);
   case 2: return CCircleDesc(p, random.Uniform(.1f, .5f), e);
-  case 3: return Turning(CLineSegDesc(p, p + random.VectorOfLength(.2f, 1), e), random);
+  case 3: {
+    const CLineSegDesc blade = Wall(p, p + random.VectorOfLength(.2f, 1), e);
+    const Vector2 center = random.InSquare(1);
+    return Kinematic(blade, center, random.Uniform(-.5f, .5f));
+  }
   default: {
     const float r = random.Uniform(.2f, .8f), a0 = random.Uniform(0, 6), span = random.Uniform(.5f, 5);
     return CArcDesc(p, r, a0, a0 + span, e);
@@ -68,7 +53,7 @@ CScene RandomScene(CRandom& random, bool elastic) {
   if (random.Coin()) scene.m_vGravity = random.InSquare(5);
   const Vector2 corners[] = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
   for (int i = 0; i < 4; ++i)
-    scene.m_stdShapes.emplace_back(CLineSegDesc(corners[i], corners[(i + 1) % 4], elasticity()));
+    scene.m_stdShapes.emplace_back(Wall(corners[i], corners[(i + 1) % 4], elasticity()));
   const std::uint32_t shapes = 2 + random.Below(3), balls = 1 + random.Below(3);
   for (std::uint32_t k = 0; k < shapes; ++k)
     scene.m_stdShapes.push_back(RandomShape(random, elasticity()));
@@ -90,7 +75,7 @@ CScene RandomScene(CRandom& random, bool elastic) {
 }
 
 template <class T>
-CReference<T> Make(const CScene& scene) {
+CReference<T> MakeRun(const CScene& scene) {
   return CReference<T>(scene.m_stdShapes, scene.m_stdBalls, scene.m_vGravity);
 }
 
@@ -214,14 +199,12 @@ struct CTally {
 
 // `push` changes the first velocity in the run of the doubles by this share of it.
 void CompareRuns(const CScene& scene, double seconds, CTally& tally, double push = 0) {
-  CReference<double> run = Make<double>(scene);
+  CExact run = MakeRun<double>(scene);
   run.SetBall(0, run.GetBall(0).m_vPos, run.GetBall(0).m_vVel * (1 + push));
-  CReference<CFifty> exact = Make<CFifty>(scene);
+  CReference<CFifty> exact = MakeRun<CFifty>(scene);
   CErrorBound cumulative(scene, run);
-  CEvents<double> events;
-  CEvents<CFifty> truths;
-  run.Step(seconds, events);
-  exact.Step(CFifty(seconds), truths);
+  const CEvents events = Carry(run, seconds);
+  const CEventsOf<CFifty> truths = Carry(exact, seconds);
 
   std::vector<CErrorBound::CBound> bounds; // of the hits that can be compared
   bool ambiguous = exact.GetNearMissCount() + run.GetNearMissCount() > 0;
@@ -331,13 +314,12 @@ struct CReturn {
 // For `seconds` there, and as long back. The bound goes on growing on the way back.
 template <class T>
 CReturn ThereAndBack(const CScene& scene, double seconds, bool reversed = true) {
-  CReference<T> run = Make<T>(scene);
+  CReference<T> run = MakeRun<T>(scene);
   CErrorBound bound(scene, run);
   CReturn result;
   for (const bool back : {false, true}) {
     if (back && reversed) Reverse(run);
-    CEvents<T> events;
-    run.Step(T(seconds), events);
+    const CEventsOf<T> events = Carry(run, seconds);
     result.m_nHits += events.size();
     for (const CExactEvent<T>& event : events)
       bound.Hit(event, static_cast<double>(event.m_fTime) + (back ? seconds : 0));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The exact reference where balls rest, slide, jam, pass or are only noticed.
 #include "Random.h"
+#include "ReferenceTesting.h"
 #include "SweepOracle.h"
-#include "reference/Reference.h"
 
 #include <gtest/gtest.h>
 
@@ -14,30 +14,13 @@ namespace Shapes::Compare::Tests {
 namespace {
 
 using Shapes::Tests::CRandom;
-using CShapes = std::vector<CAnyShapeDesc>;
-using CBalls = std::vector<CDynamicCircleDesc>;
-using CEvents = std::vector<CExactEvent<double>>;
-using CReferenced = CReference<double>;
-
-CReferenced Make(const CShapes& shapes, const CBalls& balls, const Vector2& g = Vector2::Zero()) {
-  return CReferenced(shapes, balls, g);
-}
-
-CEvents Carry(CReferenced& reference, double dt, int steps = 1) {
-  CEvents events;
-  for (int i = 0; i < steps; ++i)
-    reference.Step(dt, events);
-  return events;
-}
-
-CLineSegDesc Wall(const Vector2& a, const Vector2& b, float e = 1) { return CLineSegDesc(a, b, e); }
 
 // From exact places it rests at once and stays.
 TEST(ReferenceRest, BallRestsOnASegment) {
   for (const float e : {0.0f, 0.5f, 0.9f}) {
     SCOPED_TRACE(e);
     const double dt = 1.0 / 60, g = 9.8;
-    CReferenced reference =
+    CExact reference =
         Make({Wall({-100, -100}, {100, 100}, e)}, {CDynamicCircleDesc({0, 0}, .5f, {0, 0})},
              Vector2(std::sqrt(.5f), -std::sqrt(.5f)) * static_cast<float>(g)); // straight into the segment
     const CVec2d n(-std::sqrt(.5), std::sqrt(.5));
@@ -58,7 +41,7 @@ TEST(ReferenceRest, BallRestsOnASegment) {
 }
 
 TEST(ReferenceRest, SlidingAlongASegmentIsNoHit) {
-  CReferenced reference = Make({Wall({-1, 0}, {200, 0})}, {CDynamicCircleDesc({0, .5f}, .5f, {1, 0})});
+  CExact reference = Make({Wall({-1, 0}, {200, 0})}, {CDynamicCircleDesc({0, .5f}, .5f, {1, 0})});
   EXPECT_TRUE(Carry(reference, .01, 10000).empty());
   EXPECT_EQ(reference.GetBall(0).m_vPos.y(), .5);
   EXPECT_NEAR(reference.GetBall(0).m_vPos.x(), 100, 1e-9);
@@ -68,8 +51,7 @@ TEST(ReferenceRest, SlidingAlongASegmentIsNoHit) {
 // energy is that of a pendulum to first order in the step.
 TEST(ReferenceRest, BallSlidesInABowl) {
   const double dt = 1.0 / 240, R = 1, r = .25, g = 9.8;
-  CReferenced reference =
-      Make({CArcDesc({0, 0}, 1, 0, 0, 0)}, {CDynamicCircleDesc({0, 0}, .25f)}, {0, -9.8f});
+  CExact reference = Make({CArcDesc({0, 0}, 1, 0, 0, 0)}, {CDynamicCircleDesc({0, 0}, .25f)}, {0, -9.8f});
   reference.SetBall(0, {-(R - r), 0}, {0, 0});
   double lowest = 0, highest = -1, least = 1;
   for (int i = 0; i < 480; ++i) {
@@ -90,7 +72,7 @@ TEST(ReferenceRest, BallSlidesInABowl) {
 }
 
 TEST(ReferenceRest, TangentInsideACircleDoesNotStall) {
-  CReferenced reference = Make({CCircleDesc({0, 0}, 1)}, {CDynamicCircleDesc({.75f, 0}, .25f, {0, 1})});
+  CExact reference = Make({CCircleDesc({0, 0}, 1)}, {CDynamicCircleDesc({.75f, 0}, .25f, {0, 1})});
   for (int i = 0; i < 600; ++i) {
     Carry(reference, 1.0 / 60);
     ASSERT_NEAR(reference.GetBall(0).m_vPos.norm(), .75, 1e-4);
@@ -100,11 +82,8 @@ TEST(ReferenceRest, TangentInsideACircleDoesNotStall) {
 }
 
 TEST(ReferenceRest, DeadBallIsCarriedByABlade) {
-  CLineSegDesc blade = Wall({0, 0}, {4, 0}, 0);
-  blade.m_eMotionType = eMotion::Kinematic;
-  blade.m_fRotSpeed = 1;
-  CReferenced reference = Make({blade}, {CDynamicCircleDesc({1, .25f}, .125f)});
-  CEvents events;
+  CExact reference =
+      Make({Kinematic(Wall({0, 0}, {4, 0}, 0), {0, 0}, 1)}, {CDynamicCircleDesc({1, .25f}, .125f)});
   for (int i = 0; i < 12; ++i) {
     Carry(reference, 1.0 / 120);
     const CFigure<double> f = reference.GetFigure(0);
@@ -119,8 +98,8 @@ TEST(ReferenceRest, DeadBallIsCarriedByABlade) {
 }
 
 TEST(ReferenceRest, ManyHitsBecomeSliding) { // a wedge, at an elasticity that leaves almost no speed
-  CReferenced reference = Make({Wall({-2, 2}, {0, 0}, .5f), Wall({0, 0}, {2, 2}, .5f)},
-                               {CDynamicCircleDesc({0, 1}, .25f)}, {0, -9.8f});
+  CExact reference = Make({Wall({-2, 2}, {0, 0}, .5f), Wall({0, 0}, {2, 2}, .5f)},
+                          {CDynamicCircleDesc({0, 1}, .25f)}, {0, -9.8f});
   CEvents events;
   for (int i = 0; i < 2000; ++i) {
     reference.Step(1.0 / 60, events);
@@ -130,9 +109,8 @@ TEST(ReferenceRest, ManyHitsBecomeSliding) { // a wedge, at an elasticity that l
 }
 
 TEST(ReferenceRest, SensorIsReportedOncePerStep) {
-  CLineSegDesc line = Wall({0, -1}, {0, 1});
-  line.m_bIsSensor = true;
-  CReferenced reference = Make({line, Wall({1, -1}, {1, 1})}, {CDynamicCircleDesc({-1, 0}, .25f, {4, 0})});
+  CExact reference = Make({Sensor(Wall({0, -1}, {0, 1})), Wall({1, -1}, {1, 1})},
+                          {CDynamicCircleDesc({-1, 0}, .25f, {4, 0})});
   const CEvents events = Carry(reference, 1);
   // On its way out it is met again, in the same step: once.
   ASSERT_EQ(events.size(), 2u);
@@ -151,9 +129,8 @@ TEST(ReferenceRest, SensorIsReportedOncePerStep) {
 }
 
 TEST(ReferenceRest, SensorBallAndNoCollision) {
-  CDynamicCircleDesc ghost({-1, 0}, .25f, {1, 0});
-  ghost.m_bIsSensor = true;
-  CReferenced reference = Make({}, {ghost, CDynamicCircleDesc({1, 0}, .25f, {-1, 0})});
+  CExact reference = Make(
+      {}, {Sensor(CDynamicCircleDesc({-1, 0}, .25f, {1, 0})), CDynamicCircleDesc({1, 0}, .25f, {-1, 0})});
   const CEvents events = Carry(reference, 2);
   ASSERT_EQ(events.size(), 1u);
   EXPECT_TRUE(events[0].m_bIsSensor);
@@ -162,7 +139,7 @@ TEST(ReferenceRest, SensorBallAndNoCollision) {
 
   const CShapes wall = {Wall({0, -1}, {0, 1})};
   for (const bool ofShape : {true, false}) {
-    CReferenced off = Make(wall, {CDynamicCircleDesc({-1, 0}, .25f, {1, 0})});
+    CExact off = Make(wall, {CDynamicCircleDesc({-1, 0}, .25f, {1, 0})});
     if (ofShape)
       off.SetCanCollide(0, false);
     else
@@ -170,17 +147,16 @@ TEST(ReferenceRest, SensorBallAndNoCollision) {
     EXPECT_TRUE(Carry(off, 2).empty());
     EXPECT_EQ(off.GetBall(0).m_vPos, CVec2d(1, 0));
   }
-  CReferenced on = Make(wall, {CDynamicCircleDesc({-1, 0}, .25f, {1, 0})});
+  CExact on = Make(wall, {CDynamicCircleDesc({-1, 0}, .25f, {1, 0})});
   EXPECT_EQ(Carry(on, 2).size(), 1u); // control
 }
 
 TEST(ReferenceRest, OneWayGate) {
-  CLineSegDesc gate = Wall({-1, 0}, {1, 0});
   for (const eSides sides : {eSides::Both, eSides::Front}) {
-    gate.m_eSides = sides;
+    const CLineSegDesc gate = Sided(Wall({-1, 0}, {1, 0}), sides);
     for (const double dt : {1.0, 1.0 / 64, 1.0 / 1000}) { // steps that end while it is half way through
-      CReferenced up = Make({gate}, {CDynamicCircleDesc({.1f, -1}, .25f, {0, 1})});
-      CReferenced down = Make({gate}, {CDynamicCircleDesc({.1f, 1}, .25f, {0, -1})});
+      CExact up = Make({gate}, {CDynamicCircleDesc({.1f, -1}, .25f, {0, 1})});
+      CExact down = Make({gate}, {CDynamicCircleDesc({.1f, 1}, .25f, {0, -1})});
       const int steps = static_cast<int>(std::lround(2 / dt));
       EXPECT_EQ(Carry(up, dt, steps).empty(), sides == eSides::Front);
       EXPECT_EQ(Carry(down, dt, steps).size(), 1u);
@@ -191,7 +167,7 @@ TEST(ReferenceRest, OneWayGate) {
 }
 
 TEST(ReferenceRest, OverlapIsReportedAndLeavesThePlace) {
-  CReferenced reference = Make({Wall({-1, 0}, {1, 0})}, {CDynamicCircleDesc({0, .25f}, .5f, {0, -1})});
+  CExact reference = Make({Wall({-1, 0}, {1, 0})}, {CDynamicCircleDesc({0, .25f}, .5f, {0, -1})});
   const CEvents events = Carry(reference, 0.125);
   ASSERT_EQ(events.size(), 1u);
   EXPECT_TRUE(events[0].m_bOverlapped);
@@ -201,7 +177,7 @@ TEST(ReferenceRest, OverlapIsReportedAndLeavesThePlace) {
 
 TEST(ReferenceRest, PlacesAreExactAfterAHit) {
   // A ball without extent stays on its side of a slanted segment for ten thousand hits.
-  CReferenced reference =
+  CExact reference =
       Make({Wall({-1, -.25f}, {1, .5f}), Wall({-1, .75f}, {1, 1.5f})}, {CDynamicCircleDesc({0, .5f}, 0)});
   const CVec2d along = CVec2d(2, .75).normalized(), n = Perp(along);
   reference.SetBall(0, {0, .5}, 7 * n);
@@ -214,7 +190,7 @@ TEST(ReferenceRest, PlacesAreExactAfterAHit) {
 }
 
 TEST(ReferenceRest, JammedBallThrowsAndIsNamed) {
-  CReferenced reference =
+  CExact reference =
       Make({Wall({-1, 0}, {1, 0}), Wall({-1, 1.000002f}, {1, 1.000002f})},
            {CDynamicCircleDesc({9, 9}, .1f), CDynamicCircleDesc({.125f, .500001f}, .5f, {0, 1})});
   try {
@@ -224,13 +200,13 @@ TEST(ReferenceRest, JammedBallThrowsAndIsNamed) {
     EXPECT_NE(std::string(error.what()).find("ball 1 at (0.125, 0.5"), std::string::npos) << error.what();
   }
   // Control: a step in which it hits less often.
-  CReferenced brief = Make({Wall({-1, 0}, {1, 0}), Wall({-1, 1.000002f}, {1, 1.000002f})},
-                           {CDynamicCircleDesc({.125f, .500001f}, .5f, {0, 1})});
+  CExact brief = Make({Wall({-1, 0}, {1, 0}), Wall({-1, 1.000002f}, {1, 1.000002f})},
+                      {CDynamicCircleDesc({.125f, .500001f}, .5f, {0, 1})});
   EXPECT_NO_THROW(Carry(brief, 1e-4));
 }
 
 TEST(ReferenceRest, NearMissesAreCounted) {
-  CReferenced reference = Make({CPointDesc({0, 0})}, {CDynamicCircleDesc({-1, 0}, .5f)});
+  CExact reference = Make({CPointDesc({0, 0})}, {CDynamicCircleDesc({-1, 0}, .5f)});
   reference.SetBall(0, {-1.03, .5 * (1 + 1e-12)}, {1, 0});
   EXPECT_TRUE(Carry(reference, .1, 20).empty());
   EXPECT_EQ(reference.GetNearMissCount(), 1u);
@@ -247,24 +223,20 @@ TEST(ReferenceRest, NobodyGetsIntoAnything) {
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     CRandom random(seed);
-    CShapes shapes = {Wall({-4, -4}, {4, -4}, .5f), Wall({4, -4}, {4, 4}, .5f), Wall({-4, 4}, {4, 4}, .5f),
-                      Wall({-4, -4}, {-4, 4}, .5f)};
+    CShapes shapes = Box(4, .5f);
     for (int k = 0; k < 12; ++k) {
       const Vector2 p(-3 + 2 * static_cast<float>(k % 4), -2.5f + 2 * static_cast<float>(k / 4));
       const float e = random.Uniform(0, 1), size = random.Uniform(.1f, .5f), a = random.Uniform(0, 6);
       if (k % 3 == 0) shapes.emplace_back(CCircleDesc(p, size, e));
       if (k % 3 == 1) shapes.emplace_back(CArcDesc(p, size, a, a + 3, e));
-      CLineSegDesc blade(p, p + size * AngleToVector(a), e);
-      blade.m_eMotionType = eMotion::Kinematic;
-      blade.m_vRotCenter = p;
-      blade.m_fRotSpeed = random.Uniform(-2, 2);
-      if (k % 3 == 2) shapes.emplace_back(blade);
+      const float revs = random.Uniform(-2, 2);
+      if (k % 3 == 2) shapes.emplace_back(Kinematic(Wall(p, p + size * AngleToVector(a), e), p, revs));
     }
     CBalls balls;
     for (int i = 0; i < 5; ++i)
       balls.emplace_back(Vector2(-3.2f + 1.6f * static_cast<float>(i), 3.3f), random.Uniform(.05f, .25f),
                          random.InSquare(5), random.Uniform(.1f, 5), random.Uniform(0, 1));
-    CReferenced reference = Make(shapes, balls, {0, -9.8f});
+    CExact reference = Make(shapes, balls, {0, -9.8f});
     for (int step = 0; step < 600; ++step) {
       const CEvents now = Carry(reference, 1.0 / 60);
       events += now.size();
@@ -293,7 +265,7 @@ TEST(ReferenceRest, RefusesWhatTheLibraryRefuses) {
   EXPECT_THROW(Make({CDynamicCircleDesc({0, 0}, 1)}, {}), std::invalid_argument);
   EXPECT_THROW(Make({}, {CDynamicCircleDesc({0, 0}, 1, {0, 0}, 0)}), std::invalid_argument);
   EXPECT_THROW(Make({}, {}, {nan, 0}), std::invalid_argument);
-  CReferenced reference = Make({CPointDesc({0, 0})}, {CDynamicCircleDesc({3, 0}, 1)});
+  CExact reference = Make({CPointDesc({0, 0})}, {CDynamicCircleDesc({3, 0}, 1)});
   CEvents events;
   EXPECT_THROW(reference.Step(-1, events), std::invalid_argument);
   EXPECT_THROW(reference.SetRotSpeed(0, 1), std::invalid_argument); // it is static

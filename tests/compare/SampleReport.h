@@ -97,7 +97,7 @@ inline CSceneReport MakeSampleScene() {
   report.m_cRestart.m_cSetAside = {1, 2, 3, 4, 0, ""};
   report.m_cDifference = {850, 0.06, 0.5, 1.25};
   report.m_stdEngines = {MakeSampleEngine(203, 50.0, 0.0001), MakeSampleEngine(6, 500.0, 0.02)};
-  report.m_cWork.m_stdAnswers = {"Error below 1%: box2d."};
+  report.m_cWork.m_stdAnswers = {"Direction within .01 rad: box2d."};
   const std::vector<CEngine> engines = GetEngines();
   CRung native, box2d, exact;
   native.m_cEngine = engines[0];

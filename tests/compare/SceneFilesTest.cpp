@@ -124,8 +124,10 @@ TEST(SceneFilesTest, AreAllThere) {
   std::set<std::string> names;
   for (const CScene& scene : LoadScenes(g_cScenes)) {
     EXPECT_EQ(scene.m_sName + ".json", scene.m_cPath.filename().string());
-    EXPECT_NE(scene.m_sDescription.find("favour"), std::string::npos)
-        << scene.m_sName << " has to say whom it should favour";
+    EXPECT_GT(scene.m_sDescription.size(), 60u) << scene.m_sName << " has to say what it shows";
+    EXPECT_TRUE(scene.m_sDescription.ends_with('.')) << scene.m_sName;
+    // Whom it favours is measured, not foretold.
+    EXPECT_EQ(scene.m_sDescription.find("favour"), std::string::npos) << scene.m_sName;
     names.insert(scene.m_sName);
   }
   for (const char* name :

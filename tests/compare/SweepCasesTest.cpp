@@ -2,6 +2,7 @@
 // The sweep on cases with known answers: the hard ones that concern the time of impact on a straight way,
 // what overlaps at the start, open sides, and turning shapes.
 #include "Random.h"
+#include "ReferenceTesting.h"
 #include "reference/Sweep.h"
 
 #include <Shapes/World.h>
@@ -15,10 +16,8 @@
 namespace Shapes::Compare::Tests {
 namespace {
 
-using CVec2d = CVec<double>;
 using CBalld = CSweptBall<double>;
 
-constexpr double g_fEps = std::numeric_limits<double>::epsilon();
 constexpr double g_fPi2 = 2.0 * std::numbers::pi;
 constexpr float g_fDegree = g_fPi / 180.0f;
 
@@ -34,16 +33,6 @@ CResult Shoot(const CAnyShapeDesc& desc, const CBalld& ball, double tMax = 10.0,
   CResult result;
   result.m_bMet = Sweep(MakeFigure(desc), ball, tMax, result.m_cHit, meet);
   return result;
-}
-
-CLineSegDesc Sided(CLineSegDesc desc, eSides sides) {
-  desc.m_eSides = sides;
-  return desc;
-}
-
-CArcDesc Sided(CArcDesc desc, eSides sides) {
-  desc.m_eSides = sides;
-  return desc;
 }
 
 struct CTimeCase {
@@ -147,7 +136,7 @@ TEST(SweepCases, NakedEndHasARoundNormal) {
   EXPECT_NEAR(result.m_cHit.m_vNorm.y(), .8, 1e-12);
 }
 
-TEST(SweepCases, CentreOnTheShapeGoesBackWhereItCameFrom) { // cases 9, 10
+TEST(SweepCases, CentreOnTheShapeGoesBackWhereItCameFrom) { // a point, or a segment
   const CResult point = Shoot(CPointDesc({0, 0}), {{0, 0}, {1, 0}, .5});
   ASSERT_TRUE(point.m_bMet);
   EXPECT_EQ(point.m_cHit.m_vNorm, CVec2d(-1, 0));
@@ -162,7 +151,7 @@ TEST(SweepCases, CentreOnTheShapeGoesBackWhereItCameFrom) { // cases 9, 10
   EXPECT_EQ(Shoot(CLineSegDesc({-1, 0}, {1, 0}), {{0, 0}, {1, 1}, 0}).m_cHit.m_vNorm, CVec2d(0, -1));
 }
 
-TEST(SweepCases, InsideAnArcThatItDoesNotFit) { // cases 11, 12, 27
+TEST(SweepCases, InsideAnArcThatItDoesNotFit) { // is met by nothing; in a wide one the gap is R - r
   const CArcDesc bowl({0, 0}, 1, 0, 0), wide({0, 0}, 2, 0, 0);
   for (const CVec2d& v : {CVec2d(0, 0), CVec2d(1, 0), CVec2d(-.3, .4)}) {
     EXPECT_FALSE(Shoot(bowl, {{0, 0}, v, 1}).m_bMet);
@@ -187,7 +176,7 @@ TEST(SweepCases, RingThatTheBallDoesNotFitIsMetFromOutside) {
   EXPECT_NEAR(deep.m_cHit.m_fDepth, 1.5, 8 * g_fEps);
 }
 
-TEST(SweepCases, GrazesAreFlaggedOnBothSides) { // cases 30, 32
+TEST(SweepCases, GrazesAreFlaggedOnBothSides) { // of the way that only touches
   const auto graze = [](double offset) {
     return Shoot(CPointDesc({0, 0}), {{-10, offset}, {1, 0}, 1}, 20.0);
   };

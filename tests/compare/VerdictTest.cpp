@@ -31,18 +31,31 @@ TEST(VerdictTest, TheOneThatLosesMoreComesFirst) {
              "box2d loses 20.3% +-2.5 of the balls, native 0.60% +-0.51; box2d takes 1/10 of the time");
 }
 
-TEST(VerdictTest, WhatTheIntervalsDoNotTellApartIsEqual) {
+TEST(VerdictTest, DisturbedTimesAreSaidToBe) {
+  CRunReport report = MakeSampleReport();
+  ExpectSays(report, "disturbed", false);
+  CCost& cost = report.m_stdScenes[0].m_stdEngines[1].m_cCost;
+  cost.m_cNsPerBallStep.m_cInterval = {300.0, 600.0};
+  ExpectSays(report, "500 ns, disturbed: 300 to 600");
+}
+
+TEST(VerdictTest, WhatCannotBeToldApartIsNotCompared) {
   CRunReport report = MakeSampleReport();
   auto& engines = report.m_stdScenes[0].m_stdEngines;
   engines = {MakeSampleEngine(8, 100.0, 0.02), MakeSampleEngine(6, 104.0, 0.02)};
-  ExpectSays(
-      report,
-      "Both lose about as many: native loses 0.80% +-0.58 of the balls, box2d 0.60% +-0.51; their times "
-      "cannot be told apart (100 ns and 104 ns");
+  ExpectSays(report, "Which one loses more cannot be told from 1,000 impacts: native loses 0.80% +-0.58 of "
+                     "the balls, box2d 0.60% "
+                     "+-0.51; their times cannot be told apart (100 ns and 104 ns");
   ExpectSays(report, "95% of its directions are within 0.020 rad on both");
   // The control: figures that are apart.
   engines[0] = MakeSampleEngine(80, 60.0, 0.03);
-  ExpectSays(report, "Both lose", false);
+  ExpectSays(report, "cannot be told", false);
+  // The intervals of 19 and 6 overlap, and yet they are apart: both were asked at the same impacts.
+  engines[0] = MakeSampleEngine(19, 60.0, 0.03);
+  ExpectSays(report, "cannot be told from", false);
+  engines[0] = MakeSampleEngine(15, 60.0, 0.03);
+  ExpectSays(report, "cannot be told from");
+  engines[0] = MakeSampleEngine(80, 60.0, 0.03);
   ExpectSays(report, "native takes 58% of the time");
   ExpectSays(report, "are within 0.030 rad on native, within 0.020 rad on box2d.");
 }
@@ -91,8 +104,7 @@ TEST(VerdictTest, TellsOfWhatElseIsWrongAndOnlyThen) {
   ExpectSays(report, "Energy over many bounces: native +3.2% in 10,000, box2d -50% in 10,000.");
   scene.m_stdEngines[1].m_cLongRun.m_fEnergyDrift = 0.0;
   ExpectSays(report, "native +3.2% in 10,000, box2d kept in 10,000.");
-  scene.m_stdEngines[1].m_cLongRun = {
-      1000, 60.0, 25.0, {}, {}}; // 25 times in 10,000 bounces, of which there were 1000
+  scene.m_stdEngines[1].m_cLongRun = {1000, 60.0, 2.5, {}, {}};
   ExpectSays(report, "native +3.2% in 10,000, box2d times 3.5 in 1,000.");
   scene.m_stdEngines[1].m_cTotals.m_nLate = 300;
   ExpectSays(report, "Turned back one or two steps late: native 0.50%, box2d 30.0%;");

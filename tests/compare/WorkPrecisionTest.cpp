@@ -35,10 +35,11 @@ TEST(WorkPrecision, TheLadderHasEachSettingOnceAndBeginsWithTheEnginesAsTheyCome
 TEST(WorkPrecision, TheFrontIsWhatNothingBeats) {
   std::vector<CRung> rungs{Rung("native", 1, 100, .5, 100, 50), Rung("native", 2, 200, .1, 100, 0),
                            Rung("box2d", 1, 300, .2, 100, 0),   Rung("box2d", 2, 400, .05, 100, 1),
-                           Rung("box2d", 4, 150, {}, 0, 0),     Rung("native", 4, 200, .1, 100, 0)};
+                           Rung("box2d", 4, 150, {}, 0, 0),     Rung("native", 4, 200, .1, 100, 0),
+                           Rung("exact", 1, 10, 0., 100, 0)}; // no engine to choose: it beats nobody
   MarkFronts(rungs);
-  const bool byError[] = {true, true, false, true, false, true};
-  const bool byMisses[] = {true, true, false, false, false, true};
+  const bool byError[] = {true, true, false, true, false, true, false};
+  const bool byMisses[] = {true, true, false, false, false, true, false};
   for (std::size_t i = 0; i < rungs.size(); ++i) {
     EXPECT_EQ(rungs[i].m_bFrontByError, byError[i]) << i;
     EXPECT_EQ(rungs[i].m_bFrontByMisses, byMisses[i]) << i;
@@ -46,21 +47,27 @@ TEST(WorkPrecision, TheFrontIsWhatNothingBeats) {
 }
 
 TEST(WorkPrecision, AnswersNameTheCheapestAndWhatTheOtherEngineNeeds) {
-  const std::vector<CRung> rungs{Rung("native", 1, 1000, .5, 1000, 500),
-                                 Rung("native", 8, 8000, .009, 1000, 0),
-                                 Rung("box2d", 1, 40000, .002, 100000, 0),
-                                 Rung("box2d", 2, 60000, .0005, 500, 0), Rung("exact", 1, 10, 0., 1000, 0)};
+  std::vector<CRung> rungs{Rung("native", 1, 1000, .5, 1000, 500), Rung("native", 8, 8000, .009, 1000, 0),
+                           Rung("box2d", 1, 40000, .002, 5000, 0), Rung("box2d", 2, 60000, .0005, 500, 0),
+                           Rung("exact", 1, 10, 0., 1000, 0)};
+  rungs[2].m_nProofContacts = 95000;
+  rungs[1].m_nProofContacts = 99000;
+  rungs[1].m_nProofTunneled = 1; // lost in the proof
   const auto answers = MakeAnswers(rungs, 100000);
   ASSERT_EQ(answers.size(), 3u);
   EXPECT_EQ(answers[0],
-            "Error below 1%: native (8 substeps), 8.0 us per ball and second; box2d (as it comes) "
-            "takes 5.0 times as long.");
-  EXPECT_EQ(answers[1], "Error below .1%: box2d (2 substeps), 60 us per ball and second; native never.");
+            "Direction within .01 rad and less than 1% lost: native (8 substeps), 8.0 us per ball and "
+            "second; box2d (as it comes) takes 5.0 times as long.");
+  EXPECT_EQ(answers[1],
+            "Direction within .001 rad and less than .1% lost: box2d (2 substeps), 60 us per ball and "
+            "second; no setting of native that was tried.");
   EXPECT_EQ(answers[2],
-            "No ball lost in 100000 impacts: box2d (as it comes), 40 us per ball and second; native never.");
+            "None lost in 100000 impacts: box2d (as it comes), 40 us per ball and second; no setting of "
+            "native that was tried.");
   EXPECT_EQ(
       MakeAnswers({Rung("native", 1, 1000, .5, 1000, 500)}, 10)[0],
-      "Error below 1%: no setting that was tried; the best is native (as it comes) with 50.0% and 50% lost.");
+      "Direction within .01 rad and less than 1% lost: no setting that was tried; the best is native (as it "
+      "comes) with 0.5 rad and 50% lost.");
 }
 
 TEST(WorkPrecision, SmallErrorsAloneDoNotMakeASettingGood) { // it loses every second ball
@@ -94,8 +101,12 @@ TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
   EXPECT_GT(one.m_nTunneled, one.m_nContacts / 3);
   EXPECT_EQ(eight.m_nTunneled, 0u);
   EXPECT_EQ(box2d.m_nTunneled, 0u);
-  EXPECT_GE(eight.m_nContacts, 1000u); // the proof; a setting that has lost balls gets none
-  EXPECT_EQ(one.m_nContacts, 300u);
+  // What is lost goes the wrong way, however exact the others are.
+  EXPECT_GT(one.m_fDirectionErrorP95.value(), 3.0);
+  EXPECT_LT(eight.m_fDirectionErrorP95.value(), 1e-3);
+  EXPECT_EQ(eight.m_nContacts, 300u);
+  EXPECT_GE(eight.GetAllContacts(), 1000u); // the proof; a setting that has lost balls gets none
+  EXPECT_EQ(one.GetAllContacts(), 300u);
   EXPECT_GT(eight.m_cNsPerBallSecond.m_fMedian, one.m_cNsPerBallSecond.m_fMedian);
   EXPECT_GT(exact.m_cNsPerBallSecond.m_fMedian, 0.0);
   EXPECT_EQ(exact.m_cEngine.m_sName, g_sExact);

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// What counts as an answer to an impact, where it is easy to take another response for it.
+#include "MadeScenes.h"
+#include "metrics/Statistics.h"
+#include "metrics/Totals.h"
+
+#include <gtest/gtest.h>
+
+namespace Shapes::Compare::Tests {
+namespace {
+
+constexpr float g_fRadius = 0.05f;
+constexpr std::size_t g_nContacts = 2000;
+
+// The ball flies to the right by this many radii per step.
+CDynamicCircleDesc Flying(const Vector2& p, float radii) {
+  return {p, g_fRadius, {radii * g_fRadius * 60, 0}};
+}
+
+CRestartResult Judge(const CScene& scene, std::size_t contacts = g_nContacts) {
+  CRestartOptions options;
+  options.m_nSeed = 11;
+  options.m_nContacts = contacts;
+  options.m_nMostTrials = 4 * contacts;
+  return RunRestarts(scene, GetEngines(), options);
+}
+
+// 3.3 standard errors: one in a thousand.
+bool Holds(std::size_t hits, std::size_t n, double rate) {
+  const CInterval i = Wilson(hits, n, 3.3);
+  return i.m_fLow <= rate && rate <= i.m_fHigh;
+}
+
+// Head-on at 6 radii a step: tunneled 1 - 1/6, missed 1 - 2/6. The floor answers in every step, and is no
+// answer to the wall.
+TEST(JudgeTest, ARollingBallHasNotAnsweredTheWallThatItMissed) {
+  CScene scene = MakeScene(3, 0.1f);
+  scene.m_cWorld.m_vGravity = {0, -10};
+  CLineSegDesc floor({-3, 0}, {3, 0});
+  floor.m_fElasticity = 0.0f;
+  AddShape(scene, floor);
+  AddShape(scene, CLineSegDesc({0, -0.01f}, {0, 1}));
+  AddBall(scene, Flying({-1, g_fRadius}, 6));
+  const CRestartResult result = Judge(scene);
+  ASSERT_EQ(result.m_stdContacts.size(), g_nContacts);
+  const CTotals native = MakeTotals(result.m_stdContacts, g_nNative);
+  EXPECT_TRUE(Holds(native.GetTunneled(), g_nContacts, 5.0 / 6)) << native.GetTunneled();
+  EXPECT_TRUE(Holds(native.m_nMissed, g_nContacts, 4.0 / 6)) << native.m_nMissed;
+  EXPECT_FALSE(Holds(native.m_nMissed, g_nContacts, 0)); // as if the floor had answered
+}
+
+// A ball that got into a ring unseen is turned back by its far side a step later, with the right normal.
+TEST(JudgeTest, ABallThatIsInARingHasTunneled) {
+  CScene scene = MakeScene(3, 0.12f);
+  AddShape(scene, CCircleDesc({0, 0}, 0.35f));
+  AddBall(scene, Flying({-1.2f, 0}, 6));
+  const CRestartResult result = Judge(scene);
+  ASSERT_EQ(result.m_stdContacts.size(), g_nContacts);
+  const CTotals native = MakeTotals(result.m_stdContacts, g_nNative);
+  EXPECT_TRUE(Holds(native.GetTunneled(), g_nContacts, 5.0 / 6)) << native.GetTunneled();
+}
+
+// Of two sides that are met at once, the first that is answered decides where the ball goes: nobody can be
+// held against that.
+TEST(JudgeTest, TwoSidesAtOnceAreSetAside) {
+  CScene scene = MakeScene(3, 1);
+  AddShape(scene, CLineSegDesc({-1, 0.25f}, {0, 0}));
+  AddShape(scene, CLineSegDesc({0, 0}, {1, 0.25f}));
+  AddBall(scene, {{0, 1}, 0.1f, {0, -5}});
+  const CRestartResult both = Judge(scene, 20);
+  EXPECT_EQ(both.m_cSetAside.m_nSimultaneous, both.m_nTrials);
+  scene.m_stdBalls[0].m_cDesc.m_vPos.x() = 0.01f; // the control: one comes first
+  const CRestartResult one = Judge(scene, 20);
+  EXPECT_EQ(one.m_cSetAside.m_nSimultaneous, 0u);
+  EXPECT_EQ(one.m_stdContacts.size(), 20u);
+}
+
+TEST(JudgeTest, APointBallIsJudgedInFiniteTime) {
+  CScene scene = MakeScene(3, 1);
+  CLineSegDesc gate({-1, 0}, {1, 0.3f});
+  gate.m_eSides = eSides::Front;
+  AddShape(scene, gate);
+  AddShape(scene, CLineSegDesc({-2, 1}, {2, 1.1f}));
+  AddBall(scene, {{0.1f, -1}, 0, {1, 6}});
+  EXPECT_EQ(Judge(scene, 20).m_stdContacts.size(), 20u);
+}
+
+TEST(JudgeTest, FlippersGoOnInTheStepsAfterTheImpact) {
+  const CScene scene = LoadScene(std::string(SHAPES_SCENES_DIR) + "/pinball.json");
+  CTrialWorld world(scene, GetEngines()[g_nNative], MakeStart(scene, 1, 0).m_stdBalls, 0.0);
+  std::size_t flips = 0, changed = 0;
+  for (const double time : {0.0, 0.3, 0.6}) {
+    world.Flip(scene, time);
+    for (std::size_t i = 0; i < scene.m_stdShapes.size(); ++i) {
+      if (!scene.m_stdShapes[i].m_cFlip) continue;
+      const float speed =
+          RotSpeedAt(scene.m_stdShapes[i], time, static_cast<double>(scene.m_cWorld.m_fTimeStep));
+      EXPECT_EQ(world.m_pWorld->GetRotSpeed(world.m_stdShapes[i]), speed);
+      ++flips;
+      changed += speed != 0.0f;
+    }
+  }
+  EXPECT_GT(changed, 0u);
+  EXPECT_LT(changed, flips);
+}
+
+} // namespace
+} // namespace Shapes::Compare::Tests

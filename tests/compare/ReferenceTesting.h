@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// What the tests of the exact reference share: short ways to describe shapes, to run a reference, and to sum
+// up its balls.
+#pragma once
+
+#include "reference/Reference.h"
+
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace Shapes::Compare {
+
+using CShapes = std::vector<CAnyShapeDesc>;
+using CBalls = std::vector<CDynamicCircleDesc>;
+template <class T>
+using CEventsOf = std::vector<CExactEvent<T>>;
+using CEvents = CEventsOf<double>;
+using CExact = CReference<double>;
+
+inline constexpr double g_fEps = std::numeric_limits<double>::epsilon();
+
+inline CLineSegDesc Wall(const Vector2& a, const Vector2& b, float e = 1) { return CLineSegDesc(a, b, e); }
+
+/// Four walls: at the bottom, on the right, at the top, on the left.
+inline CShapes Box(const Vector2& low, const Vector2& high, float e = 1) {
+  const Vector2 right(high.x(), low.y()), left(low.x(), high.y());
+  return {Wall(low, right, e), Wall(right, high, e), Wall(left, high, e), Wall(low, left, e)};
+}
+/// The same about the origin.
+inline CShapes Box(float half, float e = 1) { return Box({-half, -half}, {half, half}, e); }
+
+/// Turns about `center`, `revs` times a second.
+template <class TDesc>
+inline TDesc Kinematic(TDesc desc, const Vector2& center, float revs) {
+  desc.m_eMotionType = eMotion::Kinematic;
+  desc.m_vRotCenter = center;
+  desc.m_fRotSpeed = revs;
+  return desc;
+}
+
+template <class TDesc>
+inline TDesc Sensor(TDesc desc) {
+  desc.m_bIsSensor = true;
+  return desc;
+}
+
+template <class TDesc>
+inline TDesc Sided(TDesc desc, eSides sides) {
+  desc.m_eSides = sides;
+  return desc;
+}
+
+inline CExact Make(const CShapes& shapes, const CBalls& balls, const Vector2& g = Vector2::Zero()) {
+  return CExact(shapes, balls, g);
+}
+
+/// `steps` steps of dt. The time of an event is that since its own step began.
+template <class T>
+inline CEventsOf<T> Carry(CReference<T>& reference, double dt, int steps = 1) {
+  CEventsOf<T> events;
+  for (int i = 0; i < steps; ++i)
+    reference.Step(T(dt), events);
+  return events;
+}
+
+/// Of motion, all balls together.
+inline double Energy(const CExact& reference) {
+  double energy = 0;
+  for (std::size_t i = 0; i < reference.GetBallCount(); ++i)
+    energy += 0.5 * reference.GetBall(i).m_fMass * reference.GetBall(i).m_vVel.squaredNorm();
+  return energy;
+}
+
+inline CVec2d Momentum(const CExact& reference) {
+  CVec2d momentum(0, 0);
+  for (std::size_t i = 0; i < reference.GetBallCount(); ++i)
+    momentum += reference.GetBall(i).m_fMass * reference.GetBall(i).m_vVel;
+  return momentum;
+}
+
+/// Short, for what a test records.
+inline std::string Text(double f) {
+  std::ostringstream out;
+  out << f;
+  return out.str();
+}
+
+} // namespace Shapes::Compare
