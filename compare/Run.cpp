@@ -24,9 +24,9 @@ bool CanHold(const CEngine& engine, const CScene& scene) {
 std::vector<CEngine> SelectLadder(const std::vector<CEngine>& engines, const CScene& scene) {
   std::vector<CEngine> ladder = GetLadder();
   std::erase_if(ladder, [&](const CEngine& rung) {
-    return !CanHold(rung, scene) ||
-           std::none_of(engines.begin(), engines.end(),
-                        [&](const CEngine& engine) { return engine.m_sName == rung.m_sName; });
+    return !CanHold(rung, scene) || std::none_of(engines.begin(), engines.end(), [&](const CEngine& engine) {
+      return engine.m_sName == rung.m_sName;
+    });
   });
   return ladder;
 }

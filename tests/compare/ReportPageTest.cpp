@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // report.html in a browser without a window and without a network: a script does what a reader does, and
 // notes what is then to be seen.
-#include "page/SampleReport.h"
+#include "page/PageDocuments.h"
 #include "report/Report.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -31,6 +32,8 @@ enum class eScheme { Dark, Light }; // in the browser's order
 constexpr double g_fTextContrast = 4.5, g_fGraphicsContrast = 3.0;
 // A thin line of a plot covers hundreds of pixels, most of them blended; some have the pure colour.
 constexpr int g_nPixelsOfALine = 20;
+// Pixels between two names of an axis.
+constexpr double g_fNameGap = 4.0;
 
 std::string ReadFile(const fs::path& file) {
   std::ostringstream text;
@@ -117,6 +120,19 @@ protected:
       EXPECT_GE(seen.at(pEngine).get<int>(), g_nPixelsOfALine) << pEngine;
   }
 
+  static bool Contains(const json& text, const std::string& part) {
+    return text.get<std::string>().find(part) != std::string::npos;
+  }
+  static bool AnyContains(const json& texts, const std::string& part) {
+    return std::any_of(texts.begin(), texts.end(), [&](const json& text) { return Contains(text, part); });
+  }
+
+  /// Names of an axis that do not run together, and at least two of them.
+  static void ExpectReadable(const json& axes) {
+    EXPECT_GE(axes.at("names").get<int>(), 2);
+    EXPECT_GE(axes.at("room").get<double>(), g_fNameGap);
+  }
+
   // What has to work on whatever was recorded.
   static void ExpectReplay(const json& scene) {
     EXPECT_GT(scene.at("replay").at("colours").get<int>(), 3);
@@ -128,6 +144,8 @@ protected:
       EXPECT_NEAR(worst.at("x").get<double>(), 0.5, 1.0 / 6);
       EXPECT_NEAR(worst.at("y").get<double>(), 0.5, 1.0 / 6);
       EXPECT_GT(worst.at("middle").at("exact").get<int>(), 0);
+      EXPECT_GE(worst.at("ring").get<int>(), g_nPixelsOfALine);
+      EXPECT_EQ(worst.at("ringBefore"), 0);
       EXPECT_GT(worst.at("middle").at("native").get<int>() + worst.at("middle").at("box2d").get<int>(), 0);
     }
     const json& keys = scene.at("keys");
@@ -152,11 +170,21 @@ protected:
     EXPECT_EQ(scene.at("outcomes"), 2);
     EXPECT_GT(scene.at("metrics").get<int>(), 30);
     EXPECT_GT(scene.at("bins").get<int>(), 10);
+    for (const json& axes : scene.at("axes"))
+      ExpectReadable(axes);
+    EXPECT_TRUE(Contains(scene.at("work"), "A ball that is lost counts as \u03c0"));
+    EXPECT_TRUE(Contains(scene.at("work"), "The exact reference is timed too"));
+    EXPECT_TRUE(AnyContains(scene.at("settings"), "none in 95\u202f000"));
+    EXPECT_TRUE(AnyContains(scene.at("settings"), "< 0.00300")); // 3 in 100 000
+    EXPECT_TRUE(AnyContains(scene.at("heatCells"), "< 0.15%"));  // 3 in 2000
+    EXPECT_TRUE(AnyContains(scene.at("counts"), "ghost 0 (< 0.00552% of quiet steps)"));
+    // Nothing of what comes is drawn: at the beginning there is no way yet.
+    EXPECT_GT(scene.at("end").get<int>(), 2 * scene.at("start").get<int>());
     ASSERT_TRUE(scene.contains("replay"));
     for (const char* pEngine : {"native", "box2d"}) {
       const json& worst = scene.at("worst").at(pEngine);
       EXPECT_EQ(worst.at("clip"), std::string("worst ") + pEngine);
-      EXPECT_EQ(worst.at("frame"), g_nSampleContact);
+      EXPECT_EQ(worst.at("frame"), g_nWorstContact);
       EXPECT_NE(worst.at("text").get<std::string>().find(": s"), std::string::npos); // title: what goes wrong
     }
     EXPECT_EQ(scene.at("keys").at("right"), 1);
@@ -164,7 +192,7 @@ protected:
     EXPECT_EQ(scene.at("keys").at("scrubbed"), 5);
   }
 
-  static std::string ToPage(const CSampleReport& sample) {
+  static std::string ToPage(const CPageDocuments& sample) {
     return MakeHtml(sample.m_cRun.dump(), sample.m_cReplay.dump());
   }
 
@@ -172,7 +200,7 @@ protected:
 };
 
 TEST_F(ReportPageTest, AFullReportInTheLight) {
-  const json result = Exercise(ToPage(MakeSampleReport({"bowl", "corner", "a name & a <b>"})));
+  const json result = Exercise(ToPage(MakePageDocuments({"bowl", "corner", "a name & a <b>"})));
   ExpectSound(result);
   EXPECT_FALSE(result.at("isDark").get<bool>());
   EXPECT_FALSE(result.at("isInterrupted").get<bool>());
@@ -181,6 +209,17 @@ TEST_F(ReportPageTest, AFullReportInTheLight) {
   EXPECT_EQ(result.at("small").size(), 3u);
   for (const json& small : result.at("small"))
     ExpectDrawn(small, {"native", "box2d", "exact"});
+  for (const json& axes : result.at("smallAxes")) {
+    ExpectReadable(axes);
+    EXPECT_EQ(axes.at("span"), result.at("smallAxes")[0].at("span"));
+    EXPECT_EQ(axes.at("span")[2], 1e-6);
+  }
+  const json& overview = result.at("overview");
+  EXPECT_TRUE(AnyContains(overview, "\u00d77.5 (100\u202f000)")); // +650%
+  EXPECT_TRUE(AnyContains(overview, "\u22120.120 (100\u202f000)"));
+  EXPECT_TRUE(AnyContains(overview, "of 9\u202f158"));
+  EXPECT_FALSE(AnyContains(overview, "of 20\u202f000")); // all contacts
+  EXPECT_TRUE(AnyContains(overview, "0 (rounding)"));
   for (const char* pFact :
        {"shapes-compare run", "seed 1", "0.1.0 (1234567)", "2.4.1", "g++ 12.2.0", "Some CPU"})
     EXPECT_NE(result.at("text").get<std::string>().find(pFact), std::string::npos) << pFact;
@@ -191,7 +230,7 @@ TEST_F(ReportPageTest, AFullReportInTheLight) {
 }
 
 TEST_F(ReportPageTest, AFullReportInTheDark) {
-  const json result = Exercise(ToPage(MakeSampleReport({"bowl"})), eScheme::Dark);
+  const json result = Exercise(ToPage(MakePageDocuments({"bowl"})), eScheme::Dark);
   ExpectSound(result);
   EXPECT_TRUE(result.at("isDark").get<bool>());
   EXPECT_EQ(result.at("print").at("paper"), json({255, 255, 255}));
@@ -202,13 +241,13 @@ TEST_F(ReportPageTest, AFullReportInTheDark) {
 }
 
 TEST_F(ReportPageTest, AFullReportInANarrowWindow) {
-  const json result = Exercise(ToPage(MakeSampleReport({"bowl"})), eScheme::Light, 800);
+  const json result = Exercise(ToPage(MakePageDocuments({"bowl"})), eScheme::Light, 800);
   ExpectSound(result);
   ExpectFull(result.at("scenes").at(0));
 }
 
 TEST_F(ReportPageTest, WhatARunMayLeaveOut) {
-  const json result = Exercise(ToPage(MakeSparseReport()));
+  const json result = Exercise(ToPage(MakeSparsePageDocuments()));
   ExpectSound(result);
   EXPECT_TRUE(result.at("isInterrupted").get<bool>());
   EXPECT_EQ(result.at("rows"), 9);
@@ -226,10 +265,19 @@ TEST_F(ReportPageTest, WhatARunMayLeaveOut) {
   EXPECT_TRUE(find("nulls").at("plots").empty());
   EXPECT_TRUE(find("nulls").contains("replay"));
   EXPECT_FALSE(find("no_clips").contains("replay"));
+
+  // How far the ball goes in a step says little where the shapes move.
+  const auto isFarSaid = [&](const json& scene) {
+    return Contains(scene.at("heatNote"), "right of the double line");
+  };
+  EXPECT_TRUE(isFarSaid(find("no_clips")));
+  EXPECT_GT(find("no_clips").at("farCells").get<int>(), 0);
+  EXPECT_FALSE(isFarSaid(find("full")));
+  EXPECT_EQ(find("full").at("farCells"), 0);
 }
 
 TEST_F(ReportPageTest, NoSceneAtAll) {
-  const json result = Exercise(ToPage(MakeSampleReport({})));
+  const json result = Exercise(ToPage(MakePageDocuments({})));
   ExpectSound(result);
   EXPECT_EQ(result.at("cards"), 0);
   EXPECT_TRUE(result.at("scenes").empty());
@@ -254,7 +302,7 @@ TEST_F(ReportPageTest, WhatTheProgramWrites) {
 // The controls: pages with a fault each, which has to be seen.
 
 TEST_F(ReportPageTest, ControlBrokenData) {
-  CSampleReport sample = MakeSampleReport({"bowl"});
+  CPageDocuments sample = MakePageDocuments({"bowl"});
   const std::string run = sample.m_cRun.dump();
   const json result = Exercise(MakeHtml(run.substr(0, run.size() / 2), sample.m_cReplay.dump()));
   EXPECT_GE(result.at("errors").size(), 1u);
@@ -264,7 +312,7 @@ TEST_F(ReportPageTest, ControlBrokenData) {
 }
 
 TEST_F(ReportPageTest, ControlSomethingIsFetched) {
-  const std::string page = ToPage(MakeSampleReport({"bowl"}));
+  const std::string page = ToPage(MakePageDocuments({"bowl"}));
   const std::string picture = "<img alt='' src='http://example.invalid/picture.png'>";
   const json blocked = Exercise(Insert(page, "</body>", picture, false));
   ASSERT_EQ(blocked.at("errors").size(), 1u);
@@ -279,18 +327,18 @@ TEST_F(ReportPageTest, ControlSomethingIsFetched) {
 
 TEST_F(ReportPageTest, ControlTextThatCannotBeRead) {
   const std::string style = "<style>.lead { color: #999 !important }</style>";
-  const json result = Exercise(Insert(ToPage(MakeSampleReport({"bowl"})), "</head>", style, false));
+  const json result = Exercise(Insert(ToPage(MakePageDocuments({"bowl"})), "</head>", style, false));
   EXPECT_LT(result.at("scenes").at(0).at("text").at("contrast").get<double>(), g_fTextContrast);
 }
 
 TEST_F(ReportPageTest, ControlAWordThatIsNoFigure) {
-  CSampleReport sample = MakeSampleReport({"bowl"});
+  CPageDocuments sample = MakePageDocuments({"bowl"});
   sample.m_cRun.at("scenes")[0].at("verdict")[0] = "native takes NaN ns";
   EXPECT_EQ(Exercise(ToPage(sample)).at("scenes").at(0).at("odd"), json({"NaN"}));
 }
 
 TEST_F(ReportPageTest, ControlAnEngineThatIsNotDrawn) {
-  CSampleReport sample = MakeSampleReport({"bowl"});
+  CPageDocuments sample = MakePageDocuments({"bowl"});
   json& rows = sample.m_cRun.at("work_precision");
   for (json& row : rows)
     if (row.at("engine") == "box2d") row["direction_error_p95"] = nullptr;

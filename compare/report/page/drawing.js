@@ -86,26 +86,18 @@ const Drawing = (() => {
     ctx.setLineDash([]);
   }
 
-  /** The way of a ball up to `frame` in full, what comes faintly. A jump to a new start is no way. */
+  /** The way of a ball up to `frame`. A jump to a new start is no way. */
   function drawWay(ctx, camera, track, balls, ball, frame, longest) {
-    const frames = track.length / (2 * balls);
-    const trace = (from, to) => {
-      ctx.beginPath();
-      let before = null;
-      for (let f = from;; f = Math.min(Math.floor(f) + 1, to)) {
-        const p = placeAt(track, balls, ball, f);
-        const joins = before && isPlace(p) && Math.hypot(p[0] - before[0], p[1] - before[1]) <= longest;
-        if (isPlace(p)) ctx[joins ? 'lineTo' : 'moveTo'](...camera.toPicture(p));
-        before = isPlace(p) ? p : null;
-        if (f >= to) break;
-      }
-      ctx.stroke();
-    };
-    const alpha = ctx.globalAlpha;
-    ctx.globalAlpha = alpha * 0.35;
-    trace(frame, frames - 1);
-    ctx.globalAlpha = alpha;
-    trace(0, frame);
+    ctx.beginPath();
+    let before = null;
+    for (let f = 0;; f = Math.min(f + 1, frame)) {
+      const p = placeAt(track, balls, ball, f);
+      const joins = before && isPlace(p) && Math.hypot(p[0] - before[0], p[1] - before[1]) <= longest;
+      if (isPlace(p)) ctx[joins ? 'lineTo' : 'moveTo'](...camera.toPicture(p));
+      before = isPlace(p) ? p : null;
+      if (f >= frame) break;
+    }
+    ctx.stroke();
   }
 
   function drawBall(ctx, camera, place, radius, isInQuestion) {
@@ -121,6 +113,16 @@ const Drawing = (() => {
     ctx.beginPath();
     ctx.arc(x, y, 2, 0, 2 * Math.PI);
     ctx.fill();
+  }
+
+  /** A ring around a ball, to show where to look. */
+  function drawRing(ctx, camera, place, radius) {
+    if (!isPlace(place)) return;
+    ctx.beginPath();
+    ctx.arc(...camera.toPicture(place), Math.max(radius * camera.scale, 2) + 9, 0, 2 * Math.PI);
+    ctx.strokeStyle = Data.css('--heat');
+    ctx.lineWidth = 3;
+    ctx.stroke();
   }
 
   /** Ways and balls of one engine. */
@@ -168,5 +170,5 @@ const Drawing = (() => {
     };
   }
 
-  return {lineOf, placeAt, drawShapes, drawTrack, boxOf};
+  return {lineOf, placeAt, drawShapes, drawTrack, drawRing, boxOf};
 })();

@@ -18,6 +18,7 @@ const Format = (() => {
 
   const isNumber = (x) => typeof x === 'number' && Number.isFinite(x);
   const power = (n) => '10' + [...String(n)].map((c) => superscripts[c]).join('');
+  /** The digits of a whole number, in threes. */
   const grouped = (n) => String(n).replace(/\B(?=(\d{3})+$)/g, '\u202f');
 
   function positive(x) {
@@ -36,10 +37,22 @@ const Format = (() => {
     return (x < 0 ? '\u2212' : '') + positive(Math.abs(x));
   }
   /** Without zeros at the end, for factors and edges. */
-  const plain = (x) => (isNumber(x) ? String(Number(x.toPrecision(3))) : dash);
+  function plain(x) {
+    if (!isNumber(x)) return dash;
+    const rounded = Number(x.toPrecision(3));
+    return Number.isInteger(rounded) && Math.abs(rounded) < 1e7 ? grouped(rounded) : String(rounded);
+  }
   const signed = (x) => (isNumber(x) && x > 0 ? '+' : '') + num(x);
   const count = (n) => (isNumber(n) ? grouped(Math.round(n)) : dash);
   const percent = (x) => (isNumber(x) ? num(100 * x) : dash);
+  /** A relative change in percent; what more than doubles is a factor. */
+  const change = (x) => (isNumber(x) && x > 1 ? `\u00d7${plain(1 + x)}` : signed(isNumber(x) ? 100 * x : x));
+
+  // Half the spacing of floats at 1: directions of float velocities differ by as much without any fault.
+  const angleRounding = 2 ** -24;
+  const isRounding = (x) => isNumber(x) && x !== 0 && Math.abs(x) < angleRounding;
+  /** An angle in radians. */
+  const angle = (x) => (isRounding(x) ? '0 (rounding)' : num(x));
 
   function interval(pair, scale = 1) {
     if (!Array.isArray(pair) || !isNumber(pair[0]) || !isNumber(pair[1])) return '';
@@ -50,7 +63,7 @@ const Format = (() => {
   function rate(r, n) {
     if (!r || !isNumber(r.count) || !(n > 0)) return dash;
     if (r.count > 0) return percent(r.rate ?? r.count / n);
-    return n > 3 ? `< ${percent(3 / n)}` : `none in ${n}`;
+    return n > 3 ? `< ${percent(3 / n)}` : `none in ${count(n)}`;
   }
   const rateInterval = (r, n) => (r && r.count > 0 && n > 0 ? interval([r.low, r.high], 100) : '');
 
@@ -86,8 +99,14 @@ const Format = (() => {
       (range ? [text, ' ', el('span', {class: 'interval'}, `(${range})`)] : [text]);
   const rateWithInterval = (r, n) => withInterval(rate(r, n), rateInterval(r, n));
   /** Median and 95th percentile. */
-  const summary = (s) => (s && s.count > 0 ? `${num(s.median)} / ${num(s.p95)}` : dash);
-  const sentences = (list) => el('ul', {class: 'sentences'}, (list ?? []).map((s) => el('li', null, s)));
+  const summary = (s, format = num) => (s && s.count > 0 ? `${format(s.median)} / ${format(s.p95)}` : dash);
+  const angles = (s) => summary(s, angle);
+
+  /** Whole numbers in a text, with or without commas, as everywhere on the page. */
+  const regroup = (text) => String(text).replace(/(?<![\d.,])\d+(,\d{3})*(?!\d|[.,]\d)/g,
+                                                 (digits) => grouped(digits.replaceAll(',', '')));
+  const sentences = (list) =>
+      el('ul', {class: 'sentences'}, (list ?? []).map((s) => el('li', null, regroup(s))));
 
   return {
     dash,
@@ -97,6 +116,9 @@ const Format = (() => {
     signed,
     count,
     percent,
+    change,
+    angle,
+    angles,
     interval,
     rate,
     rateInterval,

@@ -54,7 +54,7 @@ const Histograms = (() => {
             callbacks: {
               title: ([item]) => `${item.label} radii`,
               label: (item) => `${engines[item.datasetIndex].name}: ${num(item.parsed.y)} %, ${
-                  item.dataset.counts[item.dataIndex]} contacts`,
+                  Format.count(item.dataset.counts[item.dataIndex])} contacts`,
             }
           }
         },

@@ -1,19 +1,32 @@
 // SPDX-License-Identifier: MIT
 // Every figure of one scene in one table, engines side by side.
 const Metrics = (() => {
-  const {el, num, plain, signed, count, summary, rateWithInterval, interval, withInterval, dash, isNumber} =
-      Format;
+  const {
+    el,
+    num,
+    plain,
+    signed,
+    angle,
+    change,
+    count,
+    summary,
+    rateWithInterval,
+    interval,
+    withInterval,
+    dash
+  } = Format;
   const {list} = Data;
 
-  const summaryText = (s, isSigned) => {
+  const summaryText = (s, format, medianFormat = format) => {
     if (!s || !(s.count > 0)) return dash;
-    return `${(isSigned ? signed : num)(s.median)} / ${num(s.p95)} / ${num(s.max)}`;
+    return `${medianFormat(s.median)} / ${format(s.p95)} / ${format(s.max)}`;
   };
   const asCount = (key) => (e) => count(e[key]);
   const asRate = (key) => (e) => [`${count(e[key]?.count)}: `, rateWithInterval(e[key], e.contacts)];
-  const asSummary = (key) => (e) => summaryText(e[key], false);
-  const asSigned = (key) => (e) => summaryText(e[key], true);
-  const asChange = (key) => (e) => (isNumber(e[key]) ? signed(100 * e[key]) : dash);
+  const asSummary = (key) => (e) => summaryText(e[key], num);
+  const asAngles = (key) => (e) => summaryText(e[key], angle);
+  const asSigned = (key) => (e) => summaryText(e[key], num, signed);
+  const asChange = (key) => (e) => change(e[key]);
 
   // Group, then name, unit and cell of each row.
   const metrics = [
@@ -46,8 +59,8 @@ const Metrics = (() => {
       'Correct responses against the exact ones: median / p95 / max',
       [
         ['place of the impact', 'radii', asSummary('poi_error')],
-        ['normal', 'rad', asSummary('normal_error')],
-        ['direction', 'rad', asSummary('direction_error')],
+        ['normal', 'rad', asAngles('normal_error')],
+        ['direction', 'rad', asAngles('direction_error')],
         ['speed', 'relative', asSigned('speed_error')],
         ['energy', 'relative', asSigned('energy_error')],
         ['position', 'radii', asSummary('position_error')],
@@ -58,9 +71,9 @@ const Metrics = (() => {
       'Long run',
       [
         ['bounces', '', asCount('bounces')],
-        ['energy drift', '% in 10\u2074 bounces', asChange('energy_drift')],
+        ['energy drift', '% or factor over these bounces', asChange('energy_drift')],
         ['free path error', '%', asChange('free_path_error')],
-        ['angular momentum drift', '% in 10\u2074 bounces', asChange('angular_momentum_drift')],
+        ['angular momentum drift', '% over these bounces', asChange('angular_momentum_drift')],
       ]
     ],
     [

@@ -1,8 +1,20 @@
 // SPDX-License-Identifier: MIT
 // What is above the single scenes: where the figures come from, verdicts, one table of all scenes.
 const Overview = (() => {
-  const {el, num, signed, count, rate, rateWithInterval, summary, interval, withInterval, dash, isNumber} =
-      Format;
+  const {
+    el,
+    num,
+    count,
+    change,
+    rate,
+    rateWithInterval,
+    summary,
+    angles,
+    interval,
+    withInterval,
+    dash,
+    isNumber
+  } = Format;
   const {list} = Data;
 
   const link = (scene) =>
@@ -43,6 +55,10 @@ const Overview = (() => {
     return Boolean(mine) && rest.length > 0 && rest.every((range) => range && mine[1] < range[0]);
   }
 
+  /** A summary of fewer than all contacts says of how many. */
+  const ofSome = (text, n, all) =>
+      (n > 0 && n < all ? [text, ' ', el('span', {class: 'interval'}, `of ${count(n)}`)] : text);
+
   // Every column: head, unit, cell, and the interval by which it is judged.
   const columns = [
     {head: 'contacts', unit: '', cell: (e) => count(e.contacts)},
@@ -54,12 +70,16 @@ const Overview = (() => {
       cell: (e) => rateWithInterval(e.tunneled, e.contacts)
     },
     {head: 'ghost', unit: '% of quiet steps', cell: (e, scene) => rate(e.ghost, scene.quiet_steps)},
-    {head: 'setback error', unit: 'radii, median / p95', cell: (e) => summary(e.setback_error)},
-    {head: 'direction error', unit: 'rad, median / p95', cell: (e) => summary(e.direction_error)},
+    {
+      head: 'setback error',
+      unit: 'radii, median / p95',
+      cell: (e) => ofSome(summary(e.setback_error), e.setback_error?.count, e.contacts)
+    },
+    {head: 'direction error', unit: 'rad, median / p95', cell: (e) => angles(e.direction_error)},
     {
       head: 'energy drift',
-      unit: '% in 10\u2074 bounces',
-      cell: (e) => (isNumber(e.energy_drift) ? signed(100 * e.energy_drift) : dash)
+      unit: '% or factor (bounces)',
+      cell: (e) => (isNumber(e.energy_drift) ? `${change(e.energy_drift)} (${count(e.bounces)})` : dash)
     },
     {
       head: 'time',
@@ -90,7 +110,8 @@ const Overview = (() => {
       el('p', {class: 'note'},
          'Shaded: better than the other engine, and the 95% intervals do not overlap. ' +
              '"<" stands for none seen in n: below 3 in n at 95%. p95 is the 95th percentile. ' +
-             'Errors are of the contacts to which the engine responded.'),
+             'Setback errors are of the pairs that the engine\u2019s CollisionDetected saw ("of" how many, where ' +
+             'these are not all contacts), direction errors of the balls that were turned back.'),
     ];
   }
 
@@ -108,7 +129,11 @@ const Overview = (() => {
       'direction error',
       'Angle between the velocity after the impact and the exact one. 0.01 rad is 0.57 degrees.'
     ],
-    ['energy drift', 'Energy gained or lost in a long run that should keep all of it.'],
+    [
+      'energy drift',
+      'Energy gained or lost in a long run that should keep all of it, over its own bounces; \u00d73 where three ' +
+          'times as much is left.'
+    ],
     [
       'ball-step', 'One step of the world for one ball. 60 steps a second with 100 balls are 6000 ball-steps.'
     ],

@@ -23,12 +23,27 @@ const PlotParts = (() => {
     return [1, 2, 5, 10].map((k) => k * decade).find((v) => v >= x * (1 - 1e-9));
   }
 
-  /** Labels the decades, and more where the axis is short; the floor gets a name of its own. */
-  function logAxis(title, min, max, label, {floorLabel = null, isSmall = false} = {}) {
-    const span = (isSmall ? 15 : 1) * max / min;
-    const leads = span < 99 ? [1, 2, 5] : span < 3000 ? [1, 3] : [1];
-    const isLabelled = (v) =>
-        leads.some((k) => Math.abs(v / (k * 10 ** Math.floor(Math.log10(v / k) + 1e-9)) - 1) < 1e-6);
+  const leadsOf = (span) => (span < 99 ? [1, 2, 5] : span < 3000 ? [1, 3] : [1]);
+
+  // In pixels: a plot that is narrower has names for decades only, and a name needs so much room.
+  const narrow = 420, nameWidth = 50;
+  /** What is labelled on an axis of times: each k times each `every`th power of ten. */
+  function leadsAcross(scale) {
+    const decades = Math.log10(scale.max / scale.min), perDecade = (scale.chart.width - 70) / decades;
+    const every = Math.max(1, Math.ceil(nameWidth / perDecade));
+    // Of one decade alone nobody reads how long the axis is.
+    const isTwo = Math.floor(Math.log10(scale.max) + 1e-9) > Math.ceil(Math.log10(scale.min) - 1e-9);
+    if (scale.chart.width < narrow && isTwo) return {leads: [1], every};
+    if (perDecade * Math.log10(2) > nameWidth) return {leads: [1, 2, 5], every};
+    return {leads: perDecade * Math.log10(3) > nameWidth ? [1, 3] : [1], every};
+  }
+
+  /** Labels the decades, and more where there is room; the floor gets a name of its own. */
+  function logAxis(title, min, max, label, {floorLabel = null, isAcross = false} = {}) {
+    const isLabelled = (v, {leads, every}) => leads.some((k) => {
+      const n = Math.floor(Math.log10(v / k) + 1e-9);
+      return n % every === 0 && Math.abs(v / (k * 10 ** n) - 1) < 1e-6;
+    });
     return {
       type: 'logarithmic',
       min,
@@ -40,7 +55,8 @@ const PlotParts = (() => {
         maxRotation: 0,
         callback(v) {
           if (floorLabel && Math.abs(v / min - 1) < 1e-6) return floorLabel;
-          return v >= min * (1 - 1e-9) && isLabelled(v) ? label(v) : null;
+          const labelled = isAcross ? leadsAcross(this) : {leads: leadsOf(max / min), every: 1};
+          return v >= min * (1 - 1e-9) && isLabelled(v, labelled) ? label(v) : null;
         },
       },
     };
@@ -60,6 +76,32 @@ const PlotParts = (() => {
       ctx.moveTo(left, y);
       ctx.lineTo(right, y);
       ctx.stroke();
+      ctx.restore();
+    },
+  };
+
+  /** The time of the exact reference, which is no point among the engines. */
+  const exactLine = {
+    id: 'exactLine',
+    beforeDatasetsDraw(chart, _args, options) {
+      if (!isNumber(options.x)) return;
+      const {ctx, chartArea: {left, right, top, bottom}} = chart;
+      const x = Math.round(chart.scales.x.getPixelForValue(options.x));
+      ctx.save();
+      ctx.strokeStyle = ctx.fillStyle = Data.css('--exact');
+      ctx.lineWidth = 2;
+      ctx.setLineDash([7, 4]);
+      ctx.beginPath();
+      ctx.moveTo(x, top);
+      ctx.lineTo(x, bottom);
+      ctx.stroke();
+      if (options.isNamed) {
+        ctx.font = `600 12px ${Chart.defaults.font.family}`;
+        ctx.textBaseline = 'top';
+        const isLeft = x + 6 + ctx.measureText('exact').width > right && x - left > right - x;
+        ctx.textAlign = isLeft ? 'right' : 'left';
+        ctx.fillText('exact', x + (isLeft ? -6 : 6), top + 3);
+      }
       ctx.restore();
     },
   };
@@ -150,6 +192,7 @@ const PlotParts = (() => {
     niceAbove,
     logAxis,
     floorLine,
+    exactLine,
     intervals,
     pointNames,
     canvas,

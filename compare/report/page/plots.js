@@ -3,8 +3,9 @@
 const Plots = (() => {
   const {
     el,
-    num,
     plain,
+    angle,
+    count,
     time,
     plainTime,
     withInterval,
@@ -20,14 +21,14 @@ const Plots = (() => {
 
   const isExact = (row) => row.engine === 'exact';
 
-  /** What zero means: how many impacts the settings without a loss have met. */
-  function noneIn(rows) {
-    const counts =
-        rows.filter((row) => !isExact(row) && row.tunneled_rate.count === 0).map((row) => row.contacts);
-    if (counts.length === 0) return '0';
-    const least = Math.min(...counts);
-    return `none in ${Math.max(...counts) > least ? '\u2265\u00a0' : ''}${Format.count(least)}`;
+  /** The tunneled rate with the further impacts of the proof; the interval is known without them only. */
+  function tunneledOf(row) {
+    const r = row.tunneled_rate;
+    if (!r || !isNumber(r.count) || !(row.contacts > 0)) return null;
+    if (!row.proof) return {...r, n: row.contacts};
+    return {count: r.count + row.proof.tunneled, n: row.contacts + row.proof.contacts};
   }
+  const isNone = (row) => tunneledOf(row)?.count === 0;
 
   // The two questions that are put to every setting.
   const questions = {
@@ -37,49 +38,54 @@ const Plots = (() => {
       note: 'how far off the ball flies, 95th percentile; down and left is better',
       value: (row) => row.direction_error_p95,
       front: 'front_by_error',
-      floorName: () => '0',
+      isUpperBound: () => false,
+      remark: 'A ball that is lost counts as \u03c0: a setting that loses more than 5% is there.',
     },
     tunneled: {
       title: 'Impacts that tunnel (%)',
       caption: 'Tunneling against time',
       note: 'share of impacts at which the ball passes; bars are 95% intervals',
-      value: (row) => (row.tunneled_rate && isNumber(row.tunneled_rate.count) && row.contacts > 0
-                           ? row.tunneled_rate.rate ?? row.tunneled_rate.count / row.contacts
-                           : null),
-      range: (row) => [row.tunneled_rate.low, row.tunneled_rate.high],
+      value: (row) => {
+        const r = tunneledOf(row);
+        return r && Math.min(1, (r.count || 3) / r.n);
+      },
+      range: (row) => (isNone(row) ? null : [tunneledOf(row).low, tunneledOf(row).high]),
       front: 'front_by_misses',
-      floorName: noneIn,
+      isUpperBound: isNone,
+      most: 1,
+      remark:
+          'A triangle that points down: none lost in n impacts, drawn at 3/n, below which the rate is at 95%.',
     },
   };
 
-  const valueOf = (question, row) => (isExact(row) ? 0 : question.value(row));
+  const isTimed = (row) => isNumber(row.ns_per_ball_second) && row.ns_per_ball_second > 0;
   const drawable = (question, rows) =>
-      rows.filter((row) => row.ns_per_ball_second > 0 && isNumber(row.ns_per_ball_second) &&
-                           isNumber(valueOf(question, row)));
+      rows.filter((row) => isTimed(row) && !isExact(row) && isNumber(question.value(row)));
+  const exactTime = (rows) => rows.find((row) => isExact(row) && isTimed(row))?.ns_per_ball_second;
 
   function shortName(row) {
-    if (isExact(row)) return 'exact';
     const steps = row.settings?.substeps;
     return row.engine === 'native' && isNumber(steps) ? `\u00d7${steps}` : row.label;
   }
 
   function toPoint(question, row, floor) {
-    const value = valueOf(question, row);
+    const value = question.value(row);
     const times = row.ns_per_ball_second_interval;
-    const range = question.range && !isExact(row) ? question.range(row) : null;
+    const range = question.range?.(row);
     const isFront = Boolean(row[question.front]);
     return {
       x: row.ns_per_ball_second,
       y: value > floor ? value : floor,
       row,
       isFront,
+      isUpperBound: question.isUpperBound(row),
       xs: Array.isArray(times) && isNumber(times[0]) && isNumber(times[1]) ? times : null,
       ys: range && range.every(isNumber) ? range : null,
-      name: isFront || row.engine === 'native' || isExact(row) ? shortName(row) : null,
+      name: isFront || row.engine === 'native' ? shortName(row) : null,
     };
   }
 
-  const pointStyles = {native: 'circle', box2d: 'rect', exact: 'star'};
+  const pointStyles = {native: 'circle', box2d: 'rect'};
 
   function series(engine, points, isSmall) {
     const colour = Data.colour(engine);
@@ -92,9 +98,12 @@ const Plots = (() => {
       backgroundColor: colour,
       pointBackgroundColor: bySubsteps.map((p) => (p.isFront ? colour : Data.css('--bg'))),
       pointBorderColor: colour,
-      pointBorderWidth: engine === 'exact' ? 2.5 : 1.8,
-      pointStyle: pointStyles[engine] ?? 'triangle',
-      pointRadius: (isSmall ? 2.5 : 4.5) + (engine === 'exact' ? 2 : 0),
+      pointBorderWidth: 1.8,
+      pointStyle: bySubsteps.map((p) => (p.isUpperBound ? 'triangle' : pointStyles[engine] ?? 'rectRot')),
+      pointRotation: bySubsteps.map((p) => (p.isUpperBound ? 180 : 0)),
+      pointRadius: bySubsteps.map((p) => (isSmall          ? 2.5
+                                          : p.isUpperBound ? 6
+                                                           : 4.5)),
       pointHoverRadius: 8,
       showLine: engine === 'native',
       borderWidth: 2,
@@ -122,43 +131,60 @@ const Plots = (() => {
     };
   }
 
+  function proofText({proof}) {
+    if (!proof) return dash;
+    return `${proof.tunneled > 0 ? count(proof.tunneled) : 'none'} in ${count(proof.contacts)}`;
+  }
   const rowName = (row) => (isExact(row) || !row.label ? row.engine : `${row.engine}: ${row.label}`);
   function tooltip(row) {
-    const n = row.contacts;
     const lines =
         [`time ${time(row.ns_per_ball_second)}` +
          (row.ns_per_ball_second_interval ? ` (${row.ns_per_ball_second_interval.map(time).join(' to ')})`
                                           : '')];
-    if (!isExact(row)) {
-      lines.push(`direction error, p95: ${num(row.direction_error_p95)} rad`);
-      for (const [name, r] of [['tunneled', row.tunneled_rate], ['missed', row.miss_rate]]) {
-        if (!r || !(n > 0)) continue;
-        const range = rateInterval(r, n);
-        lines.push(`${name}: ${rate(r, n)} %${range ? ` (${range})` : ''}, ${r.count} of ${n}`);
-      }
+    lines.push(`direction error, p95: ${angle(row.direction_error_p95)} rad`);
+    for (const [name, r, n] of [['tunneled', tunneledOf(row), tunneledOf(row)?.n],
+                                ['missed', row.miss_rate, row.contacts]]) {
+      if (!r || !(n > 0)) continue;
+      const range = rateInterval(r, n);
+      lines.push(`${name}: ${rate(r, n)} %${range ? ` (${range})` : ''}, ${count(r.count)} of ${count(n)}`);
     }
+    if (row.proof) lines.push(`of these in the proof: ${proofText(row)}`);
     if (row.front_by_error) lines.push('on the front of error');
     if (row.front_by_misses) lines.push('on the front of tunneling');
     return lines;
   }
 
   function floorBelow(question, rows) {
-    const positive = rows.map((row) => valueOf(question, row)).filter((v) => v > 0);
-    const lows = question.range ? rows.filter((r) => !isExact(r)).map((r) => 1 / r.contacts) : [];
-    const smallest = Math.min(...positive, ...lows);
+    const smallest = Math.min(...rows.map(question.value).filter((v) => v > 0));
     return parts.niceBelow((Number.isFinite(smallest) ? smallest : 1e-3) / 2.5);
   }
+
+  /** The axes that hold all rows: floor and top of the value, first and last time. */
+  function rangeOf(question, rows, floor) {
+    const shown = drawable(question, rows);
+    const times = [...shown.map((row) => row.ns_per_ball_second), exactTime(rows)].filter(isNumber);
+    const values = shown.flatMap((row) => [question.value(row), question.range?.(row)?.[1]]).filter(isNumber);
+    return {
+      floor,
+      top: Math.min(parts.niceAbove(1.1 * Math.max(...values, 10 * floor)), question.most ?? Infinity),
+      first: parts.niceBelow(Math.min(...times) / 1.25),
+      last: parts.niceAbove(Math.max(...times) * 1.25),
+    };
+  }
+
+  // Small multiples have one range, so that scenes compare.
+  const smallFloor = 1e-6;
+  const smallRange = () => rangeOf(questions.error, list(Data.run.work_precision), smallFloor);
 
   /** Work against precision; null where no setting of the scene has a time and a value. */
   function workConfig(key, allRows, isSmall) {
     const question = questions[key];
     const rows = drawable(question, allRows);
     if (rows.length === 0) return null;
-    const floor = floorBelow(question, rows);
+    const {floor, top, first, last} =
+        isSmall ? smallRange() : rangeOf(question, allRows, floorBelow(question, rows));
     const points = rows.map((row) => toPoint(question, row, floor));
     const engines = [...new Set(rows.map((row) => row.engine))];
-    const xs = points.map((p) => p.x);
-    const highest = Math.max(...points.map((p) => Math.max(p.y, p.ys?.[1] ?? 0)), floor * 10);
     const yLabel = (v) => plain(key === 'tunneled' ? 100 * v : v);
     // Below a hundredth, decades only, as powers: zeros are hard to count.
     const yTick = (v) => (v > 0.0099 || key === 'tunneled'     ? yLabel(v)
@@ -172,12 +198,14 @@ const Plots = (() => {
           frontSeries(points)
         ]
       },
-      plugins: isSmall ? [parts.floorLine] : [parts.floorLine, parts.intervals, parts.pointNames],
+      plugins: isSmall ? [parts.floorLine, parts.exactLine]
+                       : [parts.floorLine, parts.exactLine, parts.intervals, parts.pointNames],
       options: {
         interaction: {mode: 'nearest', intersect: true},
         events: isSmall ? [] : undefined,
         plugins: {
-          floorLine: {y: floor},
+          floorLine: {y: key === 'error' ? floor : null},
+          exactLine: {x: exactTime(allRows), isNamed: !isSmall},
           legend: {display: !isSmall, labels: {usePointStyle: true, boxHeight: 7}},
           tooltip: {
             filter: (item) => Boolean(item.raw.row),
@@ -188,12 +216,12 @@ const Plots = (() => {
           },
         },
         scales: {
-          x: parts.logAxis(isSmall ? '' : 'Computing time per simulated second and ball',
-                           parts.niceBelow(Math.min(...xs) / 1.25), parts.niceAbove(Math.max(...xs) * 1.25),
-                           plainTime, {isSmall}),
-          y: parts.logAxis(isSmall ? '' : question.title, floor,
-                           Math.max(parts.niceAbove(highest * 1.1), floor * 10), yTick,
-                           {floorLabel: isSmall ? '0' : question.floorName(rows), isSmall}),
+          x: parts.logAxis(isSmall ? '' : 'Computing time per simulated second and ball', first, last,
+                           plainTime, {isAcross: true}),
+          y: parts.logAxis(isSmall ? '' : question.title, floor, top, yTick,
+                           {floorLabel: isSmall ? `\u2264\u2009${power(-6)}`
+                                        : key === 'error' ? '0'
+                                                          : null}),
         },
       },
     };
@@ -219,7 +247,10 @@ const Plots = (() => {
         figure: el('figure', null, caption, parts.nothing('No settings were measured for this scene.')),
         draw: () => {}
       };
-    return {figure: el('figure', null, caption, parts.frame(c)), draw: () => parts.draw(c, config())};
+    return {
+      figure: el('figure', null, caption, parts.frame(c), el('p', {class: 'note'}, question.remark)),
+      draw: () => parts.draw(c, config())
+    };
   }
 
   function smallWorkFigure(scene) {
@@ -240,17 +271,19 @@ const Plots = (() => {
     if (rows.length === 0) return null;
     const heads = [
       ['time', 'per ball and second (95% interval)'], ['direction error', 'rad, p95'],
-      ['tunneled', '% (95% interval)'], ['missed', '%'], ['contacts', ''], ['on the front of', '']
+      ['tunneled', '% (95% interval)'], ['missed', '%'], ['contacts', ''],
+      ['proof', 'lost in further impacts'], ['on the front of', '']
     ];
     const body =
         rows.map((row) => el('tr', null, el('th', {scope: 'row'}, Data.tag(row.engine)),
                              el('th', {scope: 'row'}, isExact(row) ? '' : row.label ?? ''), [
                                withInterval(time(row.ns_per_ball_second),
                                             list(row.ns_per_ball_second_interval).map(time).join(dash)),
-                               num(isExact(row) ? 0 : row.direction_error_p95),
-                               rateWithInterval(row.tunneled_rate, row.contacts),
+                               angle(isExact(row) ? 0 : row.direction_error_p95),
+                               rateWithInterval(tunneledOf(row), tunneledOf(row)?.n),
                                rate(row.miss_rate, row.contacts),
-                               Format.count(row.contacts),
+                               count(row.contacts),
+                               proofText(row),
                                [row.front_by_error ? 'error' : null, row.front_by_misses ? 'tunneling' : null]
                                    .filter(Boolean)
                                    .join(', '),

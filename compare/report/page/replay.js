@@ -96,6 +96,8 @@ const Replay = (() => {
 
     // What it knows -----------------------------------------------------------------------------------
 
+    get #shownFrame() { return Math.floor(this.#frame + 1e-9); }
+    get #isContact() { return this.#clip.contact > 0 && this.#shownFrame === this.#clip.contact; }
     get #lastFrame() { return Math.max(0, this.#clip.frames - 1); }
     /** Of the ball in question, on the last track, which is the exact one. */
     #exactPlace(frame) {
@@ -134,6 +136,8 @@ const Replay = (() => {
         Drawing.drawTrack(ctx, this.#camera, name, clip.tracks[i], scene.radii, this.#frame, clip.ball,
                           longest);
       }
+      if (this.#isContact)
+        Drawing.drawRing(ctx, this.#camera, this.#exactPlace(clip.contact), scene.radii[clip.ball ?? 0]);
       this.#drawScale(ctx);
       this.#showState();
     }
@@ -155,7 +159,7 @@ const Replay = (() => {
     }
 
     #showState() {
-      const frame = Math.floor(this.#frame + 1e-9), state = this.#section.dataset;
+      const frame = this.#shownFrame, state = this.#section.dataset;
       const [x, y] = this.#camera.toPicture(this.#exactPlace(this.#frame));
       state.frame = frame;
       state.clip = this.#clip.name;
@@ -163,9 +167,8 @@ const Replay = (() => {
       state.ballY = isNumber(y) ? y.toFixed(1) : '';
       this.#parts.scrub.value = this.#frame;
       this.#parts.scrub.setAttribute('aria-valuetext', `frame ${frame} of ${this.#lastFrame}`);
-      const isContact = this.#clip.contact > 0 && frame === this.#clip.contact;
       this.#parts.clock.textContent = `frame ${frame} of ${this.#lastFrame}, ${
-          (this.#frame * this.#scene.time_step).toFixed(3)} s${isContact ? ' \u2013 the contact' : ''}`;
+          (this.#frame * this.#scene.time_step).toFixed(3)} s${this.#isContact ? ' \u2013 the contact' : ''}`;
     }
     #showPlaying() {
       this.#parts.play.textContent = this.#isPlaying ? 'Pause' : 'Play';
@@ -215,7 +218,8 @@ const Replay = (() => {
           el('p', {class: 'note'},
              'Keys in the picture: space plays and pauses, arrows left and right go by a frame, ' +
                  '+ and \u2212 zoom, 0 shows all. Drag to move; once the picture is clicked, the wheel zooms. ' +
-                 'Between frames balls are drawn on straight lines.'));
+                 'Between frames balls are drawn on straight lines. At the frame of the worst contact its ball has ' +
+                 'a ring.'));
     }
     #worstButtons() {
       return this.#scene.clips.filter((clip) => clip.name.startsWith(worstPrefix))

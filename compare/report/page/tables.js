@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What happened in one scene: outcomes, heat maps, and by bins.
 const Tables = (() => {
-  const {el, num, plain, count, summary, rateWithInterval, dash, isNumber} = Format;
+  const {el, num, plain, count, summary, angles, rate, rateWithInterval, dash, isNumber} = Format;
   const {list} = Data;
 
   const outcomes = [
@@ -11,18 +11,20 @@ const Tables = (() => {
     {key: 'missed', name: 'missed', style: 'outcome-missed', of: (e) => e.missed?.count},
   ];
 
-  const share = (n, total) => (total > 0 && isNumber(n) ? `${num(100 * n / total)}%` : dash);
+  const share = (n, total) => (total > 0 && isNumber(n) ? `${rate({count: n}, total)}%` : dash);
 
   function outcomeRow(engine, scene) {
     const shown = outcomes.filter((o) => o.of(engine) > 0);
-    const bar = el(
-        'div',
-        {class: 'stack', role: 'img', 'aria-label': shown.map((o) => `${o.name} ${o.of(engine)}`).join(', ')},
-        shown.map((o) => {
-          const part = el('span', {class: o.style, title: `${o.name}: ${count(o.of(engine))}`});
-          part.style.flexGrow = o.of(engine);
-          return part;
-        }));
+    const bar = el('div', {
+      class: 'stack',
+      role: 'img',
+      'aria-label': shown.map((o) => `${o.name} ${count(o.of(engine))}`).join(', ')
+    },
+                   shown.map((o) => {
+                     const part = el('span', {class: o.style, title: `${o.name}: ${count(o.of(engine))}`});
+                     part.style.flexGrow = o.of(engine);
+                     return part;
+                   }));
     const item = (o, n, total, unit) => el('li', null, el('span', {class: `swatch ${o.style}`}),
                                            `${o.name} ${count(n)} (${share(n, total)}${unit})`);
     return el('div', {'data-outcomes': engine.name}, Data.tag(engine.name), bar,
@@ -41,6 +43,9 @@ const Tables = (() => {
                        : el('p', {class: 'note'}, 'There was no contact in this scene.'));
   }
 
+  /** None seen in n is below 3 in n at 95%. */
+  const noneIn = (n) => (n > 3 ? `< ${Number((300 / n).toPrecision(2))}%` : `0 of ${n}`);
+
   function heatCell(cell, e, travel, isFirstFar) {
     const n = cell?.contacts ?? 0;
     const k = list(cell?.tunneled)[e];
@@ -56,12 +61,9 @@ const Tables = (() => {
     return el('td', {
       class: classes.filter(Boolean).join(' ') || null,
       '--share': (isStrong ? 70 + 0.6 * (root - 50) : 0.9 * root).toFixed(1),
-      title: `${k} of ${n} tunneled${where}`
+      title: `${count(k)} of ${count(n)} tunneled${where}`
     },
-              percentage === 0      ? '0'
-              : percentage < 0.1    ? '<0.1'
-              : percentage >= 99.95 ? '100'
-                                    : percentage.toPrecision(2));
+              k > 0 ? percentage >= 99.95 ? '100' : percentage.toPrecision(2) : noneIn(n));
   }
 
   function heatMap(map, engine, e) {
@@ -82,15 +84,19 @@ const Tables = (() => {
   }
 
   function heatMaps(scene) {
-    const map = scene.heat_map;
-    if (!map || list(map.cells).length === 0) return null;
+    if (list(scene.heat_map?.cells).length === 0) return null;
+    // Where shapes move too, the way of the ball is not what counts.
+    const map =
+        list(scene.features).includes('kinematics') ? {...scene.heat_map, travel: null} : scene.heat_map;
     const travel = isNumber(map.travel)
                        ? ` At \u00d71 the fastest ball moves ${
                              num(map.travel)} radii per step; right of the double line it is more than one.`
                        : '';
     return el(
         'div', null, el('h3', null, 'Tunneling by speed and size of the ball, in % of the impacts'),
-        el('p', {class: 'note'}, `Factors on what the scene says.${travel} A dash: no contacts there.`),
+        el('p', {class: 'note'},
+           `Factors on what the scene says.${travel} "<": none lost, below 3 in n at 95%. ` +
+               'A dash: no contacts there.'),
         el('div', {class: 'heatmaps'}, list(scene.engines).map((engine, e) => heatMap(map, engine, e))));
   }
 
@@ -112,7 +118,7 @@ const Tables = (() => {
     const columns = [
       ['tunneled', '%', (bin) => rateWithInterval(bin.tunneled, bin.contacts)],
       ['setback error', 'radii, median / p95', (bin) => summary(bin.setback_error)],
-      ['direction error', 'rad, median / p95', (bin) => summary(bin.direction_error)],
+      ['direction error', 'rad, median / p95', (bin) => angles(bin.direction_error)],
     ];
     let group = null;
     const rows = [...keys.values()].flatMap((bin) => {

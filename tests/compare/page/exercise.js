@@ -36,8 +36,25 @@
       counts.set(pixel, (counts.get(pixel) ?? 0) + 1);
     const of = (name) =>
         counts.get(new Uint32Array(new Uint8ClampedArray(rgba(css(`--${name}`))).buffer)[0]) ?? 0;
-    return {colours: counts.size, ...Object.fromEntries(engines.map((name) => [name, of(name)]))};
+    const names = [...engines, 'heat'];
+    return {colours: counts.size, ...Object.fromEntries(names.map((name) => [name, of(name)]))};
   }
+  /** The least room between two names of the time axis, in pixels, and what the axes span. */
+  function axesOf(canvas) {
+    const chart = Chart.getChart(canvas), {x, y} = chart.scales;
+    chart.ctx.font = x._resolveTickFontOptions(0).string;
+    const names =
+        x.ticks.map((tick, i) => ({at: x.getPixelForTick(i), text: tick.label})).filter((t) => t.text);
+    const ends = names.map(({at, text}) => {
+      const half = chart.ctx.measureText(text).width / 2;
+      return [at - half, at + half];
+    });
+    ends.sort((a, b) => a[0] - b[0]);
+    const room = Math.min(1e3, ...ends.slice(1).map((end, i) => end[0] - ends[i][1]));
+    return {room, names: names.length, span: [x.min, x.max, y.min, y.max]};
+  }
+  const workAxes = () => $$('canvas[data-plot=error], canvas[data-plot=tunneled]').map(axesOf);
+  const textOf = (selector) => $$(selector).map((e) => e.textContent);
   const picture = (canvas) => canvas.toDataURL();
 
   // Contrast as WCAG 2 defines it.
@@ -91,6 +108,17 @@
       element.dispatchEvent(new KeyboardEvent('keydown', {key: name, bubbles: true, cancelable: true}));
   const frameOf = (replay) => Number(replay.dataset.frame);
 
+  /** Pixels of the exact track at a frame. */
+  function wayAt(replay, frame) {
+    const slider = $('input[type=range]', replay);
+    slider.value = frame;
+    slider.dispatchEvent(new Event('input'));
+    const seen = look($('canvas', replay)).exact;
+    slider.value = 0;
+    slider.dispatchEvent(new Event('input'));
+    return seen;
+  }
+
   async function playReplay(replay) {
     const play = $('[data-action=play]', replay), before = frameOf(replay);
     play.click();
@@ -112,13 +140,19 @@
     const canvas = $('canvas', replay);
     $(`[data-worst="${engine}"]`, replay).click();
     await wait(50);
+    const middle = [1 / 3, 1 / 3, 1 / 3, 1 / 3], ring = look(canvas, middle).heat;
+    key(canvas, 'ArrowLeft');
+    const ringBefore = look(canvas).heat;
+    key(canvas, 'ArrowRight');
     return {
+      ring,
+      ringBefore,
       clip: replay.dataset.clip,
       frame: frameOf(replay),
       text: $('.what', replay).textContent,
       x: Number(replay.dataset.ballX) / canvas.clientWidth,
       y: Number(replay.dataset.ballY) / canvas.clientHeight,
-      middle: look(canvas, [1 / 3, 1 / 3, 1 / 3, 1 / 3]),
+      middle: look(canvas, middle),
       whole: look(canvas),
     };
   }
@@ -178,13 +212,22 @@
       heatMaps: $$('[data-heat]').length,
       outcomes: $$('[data-outcomes]').length,
       metrics: $$('[data-metrics] tr').length,
-      bins: $$('[data-bins] tr').length
+      bins: $$('[data-bins] tr').length,
+      axes: workAxes(),
+      work: textOf('.trio').join(' '),
+      settings: textOf('#scene-body details td'),
+      heatNote: textOf('.heatmaps').length > 0 ? $('.heatmaps').previousElementSibling.textContent : '',
+      heatCells: textOf('[data-heat] td'),
+      farCells: $$('[data-heat] .far').length,
+      counts: textOf('.counts li')
     };
     seen.plots = Object.fromEntries(
         $$('#scene-body canvas[data-plot]').map((canvas) => [canvas.dataset.plot, look(canvas)]));
     const replay = $('.replay');
     if (!replay) return seen;
     seen.replay = look($('canvas', replay));
+    seen.start = wayAt(replay, 0);
+    seen.end = wayAt(replay, 12);
     seen.play = await playReplay(replay);
     seen.worst = {};
     for (const button of $$('[data-worst]', replay))
@@ -225,6 +268,8 @@
     if (!isReady()) return;
     result.isInterrupted = Boolean($('#interrupted'));
     result.rows = $$('#overview-table tbody tr').length;
+    result.overview = textOf('#overview-table tbody td');
+    result.smallAxes = $$('canvas[data-plot=small]').map(axesOf);
     result.cards = $$('#verdict-cards .card').length;
     result.small = $$('canvas[data-plot=small]').map((canvas) => look(canvas));
     result.width = document.documentElement.scrollWidth - document.documentElement.clientWidth;

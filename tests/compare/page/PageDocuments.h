@@ -9,18 +9,18 @@
 
 namespace Shapes::Compare {
 
-struct CSampleReport {
+struct CPageDocuments {
   nlohmann::json m_cRun, m_cReplay;
 };
 
 /// One full scene of two engines for each name: work precision, heat map, bins, clips.
-CSampleReport MakeSampleReport(const std::vector<std::string>& scenes);
+CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes);
 
 /// What a run may leave out, scene by scene: no contacts, one engine, nulls for all that may be null, no
 /// clips.
-CSampleReport MakeSparseReport();
+CPageDocuments MakeSparsePageDocuments();
 
 /// The frame of the worst contact of the clips of full scenes, and the ball whose it is.
-inline constexpr int g_nSampleContact = 14, g_nSampleBall = 1;
+inline constexpr int g_nWorstContact = 14, g_nWorstBall = 1;
 
 } // namespace Shapes::Compare
