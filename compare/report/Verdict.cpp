@@ -126,7 +126,7 @@ private:
       // Within what the digits show.
       return fmt::format("within {} rad", summary.m_fP95 < 0.0005 ? "0.001" : SizeText(summary.m_fP95));
     };
-    std::string text = "Where the ball is turned back in time, 95% of its directions are ";
+    std::string text = "Where the ball is turned back, 95% of its directions are ";
     if (Count() == 2 && error(0) == error(1)) return text + error(0) + " on both";
     for (std::size_t e = 0; e < Count(); ++e)
       text += fmt::format("{}{} on {}", e == 0 ? "" : ", ", error(e), Name(e));

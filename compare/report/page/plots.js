@@ -106,6 +106,10 @@ const Plots = (() => {
                                                            : 4.5)),
       pointHoverRadius: 8,
       showLine: engine === 'native',
+      // An upper bound is no figure to draw a line to: it would rise where nothing was lost.
+      segment: {
+        borderColor: ({p0, p1}) => (p0.raw.isUpperBound || p1.raw.isUpperBound ? 'transparent' : undefined)
+      },
       borderWidth: 2,
       clip: false,
     };
