@@ -157,7 +157,7 @@ private:
     if (any([&](std::size_t e) { return std::abs(EnergyChange(engines[e].m_cLongRun)) >= g_fChangeToTell; }))
       parts.push_back("Energy over many bounces: " +
                       Each([&](std::size_t e) { return EnergyText(engines[e].m_cLongRun); }));
-    return fmt::format("{}", fmt::join(parts, "; "));
+    return fmt::format("{}", fmt::join(parts, ". "));
   }
 
   // Relative, over the whole run; 0 where the scene does not keep the energy.

@@ -107,7 +107,7 @@ TEST(VerdictTest, TellsOfWhatElseIsWrongAndOnlyThen) {
   scene.m_stdEngines[1].m_cLongRun = {1000, 60.0, 2.5, {}, {}};
   ExpectSays(report, "native +3.2% in 10,000, box2d times 3.5 in 1,000.");
   scene.m_stdEngines[1].m_cTotals.m_nLate = 300;
-  ExpectSays(report, "Turned back one or two steps late: native 0.50%, box2d 30.0%;");
+  ExpectSays(report, "Turned back one or two steps late: native 0.50%, box2d 30.0%.");
   scene.m_stdEngines[1].m_nGhosts = 80;
   ExpectSays(report, "native <0.38%, box2d 10.0%");
   scene.m_stdEngines[0].m_cCost.m_nNotFinite = 3;
