@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The scenes of the tool as tests: both engines on every scene, what differs as properties of the test, and
 // the bounds that docs/accuracy.md documents.
+#include "compare/MadeScenes.h"
 #include "metrics/Cost.h"
 #include "metrics/Restart.h"
 #include "metrics/Totals.h"
@@ -14,12 +15,11 @@
 namespace Shapes::Compare {
 namespace {
 
+using Tests::Holds;
+using Tests::LoadBundled;
+
 constexpr std::size_t g_nContacts = 3000;
 constexpr std::uint64_t g_nSeed = 7;
-
-CScene Load(const std::string& name) {
-  return LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");
-}
 
 CRestartResult Judge(const CScene& scene, const std::vector<CEngine>& engines, std::uint64_t seed,
                      std::size_t contacts) {
@@ -75,7 +75,7 @@ void ExpectRateWithin(std::size_t hits, std::size_t n, double bound) {
 
 TEST_P(CEveryScene, StaysWithinTheDocumentedBounds) {
   const CBounds& bounds = GetParam();
-  const CRestartResult result = Judge(Load(bounds.m_sScene), GetEngines(), g_nSeed, g_nContacts);
+  const CRestartResult result = Judge(LoadBundled(bounds.m_sScene), GetEngines(), g_nSeed, g_nContacts);
   ASSERT_EQ(result.m_stdContacts.size(), g_nContacts);
   const CTotals native = MakeTotals(result.m_stdContacts, 0), box2d = MakeTotals(result.m_stdContacts, 1);
   const CSummary apart = SummariseDifference(result.m_stdContacts);
@@ -110,7 +110,7 @@ TEST(ComparisonTest, EveryBundledSceneHasBounds) {
 
 // The head-on wall at a speed that makes v dt = ratio * r.
 CRestartResult HeadOn(double ratio, unsigned substeps, std::size_t contacts) {
-  CScene scene = Load("head_on_wall");
+  CScene scene = LoadBundled("head_on_wall");
   CDynamicCircleDesc& ball = scene.m_stdBalls[0].m_cDesc;
   ball.m_vVel.x() = static_cast<float>(ratio) * ball.m_fRadius / scene.m_cWorld.m_fTimeStep;
   scene.m_fDuration = 3.0f / ball.m_vVel.x() + 2 * scene.m_cWorld.m_fTimeStep;
@@ -118,11 +118,6 @@ CRestartResult HeadOn(double ratio, unsigned substeps, std::size_t contacts) {
   for (CEngine& engine : engines)
     engine.m_nSubsteps = substeps;
   return Judge(scene, engines, g_nSeed, contacts);
-}
-
-bool Holds(std::size_t hits, std::size_t n, double rate) {
-  const CInterval i = Wilson(hits, n, 3.3);
-  return i.m_fLow <= rate && rate <= i.m_fHigh;
 }
 
 TEST(ComparisonTest, HeadOnTunnelingOfNativeMatchesTheFormula) {
@@ -145,7 +140,7 @@ TEST(ComparisonTest, HeadOnTunnelingOfNativeMatchesTheFormula) {
 }
 
 TEST(ComparisonTest, TheSameSeedGivesTheSameContactsAndAnotherSeedOthers) {
-  const CScene scene = Load("pinball");
+  const CScene scene = LoadBundled("pinball");
   const auto first = Judge(scene, GetEngines(), 1, 200), again = Judge(scene, GetEngines(), 1, 200);
   const auto other = Judge(scene, GetEngines(), 2, 200);
   ASSERT_EQ(first.m_stdContacts.size(), again.m_stdContacts.size());
@@ -159,7 +154,7 @@ TEST(ComparisonTest, TheSameSeedGivesTheSameContactsAndAnotherSeedOthers) {
 }
 
 TEST(ComparisonTest, PinballRunsForTenMinutesOnBothEngines) {
-  const CScene scene = Load("pinball");
+  const CScene scene = LoadBundled("pinball");
   ASSERT_GE(scene.m_stdBalls.size(), 3u);
   const auto steps = static_cast<int>(std::lround(600.0f / scene.m_cWorld.m_fTimeStep));
   for (const CEngine& engine : GetEngines()) {
@@ -186,7 +181,7 @@ TEST(ComparisonTest, PinballRunsForTenMinutesOnBothEngines) {
 }
 
 TEST(ComparisonTest, AnOpenTableLosesBallsAndReportsThem) { // the control of the one above
-  CScene scene = Load("pinball");
+  CScene scene = LoadBundled("pinball");
   std::erase_if(scene.m_stdShapes, [](const CSceneShape& s) { return s.m_sName == "chute arc"; });
   for (const CEngine& engine : GetEngines()) {
     CGame game(scene, engine, MakeStart(scene, g_nSeed, 0));
@@ -197,7 +192,7 @@ TEST(ComparisonTest, AnOpenTableLosesBallsAndReportsThem) { // the control of th
 }
 
 TEST(ComparisonTest, CostIsMeasuredOnBothEngines) {
-  const auto costs = MeasureCost(Load("bowl"), GetEngines(), g_nSeed, 7, 500);
+  const auto costs = MeasureCost(LoadBundled("bowl"), GetEngines(), g_nSeed, 7, 500);
   ASSERT_EQ(costs.size(), 2u);
   for (const CCost& cost : costs) {
     EXPECT_GT(cost.m_cNsPerBallStep.m_fMedian, 0.0);

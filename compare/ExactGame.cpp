@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ExactGame.h"
 
-#include <algorithm>
-
 namespace Shapes::Compare {
-namespace {
-
-std::vector<CAnyShapeDesc> GetShapes(const CScene& scene) {
-  std::vector<CAnyShapeDesc> shapes;
-  for (const CSceneShape& shape : scene.m_stdShapes)
-    shapes.push_back(shape.m_cDesc);
-  return shapes;
-}
-
-} // namespace
 
 CExactGame::CExactGame(const CScene& scene, const CStart& start)
     : m_cScene(scene),

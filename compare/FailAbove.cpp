@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -33,17 +32,19 @@ CValue RateOf(const CMeasured& m, std::size_t hits) { return Rate(hits, m.m_cEng
 struct CMetric {
   const char* m_sName;
   CValue (*m_pGet)(const CMeasured& m);
+  bool m_bIsRate = false; // of impacts: what was not seen in n of them may still be 3/n
 };
 
 // Absent where it was not measured.
 constexpr CMetric g_stdMetrics[] = {
-    {"missed", [](const CMeasured& m) { return RateOf(m, m.m_cEngine.m_cTotals.m_nMissed); }},
-    {"wrong_side", [](const CMeasured& m) { return RateOf(m, m.m_cEngine.m_cTotals.m_nWrongSide); }},
-    {"tunneled", [](const CMeasured& m) { return RateOf(m, m.m_cEngine.m_cTotals.GetTunneled()); }},
-    {"overlapped", [](const CMeasured& m) { return RateOf(m, m.m_cEngine.m_cTotals.m_nOverlapped); }},
+    {"missed", [](const CMeasured& m) { return RateOf(m, m.m_cEngine.m_cTotals.m_nMissed); }, true},
+    {"wrong_side", [](const CMeasured& m) { return RateOf(m, m.m_cEngine.m_cTotals.m_nWrongSide); }, true},
+    {"tunneled", [](const CMeasured& m) { return RateOf(m, m.m_cEngine.m_cTotals.GetTunneled()); }, true},
+    {"overlapped", [](const CMeasured& m) { return RateOf(m, m.m_cEngine.m_cTotals.m_nOverlapped); }, true},
     {"ghost",
-     [](const CMeasured& m) { return Rate(m.m_cEngine.m_nGhosts, m.m_cScene.m_cRestart.m_nQuietSteps); }},
-    {"late", [](const CMeasured& m) { return RateOf(m, m.m_cEngine.m_cTotals.m_nLate); }},
+     [](const CMeasured& m) { return Rate(m.m_cEngine.m_nGhosts, m.m_cScene.m_cRestart.m_nQuietSteps); },
+     true},
+    {"late", [](const CMeasured& m) { return RateOf(m, m.m_cEngine.m_cTotals.m_nLate); }, true},
     {"setback_error", [](const CMeasured& m) { return P95(m.m_cEngine.m_cTotals.m_cSetbackError); }},
     {"poi_error", [](const CMeasured& m) { return P95(m.m_cEngine.m_cTotals.m_cPOIError); }},
     {"time_error", [](const CMeasured& m) { return P95(m.m_cEngine.m_cTotals.m_cTimeError); }},
@@ -67,9 +68,6 @@ const CMetric* FindMetric(std::string_view name) {
     if (metric.m_sName == name) return &metric;
   return nullptr;
 }
-
-// Rates of impacts: what was not seen in n of them may still be 3/n.
-constexpr std::string_view g_stdRates[] = {"missed", "wrong_side", "tunneled", "overlapped", "ghost", "late"};
 
 } // namespace
 
@@ -95,10 +93,10 @@ CLimit ParseLimit(std::string_view text) {
 }
 
 std::string WarnOfFew(const CLimit& limit, std::size_t contacts) {
-  const bool isRate =
-      std::find(std::begin(g_stdRates), std::end(g_stdRates), limit.m_sMetric) != std::end(g_stdRates);
   const double needed = 3.0 / limit.m_fMost;
-  if (!isRate || limit.m_fMost == 0.0 || static_cast<double>(contacts) >= needed) return "";
+  if (!FindMetric(limit.m_sMetric)->m_bIsRate || limit.m_fMost == 0.0 ||
+      static_cast<double>(contacts) >= needed)
+    return "";
   return fmt::format(
       "{}={:g}: that none is above in {} impacts shows no more than a rate below {:.2g}; it takes "
       "{:.0f} (--contacts)",

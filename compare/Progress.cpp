@@ -15,7 +15,7 @@ struct CPartTime {
   double m_fShare;
 };
 
-// In the order of ePart.
+// In the order of eStage.
 constexpr CPartTime g_stdParts[] = {{"restarts", 0.2}, {"settings", 0.5},  {"timing", 0.05},
                                     {"heat map", 0.1}, {"long runs", 0.1}, {"replay", 0.05}};
 
@@ -30,7 +30,7 @@ std::string TimeLeft(double seconds) {
 
 } // namespace
 
-double ShareOfScene(ePart part, double share) {
+double ShareOfScene(eStage part, double share) {
   const auto n = static_cast<std::size_t>(part);
   double before = 0.0;
   for (std::size_t i = 0; i < n; ++i)
@@ -38,7 +38,7 @@ double ShareOfScene(ePart part, double share) {
   return before + g_stdParts[n].m_fShare * std::clamp(share, 0.0, 1.0);
 }
 
-std::string ProgressText(std::size_t scene, std::size_t scenes, const std::string& name, ePart part,
+std::string ProgressText(std::size_t scene, std::size_t scenes, const std::string& name, eStage part,
                          double share, double seconds) {
   std::string text =
       fmt::format("{}/{} {}  {} {:.0f}%", scene + 1, scenes, name,
@@ -55,10 +55,10 @@ void CProgress::BeginScene(std::size_t scene, const std::string& name) {
   m_nScene = scene;
   m_sName = name;
   m_cLast = {}; // the first line of a scene comes at once
-  Report(ePart::Restarts, 0.0);
+  Report(eStage::Restarts, 0.0);
 }
 
-void CProgress::Report(ePart part, double share) {
+void CProgress::Report(eStage part, double share) {
   if (!m_bShown) return;
   const auto now = std::chrono::steady_clock::now();
   if (m_bIsOnScreen && now - m_cLast < g_cPause) return;

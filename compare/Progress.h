@@ -9,15 +9,15 @@
 namespace Shapes::Compare {
 
 /// The parts of the work on one scene, in their order.
-enum class ePart { Restarts, Ladder, Timing, HeatMap, LongRuns, Replay };
+enum class eStage { Restarts, Ladder, Timing, HeatMap, LongRuns, Replay };
 
 /// The share of a scene's time that is over when `share` of a part is, in [0, 1]. By rough experience.
-double ShareOfScene(ePart part, double share);
+double ShareOfScene(eStage part, double share);
 
 /// "3/15 pinball  restarts 42%  about 2 min left".
 /// @param scene from 0  @param seconds since the start of the run; the rest is guessed from it after the
 /// first few
-std::string ProgressText(std::size_t scene, std::size_t scenes, const std::string& name, ePart part,
+std::string ProgressText(std::size_t scene, std::size_t scenes, const std::string& name, eStage part,
                          double share, double seconds);
 
 class CProgress {
@@ -29,7 +29,7 @@ public:
   CProgress& operator=(const CProgress&) = delete;
 
   void BeginScene(std::size_t scene, const std::string& name);
-  void Report(ePart part, double share);
+  void Report(eStage part, double share);
   /// Takes the line away.
   void Clear();
 

@@ -53,8 +53,8 @@ CRunSizes CRunSizes::ForContacts(std::size_t contacts) const {
 }
 
 CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, const CRunSizes& sizes,
-                      std::uint64_t seed, const std::function<void(ePart, double)>& progress) {
-  const auto during = [&](ePart part) { return [&progress, part](double share) { progress(part, share); }; };
+                      std::uint64_t seed, const std::function<void(eStage, double)>& progress) {
+  const auto during = [&](eStage part) { return [&progress, part](double share) { progress(part, share); }; };
   CSceneReport report;
   report.m_cScene = scene;
 
@@ -62,7 +62,7 @@ CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, 
   restart.m_nSeed = seed;
   restart.m_nContacts = sizes.m_nContacts;
   restart.m_nMostTrials = g_nTrialsPerContact * sizes.m_nContacts;
-  restart.m_stdProgress = during(ePart::Restarts);
+  restart.m_stdProgress = during(eStage::Restarts);
   report.m_cRestart = RunRestarts(scene, engines, restart);
   const std::vector<CContact>& contacts = report.m_cRestart.m_stdContacts;
   report.m_cDifference = SummariseDifference(contacts);
@@ -74,16 +74,16 @@ CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, 
   ladder.m_nProof = sizes.m_nProof;
   ladder.m_nBallSteps = sizes.m_nLadderBallSteps;
   ladder.m_nRepeats = sizes.m_nLadderRepeats;
-  ladder.m_stdProgress = during(ePart::Ladder);
+  ladder.m_stdProgress = during(eStage::Ladder);
   report.m_cWork = MeasureWorkPrecision(scene, SelectLadder(engines, scene), ladder);
 
   const std::vector<CCost> costs =
-      MeasureCost(scene, engines, seed, sizes.m_nRepeats, sizes.m_nBallSteps, during(ePart::Timing));
-  report.m_cHeatMap = MeasureHeatMap(scene, engines, seed, sizes.m_nHeatContacts, during(ePart::HeatMap));
-  progress(ePart::LongRuns, 0.0);
+      MeasureCost(scene, engines, seed, sizes.m_nRepeats, sizes.m_nBallSteps, during(eStage::Timing));
+  report.m_cHeatMap = MeasureHeatMap(scene, engines, seed, sizes.m_nHeatContacts, during(eStage::HeatMap));
+  progress(eStage::LongRuns, 0.0);
   const std::vector<CLongRun> longRuns =
       MeasureLongRuns(scene, engines, seed, sizes.m_nBounces, sizes.m_nLongSteps);
-  progress(ePart::Replay, 0.0);
+  progress(eStage::Replay, 0.0);
   report.m_stdClips = MakeClips(scene, engines, report.m_cRestart, seed, sizes.m_nFrames);
 
   for (std::size_t e = 0; e < engines.size(); ++e)
@@ -103,7 +103,7 @@ CRunReport RunScenes(const std::vector<CScene>& scenes, const std::vector<CEngin
   try {
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       progress.BeginScene(i, scenes[i].m_sName);
-      report.m_stdScenes.push_back(RunScene(scenes[i], engines, sizes, seed, [&](ePart part, double share) {
+      report.m_stdScenes.push_back(RunScene(scenes[i], engines, sizes, seed, [&](eStage part, double share) {
         check();
         progress.Report(part, share);
       }));

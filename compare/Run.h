@@ -40,7 +40,7 @@ inline constexpr std::uint64_t g_nTrialsPerContact = 20;
 /// @param progress called again and again with the share of a part that is done; what it throws ends it
 /// @throws whatever an engine throws that cannot hold the scene
 CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, const CRunSizes& sizes,
-                      std::uint64_t seed, const std::function<void(ePart, double)>& progress);
+                      std::uint64_t seed, const std::function<void(eStage, double)>& progress);
 
 /// All scenes, one after the other. CInterrupted, thrown by `check`, ends the run with those that are
 /// finished.

@@ -295,6 +295,17 @@ std::vector<CScene> LoadScenes(const std::filesystem::path& folder) {
   return scenes;
 }
 
+const CShapeDesc& GetBase(const CAnyShapeDesc& any) {
+  return std::visit([](const auto& desc) -> const CShapeDesc& { return desc; }, any);
+}
+
+std::vector<CAnyShapeDesc> GetShapes(const CScene& scene) {
+  std::vector<CAnyShapeDesc> shapes;
+  for (const CSceneShape& shape : scene.m_stdShapes)
+    shapes.push_back(shape.m_cDesc);
+  return shapes;
+}
+
 float FlipOrientation(const CFlip& flip, double t) {
   const double period = flip.m_fPeriod, half = 0.5 * period;
   double u = std::fmod(t + flip.m_fPhase, period);

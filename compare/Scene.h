@@ -51,6 +51,12 @@ struct CScene {
   std::vector<CSceneBall> m_stdBalls;
 };
 
+/// What all descriptors have.
+const CShapeDesc& GetBase(const CAnyShapeDesc& any);
+
+/// The descriptors of all shapes of a scene.
+std::vector<CAnyShapeDesc> GetShapes(const CScene& scene);
+
 /// Why a file is no scene. what() is "<file>:<line>:<column>: <reason>" where it is no JSON, and
 /// "<file>: <JSON path>: expected <what>, got <value>" for a field that is wrong, missing or unknown. The
 /// path of the whole file is "/".

@@ -13,10 +13,6 @@ namespace {
 
 constexpr double g_fTurn = 6.283185307179586;
 
-const CShapeDesc& GetBase(const CAnyShapeDesc& any) {
-  return std::visit([](const auto& desc) -> const CShapeDesc& { return desc; }, any);
-}
-
 // The engine is the one that the standard defines bit by bit; its distributions are not, so they are not
 // used.
 class CDice {

@@ -47,10 +47,6 @@ double LeastDistance(const CVec2d& x0, const CVec2d& x1) {
   return Distance(way, CVec2d(CVec2d::Zero()));
 }
 
-bool IsSensor(const CAnyShapeDesc& any) {
-  return std::visit([](const CShapeDesc& desc) { return desc.m_bIsSensor; }, any);
-}
-
 } // namespace
 
 CGhostHunter::CGhostHunter(const CScene& scene, const std::vector<CEngine>& engines)
@@ -63,7 +59,7 @@ bool CGhostHunter::IsQuiet(const CExactGame& game, std::size_t ball) const {
   const CVec2d p0 = ToDouble(game.GetBalls()[ball].m_vPos), p1 = reference.GetBall(ball).m_vPos;
   bool passes = false;
   for (std::size_t i = 0; i < m_cScene.m_stdShapes.size(); ++i) {
-    if (IsSensor(m_cScene.m_stdShapes[i].m_cDesc)) continue;
+    if (GetBase(m_cScene.m_stdShapes[i].m_cDesc).m_bIsSensor) continue;
     const CFigure<double> figure = reference.GetFigure(i);
     if (std::min(Distance(figure, p0), Distance(figure, p1)) <= r * (1.0 + g_fTouching)) return false;
     passes = passes || Passes(figure, p0, p1, r * (1.0 + g_fPass), r * g_fPiece);

@@ -38,10 +38,6 @@ ePair GetPair(const CScene& scene, const CEvent& event) {
   }
 }
 
-float GetElasticity(const CAnyShapeDesc& any) {
-  return std::visit([](const CShapeDesc& desc) { return desc.m_fElasticity; }, any);
-}
-
 // Well defined for every length; nowhere near a branch where small angles lose their digits.
 double AngleBetween(const CVec2d& a, const CVec2d& b) { return std::atan2(std::abs(Cross(a, b)), a.dot(b)); }
 
@@ -253,9 +249,9 @@ CContact CJudge::Describe(std::uint64_t trial, const CExactGame& game, const CEv
   c.m_fTravel = static_cast<float>(Norm(event.m_vVelBefore) * dt / static_cast<double>(ball.m_fRadius));
   c.m_fApproach = static_cast<float>(approach);
   c.m_fIncidence = static_cast<float>(AngleBetween(-v, event.m_vNorm));
-  c.m_fElasticity =
-      ball.m_fElasticity * (event.m_bIsBall ? game.GetBalls()[event.m_nShape].m_fElasticity
-                                            : GetElasticity(m_cScene.m_stdShapes[event.m_nShape].m_cDesc));
+  c.m_fElasticity = ball.m_fElasticity *
+                    (event.m_bIsBall ? game.GetBalls()[event.m_nShape].m_fElasticity
+                                     : GetBase(m_cScene.m_stdShapes[event.m_nShape].m_cDesc).m_fElasticity);
   c.m_stdEngines.resize(m_stdEngines.size());
   return c;
 }

@@ -21,10 +21,6 @@ constexpr std::size_t g_nLeastBounces = 100;
 // a periodic orbit, and which one is chance.
 constexpr std::size_t g_nFreePathTrials = 16;
 
-const CShapeDesc& GetBase(const CAnyShapeDesc& any) {
-  return std::visit([](const CShapeDesc& desc) -> const CShapeDesc& { return desc; }, any);
-}
-
 bool Turns(const CSceneShape& shape) { return shape.m_cFlip || GetBase(shape.m_cDesc).m_fRotSpeed != 0.0f; }
 
 bool KeepsEnergy(const CScene& scene) {
@@ -162,10 +158,7 @@ struct CFlight {
 // The same on the exact reference, which runs on in double without being rounded to float.
 void FlyExactly(const CScene& scene, const CStart& start, std::size_t bounces, std::size_t mostSteps,
                 CFlight& flight) {
-  std::vector<CAnyShapeDesc> shapes;
-  for (const CSceneShape& shape : scene.m_stdShapes)
-    shapes.push_back(shape.m_cDesc);
-  CReference<double> reference(shapes, start.m_stdBalls, scene.m_cWorld.m_vGravity);
+  CReference<double> reference(GetShapes(scene), start.m_stdBalls, scene.m_cWorld.m_vGravity);
   const double dt = static_cast<double>(scene.m_cWorld.m_fTimeStep);
   std::vector<CExactEvent<double>> events;
   for (std::size_t hits = 0, i = 0; hits < bounces && i < mostSteps; ++i) {

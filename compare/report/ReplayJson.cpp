@@ -48,10 +48,6 @@ CRounder MakeRounder(const CScene& scene) {
 
 constexpr int g_nAngleDecimals = 5;
 
-const CShapeDesc& GetBase(const CAnyShapeDesc& any) {
-  return std::visit([](const auto& desc) -> const CShapeDesc& { return desc; }, any);
-}
-
 bool Turns(const CSceneShape& shape) {
   return shape.m_cFlip.has_value() || GetBase(shape.m_cDesc).m_fRotSpeed != 0.0f;
 }

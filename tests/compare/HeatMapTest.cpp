@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metrics/HeatMap.h"
+#include "MadeScenes.h"
 
 #include "metrics/Statistics.h"
 
@@ -11,19 +12,13 @@
 namespace Shapes::Compare {
 namespace {
 
-CScene Load(const std::string& name) {
-  return LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");
-}
+using Tests::Holds;
+using Tests::LoadBundled;
+
 void Ignore(double) {}
 
-// 3.3 standard errors: one in a thousand.
-bool Holds(std::size_t hits, std::size_t n, double rate) {
-  const CInterval i = Wilson(hits, n, 3.3);
-  return i.m_fLow <= rate && rate <= i.m_fHigh;
-}
-
 TEST(HeatMap, HeadOnEachCellHoldsTheFormula) { // tunneled max(0, 1 - r / (v dt))
-  const CHeatMap map = MeasureHeatMap(Load("head_on_wall"), GetEngines(), 3, 400, Ignore);
+  const CHeatMap map = MeasureHeatMap(LoadBundled("head_on_wall"), GetEngines(), 3, 400, Ignore);
   EXPECT_NEAR(map.m_fTravel, 2.0, 1e-6);
   ASSERT_EQ(map.m_stdCells.size(), map.m_stdSpeeds.size() * map.m_stdSizes.size());
   std::size_t told = 0;
@@ -42,8 +37,8 @@ TEST(HeatMap, HeadOnEachCellHoldsTheFormula) { // tunneled max(0, 1 - r / (v dt)
 }
 
 TEST(HeatMap, OnlyScenesWithOneBallThatMovesHaveOne) {
-  EXPECT_TRUE(MeasureHeatMap(Load("ball_on_ball"), GetEngines(), 3, 10, Ignore).m_stdCells.empty());
-  EXPECT_TRUE(MeasureHeatMap(Load("elastic_drop"), GetEngines(), 3, 10, Ignore).m_stdCells.empty());
+  EXPECT_TRUE(MeasureHeatMap(LoadBundled("ball_on_ball"), GetEngines(), 3, 10, Ignore).m_stdCells.empty());
+  EXPECT_TRUE(MeasureHeatMap(LoadBundled("elastic_drop"), GetEngines(), 3, 10, Ignore).m_stdCells.empty());
 }
 
 } // namespace

@@ -25,12 +25,6 @@ CRestartResult Judge(const CScene& scene, std::size_t contacts = g_nContacts) {
   return RunRestarts(scene, GetEngines(), options);
 }
 
-// 3.3 standard errors: one in a thousand.
-bool Holds(std::size_t hits, std::size_t n, double rate) {
-  const CInterval i = Wilson(hits, n, 3.3);
-  return i.m_fLow <= rate && rate <= i.m_fHigh;
-}
-
 // Head-on at 6 radii a step: tunneled 1 - 1/6, missed 1 - 2/6. The floor answers in every step, and is no
 // answer to the wall.
 TEST(JudgeTest, ARollingBallHasNotAnsweredTheWallThatItMissed) {

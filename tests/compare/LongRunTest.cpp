@@ -12,10 +12,6 @@
 namespace Shapes::Compare::Tests {
 namespace {
 
-CScene LoadBundled(const std::string& name) {
-  return LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");
-}
-
 TEST(LongRunTest, WhatIsKeptDependsOnTheScene) {
   const auto expect = [](const CScene& scene, bool energy, bool freePath, bool centre) {
     const CKept kept = FindKept(scene);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Scenes that the tests of the metrics make by hand, so that what has to come out is known.
+// Scenes for the tests of the metrics, those made by hand so that what has to come out is known.
 #pragma once
 
 #include "Trial.h"
+#include "metrics/Statistics.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace Shapes::Compare::Tests {
@@ -28,6 +30,17 @@ inline void AddBall(CScene& scene, const CDynamicCircleDesc& desc) {
   CSceneBall ball;
   ball.m_cDesc = desc;
   scene.m_stdBalls.push_back(ball);
+}
+
+/// One that comes with the tool.
+inline CScene LoadBundled(const std::string& name) {
+  return LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");
+}
+
+/// Whether so many hits do not contradict the rate: within 3.3 standard errors, one in a thousand.
+inline bool Holds(std::size_t hits, std::size_t n, double rate) {
+  const CInterval i = Wilson(hits, n, 3.3);
+  return i.m_fLow <= rate && rate <= i.m_fHigh;
 }
 
 inline constexpr std::size_t g_nNative = 0, g_nBox2D = 1; // in the order of GetEngines

@@ -10,12 +10,12 @@
 namespace Shapes::Compare {
 namespace {
 
-constexpr ePart g_stdAllParts[] = {ePart::Restarts, ePart::Ladder,   ePart::Timing,
-                                   ePart::HeatMap,  ePart::LongRuns, ePart::Replay};
+constexpr eStage g_stdAllParts[] = {eStage::Restarts, eStage::Ladder,   eStage::Timing,
+                                    eStage::HeatMap,  eStage::LongRuns, eStage::Replay};
 
 TEST(ProgressTest, PartsFillTheTimeOfASceneInTheirOrder) {
   double last = 0.0;
-  for (const ePart part : g_stdAllParts) {
+  for (const eStage part : g_stdAllParts) {
     EXPECT_DOUBLE_EQ(ShareOfScene(part, 0.0), last);
     EXPECT_GT(ShareOfScene(part, 1.0), last);
     EXPECT_EQ(ShareOfScene(part, 7.0), ShareOfScene(part, 1.0));
@@ -25,13 +25,13 @@ TEST(ProgressTest, PartsFillTheTimeOfASceneInTheirOrder) {
 }
 
 TEST(ProgressTest, TheTimeLeftIsGuessedFromTheTimeSoFar) {
-  EXPECT_EQ(ProgressText(2, 15, "pinball", ePart::Restarts, 0.42, 1.0), "3/15 pinball  restarts 42%");
+  EXPECT_EQ(ProgressText(2, 15, "pinball", eStage::Restarts, 0.42, 1.0), "3/15 pinball  restarts 42%");
   // Half of the work is done.
-  const auto text = [](double seconds) { return ProgressText(1, 2, "b", ePart::Restarts, 0.0, seconds); };
+  const auto text = [](double seconds) { return ProgressText(1, 2, "b", eStage::Restarts, 0.0, seconds); };
   EXPECT_EQ(text(6.0), "2/2 b  restarts 0%  a few seconds left");
   EXPECT_EQ(text(42.0), "2/2 b  restarts 0%  about 40 s left");
   EXPECT_EQ(text(130.0), "2/2 b  restarts 0%  about 2 min left");
-  EXPECT_EQ(ProgressText(0, 2, "a", ePart::Restarts, 0.0, 99.0),
+  EXPECT_EQ(ProgressText(0, 2, "a", eStage::Restarts, 0.0, 99.0),
             "1/2 a  restarts 0%"); // nothing to guess from
 }
 

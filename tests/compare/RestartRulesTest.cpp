@@ -22,10 +22,6 @@ CRestartOptions MakeOptions(std::size_t contacts, std::uint64_t mostTrials) {
   return options;
 }
 
-CScene LoadBundled(const std::string& name) {
-  return LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");
-}
-
 bool Equal(const CEngineContact& a, const CEngineContact& b) {
   const auto all = [](const CEngineContact& c) {
     return std::tie(c.m_eOutcome, c.m_bDetected, c.m_fSetback, c.m_fSetbackError, c.m_fSetbackErrorNormal,

@@ -2,15 +2,14 @@
 // A report that no run has made: every figure in it is known.
 #pragma once
 
+#include "MadeScenes.h"
 #include "report/Report.h"
 
 #include <string>
 
 namespace Shapes::Compare {
 
-inline CScene LoadBundled(const std::string& name) {
-  return LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");
-}
+using Tests::LoadBundled;
 
 inline CContact MakeSampleContact() {
   CContact contact{};
