@@ -21,6 +21,13 @@ namespace Shapes {
 
 class CWorldState;
 
+/// How Box2D is used; the native engine reads none of it. docs/box2d_differences.md has the figures.
+enum class eProfile {
+  Shipped, ///< As Box2D ships: only elasticity (the product of both), friction (none), spin of balls (none)
+           ///< and sleep (never) are the library's.
+  Tuned ///< As accurate as Box2D can be made, for more time.
+};
+
 /// What a world is made from. Everything but the last group means the same on every engine.
 class CWorldDesc {
 public:
@@ -29,6 +36,7 @@ public:
   unsigned m_nSubsteps = 1;             ///< Equal parts into which a Step is cut, 1 .. g_nMaxSubsteps.
 
   // Read by Box2D only, whose tolerances are in metres.
+  eProfile m_eProfile = eProfile::Shipped;
   float m_fLengthUnit = 1.0f; ///< User units per metre (100 for 100 pixels per metre), above 0.
   float m_fSagittaTolerance = g_fSagittaTolerance; ///< Height of arcs above their chords, in metres, above 0.
   unsigned m_nVelocityIterations = 8;              ///< Per substep, 1 .. 1000.
@@ -53,6 +61,15 @@ struct CContactEvent {
   bool m_bIsSensor = false; ///< Either of them is a sensor: there was no response.
 };
 
+/// A ball and a sensor (a shape, or a ball that is one) begin or cease to touch. Every begin has its end: it
+/// comes when they part, and in the next Step where one of the two was removed, or is no sensor any more.
+struct CSensorEvent {
+  CShapeId m_cShape; ///< As in CContactEvent.
+  CShapeId m_cBall;
+  bool m_bBegin = false;
+  friend bool operator==(const CSensorEvent&, const CSensorEvent&) = default;
+};
+
 /// Counters since the world was made.
 struct CWorldStats {
   std::uint64_t m_nSteps = 0;
@@ -66,6 +83,8 @@ struct CWorldStats {
       0; ///< Box2D: ball steps longer than its 2 metres; Box2D slows such a ball down.
   std::uint64_t m_nTurnsClamped =
       0; ///< Box2D: shape steps of more than its pi/2 radians; Box2D turns it by less.
+  std::uint64_t m_nEngineSteps =
+      0;                          ///< Box2D: calls of b2World::Step; tuned worlds cut substeps of fast ones.
   std::uint64_t m_nArcPieces = 0; ///< Box2D: chords that stand for the arcs that are in the world now.
 };
 
@@ -120,6 +139,9 @@ public:
   /// The contacts of the last Step, in the order in which they were responded to. Valid until the next
   /// change.
   std::span<const CContactEvent> GetContacts() const { return m_stdContacts; }
+  /// What sensors saw in the last Step, in the order in which it happened, substep by substep; within one by
+  /// ball and then by shape. A ball that crosses a sensor within a step is seen too: it begins and ends.
+  std::span<const CSensorEvent> GetSensorEvents() const { return m_stdSensorEvents; }
   const CWorldStats& GetStats() const { return m_cStats; }
 
   // Of any shape.
@@ -196,6 +218,7 @@ private:
   CWorldLimits m_cLimits;
   std::unique_ptr<CWorldState> m_pState;
   std::vector<CContactEvent> m_stdContacts;
+  std::vector<CSensorEvent> m_stdSensorEvents;
   CWorldStats m_cStats;
 };
 
