@@ -54,6 +54,17 @@ inline constexpr float g_fCandidateSlack = 0.25f;
 /// Largest turn, in radians, that is asked of b2TimeOfImpact at once.
 inline constexpr float g_fLargestTurn = 0.125f;
 
+/// Share of Box2D's longest move that a ball is to make in one of its steps in a tuned world, dimensionless:
+/// what gravity and a kick add within the step is taken into account, their rounding is not.
+inline constexpr float g_fSafeMove = 0.95f;
+
+/// Most parts into which a tuned world cuts a substep for Box2D. A ball or a shape that is still too fast is
+/// slowed down by Box2D, and reported: CWorldStats::m_nMovesClamped, m_nTurnsClamped.
+inline constexpr unsigned g_nMaxCuts = 256;
+
+/// Two unit tangents that are closer than that are one: rounding of rotation, dimensionless.
+inline constexpr float g_fSameTangent = 1e-4f;
+
 /// Default height of an arc above the chords that stand for it on Box2D, in metres: Box2D's own linear slop,
 /// so the polygon is as good as the engine's contact distance. Gives 16 pieces for a half circle of 1 metre
 /// radius.

@@ -5,27 +5,23 @@
 
 #include <box2d/box2d.h>
 
-#include <map>
 #include <memory>
 
+#include "Bodies.h"
 #include "ContactGatherer.h"
 #include "Convert.h"
+#include "Tuning.h"
 
 namespace Shapes::Box2D {
 
 /// A world on a b2World of its own: one b2Body for each shape. Elasticity is the product, there is no
-/// restitution threshold, no friction, no rotation of balls, and no sleep; all else is as Box2D ships.
+/// restitution threshold, no friction, no rotation of balls, and no sleep; all else is as the tuning says.
 class CBox2DWorld final : public CWorld {
 public:
-  explicit CBox2DWorld(const CWorldDesc& desc);
+  explicit CBox2DWorld(const CWorldDesc& desc) : CBox2DWorld(desc, GetTuning(desc.m_eProfile)) {}
+  CBox2DWorld(const CWorldDesc& desc, const CTuning& tuning);
 
 private:
-  struct CBody {
-    b2Body* m_pBody;
-    float m_fBaseOrientation; // orientation of the shape when its fixtures were made
-    int m_nArcPieces;
-  };
-
   void Substep(float dt) override;
   void OnAdded(CShapeId id) override;
   void OnRemoved(CShapeId id) override;
@@ -36,19 +32,19 @@ private:
   void OnLoaded() override { Rebuild(); }
 
   void Rebuild();
-  void CountClamped(float dt);
+  void JoinShapes();
+  void CountClamped(float h);
+  unsigned CountCuts(float dt) const;
+  void StepBox2D(float h);
   void TakeBalls();
   void TurnShapes(float dt);
-  void ReportContacts();
-  void ReportSensors();
-  void CreateBall(std::size_t i);
-  void CreateShape(const CShape& shape, CShapeId id);
-  void SetProperties(CShapeId id);
 
+  CTuning m_cTuning;
   CScale m_cScale;
-  CContactGatherer m_cGatherer;
   std::unique_ptr<b2World> m_pWorld;
-  std::map<CShapeId, CBody> m_stdBodies;
+  std::unique_ptr<CBodies> m_pBodies;
+  std::unique_ptr<CContactGatherer> m_pGatherer;
+  bool m_bJointsChanged = false;
 };
 
 } // namespace Shapes::Box2D

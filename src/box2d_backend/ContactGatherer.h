@@ -5,48 +5,65 @@
 
 #include <box2d/box2d.h>
 
-#include <set>
 #include <vector>
 
-#include "Convert.h"
+#include "Bodies.h"
 
 namespace Shapes::Box2D {
 
-/// Name of a shape in a b2Fixture.
-inline CShapeId GetId(const b2Fixture& fixture) {
-  return {static_cast<std::uint32_t>(const_cast<b2Fixture&>(fixture).GetUserData().pointer)};
-}
-inline bool IsBall(const b2Fixture& fixture) { return fixture.GetBody()->GetType() == b2_dynamicBody; }
-
-/// Listens to a b2World: makes the elasticity the product of both, and collects contacts in the library's
-/// terms.
-class CContactGatherer final : public b2ContactListener {
+/// Listens to a b2World: makes the elasticity the product of both, puts contacts right where the tuning says
+/// so, and collects them in the library's terms.
+class CContactGatherer : public b2ContactListener {
 public:
-  explicit CContactGatherer(const CScale& scale) : m_cScale(scale) {}
+  CContactGatherer(CBodies& bodies, const CScale& scale, const CTuning& tuning)
+      : m_cBodies(bodies), m_cScale(scale), m_cTuning(tuning) {}
 
-  void BeginContact(b2Contact* pContact) override;
-  void EndContact(b2Contact* pContact) override;
+  /// To be called before each b2World::Step.
+  /// @param g  gravity in metres; of worlds that follow parabolas, else 0
+  /// @param h  length of the step, seconds
+  void BeginStep(const b2Vec2& g, float h);
+
   void PreSolve(b2Contact* pContact, const b2Manifold* pOld) override;
+  void PostSolve(b2Contact* pContact, const b2ContactImpulse* pImpulse) override;
 
   /// The contacts since the last call, one for each ball and shape that met, the fastest of several, by ball
   /// and then by shape.
   std::vector<CContactEvent> TakeContacts();
 
-  /// A sensor and a ball that touch now, or two balls one of which is a sensor.
-  struct CSensorPair {
-    CShapeId m_cBall, m_cShape;
-    friend auto operator<=>(const CSensorPair&, const CSensorPair&) = default;
+  /// Where a ball was answered on its way through the last step.
+  struct CBend {
+    CShapeId m_cBall;
+    b2Vec2 m_vPos;
+    double m_fPart; ///< of the step, in [0, 1]
   };
-  /// Those pairs that touch now, and those that touched at any time since the last call.
-  std::vector<CSensorPair> TakeSensorPairs();
-  /// Forgets what was collected; for a world that is made anew.
-  void Clear();
+  const std::vector<CBend>& GetBends() const { return m_stdBends; }
 
 private:
+  void MeetAsIs(b2Contact& contact, const CBody& shape, const CBody& ball);
+  void MeetTruly(b2Contact& contact, CBody& shape, CBody& ball);
+  bool Waits(b2Contact& contact, const CBody& shape, const CBody& ball, const b2Vec2& nAB);
+  void Answers(const CBody& shape, const CBody& ball);
+  void Support(b2Contact& contact, CBody& shape, CBody& ball, const b2Vec2& n);
+  void Report(const CBody& shape, const CBody& ball, const b2Vec2& poi, const b2Vec2& n, float speed);
+
+  CBodies& m_cBodies;
   CScale m_cScale;
+  CTuning m_cTuning;
+  b2Vec2 m_vGravity{0.0f, 0.0f};
+  float m_fStep = 0.0f;
+  bool m_bIsContinuous = false; // Box2D is past its first look at all contacts: it goes from impact to impact
+  bool m_bIsIslandOpen = false; // of one such impact, which comes first, and what else touches its ball
+  b2Vec2 m_vIslandNormal{0.0f, 0.0f};
+  /// A contact that is left to the time of impact, and the normal that it would have.
+  struct CWaiting {
+    b2Contact* m_pContact;
+    const CBody *m_pShape, *m_pBall;
+    b2Vec2 m_vNorm;
+  };
+  std::vector<CWaiting> m_stdWaiting;
+  std::vector<const CBody*> m_stdAnswered; // balls that had an impact in the first look
   std::vector<CContactEvent> m_stdEvents;
-  std::multiset<CSensorPair> m_stdTouching; // an arc touches once for each of its edges
-  std::vector<CSensorPair> m_stdBegun;
+  std::vector<CBend> m_stdBends;
 };
 
 } // namespace Shapes::Box2D

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "Bodies.h"
+
+#include "Pieces.h"
+
+#include <algorithm>
+
+namespace Shapes::Box2D {
+namespace {
+
+Vector2d ToDouble(const b2Vec2& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+
+template <class TShape>
+void SetEnds(const TShape& shape, const Vector2& origin, const CScale& scale, const CJoints& joints,
+             COutline& outline) {
+  Vector2 p[2], t[2];
+  shape.GetEndPts(p[0], p[1]);
+  shape.GetTangents(t[0], t[1]);
+  COutline::CEnd* pEnds[2] = {&outline.m_cEnd0, &outline.m_cEnd1};
+  for (std::size_t i = 0; i < 2; ++i) {
+    pEnds[i]->m_vPos = ToDouble(scale.ToMetres(p[i] - origin));
+    pEnds[i]->m_vOut = -t[i].cast<double>();
+    if (joints[i]) pEnds[i]->m_vNeighbour = joints[i]->m_vTangent.cast<double>();
+  }
+}
+
+COutline MakeOutline(const CShape& shape, const Vector2& origin, const CScale& scale, const CJoints& joints) {
+  COutline outline;
+  outline.m_vCentre = ToDouble(scale.ToMetres(shape.GetPos() - origin));
+  if (shape.GetShapeType() == eShape::LineSeg) {
+    const auto& seg = static_cast<const CLineSeg&>(shape);
+    if (seg.GetEndPt0() == seg.GetEndPt1()) return outline;
+    outline.m_eKind = COutline::eKind::LineSeg;
+    SetEnds(seg, origin, scale, joints, outline);
+  } else if (shape.GetShapeType() != eShape::Point) {
+    outline.m_fRadius = static_cast<double>(scale.ToMetres(static_cast<const CCircle&>(shape).GetRadius()));
+  }
+  if (shape.GetShapeType() == eShape::Arc) {
+    const auto& arc = static_cast<const CArc&>(shape);
+    outline.m_eKind = COutline::eKind::Arc;
+    outline.m_bFull = arc.IsFullCircle();
+    outline.m_bLong = arc.GetSpan() > g_fPi;
+    SetEnds(arc, origin, scale, joints, outline);
+  }
+  return outline;
+}
+
+// Where the body is, or would be.
+std::vector<CBody*>::iterator FindIn(std::vector<CBody*>& bodies, CShapeId id) {
+  return std::lower_bound(bodies.begin(), bodies.end(), id,
+                          [](const CBody* pBody, CShapeId i) { return pBody->m_cId < i; });
+}
+
+} // namespace
+
+void CBodies::Create(const CWorldState& state, CShapeId id, const CJoints& joints) {
+  CBody& body = m_stdBodies[id];
+  body = CBody();
+  body.m_cId = id;
+  if (const std::size_t i = state.FindBall(id); i != CWorldState::npos)
+    CreateBall(state.m_cBalls, i, body);
+  else
+    CreateShape(*state.m_stdShapes[state.FindShape(id)].m_pShape, joints, body);
+  m_stdByBody[body.m_pBody] = &body;
+  if (body.m_bIsBall) m_stdBalls.insert(FindIn(m_stdBalls, id), &body);
+  if (body.m_pBody->GetType() == b2_kinematicBody) m_stdKinematics.insert(FindIn(m_stdKinematics, id), &body);
+  SetProperties(state, id);
+}
+
+void CBodies::AddFixture(b2Body& body, const b2Shape& shape) {
+  b2FixtureDef def;
+  def.shape = &shape;
+  def.friction = 0.0f;
+  def.restitutionThreshold = 0.0f;
+  body.CreateFixture(&def);
+}
+
+void CBodies::CreateBall(const CBallArrays& b, std::size_t i, CBody& body) {
+  b2BodyDef def;
+  def.type = b2_dynamicBody;
+  def.position = m_cScale.ToMetres(b.m_stdPos[i]);
+  def.linearVelocity = m_cScale.ToMetres(b.m_stdVel[i]);
+  def.fixedRotation = true;
+  body.m_pBody = m_pWorld->CreateBody(&def);
+  body.m_bIsBall = true;
+
+  b2CircleShape circle;
+  circle.m_radius = m_cScale.ToMetres(b.m_stdRadius[i]);
+  AddFixture(*body.m_pBody, circle);
+
+  // Directly, not by density: a ball of radius 0 has a mass too, and it must be in place after the fixture.
+  b2MassData mass;
+  mass.mass = b.m_stdMass[i];
+  mass.center.SetZero();
+  mass.I = 0.0f;
+  body.m_pBody->SetMassData(&mass);
+}
+
+void CBodies::CreateShape(const CShape& shape, const CJoints& joints, CBody& body) {
+  const bool kinematic = shape.GetMotionType() == eMotion::Kinematic;
+  const Vector2 origin = kinematic ? shape.GetRotCenter() : shape.GetPos();
+  b2BodyDef def;
+  def.type = kinematic ? b2_kinematicBody : b2_staticBody;
+  def.position = m_cScale.ToMetres(origin);
+  body.m_pBody = m_pWorld->CreateBody(&def);
+
+  const CPieces pieces =
+      CPieces::Make(shape, origin, m_cScale, m_fSagitta, joints, m_cTuning.m_bTrueContacts);
+  for (const b2CircleShape& circle : pieces.m_stdCircles)
+    AddFixture(*body.m_pBody, circle);
+  for (const b2EdgeShape& edge : pieces.m_stdEdges)
+    AddFixture(*body.m_pBody, edge);
+  for (const CPieces::CChain& vertices : pieces.m_stdChains) {
+    b2ChainShape chain;
+    CreateChain(vertices, chain);
+    AddFixture(*body.m_pBody, chain);
+  }
+  body.m_fBaseOrientation = shape.GetOrientation();
+  body.m_nArcPieces = pieces.m_nArcPieces;
+  body.m_cJoints = joints;
+  body.m_cOutline = MakeOutline(shape, origin, m_cScale, joints);
+  m_nArcPieces += static_cast<std::uint64_t>(body.m_nArcPieces);
+}
+
+void CBodies::Remove(CShapeId id) {
+  b2Body* pBody = Get(id).m_pBody;
+  Forget(id);
+  m_pWorld->DestroyBody(pBody);
+}
+
+void CBodies::Forget(CShapeId id) {
+  const auto it = m_stdBodies.find(id);
+  m_nArcPieces -= static_cast<std::uint64_t>(it->second.m_nArcPieces);
+  m_stdByBody.erase(it->second.m_pBody);
+  for (auto* pBodies : {&m_stdBalls, &m_stdKinematics})
+    if (const auto at = FindIn(*pBodies, id); at != pBodies->end() && *at == &it->second) pBodies->erase(at);
+  m_stdBodies.erase(it);
+}
+
+CBody* CBodies::Find(const b2Body& body) {
+  const auto it = m_stdByBody.find(&body);
+  return it == m_stdByBody.end() ? nullptr : it->second;
+}
+
+void CBodies::SetProperties(const CWorldState& state, CShapeId id) {
+  CBody& body = Get(id);
+  bool isSolid;
+  void* pUser;
+  if (const std::size_t i = state.FindBall(id); i != CWorldState::npos) {
+    const CBallArrays& b = state.m_cBalls;
+    body.m_fElasticity = b.m_stdElasticity[i];
+    isSolid = b.m_stdCanCollide[i] && !b.m_stdSensor[i];
+    pUser = b.m_stdUser[i];
+  } else {
+    const CShape& shape = *state.m_stdShapes[state.FindShape(id)].m_pShape;
+    body.m_fElasticity = shape.GetElasticity();
+    isSolid = shape.GetCanCollide() && !shape.GetSensor();
+    pUser = shape.GetUserPtr();
+  }
+  for (b2Fixture* p = body.m_pBody->GetFixtureList(); p != nullptr; p = p->GetNext()) {
+    p->GetUserData().pointer = reinterpret_cast<uintptr_t>(pUser);
+    // What is met is answered by the product of both elasticities; Box2D's own rule, the larger of both,
+    // remains for what is met of somebody else, and there a shape adds nothing.
+    p->SetRestitution(body.m_bIsBall ? body.m_fElasticity : 0.0f);
+    // Sensors are none of Box2D's business: its own do not see a ball that flies through within a step.
+    b2Filter filter;
+    if (!isSolid) filter.categoryBits = filter.maskBits = 0;
+    if (filter.maskBits != p->GetFilterData().maskBits) p->SetFilterData(filter);
+  }
+}
+
+} // namespace Shapes::Box2D

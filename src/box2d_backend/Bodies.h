@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// The shapes of a world as bodies of a b2World.
+#pragma once
+
+#include "../shapes/WorldState.h"
+
+#include <box2d/box2d.h>
+
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+#include "Convert.h"
+#include "Flight.h"
+#include "Joints.h"
+#include "TrueContact.h"
+#include "Tuning.h"
+
+namespace Shapes::Box2D {
+
+struct CBody {
+  CShapeId m_cId;
+  b2Body* m_pBody = nullptr;
+  bool m_bIsBall = false;
+  b2Transform m_cStart; ///< at the beginning of the step, of what moves
+  float m_fElasticity = 1.0f;
+
+  // Of balls.
+  CFlight m_cFlight;
+  bool m_bIsSupported = false;  ///< lies on something in this step
+  bool m_bWasSupported = false; ///< did so in the last one
+
+  // Of shapes.
+  float m_fBaseOrientation = 0.0f; ///< orientation of the shape when its fixtures were made
+  int m_nArcPieces = 0;
+  CJoints m_cJoints; ///< with which its fixtures were made
+  COutline m_cOutline;
+};
+
+/// Makes one b2Body for each shape. What Box2D tells of a body leads back to its shape without the user data
+/// of Box2D, which belong to the user.
+class CBodies {
+public:
+  /// @param sagitta  in the metres of Box2D
+  CBodies(b2World& world, const CScale& scale, const CTuning& tuning, float sagitta)
+      : m_pWorld(&world), m_cScale(scale), m_cTuning(tuning), m_fSagitta(sagitta) {}
+
+  void Create(const CWorldState& state, CShapeId id, const CJoints& joints = {});
+  void Remove(CShapeId id);
+  /// Forgets a body that is gone already.
+  void Forget(CShapeId id);
+  /// Elasticity, sensor, can-collide and user pointer as they are now.
+  void SetProperties(const CWorldState& state, CShapeId id);
+
+  CBody& Get(CShapeId id) { return m_stdBodies.at(id); }
+  /// The shape that a body is of; nullptr for a body of somebody else.
+  CBody* Find(const b2Body& body);
+  /// In the order of their ids, as everywhere.
+  const std::vector<CBody*>& GetBalls() const { return m_stdBalls; }
+  const std::vector<CBody*>& GetKinematics() const { return m_stdKinematics; }
+  std::uint64_t GetArcPieces() const { return m_nArcPieces; }
+
+private:
+  void CreateBall(const CBallArrays& balls, std::size_t i, CBody& body);
+  void CreateShape(const CShape& shape, const CJoints& joints, CBody& body);
+  void AddFixture(b2Body& body, const b2Shape& shape);
+
+  b2World* m_pWorld;
+  CScale m_cScale;
+  CTuning m_cTuning;
+  float m_fSagitta;
+  std::map<CShapeId, CBody> m_stdBodies;
+  std::unordered_map<const b2Body*, CBody*> m_stdByBody;
+  std::vector<CBody*> m_stdBalls, m_stdKinematics;
+  std::uint64_t m_nArcPieces = 0;
+};
+
+} // namespace Shapes::Box2D

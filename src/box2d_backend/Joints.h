@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Which segments and arcs go on in one another, so that a ball does not bump into the end that they share.
+#pragma once
+
+#include "../shapes/WorldState.h"
+
+#include <array>
+#include <map>
+#include <optional>
+
+namespace Shapes::Box2D {
+
+/// What goes on beyond an end of a segment or an arc.
+struct CJoint {
+  CShapeId m_cNeighbour;
+  Vector2 m_vTangent = Vector2::Zero(); ///< Unit vector from the end into the neighbour, as both are now.
+};
+
+/// Of end 0 and end 1, in the order in which they are now.
+using CJoints = std::array<std::optional<CJoint>, 2>;
+
+/// All shapes of a world that share an end with exactly one other: both static, or turning together; solid on
+/// the same sides; neither a sensor or switched off.
+/// @param tolerance  how far apart ends may be that count as one, user units
+std::map<CShapeId, CJoints> FindJoints(const CWorldState& state, float tolerance);
+
+} // namespace Shapes::Box2D

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "TrueContact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::Box2D {
+namespace {
+
+Vector2d Perp(const Vector2d& v) { return {-v.y(), v.x()}; }
+double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+Vector2d Unit(const Vector2d& v, const Vector2d& otherwise) {
+  const double length = v.norm();
+  return length > 0.0 ? Vector2d(v / length) : otherwise;
+}
+
+// From outside onto a circle about c of radius D > 0, on which the centre of the ball is when they touch.
+CTrueContact MeetDisk(const Vector2d& c, double D, const Vector2d& q, const Vector2d& w) {
+  const Vector2d d = q - c;
+  CTrueContact contact;
+  contact.m_fGap = d.norm() - D;
+  contact.m_vNorm = Unit(d, Unit(-w, Vector2d(0, 1)));
+  const double a = w.squaredNorm(), b = d.dot(w), e = contact.m_fGap * (d.norm() + D);
+  if (!(b < 0.0)) return contact;
+  const double discriminant = D * D * a - Cross(d, w) * Cross(d, w);
+  if (discriminant <= 0.0) {
+    contact.m_vNorm = Unit(d - (b / a) * w, contact.m_vNorm);
+    return contact;
+  }
+  contact.m_fTime = e / (-b + std::sqrt(discriminant));
+  contact.m_vNorm = Unit(d + contact.m_fTime * w, contact.m_vNorm);
+  return contact;
+}
+
+// From inside onto such a circle.
+CTrueContact MeetRing(const Vector2d& c, double D, const Vector2d& q, const Vector2d& w) {
+  const Vector2d d = q - c;
+  CTrueContact contact;
+  contact.m_fGap = D - d.norm();
+  contact.m_vNorm = Unit(-d, Unit(-w, Vector2d(0, 1)));
+  const double a = w.squaredNorm(), b = d.dot(w), e = contact.m_fGap * (d.norm() + D);
+  const double discriminant = D * D * a - Cross(d, w) * Cross(d, w);
+  if (!(b > 0.0) || discriminant <= 0.0) return contact;
+  contact.m_fTime = e / (b + std::sqrt(discriminant));
+  contact.m_vNorm = Unit(-(d + contact.m_fTime * w), contact.m_vNorm);
+  return contact;
+}
+
+// Onto the line through p with the unit normal n, which points to the ball.
+CTrueContact MeetLine(const Vector2d& p, const Vector2d& n, const Vector2d& q, const Vector2d& w, double r) {
+  CTrueContact contact;
+  contact.m_vNorm = n;
+  contact.m_fGap = (q - p).dot(n) - r;
+  const double wn = w.dot(n);
+  if (wn < 0.0) contact.m_fTime = contact.m_fGap / -wn;
+  return contact;
+}
+
+// Past an end.
+CTrueContact MeetEnd(const COutline::CEnd& end, const Vector2d& q, const Vector2d& w, double r) {
+  const CTrueContact point = MeetDisk(end.m_vPos, r, q, w);
+  if (!end.m_vNeighbour || point.m_vNorm.dot(*end.m_vNeighbour) <= 0.0) return point;
+  // Beyond the end is the neighbour: what would meet the end from there meets the neighbour first.
+  const Vector2d left = Perp(*end.m_vNeighbour);
+  return MeetLine(end.m_vPos, (q - end.m_vPos).dot(left) < 0.0 ? Vector2d(-left) : left, q, w, r);
+}
+
+CTrueContact MeetLineSeg(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
+  const Vector2d& t = o.m_cEnd1.m_vOut;
+  const Vector2d n = Cross(t, q - o.m_cEnd0.m_vPos) < 0.0 ? Vector2d(-Perp(t)) : Perp(t);
+  const CTrueContact face = MeetLine(o.m_cEnd0.m_vPos, n, q, w, r);
+  const Vector2d foot = q + face.m_fTime * w;
+  if ((foot - o.m_cEnd0.m_vPos).dot(t) < 0.0) return MeetEnd(o.m_cEnd0, q, w, r);
+  if ((foot - o.m_cEnd1.m_vPos).dot(t) > 0.0) return MeetEnd(o.m_cEnd1, q, w, r);
+  return face;
+}
+
+bool IsInSector(const COutline& o, const Vector2d& d) {
+  const bool after0 = Cross(o.m_cEnd0.m_vPos - o.m_vCentre, d) >= 0.0,
+             before1 = Cross(d, o.m_cEnd1.m_vPos - o.m_vCentre) >= 0.0;
+  return o.m_bFull || (o.m_bLong ? after0 || before1 : after0 && before1);
+}
+
+CTrueContact MeetArc(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
+  const bool inside = (q - o.m_vCentre).norm() < o.m_fRadius;
+  if (inside && o.m_fRadius <= r) return MeetDisk(o.m_vCentre, o.m_fRadius + r, q, w); // does not fit
+  const CTrueContact curve =
+      inside ? MeetRing(o.m_vCentre, o.m_fRadius - r, q, w) : MeetDisk(o.m_vCentre, o.m_fRadius + r, q, w);
+  const Vector2d d = q + curve.m_fTime * w - o.m_vCentre;
+  if (IsInSector(o, d)) return curve;
+  const bool to0 =
+      (d + o.m_vCentre - o.m_cEnd0.m_vPos).squaredNorm() < (d + o.m_vCentre - o.m_cEnd1.m_vPos).squaredNorm();
+  return MeetEnd(to0 ? o.m_cEnd0 : o.m_cEnd1, q, w, r);
+}
+
+} // namespace
+
+CTrueContact FindTrueContact(const COutline& outline, const Vector2d& q, const Vector2d& w, double r) {
+  switch (outline.m_eKind) {
+  case COutline::eKind::LineSeg: return MeetLineSeg(outline, q, w, r);
+  case COutline::eKind::Arc: return MeetArc(outline, q, w, r);
+  default: return MeetDisk(outline.m_vCentre, outline.m_fRadius + r, q, w);
+  }
+}
+
+} // namespace Shapes::Box2D

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Where a ball really meets a shape: Box2D stops it near there, within its skin and at a chord of an arc.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace Shapes::Box2D {
+
+using Vector2d = Eigen::Vector2d;
+
+/// The shape itself, in the frame of its body, in Box2D's metres.
+struct COutline {
+  enum class eKind { Disk, LineSeg, Arc };
+  /// An end of a segment or an arc.
+  struct CEnd {
+    Vector2d m_vPos = Vector2d::Zero();
+    Vector2d m_vOut = Vector2d::Zero(); ///< Unit tangent that leaves the shape there.
+    std::optional<Vector2d>
+        m_vNeighbour; ///< Unit tangent into the neighbour that is joined to it, if one is.
+  };
+
+  eKind m_eKind = eKind::Disk;
+  Vector2d m_vCentre = Vector2d::Zero(); ///< Of disks and arcs.
+  double m_fRadius = 0.0;                ///< Of disks (0 for a point) and arcs.
+  bool m_bFull = false;                  ///< An arc that is a full circle has no ends.
+  bool m_bLong = false;                  ///< An arc of more than half a circle.
+  CEnd m_cEnd0, m_cEnd1;                 ///< An arc runs counterclockwise from end 0.
+};
+
+struct CTrueContact {
+  Vector2d m_vNorm = Vector2d::Zero(); ///< Unit normal from the shape to the ball where they meet.
+  double m_fTime = 0.0;                ///< Seconds until they meet; negative if that is over.
+  double m_fGap = 0.0; ///< Distance now, less the radius of the ball; negative if they overlap.
+};
+
+/// The contact of a ball that is near a shape, if it goes straight on as it does now, or has come so.
+/// Where it does not approach, or its way misses the shape, the time is 0 and the normal is that of now;
+/// of a way that misses it the part across the way, so that nothing is answered.
+/// @param q  centre of the ball in the frame of the outline, metres; on the side that it comes from
+/// @param w  its velocity relative to the surface, metres per second
+/// @param r  its radius, metres
+CTrueContact FindTrueContact(const COutline& outline, const Vector2d& q, const Vector2d& w, double r);
+
+} // namespace Shapes::Box2D
