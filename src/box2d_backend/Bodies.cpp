@@ -8,6 +8,12 @@
 namespace Shapes::Box2D {
 namespace {
 
+// Box2D stops two shapes 3 slops deep in each other, within a quarter of one. Where both together reach
+// almost as far beyond the shapes that they stand for, they stop as those have just touched, and what lies
+// there is not stopped.
+constexpr float g_fContactDepth = 2.5f * b2_linearSlop;
+constexpr float g_fBallSkin = 0.5f * g_fContactDepth; // two balls share it
+
 Vector2d ToDouble(const b2Vec2& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
 template <class TShape>
@@ -20,7 +26,10 @@ void SetEnds(const TShape& shape, const Vector2& origin, const CScale& scale, co
   for (std::size_t i = 0; i < 2; ++i) {
     pEnds[i]->m_vPos = ToDouble(scale.ToMetres(p[i] - origin));
     pEnds[i]->m_vOut = -t[i].cast<double>();
-    if (joints[i]) pEnds[i]->m_vNeighbour = joints[i]->m_vTangent.cast<double>();
+    if (!joints[i]) continue;
+    pEnds[i]->m_bJoined = true;
+    pEnds[i]->m_vNext = joints[i]->m_vTangent.cast<double>();
+    pEnds[i]->m_fBend = static_cast<double>(scale.FromMetres(joints[i]->m_fBend));
   }
 }
 
@@ -85,7 +94,9 @@ void CBodies::CreateBall(const CBallArrays& b, std::size_t i, CBody& body) {
   body.m_bIsBall = true;
 
   b2CircleShape circle;
-  circle.m_radius = m_cScale.ToMetres(b.m_stdRadius[i]);
+  body.m_cOutline.m_fRadius = static_cast<double>(m_cScale.ToMetres(b.m_stdRadius[i]));
+  body.m_fRadius = m_cScale.ToMetres(b.m_stdRadius[i]);
+  circle.m_radius = body.m_fRadius + (m_cTuning.m_bTrueContacts ? g_fBallSkin : 0.0f);
   AddFixture(*body.m_pBody, circle);
 
   // Directly, not by density: a ball of radius 0 has a mass too, and it must be in place after the fixture.
@@ -104,8 +115,9 @@ void CBodies::CreateShape(const CShape& shape, const CJoints& joints, CBody& bod
   def.position = m_cScale.ToMetres(origin);
   body.m_pBody = m_pWorld->CreateBody(&def);
 
-  const CPieces pieces =
-      CPieces::Make(shape, origin, m_cScale, m_fSagitta, joints, m_cTuning.m_bTrueContacts);
+  const std::optional<float> skin =
+      m_cTuning.m_bTrueContacts ? std::optional(g_fContactDepth - g_fBallSkin) : std::nullopt;
+  const CPieces pieces = CPieces::Make(shape, origin, m_cScale, m_fSagitta, skin);
   for (const b2CircleShape& circle : pieces.m_stdCircles)
     AddFixture(*body.m_pBody, circle);
   for (const b2EdgeShape& edge : pieces.m_stdEdges)

@@ -24,8 +24,10 @@ struct CBody {
   bool m_bIsBall = false;
   b2Transform m_cStart; ///< at the beginning of the step, of what moves
   float m_fElasticity = 1.0f;
+  COutline m_cOutline; ///< of a ball too
 
   // Of balls.
+  float m_fRadius = 0.0f; ///< without skin
   CFlight m_cFlight;
   bool m_bIsSupported = false;  ///< lies on something in this step
   bool m_bWasSupported = false; ///< did so in the last one
@@ -33,8 +35,7 @@ struct CBody {
   // Of shapes.
   float m_fBaseOrientation = 0.0f; ///< orientation of the shape when its fixtures were made
   int m_nArcPieces = 0;
-  CJoints m_cJoints; ///< with which its fixtures were made
-  COutline m_cOutline;
+  CJoints m_cJoints; ///< of which its outline knows
 };
 
 /// Makes one b2Body for each shape. What Box2D tells of a body leads back to its shape without the user data

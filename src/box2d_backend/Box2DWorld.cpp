@@ -130,8 +130,10 @@ void CBox2DWorld::Substep(float dt) {
 
 unsigned CBox2DWorld::CountCuts(float dt) const {
   const CBallArrays& b = State().m_cBalls;
-  float fastest = 0.0f, bounciest = 0.0f, parts = 1.0f;
+  float fastest = 0.0f, bounciest = 0.0f, lightest = g_fMaxMass, heaviest = 0.0f, parts = 1.0f;
   for (std::size_t i = 0; i < b.Size(); ++i) {
+    lightest = std::min(lightest, b.m_stdMass[i]);
+    heaviest = std::max(heaviest, b.m_stdMass[i]);
     fastest = std::max(fastest,
                        Length(m_cScale.FromMetres(m_pBodies->GetBalls()[i]->m_pBody->GetLinearVelocity())));
     bounciest = std::max(bounciest, b.m_stdElasticity[i]);
@@ -152,6 +154,8 @@ unsigned CBox2DWorld::CountCuts(float dt) const {
     parts = std::max({parts, turn / g_fLargestTurn,
                       turn * std::sqrt(m_cScale.ToMetres(reach) / (8.0f * b2_aabbExtension))});
   }
+  // Two balls have the energy of both: that is the most that one of them can leave with.
+  if (b.Size() > 1) most *= std::min(std::sqrt(1.0f + heaviest / lightest), 3.0f);
   const float way = (fastest + Length(State().m_vGravity) * dt) * dt * most + 2.0f * kick;
   parts = std::max(parts, m_cScale.ToMetres(way) / (g_fSafeMove * b2_maxTranslation));
   return static_cast<unsigned>(std::min(std::ceil(parts), static_cast<float>(g_nMaxCuts)));
@@ -171,7 +175,7 @@ void CBox2DWorld::StepBox2D(float h) {
   m_pWorld->Step(h, static_cast<int32>(GetDesc().m_nVelocityIterations),
                  static_cast<int32>(GetDesc().m_nPositionIterations));
   ++Stats().m_nEngineSteps;
-  if (bends)
+  if (bends || m_cTuning.m_bTrueContacts)
     for (CBody* pBall : m_pBodies->GetBalls())
       pBall->m_cFlight.Land(*pBall->m_pBody);
 }

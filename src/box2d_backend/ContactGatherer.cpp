@@ -10,20 +10,29 @@ namespace Shapes::Box2D {
 namespace {
 
 Vector2d ToDouble(const b2Vec2& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+Vector2d MulT(const b2Rot& q, const Vector2d& v) {
+  const double c = static_cast<double>(q.c), s = static_cast<double>(q.s);
+  return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()};
+}
 b2Vec2 ToFloat(const Vector2d& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
 
 // How far apart the skins are when b2TimeOfImpact says that they touch.
-float StopSeparation(float radii) { return std::max(-3.0f * b2_linearSlop, b2_linearSlop - radii); }
+float StopSeparation(const b2Contact& contact) {
+  const float radii =
+      contact.GetFixtureA()->GetShape()->m_radius + contact.GetFixtureB()->GetShape()->m_radius;
+  return std::max(-3.0f * b2_linearSlop, b2_linearSlop - radii);
+}
 
-// The separation that makes Box2D push both apart by `push` at a time of impact. It takes .75 of what is
-// beyond the slop in each round, and stops after the round that began within another half of a slop.
-float SeparationFor(float push) {
-  const float slop = b2_linearSlop;
-  if (push <= 0.75f * 0.5f * slop) return -slop - push / 0.75f;
-  float left = 0.25f * 0.25f;
-  while (push / (1.0f - left) * left > 0.25f * 0.5f * slop)
+// The separation that makes Box2D push two shapes apart by at least `push` at a time of impact, and by how
+// much it does then. It takes .75 of what is beyond the slop in each round, and stops after the round that
+// began within another half of a slop.
+float SeparationFor(float push, float& pushed) {
+  float left = 1.0f, beyond = push / 0.75f;
+  do {
     left *= 0.25f;
-  return -slop - push / (1.0f - left);
+  } while (beyond * left * 4.0f > 0.5f * b2_linearSlop);
+  pushed = beyond * (1.0f - left);
+  return -b2_linearSlop - beyond;
 }
 
 // Makes the contact a face with normal n, from fixture A to fixture B, and this separation.
@@ -36,6 +45,22 @@ void SetManifold(b2Contact& contact, const b2Vec2& n, float separation) {
   manifold.type = b2Manifold::e_faceA;
   manifold.localNormal = b2MulT(xfA.q, n);
   manifold.localPoint = b2MulT(xfA, clip - reach * n);
+}
+
+// The wrong way round, Box2D sees two shapes part, and does nothing.
+void Ignore(b2Contact& contact, const b2Vec2& n) {
+  SetManifold(contact, -n, 0.0f);
+  contact.GetManifold()->points[0].normalImpulse = 0.0f;
+}
+
+// Across the normal of what is answered, nothing is changed by the answer.
+void IgnoreAcross(b2Contact& contact, const b2Vec2& answered) {
+  b2Vec2 across = b2Cross(1.0f, answered);
+  const b2Vec2 v = contact.GetFixtureB()->GetBody()->GetLinearVelocity() -
+                   contact.GetFixtureA()->GetBody()->GetLinearVelocity();
+  if (b2Dot(v, across) < 0.0f) across = -across;
+  SetManifold(contact, across, 0.0f);
+  contact.GetManifold()->points[0].normalImpulse = 0.0f;
 }
 
 // Whether a body is on its way through the step.
@@ -51,7 +76,6 @@ void CContactGatherer::BeginStep(const b2Vec2& g, float h) {
   m_vGravity = g;
   m_fStep = h;
   m_bIsContinuous = m_bIsIslandOpen = false;
-  m_stdWaiting.clear();
   m_stdAnswered.clear();
   m_stdBends.clear();
   for (CBody* pBall : m_cBodies.GetBalls()) {
@@ -91,7 +115,7 @@ void CContactGatherer::MeetAsIs(b2Contact& contact, const CBody& shape, const CB
   const bool ballIsB = contact.GetFixtureB()->GetBody() == ball.m_pBody;
   const b2Vec2 n = ballIsB ? manifold.normal : -manifold.normal;
   const b2Vec2 centre = ball.m_pBody->GetPosition();
-  const b2Vec2 poi = centre - ball.m_pBody->GetFixtureList()->GetShape()->m_radius * n;
+  const b2Vec2 poi = centre - ball.m_fRadius * n;
   const b2Vec2 v = ball.m_pBody->GetLinearVelocity() - shape.m_pBody->GetLinearVelocityFromWorldPoint(poi);
   Report(shape, ball, poi, n, -b2Dot(v, n));
 }
@@ -99,116 +123,134 @@ void CContactGatherer::MeetAsIs(b2Contact& contact, const CBody& shape, const CB
 void CContactGatherer::MeetTruly(b2Contact& contact, CBody& shape, CBody& ball) {
   b2WorldManifold manifold;
   contact.GetWorldManifold(&manifold);
-  const bool ballIsB = contact.GetFixtureB()->GetBody() == ball.m_pBody;
-  const float radii =
-      contact.GetFixtureA()->GetShape()->m_radius + contact.GetFixtureB()->GetShape()->m_radius;
-  const double r = static_cast<double>(ball.m_pBody->GetFixtureList()->GetShape()->m_radius);
-
+  m_bIsContinuous = m_bIsContinuous || HasMoved(shape) || HasMoved(ball);
+  const double part = m_bIsContinuous ? PartAt(shape, ball) : 0.0;
+  Vector2d dp, dv;
+  ball.m_cFlight.GetDeviation(part, dp, dv);
+  if (shape.m_bIsBall) {
+    Vector2d dp1, dv1;
+    shape.m_cFlight.GetDeviation(part, dp1, dv1);
+    dp -= dp1, dv -= dv1;
+  }
   // In the frame of the shape. Its surface moves there as the frame does at the centre of the ball: across
   // the normal it may differ, but that does not count.
   const b2Transform& xf = shape.m_pBody->GetTransform();
   const b2Vec2 p = ball.m_pBody->GetPosition();
-  const Vector2d q = ToDouble(b2MulT(xf, p));
-  const Vector2d w = ToDouble(
-      b2MulT(xf.q, ball.m_pBody->GetLinearVelocity() - shape.m_pBody->GetLinearVelocityFromWorldPoint(p)));
-  COutline disk;
-  if (shape.m_bIsBall)
-    disk.m_fRadius = static_cast<double>(shape.m_pBody->GetFixtureList()->GetShape()->m_radius);
-  const COutline& outline = shape.m_bIsBall ? disk : shape.m_cOutline;
-  CTrueContact met = FindTrueContact(outline, q, w, r);
-  // What is farther away than the ball is large is another matter than skins and chords.
-  if (std::abs(met.m_fTime) * w.norm() > std::max(r, static_cast<double>(4.0f * b2_polygonRadius)))
-    met = FindTrueContact(outline, q, Vector2d::Zero(), r);
-
-  const float e = contact.GetRestitution(), slop = b2_linearSlop;
+  const b2Vec2 v = ball.m_pBody->GetLinearVelocity() - shape.m_pBody->GetLinearVelocityFromWorldPoint(p);
+  const Vector2d q = ToDouble(b2MulT(xf, p)) + MulT(xf.q, dp), w = MulT(xf.q, ToDouble(v) + dv);
+  const double r = static_cast<double>(ball.m_fRadius);
+  const CTrueContact met = FindTrueContact(shape.m_cOutline, q, w, r);
   const b2Vec2 n = b2Mul(xf.q, ToFloat(met.m_vNorm));
-  const b2Vec2 nAB = ballIsB ? n : -n;
-  const float wn = static_cast<float>(w.dot(met.m_vNorm)), time = static_cast<float>(met.m_fTime);
-  const float kick = m_fStep * std::abs(b2Dot(m_vGravity, n));
-  const bool isImpact = -wn > std::max(2.0f * slop / m_fStep, 2.0f * kick);
-  const bool isWithinSkins = manifold.separations[0] > StopSeparation(radii) + 0.5f * slop;
-  b2ManifoldPoint& point = contact.GetManifold()->points[0];
+  const b2Vec2 nAB = contact.GetFixtureB()->GetBody() == ball.m_pBody ? n : -n;
+  const float gap = static_cast<float>(met.m_fGap);
 
-  m_bIsContinuous = m_bIsContinuous || HasMoved(shape) || HasMoved(ball);
-  if (m_bIsContinuous && std::exchange(m_bIsIslandOpen, true)) {
-    if (!isImpact && isWithinSkins) {
-      // It touches, but it is not what was hit: it gets its own impact, after this one. Across the normal of
-      // this one neither of them is changed by it.
-      b2Vec2 across = b2Cross(1.0f, m_vIslandNormal);
-      const b2Vec2 v = contact.GetFixtureB()->GetBody()->GetLinearVelocity() -
-                       contact.GetFixtureA()->GetBody()->GetLinearVelocity();
-      if (b2Dot(v, across) < 0.0f) across = -across;
-      SetManifold(contact, across, 0.0f);
+  if (m_bIsIslandOpen) {
+    IgnoreAcross(contact, m_vIslandNormal); // it gets its own impact, after this one
+    return;
+  }
+  for (const CAnswer& answer : m_stdAnswered)
+    if (answer.m_pShape == &shape && answer.m_pBall == &ball) {
+      IgnoreAcross(contact, answer.m_vNorm); // another edge of the same shape
       return;
     }
-  } else if (m_bIsContinuous) {
+
+  CFlight::CImpact impact;
+  impact.m_fPart = part;
+  impact.m_vNorm = ToDouble(n);
+  impact.m_fSpeed = ToDouble(v).dot(impact.m_vNorm);
+  impact.m_fElasticity = static_cast<double>(contact.GetRestitution());
+  const float wn = static_cast<float>(impact.m_fSpeed);
+  // What is longer ago was no impact: they have been put into each other.
+  if (wn < 0.0f && met.m_fTime >= static_cast<double>(-m_fStep))
+    impact.m_fTime = (w.dot(met.m_vNorm) * met.m_fTime + dp.dot(impact.m_vNorm)) / impact.m_fSpeed;
+  const double m = static_cast<double>(ball.m_pBody->GetMass()),
+               m1 = static_cast<double>(shape.m_pBody->GetMass());
+  const double share = shape.m_bIsBall ? m1 / (m + m1) : 1.0;
+  CFlight* pOther = shape.m_bIsBall ? &shape.m_cFlight : nullptr;
+  // Where they are when they are stopped they would be stopped again at once.
+  const auto pushApart = [&] {
+    m_bIsIslandOpen = true;
     m_vIslandNormal = n;
-  } else if (isImpact) {
-    const bool isSwept = !shape.m_bIsBall || shape.m_pBody->IsBullet() || ball.m_pBody->IsBullet();
-    // As deep as Box2D lets a ball go, and a bit more.
-    const bool willBeStopped = isSwept && manifold.separations[0] > StopSeparation(radii) - 2.0f * slop;
-    if (willBeStopped && Waits(contact, shape, ball, nAB)) return;
-    Answers(shape, ball);
+    const float depth = StopSeparation(contact) - manifold.separations[0];
+    float pushed = 0.0f;
+    SetManifold(contact, nAB, SeparationFor(std::max(0.0f, depth) + b2_linearSlop, pushed));
+    const Vector2d way = static_cast<double>(pushed) * impact.m_vNorm;
+    ball.m_cFlight.Shift(-share * way);
+    if (pOther != nullptr) pOther->Shift((1.0 - share) * way);
+  };
+  if (!(wn < 0.0f)) {
+    if (m_bIsContinuous && met.m_bMisses)
+      contact.SetEnabled(false); // or Box2D would stop the ball here again and again
+    else if (m_bIsContinuous)
+      pushApart();
+    else
+      SetManifold(contact, nAB, wn > 0.0f ? 0.0f : gap - b2_linearSlop);
+    return;
   }
-
-  if (isImpact) {
-    // Too late, it has to be as far on its way back as it has gone too far.
-    SetManifold(contact, nAB, time < 0.0f ? SeparationFor((1.0f + e) * wn * time) : 0.0f);
-    point.normalImpulse = 0.0f;
+  if (met.m_fTime > (1.0 - impact.m_fPart) * static_cast<double>(m_fStep)) {
+    // Only their skins meet in this step.
+    if (m_bIsContinuous)
+      contact.SetEnabled(false);
+    else
+      Ignore(contact, nAB);
+    return;
+  }
+  float speed = static_cast<float>(-w.dot(met.m_vNorm));
+  if (IsSupport(contact, shape, ball, impact, -w.dot(met.m_vNorm))) {
+    if (m_bIsContinuous)
+      pushApart();
+    else
+      SetManifold(contact, nAB, gap - b2_linearSlop);
   } else {
-    SetManifold(contact, nAB, static_cast<float>(met.m_fGap) - slop);
-  }
-
-  const Vector2d nd = ToDouble(n);
-  float speed = -wn;
-  if (wn < 0.0f && m_cTuning.m_bParabolas && isImpact && !shape.m_bIsBall) {
-    // The straight way met the shape at `time`, and there the parabola had another speed.
-    const double part =
-        ball.m_cFlight.PartAt(*ball.m_pBody, ball.m_cStart.p) + met.m_fTime / static_cast<double>(m_fStep);
-    speed -= static_cast<float>(
-        ball.m_cFlight.Bounce(part, nd, w.dot(met.m_vNorm), static_cast<double>(e)).dot(nd));
-  } else if (!isImpact && kick > 0.0f && std::abs(wn) <= 2.0f * kick) {
-    Support(contact, shape, ball, n);
+    const bool isSwept = !shape.m_bIsBall || shape.m_pBody->IsBullet() || ball.m_pBody->IsBullet();
+    // b2TimeOfImpact knows no shapes that are on each other without their skins.
+    const float radii =
+        contact.GetFixtureA()->GetShape()->m_radius + contact.GetFixtureB()->GetShape()->m_radius;
+    if (!m_bIsContinuous && isSwept && manifold.separations[0] + radii > b2_linearSlop) {
+      Ignore(contact, nAB); // Box2D will stop the ball where it arrives, within this step
+      return;
+    }
+    contact.GetManifold()->points[0].normalImpulse = 0.0f;
+    if (!m_bIsContinuous) m_stdAnswered.push_back({&shape, &ball, n});
+    speed = static_cast<float>(CFlight::Bounce(impact, ball.m_cFlight, share, pOther));
+    if (m_bIsContinuous)
+      pushApart();
+    else
+      SetManifold(contact, nAB, 0.0f);
   }
   Report(shape, ball, b2Mul(xf, ToFloat(q + met.m_fTime * w - r * met.m_vNorm)), n, speed);
 }
 
-bool CContactGatherer::Waits(b2Contact& contact, const CBody& shape, const CBody& ball, const b2Vec2& nAB) {
-  const auto isAnswered = [&](const CBody& body) {
-    return std::find(m_stdAnswered.begin(), m_stdAnswered.end(), &body) != m_stdAnswered.end();
-  };
-  FailIf(isAnswered(ball) || (shape.m_bIsBall && isAnswered(shape)));
-  // The wrong way round, Box2D sees them part and does nothing; it will stop the ball where it arrives,
-  // within this step.
-  SetManifold(contact, -nAB, 0.0f);
-  contact.GetManifold()->points[0].normalImpulse = 0.0f;
-  m_stdWaiting.push_back({&contact, &shape, &ball, nAB});
-  return true;
+double CContactGatherer::PartAt(const CBody& shape, const CBody& ball) const {
+  // By that which goes farther.
+  const float way = ball.m_pBody->GetLinearVelocity().LengthSquared();
+  if (shape.m_bIsBall && shape.m_pBody->GetLinearVelocity().LengthSquared() > way)
+    return shape.m_cFlight.PartAt(*shape.m_pBody, shape.m_cStart.p);
+  const double turn = static_cast<double>(shape.m_pBody->GetAngularVelocity() * m_fStep);
+  if (shape.m_bIsBall || way > 0.0f || turn == 0.0)
+    return ball.m_cFlight.PartAt(*ball.m_pBody, ball.m_cStart.p);
+  const b2Rot turned = b2MulT(shape.m_cStart.q, shape.m_pBody->GetTransform().q);
+  return std::clamp(static_cast<double>(turned.GetAngle()) / turn, 0.0, 1.0);
 }
 
-void CContactGatherer::Answers(const CBody& shape, const CBody& ball) {
-  // A ball that is answered goes another way: what it waits for the wrong way round would hold it back.
-  for (const CBody* pBall : {&ball, &shape}) {
-    if (!pBall->m_bIsBall) continue;
-    m_stdAnswered.push_back(pBall);
-    std::erase_if(m_stdWaiting, [&](const CWaiting& waiting) {
-      FailIf(waiting.m_pBall != pBall && waiting.m_pShape != pBall);
-      SetManifold(*waiting.m_pContact, waiting.m_vNorm, 0.0f);
-      return true;
-    });
-  }
-}
-
-void CContactGatherer::Support(b2Contact& contact, CBody& shape, CBody& ball, const b2Vec2& n) {
+bool CContactGatherer::IsSupport(b2Contact& contact, CBody& shape, CBody& ball,
+                                 const CFlight::CImpact& impact, double speed) {
   // What lies on a shape, or on a ball that lies, is not pressed into it by gravity, and does not bounce off
   // it.
-  const bool ballIsUpper = b2Dot(m_vGravity, n) < 0.0f;
+  const Vector2d& n = impact.m_vNorm;
+  const double pull = ToDouble(m_vGravity).dot(n), kick = static_cast<double>(m_fStep) * std::abs(pull);
+  FailIf(kick == 0.0);
+  // A perfect ball lies where it would bounce more than once in a step, any other a bit before that.
+  const double most = impact.m_fElasticity < 1.0 ? 1.5 : 0.5;
+  FailIf(speed > most * kick);
+  const bool ballIsUpper = pull < 0.0;
   const CBody& below = ballIsUpper ? shape : ball;
-  if (below.m_bIsBall ? !below.m_bIsSupported && !below.m_bWasSupported : !ballIsUpper) return;
+  FailIf(below.m_bIsBall ? !below.m_bIsSupported && !below.m_bWasSupported : !ballIsUpper);
   CBody& upper = ballIsUpper ? ball : shape;
   upper.m_bIsSupported = true;
-  upper.m_cFlight.Rest(ToDouble(ballIsUpper ? n : -n));
-  if (contact.GetRestitution() < 1.0f) contact.SetRestitution(0.0f);
+  upper.m_cFlight.Rest(ballIsUpper ? n : Vector2d(-n));
+  contact.SetRestitution(0.0f);
+  return true;
 }
 
 void CContactGatherer::Report(const CBody& shape, const CBody& ball, const b2Vec2& poi, const b2Vec2& n,
@@ -220,11 +262,9 @@ void CContactGatherer::Report(const CBody& shape, const CBody& ball, const b2Vec
   event.m_vNorm = Vector2(n.x, n.y);
   event.m_fSpeed = m_cScale.FromMetres(std::max(0.0f, speed));
   m_stdEvents.push_back(event);
-  m_stdBends.push_back(
-      {ball.m_cId, ball.m_pBody->GetPosition(), ball.m_cFlight.PartAt(*ball.m_pBody, ball.m_cStart.p)});
-  if (shape.m_bIsBall)
-    m_stdBends.push_back({shape.m_cId, shape.m_pBody->GetPosition(),
-                          shape.m_cFlight.PartAt(*shape.m_pBody, shape.m_cStart.p)});
+  for (const CBody* pBall : {&ball, &shape})
+    if (pBall->m_bIsBall)
+      m_stdBends.push_back({pBall->m_cId, pBall->m_pBody->GetPosition(), PartAt(shape, ball)});
 }
 
 std::vector<CContactEvent> CContactGatherer::TakeContacts() {

@@ -41,9 +41,8 @@ public:
 private:
   void MeetAsIs(b2Contact& contact, const CBody& shape, const CBody& ball);
   void MeetTruly(b2Contact& contact, CBody& shape, CBody& ball);
-  bool Waits(b2Contact& contact, const CBody& shape, const CBody& ball, const b2Vec2& nAB);
-  void Answers(const CBody& shape, const CBody& ball);
-  void Support(b2Contact& contact, CBody& shape, CBody& ball, const b2Vec2& n);
+  double PartAt(const CBody& shape, const CBody& ball) const;
+  bool IsSupport(b2Contact& contact, CBody& shape, CBody& ball, const CFlight::CImpact& impact, double speed);
   void Report(const CBody& shape, const CBody& ball, const b2Vec2& poi, const b2Vec2& n, float speed);
 
   CBodies& m_cBodies;
@@ -54,14 +53,12 @@ private:
   bool m_bIsContinuous = false; // Box2D is past its first look at all contacts: it goes from impact to impact
   bool m_bIsIslandOpen = false; // of one such impact, which comes first, and what else touches its ball
   b2Vec2 m_vIslandNormal{0.0f, 0.0f};
-  /// A contact that is left to the time of impact, and the normal that it would have.
-  struct CWaiting {
-    b2Contact* m_pContact;
+  /// What was answered in the first look.
+  struct CAnswer {
     const CBody *m_pShape, *m_pBall;
     b2Vec2 m_vNorm;
   };
-  std::vector<CWaiting> m_stdWaiting;
-  std::vector<const CBody*> m_stdAnswered; // balls that had an impact in the first look
+  std::vector<CAnswer> m_stdAnswered;
   std::vector<CContactEvent> m_stdEvents;
   std::vector<CBend> m_stdBends;
 };

@@ -2,6 +2,7 @@
 #include "Flight.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Shapes::Box2D {
 
@@ -24,27 +25,41 @@ double CFlight::PartAt(const b2Body& ball, const b2Vec2& start) const {
   return std::clamp(part, m_fPart, 1.0);
 }
 
-void CFlight::At(double part, Vector2d& p, Vector2d& v) const {
+void CFlight::GetDeviation(double part, Vector2d& p, Vector2d& v) const {
   const double t = (part - m_fPart) * m_fStep;
   p = m_vPos + t * m_vVel + 0.5 * t * t * m_vGravity;
   v = m_vVel + t * m_vGravity;
 }
 
-Vector2d CFlight::Bounce(double part, const Vector2d& n, double wn, double e) {
-  // The parabola meets the surface a little later than the straight way, t after it: two rounds of Newton's
-  // method.
-  Vector2d p, v;
-  double t = 0.0;
+double CFlight::Bounce(const CImpact& impact, CFlight& ball, double share, CFlight* pOther) {
+  const Vector2d& n = impact.m_vNorm;
+  const double h = ball.m_fStep, wn = impact.m_fSpeed;
+  // The ways on the parabolas meet a little later or earlier than the straight ones: Newton's method.
+  Vector2d p, v, p1 = Vector2d::Zero(), v1 = Vector2d::Zero();
+  double t = impact.m_fTime;
   for (int i = 0; i < 3; ++i) {
-    At(part + t / m_fStep, p, v);
-    if (i == 2 || !(wn + v.dot(n) < 0.0)) break;
-    t -= (p.dot(n) + wn * t) / (wn + v.dot(n));
+    ball.GetDeviation(impact.m_fPart + t / h, p, v);
+    if (pOther != nullptr) pOther->GetDeviation(impact.m_fPart + t / h, p1, v1);
+    const double speed = wn + (v - v1).dot(n);
+    if (i == 2 || !(speed < 0.0)) break;
+    const double next = t - ((p - p1).dot(n) + wn * (t - impact.m_fTime)) / speed;
+    if (!(std::abs(next - impact.m_fTime) <= h)) break; // they do no more than touch
+    t = next;
   }
-  m_vPos = p + (1.0 + e) * wn * t * n;
-  m_vVel = v - (1.0 + e) * v.dot(n) * n;
-  m_fPart = part + t / m_fStep;
+  const double kick = (1.0 + impact.m_fElasticity) * (v - v1).dot(n);
+  const double back = (1.0 + impact.m_fElasticity) * wn * t;
+  ball.SetDeviation(impact.m_fPart + t / h, p + share * back * n, v - share * kick * n);
+  if (pOther != nullptr)
+    pOther->SetDeviation(impact.m_fPart + t / h, p1 - (1.0 - share) * back * n,
+                         v1 + (1.0 - share) * kick * n);
+  return -wn - (v - v1).dot(n);
+}
+
+void CFlight::SetDeviation(double part, const Vector2d& p, const Vector2d& v) {
+  m_fPart = part;
+  m_vPos = p;
+  m_vVel = v;
   m_bHasBounced = true;
-  return v;
 }
 
 void CFlight::LegEnds(const b2Body& ball) {
@@ -54,7 +69,7 @@ void CFlight::LegEnds(const b2Body& ball) {
 
 void CFlight::Land(b2Body& ball) const {
   Vector2d p, v;
-  At(1.0, p, v);
+  GetDeviation(1.0, p, v);
   for (const Vector2d& n : m_stdRests) {
     v -= std::min(0.0, v.dot(n)) * n;
     p -= std::min(0.0, p.dot(n)) * n;

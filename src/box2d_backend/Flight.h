@@ -26,11 +26,26 @@ public:
   /// The part of the step that is over when the ball is at p on its way, in [0, 1].
   /// @param start  where it was at the beginning of the step
   double PartAt(const b2Body& ball, const b2Vec2& start) const;
-  /// The ball bounces off a surface of normal n; what approaches leaves with the share e of its speed.
-  /// @param part  of the step that is over when its straight way meets the surface
-  /// @param wn    its velocity on that way along n, relative to the surface
-  /// @return what the velocity on the parabola has more than that of Box2D just before it
-  Vector2d Bounce(double part, const Vector2d& n, double wn, double e);
+  /// An impact, as Box2D answers it at this part of the step.
+  struct CImpact {
+    double m_fPart; ///< of the step that is over
+    double m_fTime =
+        0.0;          ///< seconds from there until the straight ways meet; negative if they have met before
+    Vector2d m_vNorm; ///< to the ball
+    double m_fSpeed;  ///< relative velocity of the straight ways along the normal, below 0
+    double m_fElasticity;
+  };
+  /// What position and velocity on the parabola have more than those of Box2D at this part of the step.
+  void GetDeviation(double part, Vector2d& p, Vector2d& v) const;
+  /// A ball and, if there is one, the other ball answer an impact.
+  /// @param share  of the other's mass in that of both; 1 against a shape
+  /// @return the approach speed of the parabolas
+  static double Bounce(const CImpact& impact, CFlight& ball, double share, CFlight* pOther);
+  /// Box2D has put the ball somewhere else.
+  void Shift(const Vector2d& back) {
+    m_vPos += back;
+    m_bHasBounced = true;
+  }
   /// The ball lies on a surface of normal n: what the kick would press it into that is not given.
   void Rest(const Vector2d& n) { m_stdRests.push_back(n); }
   /// The last bounce of the ball has been answered.
@@ -40,7 +55,7 @@ public:
   void Land(b2Body& ball) const;
 
 private:
-  void At(double part, Vector2d& p, Vector2d& v) const;
+  void SetDeviation(double part, const Vector2d& p, const Vector2d& v);
 
   Vector2d m_vGravity = Vector2d::Zero();
   double m_fStep = 0.0;

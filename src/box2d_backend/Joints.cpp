@@ -13,13 +13,14 @@ struct CEnd {
   std::size_t m_nEnd;
   Vector2 m_vPos;
   Vector2 m_vInto;                  // unit tangent from the end into the shape
+  float m_fBend;                    // curvature, positive to the left of the way into the shape
   bool m_bSolidLeft, m_bSolidRight; // of the way into the shape
   std::size_t m_nMatches = 0;
   const CEnd* m_pMatch = nullptr;
 };
 
 template <class TShape>
-void AddEnds(const TShape& shape, CShapeId id, const Vector2& front, std::vector<CEnd>& ends) {
+void AddEnds(const TShape& shape, CShapeId id, const Vector2& front, float bend, std::vector<CEnd>& ends) {
   Vector2 p[2], t[2];
   shape.GetEndPts(p[0], p[1]);
   shape.GetTangents(t[0], t[1]);
@@ -27,7 +28,8 @@ void AddEnds(const TShape& shape, CShapeId id, const Vector2& front, std::vector
   for (std::size_t i = 0; i < 2; ++i) {
     // The front of an arc is known at end 0; seen from end 1 left and right change places, as for a segment.
     const bool frontIsLeft = (perp(t[0]).dot(front) > 0.0f) == (i == 0);
-    ends.push_back({&shape, id, i, p[i], t[i], isSolid[frontIsLeft ? 0 : 1], isSolid[frontIsLeft ? 1 : 0]});
+    ends.push_back({&shape, id, i, p[i], t[i], i == 0 ? bend : -bend, isSolid[frontIsLeft ? 0 : 1],
+                    isSolid[frontIsLeft ? 1 : 0]});
   }
 }
 
@@ -36,10 +38,11 @@ void AddEnds(const CShapeEntry& entry, std::vector<CEnd>& ends) {
   if (shape.GetSensor() || !shape.GetCanCollide()) return;
   if (shape.GetShapeType() == eShape::LineSeg) {
     const auto& seg = static_cast<const CLineSeg&>(shape);
-    if (seg.GetEndPt0() != seg.GetEndPt1()) AddEnds(seg, entry.m_cId, seg.GetNormal(), ends);
+    if (seg.GetEndPt0() != seg.GetEndPt1()) AddEnds(seg, entry.m_cId, seg.GetNormal(), 0.0f, ends);
   } else if (shape.GetShapeType() == eShape::Arc) {
     const auto& arc = static_cast<const CArc&>(shape);
-    if (!arc.IsFullCircle()) AddEnds(arc, entry.m_cId, arc.GetEndPt0() - arc.GetPos(), ends);
+    if (!arc.IsFullCircle())
+      AddEnds(arc, entry.m_cId, arc.GetEndPt0() - arc.GetPos(), 1.0f / arc.GetRadius(), ends);
   }
 }
 
@@ -74,7 +77,7 @@ std::map<CShapeId, CJoints> FindJoints(const CWorldState& state, float tolerance
     const CEnd& b = *a.m_pMatch;
     // Left of the way into one is right of the way into the other.
     if (a.m_bSolidLeft != b.m_bSolidRight || a.m_bSolidRight != b.m_bSolidLeft) continue;
-    joints[a.m_cId][a.m_nEnd] = CJoint{b.m_cId, b.m_vInto};
+    joints[a.m_cId][a.m_nEnd] = CJoint{b.m_cId, b.m_vInto, b.m_fBend};
   }
   return joints;
 }

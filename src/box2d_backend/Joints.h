@@ -14,6 +14,7 @@ namespace Shapes::Box2D {
 struct CJoint {
   CShapeId m_cNeighbour;
   Vector2 m_vTangent = Vector2::Zero(); ///< Unit vector from the end into the neighbour, as both are now.
+  float m_fBend = 0.0f; ///< Curvature of the neighbour, per user unit; positive to the left of that.
 };
 
 /// Of end 0 and end 1, in the order in which they are now.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace Shapes::Box2D {
 namespace {
@@ -17,30 +16,24 @@ b2CircleShape Circle(const b2Vec2& p, float r) {
   return circle;
 }
 
-// A point beyond an end at p: into the neighbour, or, where there is none, back to q, which leaves the end
-// round.
-b2Vec2 Beyond(const std::optional<CJoint>& joint, const b2Vec2& p, const b2Vec2& q) {
-  return joint ? p + b2Vec2(joint->m_vTangent.x(), joint->m_vTangent.y()) : q;
-}
-
-void MakeLineSeg(const CLineSeg& seg, const Vector2& origin, const CScale& scale, const CJoints& joints,
-                 CPieces& pieces) {
+void MakeLineSeg(const CLineSeg& seg, const Vector2& origin, const CScale& scale, CPieces& pieces) {
   const b2Vec2 p0 = scale.ToMetres(seg.GetEndPt0() - origin), p1 = scale.ToMetres(seg.GetEndPt1() - origin);
   if (!(b2Distance(p0, p1) >= g_fShortestEdge)) {
     pieces.m_stdCircles.push_back(Circle(0.5f * (p0 + p1), 0.0f));
     return;
   }
-  if (seg.GetSides() == eSides::Both && !joints[0] && !joints[1]) {
-    pieces.m_stdEdges.emplace_back().SetTwoSided(p0, p1);
+  b2EdgeShape& edge = pieces.m_stdEdges.emplace_back();
+  if (seg.GetSides() == eSides::Both) {
+    edge.SetTwoSided(p0, p1);
     return;
   }
-  // The solid side of an edge is on the right of its way.
-  const b2Vec2 before = Beyond(joints[0], p0, p1), after = Beyond(joints[1], p1, p0);
-  const bool frontIsLeft = Cross(seg.GetEndPt1() - seg.GetEndPt0(), seg.GetNormal()) > 0.0f;
-  if (seg.GetSides() != (frontIsLeft ? eSides::Back : eSides::Front))
-    pieces.m_stdEdges.emplace_back().SetOneSided(after, p1, p0, before);
-  if (seg.GetSides() != (frontIsLeft ? eSides::Front : eSides::Back))
-    pieces.m_stdEdges.emplace_back().SetOneSided(before, p0, p1, after);
+  // The solid side of an edge is on the right of its way. Its neighbours fold back onto it, which leaves the
+  // ends round.
+  const bool normalIsLeft = Cross(seg.GetEndPt1() - seg.GetEndPt0(), seg.GetNormal()) > 0.0f;
+  if (normalIsLeft == (seg.GetSides() == eSides::Front))
+    edge.SetOneSided(p0, p1, p0, p1);
+  else
+    edge.SetOneSided(p1, p0, p1, p0);
 }
 
 // Whether no two neighbours are so close that Box2D would stop the program.
@@ -51,71 +44,64 @@ bool AreApart(const CPieces::CChain& chain) {
   return true;
 }
 
-// An arc about the local origin of its vertices.
-struct CCurve {
-  const CArc& m_cArc;
-  b2Vec2 m_vCentre, m_vEnd1;
-  float m_fRadius;
-
-  b2Vec2 At(double part, float radius) const {
-    const Vector2 u = AngleToVector(m_cArc.GetAngle0() + m_cArc.GetSpan() * static_cast<float>(part));
-    return m_vCentre + radius * b2Vec2(u.x(), u.y());
+// One edge for each chord, solid on both sides or on one. Its neighbours fold back onto it, which leaves its
+// ends round: at a time of impact Box2D would take a ball that touches an end for one of a neighbour that has
+// not been reached yet, and forget the impact.
+void MakeArcEdges(const CArc& arc, const std::vector<b2Vec2>& vertices, float skin, CPieces& pieces) {
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    const b2Vec2 &v0 = vertices[i - 1], &v1 = vertices[i];
+    b2EdgeShape& edge = pieces.m_stdEdges.emplace_back();
+    // Counterclockwise, the right side is the outside.
+    if (arc.GetSides() == eSides::Both)
+      edge.SetTwoSided(v0, v1);
+    else if (arc.GetSides() == eSides::Front)
+      edge.SetOneSided(v1, v0, v1, v0);
+    else
+      edge.SetOneSided(v0, v1, v0, v1);
+    edge.m_radius = skin;
   }
-};
-
-// n chords.
-CPieces::CChain MakeChords(const CCurve& curve, int n) {
-  CPieces::CChain chain{{}, curve.m_cArc.IsFullCircle(), {}, {}};
-  for (int i = 0; i < n; ++i)
-    chain.m_stdVertices.push_back(curve.At(static_cast<double>(i) / n, curve.m_fRadius));
-  if (!chain.m_bClosed) chain.m_stdVertices.push_back(curve.m_vEnd1);
-  return chain;
-}
-
-// n tangents: of a full circle all alike, else the first and the last are half as long and touch the ends.
-CPieces::CChain MakeTangents(const CCurve& curve, int n) {
-  const bool closed = curve.m_cArc.IsFullCircle();
-  CPieces::CChain chain{{}, closed, {}, {}};
-  const int parts = closed ? n : n - 1;
-  const float radius = curve.m_fRadius / std::cos(0.5f * curve.m_cArc.GetSpan() / static_cast<float>(parts));
-  if (!closed) chain.m_stdVertices.push_back(curve.At(0.0, curve.m_fRadius));
-  for (int i = 0; i < parts; ++i)
-    chain.m_stdVertices.push_back(curve.At((i + 0.5) / parts, radius));
-  if (!closed) chain.m_stdVertices.push_back(curve.m_vEnd1);
-  return chain;
 }
 
 void MakeArc(const CArc& arc, const Vector2& origin, const CScale& scale, float sagitta,
-             const CJoints& joints, bool behind, CPieces& pieces) {
-  const CCurve curve{arc, scale.ToMetres(arc.GetPos() - origin), scale.ToMetres(arc.GetEndPt1() - origin),
-                     scale.ToMetres(arc.GetRadius())};
-  const int n = CountArcPieces(curve.m_fRadius, arc.GetSpan(), arc.IsFullCircle(), sagitta);
+             std::optional<float> skin, CPieces& pieces) {
+  const b2Vec2 centre = scale.ToMetres(arc.GetPos() - origin);
+  const float R = scale.ToMetres(arc.GetRadius());
+  const int n = CountArcPieces(R, arc.GetSpan(), arc.IsFullCircle(), sagitta);
   if (n == 0) {
     const Vector2 middle =
         arc.GetPos() + arc.GetRadius() * AngleToVector(arc.GetAngle0() + 0.5f * arc.GetSpan());
-    pieces.m_stdCircles.push_back(arc.IsFullCircle() ? Circle(curve.m_vCentre, curve.m_fRadius)
+    pieces.m_stdCircles.push_back(arc.IsFullCircle() ? Circle(centre, R)
                                                      : Circle(scale.ToMetres(middle - origin), 0.0f));
     return;
   }
-  CPieces::CChain outside = MakeChords(curve, n);
-  if (!AreApart(outside)) { // rounded together, far from the origin
-    pieces.m_stdCircles.push_back(Circle(curve.m_vCentre, arc.IsFullCircle() ? curve.m_fRadius : 0.0f));
-    return;
+  CPieces::CChain outside{{}, arc.IsFullCircle()};
+  for (int i = 0; i < n; ++i) {
+    const float angle = arc.GetAngle0() + arc.GetSpan() * static_cast<float>(i) / static_cast<float>(n);
+    const Vector2 u = AngleToVector(angle);
+    outside.m_stdVertices.push_back(centre + R * b2Vec2(u.x(), u.y()));
   }
-  CPieces::CChain inside = outside;
-  // Fewer than four would stick out far.
-  if (behind && n >= 4)
-    if (CPieces::CChain tangents = MakeTangents(curve, n); AreApart(tangents)) inside = std::move(tangents);
-  for (CPieces::CChain* pChain : {&outside, &inside}) {
-    const auto& v = pChain->m_stdVertices;
-    pChain->m_vBefore = Beyond(joints[0], v.front(), v[1]);
-    pChain->m_vAfter = Beyond(joints[1], v.back(), v[v.size() - 2]);
+  if (!arc.IsFullCircle()) outside.m_stdVertices.push_back(scale.ToMetres(arc.GetEndPt1() - origin));
+  if (!AreApart(outside)) { // rounded together, far from the origin
+    pieces.m_stdCircles.push_back(Circle(centre, arc.IsFullCircle() ? R : 0.0f));
+    return;
   }
 
   pieces.m_nArcPieces = n;
+  if (skin) {
+    // The chords are as far outside of the arc as inside, but for its ends.
+    const float half = 0.5f * arc.GetSpan() / static_cast<float>(n);
+    const float out = 2.0f / (1.0f + std::cos(half));
+    std::vector<b2Vec2> vertices = outside.m_stdVertices;
+    const bool closed = arc.IsFullCircle();
+    for (std::size_t i = closed ? 0 : 1; i < vertices.size() - (closed ? 0 : 1); ++i)
+      vertices[i] = centre + out * (vertices[i] - centre);
+    if (closed) vertices.push_back(vertices.front());
+    MakeArcEdges(arc, vertices, *skin + R * (1.0f - std::cos(half)), pieces);
+    return;
+  }
   // Counterclockwise, the right side is the outside.
+  CPieces::CChain inside = outside;
   std::reverse(inside.m_stdVertices.begin(), inside.m_stdVertices.end());
-  std::swap(inside.m_vBefore, inside.m_vAfter);
   if (arc.GetSides() != eSides::Back) pieces.m_stdChains.push_back(std::move(outside));
   if (arc.GetSides() != eSides::Front) pieces.m_stdChains.push_back(std::move(inside));
 }
@@ -134,15 +120,11 @@ int CountArcPieces(float radius, float span, bool closed, float sagitta) {
 }
 
 CPieces CPieces::Make(const CShape& shape, const Vector2& origin, const CScale& scale, float sagitta,
-                      const CJoints& joints, bool behind) {
+                      std::optional<float> skin) {
   CPieces pieces;
   switch (shape.GetShapeType()) {
-  case eShape::LineSeg:
-    MakeLineSeg(static_cast<const CLineSeg&>(shape), origin, scale, joints, pieces);
-    break;
-  case eShape::Arc:
-    MakeArc(static_cast<const CArc&>(shape), origin, scale, sagitta, joints, behind, pieces);
-    break;
+  case eShape::LineSeg: MakeLineSeg(static_cast<const CLineSeg&>(shape), origin, scale, pieces); break;
+  case eShape::Arc: MakeArc(static_cast<const CArc&>(shape), origin, scale, sagitta, skin, pieces); break;
   case eShape::Circle: {
     const float r = static_cast<const CCircle&>(shape).GetRadius();
     pieces.m_stdCircles.push_back(Circle(scale.ToMetres(shape.GetPos() - origin), scale.ToMetres(r)));
@@ -150,6 +132,12 @@ CPieces CPieces::Make(const CShape& shape, const Vector2& origin, const CScale& 
   }
   default: pieces.m_stdCircles.push_back(Circle(scale.ToMetres(shape.GetPos() - origin), 0.0f)); break;
   }
+  if (!skin) return pieces;
+  for (b2CircleShape& circle : pieces.m_stdCircles)
+    circle.m_radius += *skin;
+  if (pieces.m_nArcPieces == 0)
+    for (b2EdgeShape& edge : pieces.m_stdEdges)
+      edge.m_radius = *skin;
   return pieces;
 }
 
@@ -158,8 +146,8 @@ void CreateChain(const CPieces::CChain& chain, b2ChainShape& shape) {
   const auto n = static_cast<int32>(v.size());
   if (chain.m_bClosed)
     shape.CreateLoop(v.data(), n);
-  else
-    shape.CreateChain(v.data(), n, chain.m_vBefore, chain.m_vAfter);
+  else // neighbours that fold back leave the ends round
+    shape.CreateChain(v.data(), n, v[1], v[v.size() - 2]);
 }
 
 } // namespace Shapes::Box2D

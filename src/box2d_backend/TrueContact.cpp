@@ -25,6 +25,7 @@ CTrueContact MeetDisk(const Vector2d& c, double D, const Vector2d& q, const Vect
   if (!(b < 0.0)) return contact;
   const double discriminant = D * D * a - Cross(d, w) * Cross(d, w);
   if (discriminant <= 0.0) {
+    contact.m_bMisses = true;
     contact.m_vNorm = Unit(d - (b / a) * w, contact.m_vNorm);
     return contact;
   }
@@ -41,10 +42,19 @@ CTrueContact MeetRing(const Vector2d& c, double D, const Vector2d& q, const Vect
   contact.m_vNorm = Unit(-d, Unit(-w, Vector2d(0, 1)));
   const double a = w.squaredNorm(), b = d.dot(w), e = contact.m_fGap * (d.norm() + D);
   const double discriminant = D * D * a - Cross(d, w) * Cross(d, w);
-  if (!(b > 0.0) || discriminant <= 0.0) return contact;
-  contact.m_fTime = e / (b + std::sqrt(discriminant));
+  if (!(a > 0.0) || discriminant <= 0.0) return contact;
+  const double time = b > 0.0 ? e / (b + std::sqrt(discriminant)) : (-b + std::sqrt(discriminant)) / a;
+  // One that moves inward may still meet it soon, if it goes along it.
+  if (!(b > 0.0) && time * std::sqrt(a) > 0.5 * D) return contact;
+  contact.m_fTime = time;
   contact.m_vNorm = Unit(-(d + contact.m_fTime * w), contact.m_vNorm);
   return contact;
+}
+
+// Onto a circle of radius R, on the side where the ball is.
+CTrueContact MeetCircle(const Vector2d& c, double R, const Vector2d& q, const Vector2d& w, double r) {
+  const bool fitsInside = (q - c).norm() < R && r < R;
+  return fitsInside ? MeetRing(c, R - r, q, w) : MeetDisk(c, R + r, q, w);
 }
 
 // Onto the line through p with the unit normal n, which points to the ball.
@@ -59,11 +69,16 @@ CTrueContact MeetLine(const Vector2d& p, const Vector2d& n, const Vector2d& q, c
 
 // Past an end.
 CTrueContact MeetEnd(const COutline::CEnd& end, const Vector2d& q, const Vector2d& w, double r) {
-  const CTrueContact point = MeetDisk(end.m_vPos, r, q, w);
-  if (!end.m_vNeighbour || point.m_vNorm.dot(*end.m_vNeighbour) <= 0.0) return point;
-  // Beyond the end is the neighbour: what would meet the end from there meets the neighbour first.
-  const Vector2d left = Perp(*end.m_vNeighbour);
-  return MeetLine(end.m_vPos, (q - end.m_vPos).dot(left) < 0.0 ? Vector2d(-left) : left, q, w, r);
+  if (end.m_bJoined) {
+    // Beyond the end is the neighbour: what meets it beyond the end does not meet the end.
+    const Vector2d left = Perp(end.m_vNext);
+    const CTrueContact beyond =
+        end.m_fBend == 0.0
+            ? MeetLine(end.m_vPos, (q - end.m_vPos).dot(left) < 0.0 ? Vector2d(-left) : left, q, w, r)
+            : MeetCircle(end.m_vPos + left / end.m_fBend, 1.0 / std::abs(end.m_fBend), q, w, r);
+    if ((q + beyond.m_fTime * w - r * beyond.m_vNorm - end.m_vPos).dot(end.m_vNext) > 0.0) return beyond;
+  }
+  return MeetDisk(end.m_vPos, r, q, w);
 }
 
 CTrueContact MeetLineSeg(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
@@ -83,10 +98,7 @@ bool IsInSector(const COutline& o, const Vector2d& d) {
 }
 
 CTrueContact MeetArc(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
-  const bool inside = (q - o.m_vCentre).norm() < o.m_fRadius;
-  if (inside && o.m_fRadius <= r) return MeetDisk(o.m_vCentre, o.m_fRadius + r, q, w); // does not fit
-  const CTrueContact curve =
-      inside ? MeetRing(o.m_vCentre, o.m_fRadius - r, q, w) : MeetDisk(o.m_vCentre, o.m_fRadius + r, q, w);
+  const CTrueContact curve = MeetCircle(o.m_vCentre, o.m_fRadius, q, w, r);
   const Vector2d d = q + curve.m_fTime * w - o.m_vCentre;
   if (IsInSector(o, d)) return curve;
   const bool to0 =

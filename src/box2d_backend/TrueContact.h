@@ -4,8 +4,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
-
 namespace Shapes::Box2D {
 
 using Vector2d = Eigen::Vector2d;
@@ -17,8 +15,9 @@ struct COutline {
   struct CEnd {
     Vector2d m_vPos = Vector2d::Zero();
     Vector2d m_vOut = Vector2d::Zero(); ///< Unit tangent that leaves the shape there.
-    std::optional<Vector2d>
-        m_vNeighbour; ///< Unit tangent into the neighbour that is joined to it, if one is.
+    bool m_bJoined = false;
+    Vector2d m_vNext = Vector2d::Zero(); ///< If joined: unit tangent into the neighbour,
+    double m_fBend = 0.0;                ///< and its curvature, positive to the left of that.
   };
 
   eKind m_eKind = eKind::Disk;
@@ -32,7 +31,8 @@ struct COutline {
 struct CTrueContact {
   Vector2d m_vNorm = Vector2d::Zero(); ///< Unit normal from the shape to the ball where they meet.
   double m_fTime = 0.0;                ///< Seconds until they meet; negative if that is over.
-  double m_fGap = 0.0; ///< Distance now, less the radius of the ball; negative if they overlap.
+  double m_fGap = 0.0;    ///< Distance now, less the radius of the ball; negative if they overlap.
+  bool m_bMisses = false; ///< The way of the ball goes past the shape.
 };
 
 /// The contact of a ball that is near a shape, if it goes straight on as it does now, or has come so.
