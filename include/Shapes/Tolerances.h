@@ -51,6 +51,13 @@ inline constexpr float g_fBoxPadding = 16.0f * 1.1920929e-7f;
 /// instructions than with 0, 100 balls among 64 shapes 1% fewer; 1 gains nothing more.
 inline constexpr float g_fCandidateSlack = 0.25f;
 
+/// How far the way of a ball that is followed in the frame of a turning sensor may be off, in its radii: a
+/// ball that touches by less than that may be missed, one that misses by less may be seen.
+inline constexpr float g_fTurnedWayError = 0.01f;
+/// Most straight parts for that between two bends of a way: bounds time where a sensor turns hundreds of
+/// times in a substep. The way is coarser than the error then.
+inline constexpr int g_nMaxTurnParts = 1024;
+
 /// Largest turn, in radians, that is asked of b2TimeOfImpact at once.
 inline constexpr float g_fLargestTurn = 0.125f;
 

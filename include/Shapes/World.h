@@ -11,6 +11,7 @@
 #include <Shapes/Tolerances.h>
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -19,13 +20,14 @@
 
 namespace Shapes {
 
+class CSensors;
 class CWorldState;
 
 /// How Box2D is used; the native engine reads none of it. docs/box2d_differences.md has the figures.
 enum class eProfile {
   Shipped, ///< As Box2D ships: only elasticity (the product of both), friction (none), spin of balls (none)
            ///< and sleep (never) are the library's.
-  Tuned ///< As accurate as Box2D can be made, for more time.
+  Tuned    ///< As accurate as Box2D can be made, for more time.
 };
 
 /// What a world is made from. Everything but the last group means the same on every engine.
@@ -49,15 +51,18 @@ struct CShapeId {
   friend auto operator<=>(const CShapeId&, const CShapeId&) = default;
 };
 
-/// A contact of a ball during the last Step.
+/// A contact of a ball during the last Step. A sensor gives one for each ball that touched it at any time of
+/// a substep, with POI and normal at the end if they touch then, and else where they were closest.
 struct CContactEvent {
   CShapeId m_cShape; ///< The shape that was met; of two balls the one that was added later.
   CShapeId m_cBall;  ///< The ball; of two balls the one that was added first.
   Vector2 m_vPOI;    ///< Point of impact, user units.
   Vector2 m_vNorm;   ///< Unit normal from the shape to the ball.
-  float m_fSetback =
-      0.0f;              ///< Native: how far along the normal the ball was set back. Box2D worlds do not: 0.
-  float m_fSpeed = 0.0f; ///< Approach speed before the response, units per second, at least 0.
+  /// Native: how far along the normal the ball was set back. Box2D worlds do not, sensors do not: 0.
+  float m_fSetback = 0.0f;
+  /// Approach speed before the response, units per second, at least 0. Of sensors by the way of the ball,
+  /// whose places are rounded.
+  float m_fSpeed = 0.0f;
   bool m_bIsSensor = false; ///< Either of them is a sensor: there was no response.
 };
 
@@ -136,8 +141,8 @@ public:
 
   /// Moves everything by the time step of the description.
   void Step();
-  /// The contacts of the last Step, in the order in which they were responded to. Valid until the next
-  /// change.
+  /// The contacts of the last Step, in the order in which they were responded to; after those of each substep
+  /// what sensors saw in it, by ball and then by shape. Valid until the next change.
   std::span<const CContactEvent> GetContacts() const { return m_stdContacts; }
   /// What sensors saw in the last Step, in the order in which it happened, substep by substep; within one by
   /// ball and then by shape. A ball that crosses a sensor within a step is seen too: it begins and ends.
@@ -195,9 +200,12 @@ protected:
   CWorldState& State() { return *m_pState; }
   const CWorldState& State() const { return *m_pState; }
   void Report(const CContactEvent& event);
+  /// For Substep of an engine that answers contacts on the way: ball (its index) was at p when the share t of
+  /// the substep was over, 0 .. 1, told in the order of time. Sensors see a way that is straight in between.
+  void Bend(std::size_t ball, const Vector2& p, float t);
   CWorldStats& Stats() { return m_cStats; }
 
-  enum class eChange { Pose, Motion, Properties };
+  enum class eChange { Pose, Motion, Sensor, Properties };
 
 private:
   // What an engine does. It is told of every change after it was made.
@@ -217,6 +225,7 @@ private:
   CWorldDesc m_cDesc;
   CWorldLimits m_cLimits;
   std::unique_ptr<CWorldState> m_pState;
+  std::unique_ptr<CSensors> m_pSensors;
   std::vector<CContactEvent> m_stdContacts;
   std::vector<CSensorEvent> m_stdSensorEvents;
   CWorldStats m_cStats;

@@ -25,8 +25,10 @@ void CNativeWorld::OnAdded(CShapeId id) { OnChanged(id, eChange::Pose); }
 void CNativeWorld::OnRemoved(CShapeId) { m_bShapesChanged = true; }
 
 void CNativeWorld::OnChanged(CShapeId id, eChange what) {
-  // Balls are looked at where they are in each step; only shapes have boxes that are kept.
-  if (what == eChange::Pose && State().FindShape(id) != CWorldState::npos) m_bShapesChanged = true;
+  // Balls are looked at where they are in each step; only shapes have boxes that are kept, unless they are
+  // sensors.
+  if ((what == eChange::Pose || what == eChange::Sensor) && State().FindShape(id) != CWorldState::npos)
+    m_bShapesChanged = true;
 }
 
 void CNativeWorld::Substep(float dt) {
@@ -39,10 +41,12 @@ void CNativeWorld::Substep(float dt) {
 
 void CNativeWorld::SortShapes() {
   m_stdByRank.clear();
+  m_stdSensors.clear();
   const auto& shapes = State().m_stdShapes;
   for (const bool points : {true, false})
     for (const CShapeEntry& entry : shapes)
-      if ((entry.m_pShape->GetShapeType() == eShape::Point) == points) m_stdByRank.push_back(&entry);
+      if ((entry.m_pShape->GetShapeType() == eShape::Point) == points)
+        (entry.m_pShape->GetSensor() ? m_stdSensors : m_stdByRank).push_back(&entry);
 
   for (CGroup* pGroup : {&m_cStatic, &m_cKinematic}) {
     pGroup->m_stdRank.clear();
@@ -69,6 +73,8 @@ void CNativeWorld::AdvanceKinematics(float dt) {
     turned = true;
   }
   if (turned) m_cKinematic.m_cTree.Refit(m_cKinematic.m_stdBoxes);
+  for (const CShapeEntry* pSensor : m_stdSensors)
+    if (pSensor->m_pShape->GetRotating()) pSensor->m_pShape->Advance(dt);
 }
 
 void CNativeWorld::MoveBalls(float dt) {
@@ -82,6 +88,11 @@ void CNativeWorld::MoveBalls(float dt) {
 CBall CNativeWorld::Ball(std::size_t i) const {
   const CBallArrays& b = State().m_cBalls;
   return {b.m_stdPos[i], b.m_stdPrevPos[i], b.m_stdVel[i], b.m_stdRadius[i]};
+}
+
+bool CNativeWorld::Meets(std::size_t i) const {
+  const CBallArrays& b = State().m_cBalls;
+  return b.m_stdCanCollide[i] && !b.m_stdSensor[i];
 }
 
 void CNativeWorld::CollectShapes(const CBall& ball, std::uint32_t firstRank) {
@@ -99,7 +110,7 @@ void CNativeWorld::CollectShapes(const CBall& ball, std::uint32_t firstRank) {
 void CNativeWorld::MeetShapes() {
   const CBallArrays& b = State().m_cBalls;
   for (std::size_t i = 0; i < b.Size(); ++i)
-    if (b.m_stdCanCollide[i]) MeetShapes(i);
+    if (Meets(i)) MeetShapes(i);
 }
 
 void CNativeWorld::MeetShapes(std::size_t ball) {
@@ -128,11 +139,8 @@ void CNativeWorld::MeetShape(std::size_t i, const CShapeEntry& entry) {
 
   CBallArrays& b = State().m_cBalls;
   const Vector2 surface = shape.GetSurfaceVelocity(hit.m_vPOI);
-  const bool isSensor = b.m_stdSensor[i] || shape.GetSensor();
   Report({entry.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
-          ApproachSpeed(b.m_stdVel[i], surface, hit.m_vNorm), isSensor});
-  if (isSensor) return;
-
+          ApproachSpeed(b.m_stdVel[i], surface, hit.m_vNorm)});
   const float e = b.m_stdElasticity[i] * shape.GetElasticity();
   if (shape.GetMotionType() == eMotion::Kinematic)
     RespondKinematic(hit.m_vNorm, hit.m_fSetback, e, surface, b.m_stdPos[i], b.m_stdVel[i]);
@@ -147,7 +155,7 @@ void CNativeWorld::CollectBalls(std::size_t i, std::uint32_t first) {
   m_stdCandidates.clear();
   m_cGrid.Query(b.m_stdPos[i], b.m_stdRadius[i], m_stdFound);
   for (const std::uint32_t j : m_stdFound) {
-    if (j < first || !b.m_stdCanCollide[j]) continue;
+    if (j < first || !Meets(j)) continue;
     const float reach = (b.m_stdRadius[i] + b.m_stdRadius[j]) * (1.0f + g_fBoxPadding);
     if ((b.m_stdPos[j] - b.m_stdPos[i]).cwiseAbs().maxCoeff() <= reach) m_stdCandidates.push_back(j);
   }
@@ -160,7 +168,7 @@ void CNativeWorld::MeetBalls() {
   if (b.Size() < 2) return;
   m_cGrid.Build(b.m_stdPos, b.m_stdRadius);
   for (std::uint32_t i = 0; i + 1 < b.Size(); ++i) {
-    if (!b.m_stdCanCollide[i]) continue;
+    if (!Meets(i)) continue;
     CollectBalls(i, i + 1);
     for (std::size_t k = 0; k < m_stdCandidates.size(); ++k) {
       const std::uint32_t j = m_stdCandidates[k];
@@ -179,11 +187,8 @@ bool CNativeWorld::MeetBall(std::size_t i, std::size_t j) {
   FailIf(!DetectBallBall(Ball(j), Ball(i), hit));
 
   CBallArrays& b = State().m_cBalls;
-  const bool isSensor = b.m_stdSensor[i] || b.m_stdSensor[j];
   Report({b.m_stdId[j], b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
-          ApproachSpeed(b.m_stdVel[i], b.m_stdVel[j], hit.m_vNorm), isSensor});
-  FailIf(isSensor);
-
+          ApproachSpeed(b.m_stdVel[i], b.m_stdVel[j], hit.m_vNorm)});
   RespondDynamic(hit.m_vNorm, hit.m_fSetback, b.m_stdElasticity[i] * b.m_stdElasticity[j], b.m_stdMass[j],
                  b.m_stdMass[i], b.m_stdPos[j], b.m_stdVel[j], b.m_stdPos[i], b.m_stdVel[i]);
   Count(CapSpeed(b.m_stdVel[j]));

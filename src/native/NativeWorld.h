@@ -18,8 +18,8 @@ namespace Shapes::Native {
 
 /// A world on the native engine. Each substep gives the same bits as the plain loop: kinematic shapes advance
 /// by id; balls move by id; each ball by id is tested against every point by id, then every other shape by
-/// id, at its present position, and answers at once; then every pair of balls i < j answers once. Boxes only
-/// spare tests that must fail.
+/// id, at its present position, and answers at once; then every pair of balls i < j answers once. Sensors are
+/// left out. Boxes only spare tests that must fail.
 class CNativeWorld final : public CWorld {
 public:
   explicit CNativeWorld(const CWorldDesc& desc);
@@ -49,12 +49,15 @@ private:
   bool MeetBall(std::size_t i, std::size_t j);
 
   CBall Ball(std::size_t i) const;
+  /// Whether ball i answers what it touches.
+  bool Meets(std::size_t i) const;
   void CollectShapes(const CBall& ball, std::uint32_t firstRank);
   void CollectBalls(std::size_t i, std::uint32_t first);
   void Count(bool capped) { Stats().m_nSpeedsCapped += capped; }
 
   bool m_bShapesChanged = true;
-  std::vector<const CShapeEntry*> m_stdByRank; // points by id, then the others by id
+  std::vector<const CShapeEntry*> m_stdByRank; // points by id, then the others by id; without sensors
+  std::vector<const CShapeEntry*> m_stdSensors;
   CGroup m_cStatic, m_cKinematic;
   CBallGrid m_cGrid;
   std::vector<std::uint32_t> m_stdFound, m_stdCandidates;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/World.h>
 
+#include "Sensors.h"
 #include "Validate.h"
 #include "WorldState.h"
 
@@ -44,7 +45,10 @@ std::unique_ptr<CShape> MakeShape(const CDynamicCircleDesc&) {
 } // namespace
 
 CWorld::CWorld(const CWorldDesc& desc, const CWorldLimits& limits)
-    : m_cDesc(desc), m_cLimits(limits), m_pState(std::make_unique<CWorldState>()) {
+    : m_cDesc(desc),
+      m_cLimits(limits),
+      m_pState(std::make_unique<CWorldState>()),
+      m_pSensors(std::make_unique<CSensors>()) {
   RequirePositive("m_fLengthUnit", desc.m_fLengthUnit, g_fMaxLength); // first: the limits follow from it
   RequireVector("m_vGravity", desc.m_vGravity, limits.m_fMaxSpeed);
   RequirePositive("m_fTimeStep", desc.m_fTimeStep, g_fMaxTimeStep);
@@ -96,6 +100,7 @@ CShapeId CWorld::AddShape(std::unique_ptr<CShape> pShape) {
   RequireVector("m_vRotCenter", pShape->GetRotCenter(), m_cLimits.m_fMaxLength);
   const CShapeId id{m_pState->m_nNextId++};
   m_pState->m_stdShapes.emplace_back(id, std::move(pShape));
+  m_pSensors->Forget();
   OnAdded(id);
   return id;
 }
@@ -112,6 +117,7 @@ CShapeId CWorld::Add(const CDynamicCircleDesc& desc) {
   RequireRange("m_fMass", desc.m_fMass, m_cLimits.m_fMinMass, m_cLimits.m_fMaxMass);
   const CShapeId id{m_pState->m_nNextId++};
   m_pState->m_cBalls.Add(id, desc);
+  m_pSensors->Forget();
   OnAdded(id);
   return id;
 }
@@ -148,6 +154,7 @@ void CWorld::Remove(CShapeId id) {
     m_pState->m_stdShapes.erase(m_pState->m_stdShapes.begin() + static_cast<std::ptrdiff_t>(j));
   else
     RefuseId(id, "the id of a shape in this world");
+  m_pSensors->Forget();
   OnRemoved(id);
 }
 
@@ -157,9 +164,15 @@ bool CWorld::Contains(CShapeId id) const {
 
 void CWorld::Step() {
   m_stdContacts.clear();
+  m_stdSensorEvents.clear();
+  const bool senses = m_pSensors->Begin(*m_pState, m_stdSensorEvents);
   const float dt = m_cDesc.m_fTimeStep / static_cast<float>(m_cDesc.m_nSubsteps);
-  for (unsigned i = 0; i < m_cDesc.m_nSubsteps; ++i)
+  for (unsigned i = 0; i < m_cDesc.m_nSubsteps; ++i) {
     Substep(dt);
+    if (!senses) continue;
+    for (const CContactEvent& event : m_pSensors->Sense(*m_pState, dt, m_stdSensorEvents))
+      Report(event);
+  }
   m_cStats.m_nSteps += 1;
   m_cStats.m_nSubsteps += m_cDesc.m_nSubsteps;
 }
@@ -168,6 +181,8 @@ void CWorld::Report(const CContactEvent& event) {
   m_stdContacts.push_back(event);
   ++(event.m_bIsSensor ? m_cStats.m_nSensorHits : m_cStats.m_nContacts);
 }
+
+void CWorld::Bend(std::size_t ball, const Vector2& p, float t) { m_pSensors->Bend(ball, p, t); }
 
 CShape& CWorld::FindShape(CShapeId id) const {
   const std::size_t i = m_pState->FindShape(id);
@@ -228,7 +243,8 @@ void CWorld::SetSensor(CShapeId id, bool b) {
     m_pState->m_cBalls.m_stdSensor[i] = b;
   else
     FindShape(id).SetSensor(b);
-  OnChanged(id, eChange::Properties);
+  m_pSensors->Forget();
+  OnChanged(id, eChange::Sensor);
 }
 
 bool CWorld::GetCanCollide(CShapeId id) const {
@@ -326,6 +342,8 @@ void CWorld::LoadState(const CSavedState& state) {
   m_pState->m_cLimits = m_cLimits;
   m_cDesc.m_vGravity = m_pState->m_vGravity;
   m_stdContacts.clear();
+  m_stdSensorEvents.clear();
+  m_pSensors->Forget();
   OnLoaded();
 }
 

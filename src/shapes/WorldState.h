@@ -40,6 +40,13 @@ struct CShapeEntry {
   CShapeEntry& operator=(CShapeEntry&&) = default;
 };
 
+/// A ball and a sensor that touch: named as in CContactEvent.
+struct CTouchingPair {
+  CShapeId m_cBall;
+  CShapeId m_cShape;
+  friend auto operator<=>(const CTouchingPair&, const CTouchingPair&) = default;
+};
+
 class CWorldState {
 public:
   std::uint32_t m_nNextId = 1;
@@ -47,6 +54,7 @@ public:
   CWorldLimits m_cLimits; // of the world that it is from
   std::vector<CShapeEntry> m_stdShapes;
   CBallArrays m_cBalls;
+  std::vector<CTouchingPair> m_stdTouching; // whose end was not told yet, in order
 
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
   /// Index in m_stdShapes or in the ball arrays; npos if there is none. Ids ascend in both.
