@@ -169,16 +169,20 @@ void CBodies::SetProperties(const CWorldState& state, CShapeId id) {
     isSolid = shape.GetCanCollide() && !shape.GetSensor();
     pUser = shape.GetUserPtr();
   }
+  b2Filter filter; // sensors are not Box2D's: its own do not see a ball that flies through within a step
+  if (!isSolid) filter.categoryBits = filter.maskBits = 0;
+  const bool changed = body.m_pBody->GetFixtureList()->GetFilterData().maskBits != filter.maskBits;
   for (b2Fixture* p = body.m_pBody->GetFixtureList(); p != nullptr; p = p->GetNext()) {
     p->GetUserData().pointer = reinterpret_cast<uintptr_t>(pUser);
     // What is met is answered by the product of both elasticities; Box2D's own rule, the larger of both,
     // remains for what is met of somebody else, and there a shape adds nothing.
     p->SetRestitution(body.m_bIsBall ? body.m_fElasticity : 0.0f);
-    // Sensors are none of Box2D's business: its own do not see a ball that flies through within a step.
-    b2Filter filter;
-    if (!isSolid) filter.categoryBits = filter.maskBits = 0;
-    if (filter.maskBits != p->GetFilterData().maskBits) p->SetFilterData(filter);
+    if (changed) p->SetFilterData(filter);
   }
+  if (!changed) return;
+  // Box2D would look for what touches already at the end of the next step only; this makes it look before.
+  body.m_pBody->SetEnabled(false);
+  body.m_pBody->SetEnabled(true);
 }
 
 } // namespace Shapes::Box2D

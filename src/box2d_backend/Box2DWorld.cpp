@@ -79,7 +79,7 @@ void CBox2DWorld::OnRemoved(CShapeId id) {
 }
 
 void CBox2DWorld::OnChanged(CShapeId id, eChange what) {
-  if (what == eChange::Properties) {
+  if (what == eChange::Properties || what == eChange::Sensor) {
     m_pBodies->SetProperties(State(), id);
     m_bJointsChanged |= m_cTuning.m_bJoints && !m_pBodies->Get(id).m_bIsBall;
     return;
@@ -120,6 +120,9 @@ void CBox2DWorld::Substep(float dt) {
     cuts = m_cTuning.m_bCuts ? CountCuts(left) : 1;
     const float h = left / static_cast<float>(cuts);
     StepBox2D(h);
+    for (const CContactGatherer::CBend& bend : m_pGatherer->GetBends())
+      Bend(State().FindBall(bend.m_cBall), m_cScale.FromMetres(bend.m_vPos),
+           (dt - left + static_cast<float>(bend.m_fPart) * h) / dt);
     left -= h;
   }
   TakeBalls();

@@ -264,7 +264,9 @@ void CContactGatherer::Report(const CBody& shape, const CBody& ball, const b2Vec
   m_stdEvents.push_back(event);
   for (const CBody* pBall : {&ball, &shape})
     if (pBall->m_bIsBall)
-      m_stdBends.push_back({pBall->m_cId, pBall->m_pBody->GetPosition(), PartAt(shape, ball)});
+      m_stdBends.push_back({pBall->m_cId,
+                            pBall == &ball ? poi + ball.m_fRadius * n : poi - shape.m_fRadius * n,
+                            PartAt(shape, ball)});
 }
 
 std::vector<CContactEvent> CContactGatherer::TakeContacts() {
