@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+// Begin and end of what sensors see: every begin has its end, whatever happens to the world.
+#include "Backends.h"
+#include "Random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace Shapes {
+namespace {
+
+using Tests::CRandom;
+using CPairs = std::set<std::pair<CShapeId, CShapeId>>; // ball, shape
+
+class CSensorEventContract : public CEveryBackend {
+protected:
+  void SetUp() override {
+    CWorldDesc desc;
+    desc.m_fTimeStep = 1.0f / 64.0f;
+    m_pWorld = Backend().MakeWorld(desc);
+  }
+
+  /// Steps, and gives what was told as "+" and "-" for begins and ends.
+  std::string Step() {
+    m_pWorld->Step();
+    std::string told;
+    for (const CSensorEvent& event : m_pWorld->GetSensorEvents())
+      told += event.m_bBegin ? '+' : '-';
+    return told;
+  }
+
+  std::unique_ptr<CWorld> m_pWorld;
+};
+SHAPES_ON_EVERY_BACKEND(CSensorEventContract);
+
+CCircleDesc Zone(const Vector2& p = Vector2::Zero(), float r = 1) {
+  CCircleDesc desc(p, r);
+  desc.m_bIsSensor = true;
+  return desc;
+}
+
+TEST_P(CSensorEventContract, WhoeverIsRemovedOrTurnedOffCeasesToTouch) {
+  using F = void (*)(CWorld&, CShapeId zone, CShapeId ball);
+  const F offs[] = {[](CWorld& w, CShapeId zone, CShapeId) { w.Remove(zone); },
+                    [](CWorld& w, CShapeId, CShapeId ball) { w.Remove(ball); },
+                    [](CWorld& w, CShapeId zone, CShapeId) { w.SetSensor(zone, false); },
+                    [](CWorld& w, CShapeId zone, CShapeId) { w.SetCanCollide(zone, false); },
+                    [](CWorld& w, CShapeId, CShapeId ball) { w.SetCanCollide(ball, false); },
+                    [](CWorld& w, CShapeId, CShapeId ball) {
+                      w.SetPos(ball, {5, 5});
+                    },
+                    [](CWorld& w, CShapeId zone, CShapeId) {
+                      w.SetPos(zone, {5, 5});
+                    }};
+  for (const F off : offs) {
+    SCOPED_TRACE(&off - offs);
+    SetUp();
+    const CShapeId zone = m_pWorld->Add(Zone()), ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f));
+    EXPECT_EQ(Step(), "+");
+    EXPECT_EQ(Step(), "");
+    off(*m_pWorld, zone, ball);
+    EXPECT_EQ(Step(), "-");
+    EXPECT_EQ(m_pWorld->GetSensorEvents()[0], (CSensorEvent{zone, ball, false}));
+    EXPECT_TRUE(m_pWorld->GetContacts().empty() || !m_pWorld->GetContacts()[0].m_bIsSensor);
+    EXPECT_EQ(Step(), "");
+  }
+}
+
+TEST_P(CSensorEventContract, WhatIsOffAndOnAgainBetweenStepsTouchesOn) {
+  const CShapeId zone = m_pWorld->Add(Zone()), ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f));
+  EXPECT_EQ(Step(), "+");
+  m_pWorld->SetSensor(zone, false);
+  m_pWorld->SetSensor(zone, true);
+  m_pWorld->SetCanCollide(ball, false);
+  m_pWorld->SetCanCollide(ball, true);
+  EXPECT_EQ(Step(), "");
+  // Still a pair if the ball is the sensor now.
+  m_pWorld->SetSensor(ball, true);
+  m_pWorld->SetSensor(zone, false);
+  EXPECT_EQ(Step(), "");
+}
+
+TEST_P(CSensorEventContract, TheEndOfWhatIsGoneComesBeforeWhatTheStepBrings) {
+  const CShapeId a = m_pWorld->Add(Zone()), b = m_pWorld->Add(Zone({5, 0}));
+  const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f));
+  const CShapeId other = m_pWorld->Add(CDynamicCircleDesc({0, 0.5f}, 0.1f));
+  EXPECT_EQ(Step(), "++");
+  m_pWorld->SetPos(ball, {5, 0});
+  m_pWorld->Remove(other);
+  EXPECT_EQ(Step(), "--+");
+  const auto told = m_pWorld->GetSensorEvents();
+  EXPECT_EQ(told[0], (CSensorEvent{a, other, false})); // though it is a later ball
+  EXPECT_EQ(told[1], (CSensorEvent{a, ball, false}));
+  EXPECT_EQ(told[2], (CSensorEvent{b, ball, true}));
+}
+
+TEST_P(CSensorEventContract, ASavedStateKnowsWhatTouches) {
+  m_pWorld->Add(Zone());
+  const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f));
+  const CSavedState outside = m_pWorld->SaveState(); // nothing was told yet
+  EXPECT_EQ(Step(), "+");
+  const CSavedState inside = m_pWorld->SaveState();
+  EXPECT_EQ(Step(), "");
+  m_pWorld->SetPos(ball, {5, 5});
+  EXPECT_EQ(Step(), "-");
+  m_pWorld->LoadState(inside);
+  EXPECT_TRUE(m_pWorld->GetSensorEvents().empty());
+  EXPECT_EQ(Step(), "");
+  m_pWorld->LoadState(outside);
+  EXPECT_EQ(Step(), "+");
+  // In another world too.
+  const auto pFirst = std::move(m_pWorld);
+  SetUp();
+  m_pWorld->LoadState(inside);
+  EXPECT_EQ(Step(), "");
+  m_pWorld->Remove(ball);
+  EXPECT_EQ(Step(), "-");
+}
+
+// A world to which anything may happen between two steps, and what was told of it.
+class CRandomGame {
+public:
+  CRandomGame(CWorld& world, std::uint64_t seed) : m_cWorld(world), m_cRandom(seed) {}
+
+  std::size_t m_nBegins = 0, m_nCrossed = 0, m_nLoads = 0;
+  CPairs m_stdTouching; // begun and not ended
+
+  void Act() {
+    const CShapeId id = AnyId();
+    switch (m_cRandom.Below(12)) {
+    case 0:
+    case 1: AddBall(); break;
+    case 2:
+    case 3: AddShape(); break;
+    case 4:
+      if (m_stdIds.size() > 10) Remove(id);
+      break;
+    case 5:
+      if (Has(id)) m_cWorld.SetSensor(id, !m_cWorld.GetSensor(id));
+      break;
+    case 6:
+      if (Has(id)) m_cWorld.SetCanCollide(id, !m_cWorld.GetCanCollide(id));
+      break;
+    case 7:
+      if (Has(id)) m_cWorld.SetPos(id, m_cRandom.InSquare(3));
+      break;
+    case 8:
+      if (m_cRandom.Below(4) == 0) Save();
+      break;
+    case 9:
+      if (m_cRandom.Below(4) == 0) Load();
+      break;
+    default:
+      if (Has(id) && m_cWorld.GetMotionType(id) == eMotion::Dynamic) m_cWorld.SetVel(id, Velocity());
+    }
+  }
+
+  /// Puts back what flew away.
+  void KeepIn() {
+    for (const CShapeId id :
+         std::vector<CShapeId>(m_cWorld.GetBallIds().begin(), m_cWorld.GetBallIds().end()))
+      if (m_cWorld.GetPos(id).cwiseAbs().maxCoeff() > 4) m_cWorld.SetPos(id, m_cRandom.InSquare(3));
+  }
+
+  /// Steps, and keeps account. Every begin is of a pair that does not touch, every end of one that does.
+  void Step() {
+    m_cWorld.Step();
+    CPairs begun;
+    for (const CSensorEvent& event : m_cWorld.GetSensorEvents()) {
+      const std::pair pair(event.m_cBall, event.m_cShape);
+      if (event.m_bBegin) {
+        ASSERT_TRUE(m_stdTouching.insert(pair).second);
+        ASSERT_TRUE(begun.insert(pair).second);
+        ++m_nBegins;
+      } else {
+        ASSERT_EQ(m_stdTouching.erase(pair), 1u);
+        m_nCrossed += begun.contains(pair);
+      }
+    }
+    // The contacts are those that touch or touched: a pair that goes on touching has one.
+    CPairs contacts;
+    for (const CContactEvent& contact : m_cWorld.GetContacts())
+      if (contact.m_bIsSensor) {
+        ASSERT_TRUE(contacts.emplace(contact.m_cBall, contact.m_cShape).second);
+        ASSERT_TRUE(m_cWorld.GetSensor(contact.m_cBall) || m_cWorld.GetSensor(contact.m_cShape));
+        ASSERT_TRUE(m_cWorld.GetCanCollide(contact.m_cBall) && m_cWorld.GetCanCollide(contact.m_cShape));
+      }
+    for (const auto& pair : m_stdTouching)
+      ASSERT_TRUE(contacts.contains(pair));
+    for (const auto& pair : begun)
+      ASSERT_TRUE(contacts.contains(pair));
+    LookAtAllPairs();
+  }
+
+  void RemoveAll() {
+    for (const CShapeId id : std::vector<CShapeId>(m_stdIds))
+      if (Has(id)) m_cWorld.Remove(id);
+  }
+
+private:
+  // What has begun and not ended is what touches now.
+  void LookAtAllPairs() {
+    for (const CShapeId ball : m_cWorld.GetBallIds())
+      for (const CShapeId id : m_stdIds) {
+        if (!Has(id) || id == ball) continue;
+        const bool isBall = m_cWorld.GetMotionType(id) == eMotion::Dynamic;
+        if (isBall && id < ball) continue;
+        const bool on = m_cWorld.GetCanCollide(ball) && m_cWorld.GetCanCollide(id) &&
+                        (m_cWorld.GetSensor(ball) || m_cWorld.GetSensor(id));
+        const float gap = Distance(id, m_cWorld.GetPos(ball)) - m_cWorld.GetRadius(ball);
+        if (on && std::abs(gap) < 1e-5f) continue; // rounding decides: some ulp of coordinates up to 5
+        ASSERT_EQ(m_stdTouching.contains({ball, id}), on && gap < 0) << "gap " << gap;
+      }
+  }
+  float Distance(CShapeId id, const Vector2& p) const {
+    const float d = Length(p - m_cWorld.GetPos(id));
+    if (m_cWorld.GetMotionType(id) == eMotion::Dynamic) return d - m_cWorld.GetRadius(id);
+    const CShape& shape = m_cWorld.GetShape(id);
+    switch (shape.GetShapeType()) {
+    case eShape::LineSeg: return Length(p - static_cast<const CLineSeg&>(shape).ClosestPt(p));
+    case eShape::Arc: return Length(p - static_cast<const CArc&>(shape).ClosestPt(p));
+    case eShape::Circle: return d - static_cast<const CCircle&>(shape).GetRadius();
+    default: return d;
+    }
+  }
+
+  bool Has(CShapeId id) const { return m_cWorld.Contains(id); }
+  CShapeId AnyId() {
+    return m_stdIds.empty() ? CShapeId{}
+                            : m_stdIds[m_cRandom.Below(static_cast<std::uint32_t>(m_stdIds.size()))];
+  }
+  Vector2 Velocity() { return m_cRandom.InSquare(60); } // up to 1 unit a step
+  void AddBall() {
+    if (m_cWorld.GetBallIds().size() >= 12) return;
+    CDynamicCircleDesc desc(m_cRandom.InSquare(3), m_cRandom.Uniform(0.05f, 0.3f));
+    desc.m_vVel = Velocity();
+    desc.m_bIsSensor = m_cRandom.Below(4) == 0;
+    m_stdIds.push_back(m_cWorld.Add(desc));
+  }
+  template <class TDesc>
+  void Dress(TDesc desc) {
+    desc.m_bIsSensor = m_cRandom.Coin();
+    if (m_cRandom.Below(3) == 0) {
+      desc.m_eMotionType = eMotion::Kinematic;
+      desc.m_vRotCenter = desc.m_vPos;
+      desc.m_fRotSpeed = m_cRandom.Uniform(-4, 4);
+    }
+    m_stdIds.push_back(m_cWorld.Add(desc));
+  }
+  void AddShape() {
+    if (m_stdIds.size() > 40) return;
+    const Vector2 p = m_cRandom.InSquare(3);
+    const float r = m_cRandom.Uniform(0.2f, 1);
+    switch (m_cRandom.Below(4)) {
+    case 0: Dress(CPointDesc(p)); break;
+    case 1: Dress(CLineSegDesc(p, p + r * m_cRandom.Direction())); break;
+    case 2: Dress(CCircleDesc(p, r)); break;
+    default: Dress(CArcDesc(p, r, m_cRandom.Uniform(0, 3), 4)); break;
+    }
+  }
+  void Remove(CShapeId id) {
+    if (Has(id)) m_cWorld.Remove(id);
+    m_stdIds.erase(std::find(m_stdIds.begin(), m_stdIds.end(), id));
+  }
+  void Save() {
+    m_cSaved = m_cWorld.SaveState();
+    m_stdSavedIds = m_stdIds;
+    m_stdSavedTouching = m_stdTouching;
+    m_bSaved = true;
+  }
+  void Load() {
+    if (!m_bSaved) return;
+    m_cWorld.LoadState(m_cSaved);
+    m_stdIds = m_stdSavedIds;
+    m_stdTouching = m_stdSavedTouching; // what began and was not told to have ended then
+    ++m_nLoads;
+  }
+
+  CWorld& m_cWorld;
+  CRandom m_cRandom;
+  std::vector<CShapeId> m_stdIds, m_stdSavedIds;
+  CPairs m_stdSavedTouching;
+  CSavedState m_cSaved;
+  bool m_bSaved = false;
+};
+
+TEST_P(CSensorEventContract, EveryBeginHasItsEndWhateverHappens) {
+  std::size_t open = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    SetUp();
+    CRandomGame game(*m_pWorld, seed);
+    for (int step = 0; step < 400; ++step) {
+      SCOPED_TRACE(testing::Message() << "step " << step);
+      game.Act();
+      game.Act();
+      game.KeepIn();
+      ASSERT_NO_FATAL_FAILURE(game.Step());
+    }
+    EXPECT_GT(game.m_nBegins, 200u); // a game in which little happens would show little
+    EXPECT_GT(game.m_nCrossed, 20u);
+    EXPECT_GT(game.m_nLoads, 0u);
+    open += game.m_stdTouching.size();
+    game.RemoveAll();
+    ASSERT_NO_FATAL_FAILURE(game.Step());
+    EXPECT_TRUE(game.m_stdTouching.empty());
+    EXPECT_TRUE(m_pWorld->GetContacts().empty());
+  }
+  EXPECT_GT(open, 5u); // some did touch when everything was removed
+}
+
+} // namespace
+} // namespace Shapes
