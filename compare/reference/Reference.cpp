@@ -78,6 +78,7 @@ CReference<T>::CReference(std::span<const CAnyShapeDesc> shapes, std::span<const
           solid.m_fRevs = T(desc.m_fRotSpeed);
           solid.m_fElasticity = T(desc.m_fElasticity);
           solid.m_bIsSensor = desc.m_bIsSensor;
+          if (desc.m_bIsSensor) solid.m_cFigure.m_eSides = eSides::Both; // sensors are seen from anywhere
         },
         any);
     solid.m_fAngle = T(0);

@@ -24,7 +24,8 @@ namespace Shapes::Compare {
 /// it turns.
 enum class ePart { Point, Front, Back, Outside, Inside, End0, End1, Ball };
 
-/// Whether a ball that overlaps and does not approach counts: Touching is for sensors.
+/// Whether a ball that overlaps and does not approach counts: Touching is for sensors, to which a circle is a
+/// disk.
 enum class eMeet { Approaching, Touching };
 
 template <class T>
@@ -239,7 +240,8 @@ private:
   void Ring(const CFigure<T>& f) {
     const V &c = f.m_vCenter, x = m_cPath.GetPos(T(0)) - c;
     const T& R = f.m_fRadius;
-    if (!(m_fRadius < R && BeginsInside(x, R))) return Round(c, R, ePart::Outside);
+    if (m_eMeet == eMeet::Touching || !(m_fRadius < R && BeginsInside(x, R)))
+      return Round(c, R, ePart::Outside);
     if (StartInside(c, R, x, eSides::Both)) return;
     CCrossing<T> cross;
     if (m_cPath.RiseToCircle(c, R - m_fRadius, m_fRadius, cross))

@@ -128,6 +128,25 @@ TEST(ReferenceRest, SensorIsReportedOncePerStep) {
   EXPECT_EQ(inside[0].m_fTime, 0);
 }
 
+TEST(ReferenceRest, ACircleSensorIsADiskAndSensorsHaveNoSides) {
+  // In the middle, far from the rim: seen from the beginning; as an arc, when it comes to it.
+  for (const bool disk : {true, false}) {
+    const CAnyShapeDesc zone = disk ? CAnyShapeDesc(Sensor(CCircleDesc({0, 0}, 2)))
+                                    : CAnyShapeDesc(Sensor(CArcDesc({0, 0}, 2, 0, 0)));
+    CExact reference = Make({zone}, {CDynamicCircleDesc({0, 0}, .25f, {1, 0})});
+    const CEvents events = Carry(reference, 3);
+    ASSERT_EQ(events.size(), 1u);
+    EXPECT_TRUE(events[0].m_bIsSensor);
+    EXPECT_NEAR(events[0].m_fTime, disk ? 0 : 1.75, 1e-14);
+  }
+  for (const eSides sides : {eSides::Both, eSides::Front, eSides::Back})
+    for (const float y : {1.f, -1.f}) {
+      CExact reference =
+          Make({Sensor(Sided(Wall({-1, 0}, {1, 0}), sides))}, {CDynamicCircleDesc({0, y}, .25f, {0, -y})});
+      EXPECT_EQ(Carry(reference, 2).size(), 1u);
+    }
+}
+
 TEST(ReferenceRest, SensorBallAndNoCollision) {
   CExact reference = Make(
       {}, {Sensor(CDynamicCircleDesc({-1, 0}, .25f, {1, 0})), CDynamicCircleDesc({1, 0}, .25f, {-1, 0})});
