@@ -12,6 +12,7 @@
 #include <Shapes/Line.h>
 #include <Shapes/LineSeg.h>
 #include <Shapes/Point.h>
+#include <Shapes/SceneDesc.h>
 #include <Shapes/Shape.h>
 #include <Shapes/ShapeMath.h>
 #include <Shapes/Tolerances.h>

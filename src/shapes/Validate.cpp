@@ -7,18 +7,18 @@
 #include <stdexcept>
 
 namespace Shapes {
-namespace {
 
-// The shortest text that reads back as the same float.
 std::string ToText(float value) {
   std::array<char, 32> text;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   return {text.data(), end};
 }
 
+namespace {
+
 std::string ToText(const Vector2& v) {
   std::string text = "(";
-  text.append(ToText(v.x())).append(", ").append(ToText(v.y())).append(")");
+  text.append(Shapes::ToText(v.x())).append(", ").append(Shapes::ToText(v.y())).append(")");
   return text;
 }
 

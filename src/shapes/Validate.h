@@ -9,6 +9,9 @@
 
 namespace Shapes {
 
+/// The shortest text that reads back as the same float.
+std::string ToText(float value);
+
 /// @throws std::invalid_argument "<field> is <value>: expected <what>"
 [[noreturn]] void Refuse(const std::string& field, const std::string& value, const std::string& expected);
 

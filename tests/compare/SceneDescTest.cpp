@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// A scene that a program holds, written as a file for the tool and read by it.
+#include "../../compare/Scene.h"
+
+#include <Shapes/Shapes.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "../Random.h"
+
+namespace Shapes::Compare {
+namespace {
+
+class SceneDescTest : public testing::Test {
+protected:
+  SceneDescTest()
+      : m_cFile(std::filesystem::path(testing::TempDir()) /
+                (std::string("shapes-desc-") + testing::UnitTest::GetInstance()->current_test_info()->name() +
+                 ".json")) {}
+  ~SceneDescTest() override { std::filesystem::remove(m_cFile); }
+
+  CScene WriteAndLoad(const CSceneDesc& desc) const {
+    std::ofstream(m_cFile, std::ios::binary) << desc.ToJson("imported", 0.5f);
+    return LoadScene(m_cFile);
+  }
+
+  static CSceneDesc OneOfEach() {
+    CSceneDesc desc;
+    desc.m_cWorld.m_vGravity = {0.1f, -9.81f};
+    desc.m_cWorld.m_fLengthUnit = 1.1f;
+    desc.m_stdNotes = {"A note with \"quotes\", \\ and \t."};
+    CLineSegDesc seg({-3, 0}, {3, 0.1f}, 0.7f);
+    seg.m_eSides = eSides::Front;
+    CCircleDesc circle({0.3f, 1}, 0.2f);
+    circle.m_eMotionType = eMotion::Kinematic;
+    circle.m_fRotSpeed = -0.3f;
+    circle.m_vRotCenter = {0.1f, 0.9f};
+    CArcDesc arc({0, 1}, 3, 0.1f, 3.1f);
+    arc.m_bIsSensor = true;
+    desc.m_stdShapes = {CPointDesc({0.1f, 0.2f}, 0.3f), seg, circle, arc, CArcDesc({0, 0}, 9, 1, 1)};
+    desc.m_stdBalls = {CDynamicCircleDesc({0.1f, 2}, 0.1f, {0.3f, 0.7f}, 1.3f, 0.9f)};
+    return desc;
+  }
+
+  std::filesystem::path m_cFile;
+};
+
+// The text of the same scene has the same floats, so equal texts are equal bits.
+TEST_F(SceneDescTest, TheLoaderReadsWhatWasWrittenBitForBit) {
+  const CSceneDesc desc = OneOfEach();
+  const CScene scene = WriteAndLoad(desc);
+  CSceneDesc again;
+  again.m_cWorld = scene.m_cWorld;
+  again.m_stdShapes = GetShapes(scene);
+  again.m_stdNotes = {scene.m_sDescription};
+  for (const CSceneBall& ball : scene.m_stdBalls)
+    again.m_stdBalls.push_back(ball.m_cDesc);
+  EXPECT_EQ(again.ToJson("imported", scene.m_fDuration), desc.ToJson("imported", 0.5f));
+}
+
+TEST_F(SceneDescTest, EveryFloatSurvives) {
+  Tests::CRandom random(5);
+  for (int n = 0; n < 20; ++n) {
+    CSceneDesc desc;
+    desc.m_stdBalls = {CDynamicCircleDesc({0, 0}, 1)};
+    for (int i = 0; i < 500; ++i) {
+      const Vector2 p = random.Vector(-60, 50);
+      desc.m_stdShapes.emplace_back(CPointDesc(p, random.Scale(-40, 18)));
+    }
+    const std::vector<CAnyShapeDesc> loaded = GetShapes(WriteAndLoad(desc));
+    ASSERT_EQ(loaded.size(), desc.m_stdShapes.size());
+    for (std::size_t i = 0; i < loaded.size(); ++i) {
+      const auto &a = std::get<CPointDesc>(desc.m_stdShapes[i]), &b = std::get<CPointDesc>(loaded[i]);
+      ASSERT_TRUE(a.m_vPos == b.m_vPos && a.m_fElasticity == b.m_fElasticity)
+          << "seed " << random.GetSeed() << ": " << a.m_vPos.transpose() << ", " << a.m_fElasticity;
+    }
+  }
+}
+
+TEST_F(SceneDescTest, WhatWasLoadedRunsAsTheDescriptorsDo) {
+  const CSceneDesc desc = OneOfEach();
+  const CScene scene = WriteAndLoad(desc);
+  for (const eBackend backend : {eBackend::Native, eBackend::Box2D}) {
+    const auto pWorld = GetBackend(backend)->MakeWorld(desc.m_cWorld);
+    const auto pLoaded = GetBackend(backend)->MakeWorld(scene.m_cWorld);
+    desc.AddTo(*pWorld);
+    for (const CAnyShapeDesc& any : GetShapes(scene))
+      pLoaded->Add(any);
+    pLoaded->Add(scene.m_stdBalls.at(0).m_cDesc);
+    const Vector2 start = pWorld->GetBallVelocities()[0];
+    for (int i = 0; i < 120; ++i) {
+      pWorld->Step();
+      pLoaded->Step();
+    }
+    EXPECT_EQ(pWorld->GetBallPositions()[0], pLoaded->GetBallPositions()[0]);
+    EXPECT_GT(pWorld->GetStats().m_nContacts, 0u);
+    EXPECT_NE(pWorld->GetBallVelocities()[0], start);
+  }
+}
+
+TEST_F(SceneDescTest, TheToolRunsIt) {
+  WriteAndLoad(OneOfEach());
+  const std::filesystem::path out = m_cFile.string() + "-out";
+  const std::string command = std::string(SHAPES_COMPARE) + " scene " + m_cFile.string() +
+                              " --quick --contacts 20 --out " + out.string() + " > /dev/null 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  EXPECT_TRUE(std::filesystem::exists(out / "report.html"));
+  std::filesystem::remove_all(out);
+}
+
+} // namespace
+} // namespace Shapes::Compare
