@@ -85,6 +85,22 @@ inline constexpr int g_nMaxArcPieces = 4096;
 /// program. Anything shorter becomes a point.
 inline constexpr float g_fShortestEdge = 0.01f;
 
+/// Largest turn, in radians, of a corner of an imported chain, or of two edges that share an end, that gets
+/// no guard point: 20 degrees. A ball that rolls over a guarded corner bounces off the point; at one without
+/// a guard a native ball of radius r falls r (1 / cos(10 degrees) - 1) = .016 r deeper at most before it is
+/// met.
+inline constexpr float g_fSmoothTurn = 0.349f;
+
+/// Restitution that an import aims at for a pair that has 0 in Box2D, but whose members both bounce
+/// elsewhere, so that neither can have elasticity 0. Their partners get elasticities of up to 32 times (the
+/// inverse of the root of it) their restitution.
+inline constexpr float g_fNearlyDead = 0.0009765625f;
+
+/// Eigenvalue below which a direction is free in the equations that elasticities come from, dimensionless.
+/// Their coefficients are 0, 1 and 2: for n unknowns the smallest that is not 0 is about 1/n^2, rounding
+/// gives 1e-15 n^2 at most.
+inline constexpr double g_fFreeEigenvalue = 1e-10;
+
 /// Largest coordinate (metres), speed (metres per second; Box2D moves nothing by more than 2 metres a step
 /// anyway) and range of masses in a world on Box2D. Beyond, products inside Box2D overflow and it stops the
 /// program. Refused.

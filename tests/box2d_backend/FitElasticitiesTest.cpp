@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// The larger restitution of two as a product of two elasticities.
+#include "box2d_backend/FitElasticities.h"
+
+#include <Shapes/Tolerances.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "../Random.h"
+
+namespace Shapes::Box2D {
+namespace {
+
+using CKinds = std::vector<CBounceKind>;
+using CPairs = std::vector<CBouncePair>;
+
+constexpr bool g_bBall = true, g_bShape = false;
+
+std::size_t CountWrong(const CKinds& kinds, const CPairs& pairs, bool withShapes = true,
+                       bool ofBalls = true) {
+  const std::vector<float> e = FitElasticities(kinds, pairs);
+  return static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [&](const CBouncePair& pair) {
+    const bool balls = kinds[pair.m_nFirst].m_bIsBall && kinds[pair.m_nSecond].m_bIsBall;
+    return (balls ? ofBalls : withShapes) && !Reproduces(kinds, e, pair);
+  }));
+}
+
+TEST(FitElasticitiesTest, OneBallKeepsOneAndShapesTakeThePair) {
+  const CKinds kinds{{g_bBall, 0.5f}, {g_bShape, 0.8f}, {g_bShape, 0.0f}, {g_bShape, 0.3f}};
+  const std::vector<float> e = FitElasticities(kinds, CPairs{{0, 1}, {0, 2}, {0, 3}});
+  EXPECT_EQ(e, (std::vector<float>{1.0f, 0.8f, 0.5f, 0.5f}));
+}
+
+TEST(FitElasticitiesTest, BallsThatMeetTakeTheRoot) {
+  const CKinds kinds{{g_bBall, 0.25f}, {g_bShape, 0.75f}};
+  const std::vector<float> e = FitElasticities(kinds, CPairs{{0, 0}, {0, 1}});
+  EXPECT_EQ(e, (std::vector<float>{0.5f, 1.5f}));
+}
+
+TEST(FitElasticitiesTest, ZeroIsTakenByWhatMeetsNothingElse) {
+  // A dead ball and a dead floor, a bumper, and a live ball that does not meet the dead one.
+  const CKinds kinds{{g_bBall, 0.0f}, {g_bShape, 0.0f}, {g_bShape, 0.9f}};
+  const CPairs pairs{{0, 1}, {0, 2}};
+  const std::vector<float> e = FitElasticities(kinds, pairs);
+  EXPECT_EQ(e, (std::vector<float>{1.0f, 0.0f, 0.9f}));
+  EXPECT_EQ(CountWrong(kinds, pairs), 0u);
+  EXPECT_EQ(FitElasticities(CKinds{{g_bBall, 0.0f}}, CPairs{{0, 0}}), std::vector<float>{0.0f});
+}
+
+TEST(FitElasticitiesTest, DeadBallsThatBounceElsewhereAreNearlyDeadAmongThemselves) {
+  const CKinds kinds{{g_bBall, 0.0f}, {g_bShape, 0.0f}, {g_bShape, 0.75f}};
+  const CPairs pairs{{0, 0}, {0, 1}, {0, 2}};
+  EXPECT_EQ(FitElasticities(kinds, pairs), (std::vector<float>{0x1p-5f, 0.0f, 24.0f}));
+  EXPECT_EQ(CountWrong(kinds, pairs), 1u); // .00098 is not 0
+}
+
+TEST(FitElasticitiesTest, WithoutPairsEachKeepsItsOwn) {
+  EXPECT_EQ(FitElasticities(CKinds{{g_bBall, 0.25f}, {g_bShape, 0.75f}}, CPairs{}),
+            (std::vector<float>{0.25f, 0.75f}));
+  EXPECT_TRUE(FitElasticities(CKinds{}, CPairs{}).empty());
+}
+
+// A dead ball in a world of live ones: only its pairs with them are lost.
+TEST(FitElasticitiesTest, PairsWithShapesComeFirst) {
+  const CKinds kinds{{g_bBall, 0.0f}, {g_bBall, 0.8f}, {g_bShape, 0.0f}};
+  const CPairs pairs{{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}};
+  EXPECT_EQ(CountWrong(kinds, pairs, true, false), 0u);
+  EXPECT_EQ(CountWrong(kinds, pairs), 1u);
+  const std::vector<float> e = FitElasticities(kinds, pairs);
+  EXPECT_EQ(e[0], 0.0f); // it lies dead on the floor, and so it does on others of its kind
+}
+
+TEST(FitElasticitiesTest, WhatCannotBeIsFittedAndFound) {
+  // Of the four pairs any three can be reproduced, not all four.
+  const CKinds kinds{{g_bBall, 0.25f}, {g_bBall, 1.0f}, {g_bShape, 0.5f}, {g_bShape, 0.75f}};
+  const CPairs pairs{{0, 2}, {0, 3}, {1, 2}, {1, 3}};
+  EXPECT_GT(CountWrong(kinds, pairs), 0u);
+  const std::vector<float> e = FitElasticities(kinds, pairs);
+  for (const CBouncePair& pair : pairs) // the ratio of 1.5 is shared by four
+    EXPECT_LT(std::abs(std::log(e[pair.m_nFirst] * e[pair.m_nSecond] / GetTarget(kinds, pair))),
+              0.25 * std::log(1.5) + 1e-6);
+}
+
+TEST(FitElasticitiesTest, NoneIsAboveTheLimit) {
+  const CKinds kinds{{g_bBall, 1e-12f}, {g_bShape, 1e3f}};
+  for (const float e : FitElasticities(kinds, CPairs{{0, 0}, {0, 1}}))
+    EXPECT_LE(e, g_fMaxElasticity);
+  EXPECT_EQ(CountWrong(kinds, CPairs{{0, 0}, {0, 1}}), 1u);
+}
+
+// What is known to be possible: one restitution for all balls, whatever the shapes have.
+TEST(FitElasticitiesTest, BallsOfOneRestitutionAreAlwaysReproduced) {
+  Tests::CRandom random(1);
+  for (int n = 0; n < 2000; ++n) {
+    const bool ballsMeet = random.Coin();
+    CKinds kinds{{g_bBall, random.Scale(-10, 1)}};
+    CPairs pairs;
+    if (ballsMeet) pairs.push_back({0, 0});
+    for (std::size_t i = 1; i <= 1 + random.Below(8); ++i) {
+      kinds.push_back({g_bShape, random.Below(4) == 0 ? 0.0f : random.Scale(-10, 1)});
+      pairs.push_back({0, i});
+    }
+    ASSERT_EQ(CountWrong(kinds, pairs), 0u) << "seed " << random.GetSeed() << ", case " << n;
+  }
+}
+
+// And this too: each ball meets shapes of its own only, or shapes that have more than every ball.
+TEST(FitElasticitiesTest, ShapesThatHaveMoreThanEveryBallAreReproduced) {
+  Tests::CRandom random(2);
+  for (int n = 0; n < 2000; ++n) {
+    CKinds kinds;
+    CPairs pairs;
+    for (std::size_t i = 0; i < 4; ++i)
+      kinds.push_back({g_bBall, random.Uniform(0.0f, 0.5f)});
+    for (std::size_t i = 4; i < 8; ++i) {
+      kinds.push_back({g_bShape, random.Uniform(0.5f, 1.0f)});
+      for (std::size_t j = 0; j < 4; ++j)
+        if (random.Coin()) pairs.push_back({j, i});
+    }
+    ASSERT_EQ(CountWrong(kinds, pairs), 0u) << "seed " << random.GetSeed() << ", case " << n;
+  }
+}
+
+// Three kinds of balls, one of each, that all meet: e0 = e1 = sqrt(r1), e2 = r2 / e1 for r0 <= r1 <= r2. Four
+// are possible only if the two in the middle are equal.
+TEST(FitElasticitiesTest, AFewBallsOfDifferentRestitution) {
+  Tests::CRandom random(3);
+  for (int n = 0; n < 1000; ++n) {
+    CKinds kinds;
+    CPairs pairs;
+    std::vector<float> r;
+    for (std::size_t i = 0; i < 4; ++i) {
+      r.push_back(random.Uniform(0.125f, 1.0f));
+      kinds.push_back({g_bBall, r.back()});
+      for (std::size_t j = 0; j < i; ++j)
+        pairs.push_back({j, i});
+    }
+    const CPairs ofThree(pairs.begin(), pairs.begin() + 3);
+    ASSERT_EQ(CountWrong(kinds, ofThree), 0u) << "seed " << random.GetSeed() << ", case " << n;
+    std::sort(r.begin(), r.end());
+    ASSERT_EQ(CountWrong(kinds, pairs) > 0, r[2] > r[1] * 1.00001f) << "seed " << random.GetSeed();
+    for (CBounceKind& kind : kinds)
+      if (kind.m_fRestitution == r[2]) kind.m_fRestitution = r[1];
+    ASSERT_EQ(CountWrong(kinds, pairs), 0u) << "seed " << random.GetSeed() << ", case " << n;
+  }
+}
+
+// Where pairs with shapes alone can all be reproduced, pairs of balls take none of them away.
+TEST(FitElasticitiesTest, BallsNeverSpoilShapes) {
+  Tests::CRandom random(4);
+  int spoiled = 0, withWrongBalls = 0;
+  for (int n = 0; n < 2000; ++n) {
+    CKinds kinds;
+    CPairs withShapes, all;
+    const auto draw = [&] {
+      return random.Below(3) == 0 ? 0.0f : 0.25f * static_cast<float>(random.Below(5));
+    };
+    for (std::size_t i = 0; i < 3; ++i)
+      kinds.push_back({g_bBall, draw()});
+    for (std::size_t i = 3; i < 6; ++i) {
+      kinds.push_back({g_bShape, draw()});
+      for (std::size_t j = 0; j < 3; ++j)
+        if (random.Coin()) withShapes.push_back({j, i});
+    }
+    all = withShapes;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        if (random.Coin()) all.push_back({j, i});
+    if (CountWrong(kinds, withShapes) > 0) continue;
+    spoiled += CountWrong(kinds, all, true, false) > 0;
+    withWrongBalls += CountWrong(kinds, all) > 0;
+  }
+  EXPECT_EQ(spoiled, 0);
+  EXPECT_GT(withWrongBalls, 100); // there was something to spoil them
+}
+
+} // namespace
+} // namespace Shapes::Box2D
