@@ -4,6 +4,8 @@
 #include "Validate.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -26,7 +28,20 @@ std::string Quoted(std::string_view text) {
   return json += '"';
 }
 
-std::string ToJson(const Vector2& v) { return "[" + ToText(v.x()) + ", " + ToText(v.y()) + "]"; }
+// Who reads JSON goes through double, and so rounds twice. Of the shortest texts of all floats that changes
+// 7.038531e-26 alone, which is written as the double that it is.
+std::string Number(float value) {
+  const std::string text = ToText(value);
+  double read = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), read);
+  if (static_cast<float>(read) == value) return text;
+  std::array<char, 32> digits;
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<double>(value)).ptr;
+  return {digits.data(), end};
+}
+
+std::string ToJson(const Vector2& v) { return "[" + Number(v.x()) + ", " + Number(v.y()) + "]"; }
 
 // One object on one line.
 class CObject {
@@ -35,7 +50,7 @@ public:
     m_sText.append(m_sText.empty() ? "\"" : ", \"").append(field).append("\": ").append(json);
     return *this;
   }
-  CObject& Add(std::string_view field, float value) { return Add(field, ToText(value)); }
+  CObject& Add(std::string_view field, float value) { return Add(field, Number(value)); }
   CObject& Add(std::string_view field, const Vector2& v) { return Add(field, Shapes::ToJson(v)); }
   std::string Text() const { return "{" + m_sText + "}"; }
 
@@ -178,10 +193,10 @@ std::string CSceneDesc::ToJson(const std::string& name, float seconds) const {
   };
   add("name", Quoted(name));
   if (!description.empty()) add("description", Quoted(description));
-  add("length_unit", ToText(m_cWorld.m_fLengthUnit));
+  add("length_unit", Number(m_cWorld.m_fLengthUnit));
   add("gravity", Shapes::ToJson(m_cWorld.m_vGravity));
-  add("time_step", ToText(m_cWorld.m_fTimeStep));
-  add("duration", ToText(seconds));
+  add("time_step", Number(m_cWorld.m_fTimeStep));
+  add("duration", Number(seconds));
   add("bounds", CObject()
                     .Add("left", bounds.GetTopLeft().x())
                     .Add("bottom", bounds.GetBottomRt().y())

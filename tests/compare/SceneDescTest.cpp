@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <bit>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -81,6 +81,17 @@ TEST_F(SceneDescTest, EveryFloatSurvives) {
           << "seed " << random.GetSeed() << ": " << a.m_vPos.transpose() << ", " << a.m_fElasticity;
     }
   }
+}
+
+// Mechanism: the reader rounds the text to double and that to float. The double nearest to 7.038531e-26, the
+// shortest text of this float, lies exactly between it and the next one. A search through all floats found no
+// other.
+TEST_F(SceneDescTest, TheOneFloatSurvivesThatRoundingTwiceChanges) {
+  const auto value = std::bit_cast<float>(0x15AE43FDu);
+  EXPECT_NE(static_cast<float>(7.038531e-26), value); // the control: double first
+  CSceneDesc desc;
+  desc.m_stdBalls = {CDynamicCircleDesc({value, -value}, 1)};
+  EXPECT_EQ(WriteAndLoad(desc).m_stdBalls.at(0).m_cDesc.m_vPos, Vector2(value, -value));
 }
 
 TEST_F(SceneDescTest, WhatWasLoadedRunsAsTheDescriptorsDo) {
