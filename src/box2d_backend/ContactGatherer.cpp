@@ -139,7 +139,10 @@ void CContactGatherer::MeetTruly(b2Contact& contact, CBody& shape, CBody& ball) 
   const b2Vec2 v = ball.m_pBody->GetLinearVelocity() - shape.m_pBody->GetLinearVelocityFromWorldPoint(p);
   const Vector2d q = ToDouble(b2MulT(xf, p)) + MulT(xf.q, dp), w = MulT(xf.q, ToDouble(v) + dv);
   const double r = static_cast<double>(ball.m_fRadius);
-  const CTrueContact met = FindTrueContact(shape.m_cOutline, q, w, r);
+  CTrueContact met = FindTrueContact(shape.m_cOutline, q, w, r);
+  // Longer ago than a step was no impact: they have been put into each other.
+  if (met.m_fTime < static_cast<double>(-m_fStep))
+    met = FindTrueContact(shape.m_cOutline, q, Vector2d::Zero(), r);
   const b2Vec2 n = b2Mul(xf.q, ToFloat(met.m_vNorm));
   const b2Vec2 nAB = contact.GetFixtureB()->GetBody() == ball.m_pBody ? n : -n;
   const float gap = static_cast<float>(met.m_fGap);
@@ -160,9 +163,8 @@ void CContactGatherer::MeetTruly(b2Contact& contact, CBody& shape, CBody& ball) 
   impact.m_fSpeed = ToDouble(v).dot(impact.m_vNorm);
   impact.m_fElasticity = static_cast<double>(contact.GetRestitution());
   const float wn = static_cast<float>(impact.m_fSpeed);
-  // What is longer ago was no impact: they have been put into each other.
-  if (wn < 0.0f && met.m_fTime >= static_cast<double>(-m_fStep))
-    impact.m_fTime = (w.dot(met.m_vNorm) * met.m_fTime + dp.dot(impact.m_vNorm)) / impact.m_fSpeed;
+  const double time = (w.dot(met.m_vNorm) * met.m_fTime + dp.dot(impact.m_vNorm)) / impact.m_fSpeed;
+  if (wn < 0.0f && std::abs(time) <= static_cast<double>(m_fStep)) impact.m_fTime = time;
   const double m = static_cast<double>(ball.m_pBody->GetMass()),
                m1 = static_cast<double>(shape.m_pBody->GetMass());
   const double share = shape.m_bIsBall ? m1 / (m + m1) : 1.0;
@@ -178,7 +180,22 @@ void CContactGatherer::MeetTruly(b2Contact& contact, CBody& shape, CBody& ball) 
     ball.m_cFlight.Shift(-share * way);
     if (pOther != nullptr) pOther->Shift((1.0 - share) * way);
   };
-  if (!(wn < 0.0f)) {
+  float speed = static_cast<float>(-w.dot(met.m_vNorm));
+  // So slow that it is pressed rather than hit: that is what Box2D's own solver is good at.
+  const bool isPress =
+      std::abs(speed) * m_fStep <= std::max(b2_linearSlop, m_fStep * m_fStep * m_vGravity.Length());
+  if (IsSupport(contact, shape, ball, impact, met.m_fGap, static_cast<double>(speed)) ||
+      (isPress && gap <= speed * m_fStep)) {
+    // What lies is pressed into what is beside it too, and does not bounce off that.
+    const bool lies = ball.m_bWasSupported || shape.m_bWasSupported;
+    if (lies && impact.m_fElasticity < 1.0) contact.SetRestitution(0.0f);
+    if (m_bIsContinuous && gap > 0.0f)
+      pushApart();
+    else
+      SetManifold(contact, nAB, gap - b2_linearSlop);
+    m_bIsIslandOpen = m_bIsContinuous;
+    m_vIslandNormal = n;
+  } else if (!(wn < 0.0f)) {
     if (m_bIsContinuous && met.m_bMisses)
       contact.SetEnabled(false); // or Box2D would stop the ball here again and again
     else if (m_bIsContinuous)
@@ -186,21 +203,13 @@ void CContactGatherer::MeetTruly(b2Contact& contact, CBody& shape, CBody& ball) 
     else
       SetManifold(contact, nAB, wn > 0.0f ? 0.0f : gap - b2_linearSlop);
     return;
-  }
-  if (met.m_fTime > (1.0 - impact.m_fPart) * static_cast<double>(m_fStep)) {
+  } else if (met.m_fTime > (1.0 - impact.m_fPart) * static_cast<double>(m_fStep)) {
     // Only their skins meet in this step.
     if (m_bIsContinuous)
       contact.SetEnabled(false);
     else
       Ignore(contact, nAB);
     return;
-  }
-  float speed = static_cast<float>(-w.dot(met.m_vNorm));
-  if (IsSupport(contact, shape, ball, impact, -w.dot(met.m_vNorm))) {
-    if (m_bIsContinuous)
-      pushApart();
-    else
-      SetManifold(contact, nAB, gap - b2_linearSlop);
   } else {
     const bool isSwept = !shape.m_bIsBall || shape.m_pBody->IsBullet() || ball.m_pBody->IsBullet();
     // b2TimeOfImpact knows no shapes that are on each other without their skins.
@@ -234,7 +243,7 @@ double CContactGatherer::PartAt(const CBody& shape, const CBody& ball) const {
 }
 
 bool CContactGatherer::IsSupport(b2Contact& contact, CBody& shape, CBody& ball,
-                                 const CFlight::CImpact& impact, double speed) {
+                                 const CFlight::CImpact& impact, double gap, double speed) {
   // What lies on a shape, or on a ball that lies, is not pressed into it by gravity, and does not bounce off
   // it.
   const Vector2d& n = impact.m_vNorm;
@@ -242,7 +251,7 @@ bool CContactGatherer::IsSupport(b2Contact& contact, CBody& shape, CBody& ball,
   FailIf(kick == 0.0);
   // A perfect ball lies where it would bounce more than once in a step, any other a bit before that.
   const double most = impact.m_fElasticity < 1.0 ? 1.5 : 0.5;
-  FailIf(speed > most * kick);
+  FailIf(speed > most * kick || speed < -0.25 * kick || gap > static_cast<double>(b2_linearSlop));
   const bool ballIsUpper = pull < 0.0;
   const CBody& below = ballIsUpper ? shape : ball;
   FailIf(below.m_bIsBall ? !below.m_bIsSupported && !below.m_bWasSupported : !ballIsUpper);

@@ -42,7 +42,8 @@ private:
   void MeetAsIs(b2Contact& contact, const CBody& shape, const CBody& ball);
   void MeetTruly(b2Contact& contact, CBody& shape, CBody& ball);
   double PartAt(const CBody& shape, const CBody& ball) const;
-  bool IsSupport(b2Contact& contact, CBody& shape, CBody& ball, const CFlight::CImpact& impact, double speed);
+  bool IsSupport(b2Contact& contact, CBody& shape, CBody& ball, const CFlight::CImpact& impact, double gap,
+                 double speed);
   void Report(const CBody& shape, const CBody& ball, const b2Vec2& poi, const b2Vec2& n, float speed);
 
   CBodies& m_cBodies;
