@@ -16,7 +16,7 @@ struct CTuning {
 };
 
 inline constexpr CTuning g_cShipped{};
-inline constexpr CTuning g_cTuned{8.0f, true, true, true, true, true};
+inline constexpr CTuning g_cTuned{4.0f, true, true, true, true, true};
 
 inline const CTuning& GetTuning(eProfile e) { return e == eProfile::Tuned ? g_cTuned : g_cShipped; }
 
