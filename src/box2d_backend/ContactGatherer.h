@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "Bodies.h"
+#include "TrueAnswers.h"
 
 namespace Shapes::Box2D {
 
@@ -39,27 +40,13 @@ public:
   const std::vector<CBend>& GetBends() const { return m_stdBends; }
 
 private:
-  void MeetAsIs(b2Contact& contact, const CBody& shape, const CBody& ball);
-  void MeetTruly(b2Contact& contact, CBody& shape, CBody& ball);
-  double PartAt(const CBody& shape, const CBody& ball) const;
-  bool IsSupport(b2Contact& contact, CBody& shape, CBody& ball, const CFlight::CImpact& impact, double gap,
-                 double speed);
-  void Report(const CBody& shape, const CBody& ball, const b2Vec2& poi, const b2Vec2& n, float speed);
+  void ReportAsIs(b2Contact& contact, const CBody& shape, const CBody& ball);
+  void Report(const CBody& shape, const CBody& ball, const CTrueAnswers::CAnswer& answer);
 
   CBodies& m_cBodies;
   CScale m_cScale;
   CTuning m_cTuning;
-  b2Vec2 m_vGravity{0.0f, 0.0f};
-  float m_fStep = 0.0f;
-  bool m_bIsContinuous = false; // Box2D is past its first look at all contacts: it goes from impact to impact
-  bool m_bIsIslandOpen = false; // of one such impact, which comes first, and what else touches its ball
-  b2Vec2 m_vIslandNormal{0.0f, 0.0f};
-  /// What was answered in the first look.
-  struct CAnswer {
-    const CBody *m_pShape, *m_pBall;
-    b2Vec2 m_vNorm;
-  };
-  std::vector<CAnswer> m_stdAnswered;
+  CTrueAnswers m_cAnswers;
   std::vector<CContactEvent> m_stdEvents;
   std::vector<CBend> m_stdBends;
 };
