@@ -69,6 +69,25 @@ inline constexpr float g_fSafeMove = 0.95f;
 /// slowed down by Box2D, and reported: CWorldStats::m_nMovesClamped, m_nTurnsClamped.
 inline constexpr unsigned g_nMaxCuts = 256;
 
+/// How far the stand-ins of a ball and of a shape in a tuned world reach beyond them together, in slops of
+/// Box2D
+/// (.005 metres). Box2D stops two of them 3 slops deep, within a quarter of one: at 2.5 the shapes themselves
+/// have just met, and what only touches is not stopped.
+inline constexpr float g_fSkinSlops = 2.5f;
+
+/// A relative move in a step that is shorter than this share of Box2D's slop, or of twice the way that a ball
+/// falls in its first step, is a press and no impact in a tuned world. With a tenth a pile that is pressed
+/// together is taken for impacts and comes apart; with 1 slow elastic impacts gain three times the energy (8%
+/// in 10,000).
+inline constexpr float g_fPressMove = 0.5f;
+
+/// Approach speeds at which a ball in a tuned world lies on what is under it, in kicks that gravity gives it
+/// in a step. A perfect ball only where it would bounce more than once in a step; and what leaves no faster
+/// than g_fLiftSpeed lies still.
+inline constexpr double g_fLieSpeed = 1.5;
+inline constexpr double g_fPerfectLieSpeed = 0.5;
+inline constexpr double g_fLiftSpeed = 0.25;
+
 /// Two unit tangents that are closer than that are one: rounding of rotation, dimensionless.
 inline constexpr float g_fSameTangent = 1e-4f;
 

@@ -8,11 +8,9 @@
 namespace Shapes::Box2D {
 namespace {
 
-// Box2D stops two shapes 3 slops deep in each other, within a quarter of one. Where both together reach
-// almost as far beyond the shapes that they stand for, they stop as those have just touched, and what lies
-// there is not stopped.
-constexpr float g_fContactDepth = 2.5f * b2_linearSlop;
-constexpr float g_fBallSkin = 0.5f * g_fContactDepth; // two balls share it
+// Metres of Box2D; two balls share what both reach beyond themselves.
+constexpr float g_fBothSkins = g_fSkinSlops * b2_linearSlop;
+constexpr float g_fBallSkin = 0.5f * g_fBothSkins;
 
 Vector2d ToDouble(const b2Vec2& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
@@ -116,7 +114,7 @@ void CBodies::CreateShape(const CShape& shape, const CJoints& joints, CBody& bod
   body.m_pBody = m_pWorld->CreateBody(&def);
 
   const std::optional<float> skin =
-      m_cTuning.m_bTrueContacts ? std::optional(g_fContactDepth - g_fBallSkin) : std::nullopt;
+      m_cTuning.m_bTrueContacts ? std::optional(g_fBothSkins - g_fBallSkin) : std::nullopt;
   const CPieces pieces = CPieces::Make(shape, origin, m_cScale, m_fSagitta, skin);
   for (const b2CircleShape& circle : pieces.m_stdCircles)
     AddFixture(*body.m_pBody, circle);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "TrueAnswers.h"
 
+#include <Shapes/Tolerances.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -194,8 +196,8 @@ CTrueAnswers::CSight CTrueAnswers::Look(b2Contact& contact, const CBody& shape, 
 bool CTrueAnswers::Press(const CSight& sight, CBody& shape, CBody& ball) {
   // What moves by less than Box2D's slop is what its own solver is good at.
   const float move = static_cast<float>(sight.m_fSpeed) * m_fStep;
-  const bool isPress = std::abs(move) <= std::max(b2_linearSlop, m_fStep * m_fStep * m_vGravity.Length()) &&
-                       sight.m_fGap <= move;
+  const float fall = m_fStep * m_fStep * m_vGravity.Length();
+  const bool isPress = std::abs(move) <= g_fPressMove * std::max(b2_linearSlop, fall) && sight.m_fGap <= move;
   const bool isSupport = IsSupport(sight, shape, ball);
   FailIf(!isPress && !isSupport);
   // What lies does not bounce off what it lies on, nor off what is beside it.
@@ -216,8 +218,8 @@ bool CTrueAnswers::IsSupport(const CSight& sight, CBody& shape, CBody& ball) con
   const double pull = ToDouble(m_vGravity).dot(n), kick = static_cast<double>(m_fStep) * std::abs(pull);
   FailIf(kick == 0.0 || sight.m_fGap > b2_linearSlop);
   // A perfect ball lies where it would bounce more than once in a step, any other a bit before that.
-  const double most = sight.m_cImpact.m_fElasticity < 1.0 ? 1.5 : 0.5;
-  FailIf(sight.m_fSpeed > most * kick || sight.m_fSpeed < -0.25 * kick);
+  const double most = sight.m_cImpact.m_fElasticity < 1.0 ? g_fLieSpeed : g_fPerfectLieSpeed;
+  FailIf(sight.m_fSpeed > most * kick || sight.m_fSpeed < -g_fLiftSpeed * kick);
   const bool ballIsUpper = pull < 0.0;
   const CBody& below = ballIsUpper ? shape : ball;
   FailIf(below.m_bIsBall ? !below.m_bIsSupported && !below.m_bWasSupported : !ballIsUpper);
