@@ -116,6 +116,9 @@ private:
 /// CBackend::MakeWorld or MakeWorld below.
 class CWorld {
 public:
+  /// For engines only: what has changed of a shape.
+  enum class eChange { Pose, Motion, Sensor, Properties };
+
   virtual ~CWorld();
   CWorld(const CWorld&) = delete;
   CWorld& operator=(const CWorld&) = delete;
@@ -204,8 +207,6 @@ protected:
   /// the substep was over, 0 .. 1, told in the order of time. Sensors see a way that is straight in between.
   void Bend(std::size_t ball, const Vector2& p, float t);
   CWorldStats& Stats() { return m_cStats; }
-
-  enum class eChange { Pose, Motion, Sensor, Properties };
 
 private:
   // What an engine does. It is told of every change after it was made.

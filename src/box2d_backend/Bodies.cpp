@@ -88,6 +88,9 @@ void CBodies::CreateBall(const CBallArrays& b, std::size_t i, CBody& body) {
   def.position = m_cScale.ToMetres(b.m_stdPos[i]);
   def.linearVelocity = m_cScale.ToMetres(b.m_stdVel[i]);
   def.fixedRotation = true;
+  def.allowSleep = false;
+  def.bullet = m_cTuning.m_bBullets;
+  if (m_cTuning.m_bParabolas) def.gravityScale = 0.0f; // what bends the way of a ball then is CFlight
   body.m_pBody = m_pWorld->CreateBody(&def);
   body.m_bIsBall = true;
 
@@ -110,6 +113,7 @@ void CBodies::CreateShape(const CShape& shape, const CJoints& joints, CBody& bod
   const Vector2 origin = kinematic ? shape.GetRotCenter() : shape.GetPos();
   b2BodyDef def;
   def.type = kinematic ? b2_kinematicBody : b2_staticBody;
+  def.allowSleep = false;
   def.position = m_cScale.ToMetres(origin);
   body.m_pBody = m_pWorld->CreateBody(&def);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Box2DBackend.h"
 
-#include "Box2DWorld.h"
+#include "OwnedWorld.h"
 #include "PairSweep.h"
 
 namespace Shapes {
@@ -13,7 +13,7 @@ public:
   std::string_view GetName() const override { return "box2d"; }
 
   std::unique_ptr<CWorld> MakeWorld(const CWorldDesc& desc) const override {
-    return std::make_unique<CBox2DWorld>(desc);
+    return std::make_unique<COwnedWorld>(desc);
   }
 
 private:

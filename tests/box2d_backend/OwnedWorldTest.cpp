@@ -38,7 +38,7 @@ Vector2 Throw(CWorld& world, CShapeId ball, const Vector2& p, const Vector2& v, 
 
 CShapeId AddBall(CWorld& world) { return world.Add(CDynamicCircleDesc({50, 50}, 0.1f)); }
 
-TEST(Box2DWorldTest, PixelsAndMetresGiveTheSameTrajectory) {
+TEST(OwnedWorldTest, PixelsAndMetresGiveTheSameTrajectory) {
   const auto run = [](float unit, bool tellTheWorld) {
     auto pWorld = Make({0, -10 * unit}, tellTheWorld ? unit : 1.0f);
     pWorld->Add(CLineSegDesc({-5 * unit, 0}, {5 * unit, 0.3f * unit}));
@@ -73,7 +73,7 @@ TEST(Box2DWorldTest, PixelsAndMetresGiveTheSameTrajectory) {
   EXPECT_GT(difference(metres, run(100, false)), 1e-2f);
 }
 
-TEST(Box2DWorldTest, ClampedMovesAreCounted) {
+TEST(OwnedWorldTest, ClampedMovesAreCounted) {
   auto pWorld = Make();
   const CShapeId ball = AddBall(*pWorld);
   // Slow: nothing is counted. 119 m/s is 1.98 metres a step.
@@ -86,7 +86,7 @@ TEST(Box2DWorldTest, ClampedMovesAreCounted) {
   EXPECT_EQ(pWorld->GetStats().m_nMovesClamped, 2u);
 }
 
-TEST(Box2DWorldTest, ClampedMovesAreCountedInMetres) {
+TEST(OwnedWorldTest, ClampedMovesAreCountedInMetres) {
   // 200 pixels per second at 100 pixels per metre are slow, 20000 are not.
   auto pWorld = Make({0, 0}, 100);
   const CShapeId ball = AddBall(*pWorld);
@@ -96,7 +96,7 @@ TEST(Box2DWorldTest, ClampedMovesAreCountedInMetres) {
   EXPECT_EQ(pWorld->GetStats().m_nMovesClamped, 1u);
 }
 
-TEST(Box2DWorldTest, ClampedTurnsAreCounted) {
+TEST(OwnedWorldTest, ClampedTurnsAreCounted) {
   auto pWorld = Make();
   CLineSegDesc desc({0, 0}, {1, 0});
   desc.m_eMotionType = eMotion::Kinematic;
@@ -109,7 +109,7 @@ TEST(Box2DWorldTest, ClampedTurnsAreCounted) {
   EXPECT_EQ(pWorld->GetStats().m_nTurnsClamped, 10u);
 }
 
-TEST(Box2DWorldTest, NativeClampsNothing) { // the control of the counters
+TEST(OwnedWorldTest, NativeClampsNothing) { // the control of the counters
   CWorldDesc desc;
   auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, {200, 0}));
@@ -118,7 +118,7 @@ TEST(Box2DWorldTest, NativeClampsNothing) { // the control of the counters
   EXPECT_EQ(pWorld->GetStats().m_nMovesClamped, 0u);
 }
 
-TEST(Box2DWorldTest, ArcPiecesAreCountedAsArcsComeAndGo) {
+TEST(OwnedWorldTest, ArcPiecesAreCountedAsArcsComeAndGo) {
   auto pWorld = Make();
   const auto pieces = [&] { return pWorld->GetStats().m_nArcPieces; };
   const CShapeId half = pWorld->Add(CArcDesc({0, 0}, 1, 0, g_fPi));
@@ -140,7 +140,7 @@ TEST(Box2DWorldTest, ArcPiecesAreCountedAsArcsComeAndGo) {
   EXPECT_EQ(pieces(), 0u);
 }
 
-TEST(Box2DWorldTest, TheSagittaToleranceOfTheWorldIsUsed) {
+TEST(OwnedWorldTest, TheSagittaToleranceOfTheWorldIsUsed) {
   CWorldDesc desc;
   desc.m_fSagittaTolerance = g_fSagittaTolerance / 4;
   auto pWorld = GetBackend(eBackend::Box2D)->MakeWorld(desc);
@@ -148,7 +148,7 @@ TEST(Box2DWorldTest, TheSagittaToleranceOfTheWorldIsUsed) {
   EXPECT_EQ(pWorld->GetStats().m_nArcPieces, 32u); // half the chord for a quarter of the sagitta
 }
 
-TEST(Box2DWorldTest, ABallOfRadius0HasAMassAndFalls) { // by density it would have none, and would float
+TEST(OwnedWorldTest, ABallOfRadius0HasAMassAndFalls) { // by density it would have none, and would float
   auto pWorld = Make({0, -10});
   pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 1}, 0));
@@ -165,7 +165,7 @@ TEST(Box2DWorldTest, ABallOfRadius0HasAMassAndFalls) { // by density it would ha
   EXPECT_NEAR(pLine->GetVel(other).x(), 2, 1e-4f);
 }
 
-TEST(Box2DWorldTest, BothFacesOfASegmentAreSolid) {
+TEST(OwnedWorldTest, BothFacesOfASegmentAreSolid) {
   auto pWorld = Make();
   pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
   const CShapeId ball = AddBall(*pWorld);
@@ -173,7 +173,7 @@ TEST(Box2DWorldTest, BothFacesOfASegmentAreSolid) {
   EXPECT_NEAR(Throw(*pWorld, ball, {0, -0.5f}, {0, 4}).y(), -4, 1e-4f);
 }
 
-TEST(Box2DWorldTest, BothFacesOfAnArcAreSolidUnlessOneIsOpen) {
+TEST(OwnedWorldTest, BothFacesOfAnArcAreSolidUnlessOneIsOpen) {
   for (const eSides sides : {eSides::Both, eSides::Front, eSides::Back}) {
     SCOPED_TRACE(static_cast<int>(sides));
     auto pWorld = Make();
@@ -189,7 +189,7 @@ TEST(Box2DWorldTest, BothFacesOfAnArcAreSolidUnlessOneIsOpen) {
   }
 }
 
-TEST(Box2DWorldTest, ABallStaysInABowlOfAnArc) {
+TEST(OwnedWorldTest, ABallStaysInABowlOfAnArc) {
   auto pWorld = Make({0, -10});
   pWorld->Add(CArcDesc({0, 0}, 2, 0, 0));
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.7f, 0}, 0.1f, {3, 1}, 1, 0.9f));
@@ -199,7 +199,7 @@ TEST(Box2DWorldTest, ABallStaysInABowlOfAnArc) {
   }
 }
 
-TEST(Box2DWorldTest, ElasticityIsTheProductAndNotTheLarger) {
+TEST(OwnedWorldTest, ElasticityIsTheProductAndNotTheLarger) {
   auto pWorld = Make();
   pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
   const CShapeId ball = AddBall(*pWorld);
@@ -215,7 +215,7 @@ TEST(Box2DWorldTest, ElasticityIsTheProductAndNotTheLarger) {
   EXPECT_NEAR(pPair->GetVel(b).x(), 1.5f, 1e-4f);
 }
 
-TEST(Box2DWorldTest, AThrownBallDoesNotTurnOrRub) { // Box2D ships with friction .2
+TEST(OwnedWorldTest, AThrownBallDoesNotTurnOrRub) { // Box2D ships with friction .2
   auto pWorld = Make({0, -10});
   pWorld->Add(CLineSegDesc({-50, 0}, {50, 0}, 0));
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.105f}, 0.1f, {3, 0}));
@@ -224,7 +224,7 @@ TEST(Box2DWorldTest, AThrownBallDoesNotTurnOrRub) { // Box2D ships with friction
   EXPECT_NEAR(pWorld->GetPos(ball).y(), 0.105f, 0.011f);
 }
 
-TEST(Box2DWorldTest, ABallThatRestsDoesNotSleep) {
+TEST(OwnedWorldTest, ABallThatRestsDoesNotSleep) {
   auto pWorld = Make({0, -10});
   const CShapeId floor = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, 0));
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.11f}, 0.1f));
@@ -243,7 +243,7 @@ std::size_t StepAndCountSensorHits(CWorld& world) {
   return n;
 }
 
-TEST(Box2DWorldTest, ASensorThatBecomesSolidInTouchIsNoSensorAnyMore) {
+TEST(OwnedWorldTest, ASensorThatBecomesSolidInTouchIsNoSensorAnyMore) {
   auto pWorld = Make();
   CCircleDesc desc({0, 0}, 1);
   desc.m_bIsSensor = true;
@@ -259,7 +259,7 @@ TEST(Box2DWorldTest, ASensorThatBecomesSolidInTouchIsNoSensorAnyMore) {
   EXPECT_EQ(StepAndCountSensorHits(*pWorld), 0u);
 }
 
-TEST(Box2DWorldTest, ASolidThatBecomesASensorInTouchIsSeenAtOnce) {
+TEST(OwnedWorldTest, ASolidThatBecomesASensorInTouchIsSeenAtOnce) {
   for (const bool theBall : {false, true}) { // either of them may be the sensor
     auto pWorld = Make();
     const CShapeId zone = pWorld->Add(CCircleDesc({0, 0}, 1));
@@ -274,7 +274,7 @@ TEST(Box2DWorldTest, ASolidThatBecomesASensorInTouchIsSeenAtOnce) {
   }
 }
 
-TEST(Box2DWorldTest, AShapeAddedDuringTheRunIsMet) {
+TEST(OwnedWorldTest, AShapeAddedDuringTheRunIsMet) {
   auto pWorld = Make();
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 1}, 0.1f, {0, -1}));
   Steps(*pWorld, 30);
@@ -287,7 +287,7 @@ TEST(Box2DWorldTest, AShapeAddedDuringTheRunIsMet) {
   EXPECT_NEAR(pWorld->GetVel(ball).y(), 0, 1e-4f);
 }
 
-TEST(Box2DWorldTest, AKinematicShapeIsMetWhereItWasPut) {
+TEST(OwnedWorldTest, AKinematicShapeIsMetWhereItWasPut) {
   auto pWorld = Make();
   CLineSegDesc desc({0, 0}, {1, 0});
   desc.m_eMotionType = eMotion::Kinematic;
@@ -313,7 +313,7 @@ TEST(Box2DWorldTest, AKinematicShapeIsMetWhereItWasPut) {
   EXPECT_TRUE(isMetAt(1.5f));
 }
 
-TEST(Box2DWorldTest, ATurningShapeIsMetWhereTheLibrarySaysItIs) {
+TEST(OwnedWorldTest, ATurningShapeIsMetWhereTheLibrarySaysItIs) {
   // A bar that turns for 500 steps, a little more than 3 turns and a quarter: the angle that Box2D adds up
   // has to stay with the library's, which is reduced to one turn.
   auto pWorld = Make();
@@ -329,7 +329,7 @@ TEST(Box2DWorldTest, ATurningShapeIsMetWhereTheLibrarySaysItIs) {
   EXPECT_EQ(Throw(*pWorld, ball, {0.5f, 0.5f}, {0, -4}).y(), -4); // where it lay at first nothing is
 }
 
-TEST(Box2DWorldTest, ShapesTooShortForAnEdgeStillStopABall) {
+TEST(OwnedWorldTest, ShapesTooShortForAnEdgeStillStopABall) {
   // Box2D would stop the program if it were given them as they are.
   const std::vector<CAnyShapeDesc> shorts{CLineSegDesc({-0.002f, 0}, {0.002f, 0}),
                                           CLineSegDesc({0, 0}, {0, 0}), CArcDesc({0, -0.002f}, 0.002f, 1, 2),

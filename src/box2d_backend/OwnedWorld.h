@@ -7,44 +7,32 @@
 
 #include <memory>
 
-#include "Bodies.h"
-#include "ContactGatherer.h"
-#include "Convert.h"
+#include "Stepper.h"
 #include "Tuning.h"
 
 namespace Shapes::Box2D {
 
 /// A world on a b2World of its own: one b2Body for each shape. Elasticity is the product, there is no
 /// restitution threshold, no friction, no rotation of balls, and no sleep; all else is as the tuning says.
-class CBox2DWorld final : public CWorld {
+class COwnedWorld final : public CWorld {
 public:
-  explicit CBox2DWorld(const CWorldDesc& desc) : CBox2DWorld(desc, GetTuning(desc.m_eProfile)) {}
-  CBox2DWorld(const CWorldDesc& desc, const CTuning& tuning);
+  explicit COwnedWorld(const CWorldDesc& desc) : COwnedWorld(desc, GetTuning(desc.m_eProfile)) {}
+  COwnedWorld(const CWorldDesc& desc, const CTuning& tuning);
 
 private:
   void Substep(float dt) override;
-  void OnAdded(CShapeId id) override;
-  void OnRemoved(CShapeId id) override;
-  void OnChanged(CShapeId id, eChange what) override;
+  void OnAdded(CShapeId id) override { m_pStepper->OnAdded(id); }
+  void OnRemoved(CShapeId id) override { m_pStepper->OnRemoved(id); }
+  void OnChanged(CShapeId id, eChange what) override { m_pStepper->OnChanged(id, what); }
   // Bodies made anew have no contacts and no cached impulses: whoever goes on from a saved state has the same
   // bits.
   void OnSaved() override { Rebuild(); }
   void OnLoaded() override { Rebuild(); }
-
   void Rebuild();
-  void JoinShapes();
-  void CountClamped(float h);
-  unsigned CountCuts(float dt) const;
-  void StepBox2D(float h);
-  void TakeBalls();
-  void TurnShapes(float dt);
 
   CTuning m_cTuning;
-  CScale m_cScale;
   std::unique_ptr<b2World> m_pWorld;
-  std::unique_ptr<CBodies> m_pBodies;
-  std::unique_ptr<CContactGatherer> m_pGatherer;
-  bool m_bJointsChanged = false;
+  std::unique_ptr<CStepper> m_pStepper;
 };
 
 } // namespace Shapes::Box2D

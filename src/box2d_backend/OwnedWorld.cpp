@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "OwnedWorld.h"
+
+namespace Shapes::Box2D {
+
+COwnedWorld::COwnedWorld(const CWorldDesc& desc, const CTuning& tuning)
+    : CWorld(desc, CStepper::GetLimits(desc, tuning)), m_cTuning(tuning) {
+  Rebuild();
+}
+
+void COwnedWorld::Rebuild() {
+  m_pStepper.reset();
+  m_pWorld = std::make_unique<b2World>(b2Vec2_zero);
+  m_pWorld->SetAllowSleeping(false);
+  m_pStepper = std::make_unique<CStepper>(*m_pWorld, State(), Stats(), GetDesc(), m_cTuning);
+  m_pWorld->SetContactListener(&m_pStepper->GetListener());
+}
+
+void COwnedWorld::Substep(float dt) {
+  m_pStepper->BeginSubstep();
+  // Counted anew for what is left, because a kick makes a ball faster.
+  float left = dt;
+  for (unsigned cuts = 2; cuts > 1;) {
+    cuts = m_cTuning.m_bCuts ? m_pStepper->CountCuts(left) : 1;
+    const float h = left / static_cast<float>(cuts);
+    m_pWorld->SetGravity(m_pStepper->GetGravity());
+    m_pStepper->BeforeStep(h);
+    m_pWorld->Step(h, static_cast<int32>(GetDesc().m_nVelocityIterations),
+                   static_cast<int32>(GetDesc().m_nPositionIterations));
+    m_pStepper->AfterStep();
+    for (const CStepper::CBend& bend : m_pStepper->GetBends())
+      Bend(bend.m_nBall, bend.m_vPos, (dt - left + bend.m_fPart * h) / dt);
+    left -= h;
+  }
+  m_pStepper->EndSubstep(dt);
+  for (const CContactEvent& event : m_pStepper->TakeContacts())
+    Report(event);
+}
+
+} // namespace Shapes::Box2D

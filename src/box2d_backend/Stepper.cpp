@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "Stepper.h"
+
+#include "../shapes/Response.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::Box2D {
+namespace {
+
+// Of a metre of Box2D in such a world, in user units.
+float UnitOf(const CWorldDesc& desc, const CTuning& tuning) { return desc.m_fLengthUnit / tuning.m_fScale; }
+
+// Whether the joints are those with which the fixtures of a body were made, which has turned since then.
+bool AreSame(const CJoints& then, const CJoints& now, float turn) {
+  const auto count = [](const CJoints& joints) { return joints[0].has_value() + joints[1].has_value(); };
+  FailIf(count(then) != count(now));
+  // The ends of a segment may have changed places as it turned.
+  for (const auto& a : now)
+    FailIf(a && std::none_of(then.begin(), then.end(), [&](const auto& b) {
+             return b && b->m_cNeighbour == a->m_cNeighbour &&
+                    Length(RotatePt(b->m_vTangent, Vector2::Zero(), turn) - a->m_vTangent) < g_fSameTangent;
+           }));
+  return true;
+}
+
+} // namespace
+
+CWorldLimits CStepper::GetLimits(const CWorldDesc& desc, const CTuning& tuning) {
+  const float unit = UnitOf(desc, tuning);
+  return {std::min(g_fMaxLength, g_fMaxBox2DLength * unit), std::min(g_fMaxSpeed, g_fMaxBox2DSpeed * unit),
+          g_fMinBox2DMass, g_fMaxBox2DMass};
+}
+
+CStepper::CStepper(b2World& world, CWorldState& state, CWorldStats& stats, const CWorldDesc& desc,
+                   const CTuning& tuning)
+    : m_cState(state),
+      m_cStats(stats),
+      m_cTuning(tuning),
+      m_cScale(UnitOf(desc, tuning)),
+      m_cBodies(world, m_cScale, m_cTuning, desc.m_fSagittaTolerance * m_cTuning.m_fScale),
+      m_cGatherer(m_cBodies, m_cScale, m_cTuning) {
+  std::map<CShapeId, CJoints> joints;
+  if (m_cTuning.m_bJoints) joints = FindJoints(m_cState, m_cScale.FromMetres(b2_linearSlop));
+  // In the order of ids, balls and other shapes alike.
+  std::size_t i = 0, j = 0;
+  while (i < m_cState.m_stdShapes.size() || j < m_cState.m_cBalls.Size()) {
+    const bool ballIsNext =
+        i == m_cState.m_stdShapes.size() ||
+        (j < m_cState.m_cBalls.Size() && m_cState.m_cBalls.m_stdId[j] < m_cState.m_stdShapes[i].m_cId);
+    const CShapeId id = ballIsNext ? m_cState.m_cBalls.m_stdId[j++] : m_cState.m_stdShapes[i++].m_cId;
+    m_cBodies.Create(m_cState, id, joints[id]);
+  }
+  m_cStats.m_nArcPieces = m_cBodies.GetArcPieces();
+}
+
+void CStepper::OnAdded(CShapeId id) {
+  m_cBodies.Create(m_cState, id);
+  m_cStats.m_nArcPieces = m_cBodies.GetArcPieces();
+  NoteJoints(id);
+}
+
+void CStepper::OnRemoved(CShapeId id) {
+  NoteJoints(id);
+  m_cBodies.Remove(id);
+  m_cStats.m_nArcPieces = m_cBodies.GetArcPieces();
+}
+
+void CStepper::OnChanged(CShapeId id, CWorld::eChange what) {
+  if (what == CWorld::eChange::Properties || what == CWorld::eChange::Sensor) {
+    m_cBodies.SetProperties(m_cState, id);
+    NoteJoints(id);
+  } else if (const std::size_t i = m_cState.FindBall(id); i != CWorldState::npos) {
+    b2Body& body = *m_cBodies.Get(id).m_pBody;
+    if (what == CWorld::eChange::Pose)
+      body.SetTransform(m_cScale.ToMetres(m_cState.m_cBalls.m_stdPos[i]), 0.0f);
+    else
+      body.SetLinearVelocity(m_cScale.ToMetres(m_cState.m_cBalls.m_stdVel[i]));
+  } else if (what == CWorld::eChange::Pose) {
+    OnRemoved(id);
+    OnAdded(id);
+  } else { // the rotation speed is handed over at the next substep
+    NoteJoints(id);
+  }
+}
+
+void CStepper::NoteJoints(CShapeId id) {
+  m_bJointsChanged |= m_cTuning.m_bJoints && !m_cBodies.Get(id).m_bIsBall;
+}
+
+void CStepper::JoinShapes() {
+  auto joints = FindJoints(m_cState, m_cScale.FromMetres(b2_linearSlop));
+  for (const CShapeEntry& entry : m_cState.m_stdShapes) {
+    const CBody& body = m_cBodies.Get(entry.m_cId);
+    const float turn = entry.m_pShape->GetOrientation() - body.m_fBaseOrientation;
+    if (AreSame(body.m_cJoints, joints[entry.m_cId], turn)) continue;
+    m_cBodies.Remove(entry.m_cId);
+    m_cBodies.Create(m_cState, entry.m_cId, joints[entry.m_cId]);
+  }
+  m_bJointsChanged = false;
+}
+
+void CStepper::BeginSubstep() {
+  if (m_bJointsChanged) JoinShapes();
+  for (const CShapeEntry& entry : m_cState.m_stdShapes)
+    if (entry.m_pShape->GetMotionType() == eMotion::Kinematic)
+      m_cBodies.Get(entry.m_cId).m_pBody->SetAngularVelocity(g_fTwoPi * entry.m_pShape->GetRotSpeed());
+  m_cState.m_cBalls.m_stdPrevPos = m_cState.m_cBalls.m_stdPos;
+}
+
+unsigned CStepper::CountCuts(float dt) const {
+  const CBallArrays& b = m_cState.m_cBalls;
+  float fastest = 0.0f, bounciest = 0.0f, lightest = g_fMaxMass, heaviest = 0.0f, parts = 1.0f;
+  for (std::size_t i = 0; i < b.Size(); ++i) {
+    lightest = std::min(lightest, b.m_stdMass[i]);
+    heaviest = std::max(heaviest, b.m_stdMass[i]);
+    fastest =
+        std::max(fastest, Length(m_cScale.FromMetres(m_cBodies.GetBalls()[i]->m_pBody->GetLinearVelocity())));
+    bounciest = std::max(bounciest, b.m_stdElasticity[i]);
+  }
+  float most = 1.0f, kick = 0.0f;
+  for (const CShapeEntry& entry : m_cState.m_stdShapes) {
+    const CShape& shape = *entry.m_pShape;
+    most = std::max(most, bounciest * shape.GetElasticity());
+    if (!shape.GetRotating()) continue;
+    const float turn = g_fTwoPi * std::abs(shape.GetRotSpeed()) * dt;
+    const CAabb2D& box = shape.GetAABB();
+    const Vector2 c = shape.GetRotCenter();
+    const float reach =
+        Length((box.GetTopLeft() - c).cwiseAbs().cwiseMax((box.GetBottomRt() - c).cwiseAbs()));
+    kick = std::max(kick, reach * turn);
+    // The boxes of Box2D know where a shape is before and after the step. In between it bulges out of them,
+    // by reach turn^2 / 8, which has to be within their margin.
+    parts = std::max({parts, turn / g_fLargestTurn,
+                      turn * std::sqrt(m_cScale.ToMetres(reach) / (8.0f * b2_aabbExtension))});
+  }
+  // Two balls have the energy of both: that is the most that one of them can leave with.
+  if (b.Size() > 1) most *= std::min(std::sqrt(1.0f + heaviest / lightest), 3.0f);
+  const float way = (fastest + Length(m_cState.m_vGravity) * dt) * dt * most + 2.0f * kick;
+  parts = std::max(parts, m_cScale.ToMetres(way) / (g_fSafeMove * b2_maxTranslation));
+  return static_cast<unsigned>(std::min(std::ceil(parts), static_cast<float>(g_nMaxCuts)));
+}
+
+bool CStepper::HasParabolas() const { return m_cTuning.m_bParabolas && GetGravity() != b2Vec2_zero; }
+
+void CStepper::BeforeStep(float h) {
+  const b2Vec2 g = HasParabolas() ? GetGravity() : b2Vec2_zero;
+  if (HasParabolas())
+    for (CBody* pBall : m_cBodies.GetBalls())
+      pBall->m_pBody->SetLinearVelocity(pBall->m_pBody->GetLinearVelocity() + 0.5f * h * g);
+  CountClamped(h);
+  m_cGatherer.BeginStep(g, h);
+}
+
+void CStepper::AfterStep() {
+  ++m_cStats.m_nEngineSteps;
+  if (!HasParabolas() && !m_cTuning.m_bTrueContacts) return;
+  for (CBody* pBall : m_cBodies.GetBalls())
+    pBall->m_cFlight.Land(*pBall->m_pBody);
+}
+
+std::vector<CStepper::CBend> CStepper::GetBends() const {
+  std::vector<CBend> bends;
+  for (const CContactGatherer::CBend& bend : m_cGatherer.GetBends())
+    if (const std::size_t i = m_cState.FindBall(bend.m_cBall); i != CWorldState::npos)
+      bends.push_back({i, m_cScale.FromMetres(bend.m_vPos), static_cast<float>(bend.m_fPart)});
+  return bends;
+}
+
+void CStepper::EndSubstep(float dt) {
+  TakeBalls();
+  TurnShapes(dt);
+}
+
+void CStepper::CountClamped(float h) {
+  const b2Vec2 kick = m_cTuning.m_bParabolas ? b2Vec2_zero : h * GetGravity();
+  for (const CBody* pBall : m_cBodies.GetBalls())
+    if (h * (pBall->m_pBody->GetLinearVelocity() + kick).Length() > b2_maxTranslation)
+      ++m_cStats.m_nMovesClamped;
+  for (const CShapeEntry& entry : m_cState.m_stdShapes)
+    if (entry.m_pShape->GetRotating() &&
+        std::abs(g_fTwoPi * entry.m_pShape->GetRotSpeed() * h) > b2_maxRotation)
+      ++m_cStats.m_nTurnsClamped;
+}
+
+void CStepper::TakeBalls() {
+  CBallArrays& b = m_cState.m_cBalls;
+  for (std::size_t i = 0; i < b.Size(); ++i) {
+    b2Body& body = *m_cBodies.GetBalls()[i]->m_pBody;
+    b.m_stdPos[i] = m_cScale.FromMetres(body.GetPosition());
+    b.m_stdVel[i] = m_cScale.FromMetres(body.GetLinearVelocity());
+    if (!CapSpeed(b.m_stdVel[i], m_cState.m_cLimits.m_fMaxSpeed)) continue;
+    ++m_cStats.m_nSpeedsCapped;
+    body.SetLinearVelocity(m_cScale.ToMetres(b.m_stdVel[i]));
+  }
+}
+
+void CStepper::TurnShapes(float dt) {
+  for (CShapeEntry& entry : m_cState.m_stdShapes) {
+    if (!entry.m_pShape->GetRotating()) continue;
+    entry.m_pShape->Advance(dt);
+    // Box2D adds up the angle in its own way; from here on both have the same one, reduced to one turn.
+    const CBody& body = m_cBodies.Get(entry.m_cId);
+    body.m_pBody->SetTransform(body.m_pBody->GetPosition(),
+                               entry.m_pShape->GetOrientation() - body.m_fBaseOrientation);
+  }
+}
+
+} // namespace Shapes::Box2D

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../shapes/WorldState.h"
+
+#include <box2d/box2d.h>
+
+#include <vector>
+
+#include "Bodies.h"
+#include "ContactGatherer.h"
+#include "Convert.h"
+#include "Tuning.h"
+
+namespace Shapes::Box2D {
+
+/// The shapes of a world as bodies of a b2World, and what is to be done before and after each of its steps,
+/// whoever makes them.
+class CStepper {
+public:
+  /// What a world with that description can hold.
+  static CWorldLimits GetLimits(const CWorldDesc& desc, const CTuning& tuning);
+
+  /// Makes a body for all that is in the state, in the order of ids. Both the state and the statistics have
+  /// to outlive it.
+  CStepper(b2World& world, CWorldState& state, CWorldStats& stats, const CWorldDesc& desc,
+           const CTuning& tuning);
+
+  /// To be told of what happens in the b2World.
+  CContactGatherer& GetListener() { return m_cGatherer; }
+  /// In metres.
+  b2Vec2 GetGravity() const { return m_cScale.ToMetres(m_cState.m_vGravity); }
+
+  // As a world is told of its changes.
+  void OnAdded(CShapeId id);
+  void OnRemoved(CShapeId id);
+  void OnChanged(CShapeId id, CWorld::eChange what);
+
+  void BeginSubstep();
+  /// Parts into which dt seconds have to be cut so that Box2D slows nothing down.
+  unsigned CountCuts(float dt) const;
+  /// Before each b2World::Step of h seconds, and after it.
+  void BeforeStep(float h);
+  void AfterStep();
+  /// Where balls were answered on their way through the last step.
+  struct CBend {
+    std::size_t m_nBall;
+    Vector2 m_vPos;
+    float m_fPart; ///< of the step, 0 .. 1
+  };
+  std::vector<CBend> GetBends() const;
+  /// Takes over into the state what has become of the balls in dt seconds, and turns the other shapes.
+  void EndSubstep(float dt);
+  std::vector<CContactEvent> TakeContacts() { return m_cGatherer.TakeContacts(); }
+
+private:
+  bool HasParabolas() const;
+  void NoteJoints(CShapeId id);
+  void JoinShapes();
+  void CountClamped(float h);
+  void TakeBalls();
+  void TurnShapes(float dt);
+
+  CWorldState& m_cState;
+  CWorldStats& m_cStats;
+  CTuning m_cTuning;
+  CScale m_cScale;
+  CBodies m_cBodies;
+  CContactGatherer m_cGatherer;
+  bool m_bJointsChanged = false;
+};
+
+} // namespace Shapes::Box2D
