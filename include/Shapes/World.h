@@ -54,7 +54,9 @@ struct CShapeId {
 /// A contact of a ball during the last Step. A sensor gives one for each ball that touched it at any time of
 /// a substep, with POI and normal at the end if they touch then, and else where they were closest.
 struct CContactEvent {
-  CShapeId m_cShape; ///< The shape that was met; of two balls the one that was added later.
+  /// The shape that was met; of two balls the one that was added later. None (the default) for what is in a
+  /// game's b2World and not of Shapes.
+  CShapeId m_cShape;
   CShapeId m_cBall;  ///< The ball; of two balls the one that was added first.
   Vector2 m_vPOI;    ///< Point of impact, user units.
   Vector2 m_vNorm;   ///< Unit normal from the shape to the ball.
@@ -91,6 +93,10 @@ struct CWorldStats {
   std::uint64_t m_nEngineSteps =
       0;                          ///< Box2D: calls of b2World::Step; tuned worlds cut substeps of fast ones.
   std::uint64_t m_nArcPieces = 0; ///< Box2D: chords that stand for the arcs that are in the world now.
+  /// In a game's b2World: shapes whose bodies the game has destroyed.
+  std::uint64_t m_nBodiesLost = 0;
+  /// In a game's b2World: how often the game had put another contact listener in the place of ours.
+  std::uint64_t m_nListenersReplaced = 0;
 };
 
 using CAnyShapeDesc = std::variant<CPointDesc, CLineSegDesc, CCircleDesc, CArcDesc, CDynamicCircleDesc>;
@@ -150,7 +156,7 @@ public:
   /// What sensors saw in the last Step, in the order in which it happened, substep by substep; within one by
   /// ball and then by shape. A ball that crosses a sensor within a step is seen too: it begins and ends.
   std::span<const CSensorEvent> GetSensorEvents() const { return m_stdSensorEvents; }
-  const CWorldStats& GetStats() const { return m_cStats; }
+  const CWorldStats& GetStats() const;
 
   // Of any shape.
   eShape GetShapeType(CShapeId id) const;
@@ -208,8 +214,21 @@ protected:
   void Bend(std::size_t ball, const Vector2& p, float t);
   CWorldStats& Stats() { return m_cStats; }
 
+  /// What Step does around the substeps, for an engine that is stepped by somebody else.
+  void BeginStep();
+  void EndSubstep(float dt);
+  void EndStep();
+  /// Takes a shape out of the state, of which the engine knows that it is gone.
+  /// @return false if there is none of that id
+  bool Forget(CShapeId id);
+
+  /// What is about to be done with the world.
+  enum class eAccess { Read, Change, SetGravity, Step, SaveLoad };
+
 private:
-  // What an engine does. It is told of every change after it was made.
+  // What an engine does. It may refuse an access by an exception, and bring the state up to date before it.
+  virtual void OnAccess(eAccess) {}
+  // It is told of every change after it was made.
   virtual void Substep(float dt) = 0;
   virtual void OnAdded(CShapeId id) = 0;
   virtual void OnRemoved(CShapeId id) = 0;
@@ -217,6 +236,7 @@ private:
   virtual void OnSaved() = 0;
   virtual void OnLoaded() = 0;
 
+  const CWorldState& Look() const;
   CShape& FindShape(CShapeId id) const;
   CShape& FindKinematic(CShapeId id, const char* what) const;
   CShapeId AddShape(std::unique_ptr<CShape> pShape);

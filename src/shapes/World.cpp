@@ -64,7 +64,19 @@ CWorld::CWorld(const CWorldDesc& desc, const CWorldLimits& limits)
 
 CWorld::~CWorld() = default;
 
+const CWorldState& CWorld::Look() const {
+  // What the engine does then changes nothing that was true: it finds out what has happened already.
+  const_cast<CWorld*>(this)->OnAccess(eAccess::Read);
+  return *m_pState;
+}
+
+const CWorldStats& CWorld::GetStats() const {
+  Look();
+  return m_cStats;
+}
+
 void CWorld::SetGravity(const Vector2& g) {
+  OnAccess(eAccess::SetGravity);
   RequireVector("m_vGravity", g, m_cLimits.m_fMaxSpeed);
   m_pState->m_vGravity = m_cDesc.m_vGravity = g;
 }
@@ -96,6 +108,7 @@ void CWorld::RequireHeld(const CWorldState& state) const {
 }
 
 CShapeId CWorld::AddShape(std::unique_ptr<CShape> pShape) {
+  OnAccess(eAccess::Change);
   RequireExtent(pShape->GetAABB());
   RequireVector("m_vRotCenter", pShape->GetRotCenter(), m_cLimits.m_fMaxLength);
   const CShapeId id{m_pState->m_nNextId++};
@@ -111,6 +124,7 @@ CShapeId CWorld::Add(const CCircleDesc& desc) { return AddShape(MakeShape(desc))
 CShapeId CWorld::Add(const CArcDesc& desc) { return AddShape(MakeShape(desc)); }
 
 CShapeId CWorld::Add(const CDynamicCircleDesc& desc) {
+  OnAccess(eAccess::Change);
   const CDynamicCircle checked(desc);
   RequireExtent(checked.GetAABB());
   RequireVector("m_vVel", desc.m_vVel, m_cLimits.m_fMaxSpeed);
@@ -128,6 +142,7 @@ CShapeId CWorld::Add(const CAnyShapeDesc& desc) {
 
 std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, const Vector2& rotCenter,
                                           float revsPerSecond) {
+  OnAccess(eAccess::Change);
   std::vector<std::unique_ptr<CShape>> shapes;
   for (const CAnyShapeDesc& any : descs)
     shapes.push_back(std::visit(
@@ -147,34 +162,53 @@ std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, 
   return ids;
 }
 
-void CWorld::Remove(CShapeId id) {
+bool CWorld::Forget(CShapeId id) {
   if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos)
     m_pState->m_cBalls.Remove(i);
   else if (const std::size_t j = m_pState->FindShape(id); j != CWorldState::npos)
     m_pState->m_stdShapes.erase(m_pState->m_stdShapes.begin() + static_cast<std::ptrdiff_t>(j));
   else
-    RefuseId(id, "the id of a shape in this world");
+    return false;
   m_pSensors->Forget();
+  return true;
+}
+
+void CWorld::Remove(CShapeId id) {
+  OnAccess(eAccess::Change);
+  if (!Forget(id)) RefuseId(id, "the id of a shape in this world");
   OnRemoved(id);
 }
 
 bool CWorld::Contains(CShapeId id) const {
-  return m_pState->FindBall(id) != CWorldState::npos || m_pState->FindShape(id) != CWorldState::npos;
+  const CWorldState& state = Look();
+  return state.FindBall(id) != CWorldState::npos || state.FindShape(id) != CWorldState::npos;
 }
 
-void CWorld::Step() {
+void CWorld::BeginStep() {
   m_stdContacts.clear();
   m_stdSensorEvents.clear();
-  const bool senses = m_pSensors->Begin(*m_pState, m_stdSensorEvents);
+  m_pSensors->Begin(*m_pState, m_stdSensorEvents);
+}
+
+void CWorld::EndSubstep(float dt) {
+  ++m_cStats.m_nSubsteps;
+  // Asked again: somebody else may have taken shapes out in the middle of the step.
+  if (!m_pSensors->Begin(*m_pState, m_stdSensorEvents)) return;
+  for (const CContactEvent& event : m_pSensors->Sense(*m_pState, dt, m_stdSensorEvents))
+    Report(event);
+}
+
+void CWorld::EndStep() { ++m_cStats.m_nSteps; }
+
+void CWorld::Step() {
+  OnAccess(eAccess::Step);
+  BeginStep();
   const float dt = m_cDesc.m_fTimeStep / static_cast<float>(m_cDesc.m_nSubsteps);
   for (unsigned i = 0; i < m_cDesc.m_nSubsteps; ++i) {
     Substep(dt);
-    if (!senses) continue;
-    for (const CContactEvent& event : m_pSensors->Sense(*m_pState, dt, m_stdSensorEvents))
-      Report(event);
+    EndSubstep(dt);
   }
-  m_cStats.m_nSteps += 1;
-  m_cStats.m_nSubsteps += m_cDesc.m_nSubsteps;
+  EndStep();
 }
 
 void CWorld::Report(const CContactEvent& event) {
@@ -185,7 +219,7 @@ void CWorld::Report(const CContactEvent& event) {
 void CWorld::Bend(std::size_t ball, const Vector2& p, float t) { m_pSensors->Bend(ball, p, t); }
 
 CShape& CWorld::FindShape(CShapeId id) const {
-  const std::size_t i = m_pState->FindShape(id);
+  const std::size_t i = Look().FindShape(id);
   if (i == CWorldState::npos) RefuseId(id, "the id of a shape in this world that is not a ball");
   return *m_pState->m_stdShapes[i].m_pShape;
 }
@@ -197,19 +231,20 @@ CShape& CWorld::FindKinematic(CShapeId id, const char* what) const {
 }
 
 eShape CWorld::GetShapeType(CShapeId id) const {
-  return m_pState->FindBall(id) != CWorldState::npos ? eShape::Circle : FindShape(id).GetShapeType();
+  return Look().FindBall(id) != CWorldState::npos ? eShape::Circle : FindShape(id).GetShapeType();
 }
 
 eMotion CWorld::GetMotionType(CShapeId id) const {
-  return m_pState->FindBall(id) != CWorldState::npos ? eMotion::Dynamic : FindShape(id).GetMotionType();
+  return Look().FindBall(id) != CWorldState::npos ? eMotion::Dynamic : FindShape(id).GetMotionType();
 }
 
 const Vector2& CWorld::GetPos(CShapeId id) const {
-  const std::size_t i = m_pState->FindBall(id);
+  const std::size_t i = Look().FindBall(id);
   return i != CWorldState::npos ? m_pState->m_cBalls.m_stdPos[i] : FindShape(id).GetPos();
 }
 
 void CWorld::SetPos(CShapeId id, const Vector2& p) {
+  OnAccess(eAccess::Change);
   RequireVector("m_vPos", p, g_fMaxLength);
   RequireExtent(CAabb2D(p, p));
   if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos)
@@ -220,11 +255,12 @@ void CWorld::SetPos(CShapeId id, const Vector2& p) {
 }
 
 float CWorld::GetElasticity(CShapeId id) const {
-  const std::size_t i = m_pState->FindBall(id);
+  const std::size_t i = Look().FindBall(id);
   return i != CWorldState::npos ? m_pState->m_cBalls.m_stdElasticity[i] : FindShape(id).GetElasticity();
 }
 
 void CWorld::SetElasticity(CShapeId id, float e) {
+  OnAccess(eAccess::Change);
   RequireRange("m_fElasticity", e, 0.0f, g_fMaxElasticity);
   if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos)
     m_pState->m_cBalls.m_stdElasticity[i] = e;
@@ -234,11 +270,12 @@ void CWorld::SetElasticity(CShapeId id, float e) {
 }
 
 bool CWorld::GetSensor(CShapeId id) const {
-  const std::size_t i = m_pState->FindBall(id);
+  const std::size_t i = Look().FindBall(id);
   return i != CWorldState::npos ? m_pState->m_cBalls.m_stdSensor[i] != 0 : FindShape(id).GetSensor();
 }
 
 void CWorld::SetSensor(CShapeId id, bool b) {
+  OnAccess(eAccess::Change);
   if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos)
     m_pState->m_cBalls.m_stdSensor[i] = b;
   else
@@ -248,11 +285,12 @@ void CWorld::SetSensor(CShapeId id, bool b) {
 }
 
 bool CWorld::GetCanCollide(CShapeId id) const {
-  const std::size_t i = m_pState->FindBall(id);
+  const std::size_t i = Look().FindBall(id);
   return i != CWorldState::npos ? m_pState->m_cBalls.m_stdCanCollide[i] != 0 : FindShape(id).GetCanCollide();
 }
 
 void CWorld::SetCanCollide(CShapeId id, bool b) {
+  OnAccess(eAccess::Change);
   if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos)
     m_pState->m_cBalls.m_stdCanCollide[i] = b;
   else
@@ -261,15 +299,17 @@ void CWorld::SetCanCollide(CShapeId id, bool b) {
 }
 
 void* CWorld::GetUserPtr(CShapeId id) const {
-  const std::size_t i = m_pState->FindBall(id);
+  const std::size_t i = Look().FindBall(id);
   return i != CWorldState::npos ? m_pState->m_cBalls.m_stdUser[i] : FindShape(id).GetUserPtr();
 }
 
 void CWorld::SetUserPtr(CShapeId id, void* p) {
+  OnAccess(eAccess::Change);
   if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos)
     m_pState->m_cBalls.m_stdUser[i] = p;
   else
     FindShape(id).SetUserPtr(p);
+  OnChanged(id, eChange::Properties);
 }
 
 const CShape& CWorld::GetShape(CShapeId id) const { return FindShape(id); }
@@ -278,22 +318,26 @@ float CWorld::GetRotSpeed(CShapeId id) const { return FindShape(id).GetRotSpeed(
 const Vector2& CWorld::GetRotCenter(CShapeId id) const { return FindShape(id).GetRotCenter(); }
 
 void CWorld::SetOrientation(CShapeId id, float angle) {
+  OnAccess(eAccess::Change);
   FindKinematic(id, "a kinematic shape, to be turned").SetOrientation(angle);
   OnChanged(id, eChange::Pose);
 }
 
 void CWorld::SetRotSpeed(CShapeId id, float revsPerSecond) {
+  OnAccess(eAccess::Change);
   FindKinematic(id, "a kinematic shape, to be turned").SetRotSpeed(revsPerSecond);
   OnChanged(id, eChange::Motion);
 }
 
 void CWorld::SetRotCenter(CShapeId id, const Vector2& center) {
+  OnAccess(eAccess::Change);
   RequireVector("m_vRotCenter", center, m_cLimits.m_fMaxLength);
   FindKinematic(id, "a kinematic shape, to be turned").SetRotCenter(center);
   OnChanged(id, eChange::Pose);
 }
 
 void CWorld::Reset(CShapeId id) {
+  OnAccess(eAccess::Change);
   FindKinematic(id, "a kinematic shape, to be put back").Reset();
   OnChanged(id, eChange::Pose);
 }
@@ -308,24 +352,24 @@ std::size_t FindBall(const CWorldState& state, CShapeId id) {
 
 } // namespace
 
-const Vector2& CWorld::GetVel(CShapeId id) const {
-  return m_pState->m_cBalls.m_stdVel[FindBall(*m_pState, id)];
-}
-float CWorld::GetRadius(CShapeId id) const { return m_pState->m_cBalls.m_stdRadius[FindBall(*m_pState, id)]; }
-float CWorld::GetMass(CShapeId id) const { return m_pState->m_cBalls.m_stdMass[FindBall(*m_pState, id)]; }
+const Vector2& CWorld::GetVel(CShapeId id) const { return m_pState->m_cBalls.m_stdVel[FindBall(Look(), id)]; }
+float CWorld::GetRadius(CShapeId id) const { return m_pState->m_cBalls.m_stdRadius[FindBall(Look(), id)]; }
+float CWorld::GetMass(CShapeId id) const { return m_pState->m_cBalls.m_stdMass[FindBall(Look(), id)]; }
 
 void CWorld::SetVel(CShapeId id, const Vector2& v) {
+  OnAccess(eAccess::Change);
   const std::size_t i = FindBall(*m_pState, id);
   RequireVector("m_vVel", v, m_cLimits.m_fMaxSpeed);
   m_pState->m_cBalls.m_stdVel[i] = v;
   OnChanged(id, eChange::Motion);
 }
 
-std::span<const CShapeId> CWorld::GetBallIds() const { return m_pState->m_cBalls.m_stdId; }
-std::span<const Vector2> CWorld::GetBallPositions() const { return m_pState->m_cBalls.m_stdPos; }
-std::span<const Vector2> CWorld::GetBallVelocities() const { return m_pState->m_cBalls.m_stdVel; }
+std::span<const CShapeId> CWorld::GetBallIds() const { return Look().m_cBalls.m_stdId; }
+std::span<const Vector2> CWorld::GetBallPositions() const { return Look().m_cBalls.m_stdPos; }
+std::span<const Vector2> CWorld::GetBallVelocities() const { return Look().m_cBalls.m_stdVel; }
 
 CSavedState CWorld::SaveState() {
+  OnAccess(eAccess::SaveLoad);
   CSavedState saved;
   saved.m_pState = std::make_shared<const CWorldState>(*m_pState);
   OnSaved();
@@ -333,6 +377,7 @@ CSavedState CWorld::SaveState() {
 }
 
 void CWorld::LoadState(const CSavedState& state) {
+  OnAccess(eAccess::SaveLoad);
   if (!state.m_pState) Refuse("state", "empty", "what SaveState returned");
   RequireHeld(*state.m_pState);
   // Ids that were given since are not given again.
