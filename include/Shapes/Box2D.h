@@ -4,10 +4,76 @@
 #pragma once
 
 #include <Shapes/SceneDesc.h>
+#include <Shapes/World.h>
+
+#include <memory>
 
 class b2World;
 
 namespace Shapes {
+
+/// Shapes and balls among the bodies of a game, in the game's own b2World, which the game steps:
+///
+///     pWorld->PreStep(dt);
+///     world.Step(dt, 8, 3);
+///     pWorld->PostStep();
+///
+/// dt may differ from step to step. After PostStep contacts, events, positions and velocities are those of
+/// the step. A ball that met a body of the game has a contact event with no shape. What is different from
+/// other worlds:
+/// - Step, SaveState and LoadState throw std::logic_error. The time step, the substeps, the iterations and
+///   the gravity of the description are not used; the b2World has the gravity.
+/// - Changes throw std::logic_error between PreStep and PostStep, and in callbacks of Box2D. (What cannot be
+///   seen is a b2DestructionListener at work on a body that the game destroys: change nothing from there.)
+/// - Tuned worlds leave the scale of the b2World as it is and cut no steps: m_nMovesClamped and
+///   m_nTurnsClamped count what Box2D slows down. The fixtures of tuned balls are larger than the balls by
+///   .00625 metres, by which they keep away from the game's bodies; from each other and from shapes they do
+///   not.
+///
+/// What it has to do with the game:
+/// - Fixtures have no friction and no restitution threshold; those of balls have the elasticity of the ball
+///   as their restitution, those of other shapes 0. This is mixed with the game's fixtures as the game does
+///   it. Two of Shapes' own meet by the product of their elasticities.
+/// - The user data of a fixture is the user pointer of its shape, that of a body 0.
+/// - It listens to contacts before the game's listener and passes all of them on, those of Shapes' bodies
+///   included. A listener that the game installs later is noticed in PreStep, and passed on to from then on.
+/// - A contact between two of Shapes' own that the game's listener disables is reported all the same.
+///
+/// Life and death:
+/// - The game may destroy any body. If it is one of ours, its shape is removed by the next call of any
+///   function, and counted in m_nBodiesLost.
+/// - The b2World may be destroyed first. Then, and also if the game has destroyed all bodies in it, IsAlive
+///   is false, getters go on with what was there last, and everything else throws std::logic_error.
+/// - When this world is destroyed it takes its bodies out of the b2World (the game's listener hears that
+///   contacts end, so it has to be there still, or be taken out of the b2World before), and puts the former
+///   listener back. From within a callback of Box2D that cannot be: the bodies stay and belong to the game
+///   then.
+///
+/// Like a b2World it is for one thread at a time.
+class CBox2DWorld : public CWorld {
+public:
+  /// To be called before b2World::Step.
+  /// @param dt  seconds, as b2World::Step will be given
+  /// @throws std::invalid_argument unless g_fMinTimeStep <= dt <= g_fMaxTimeStep
+  /// @throws std::logic_error if it was called already, in a callback of Box2D, or if the b2World is gone;
+  /// nothing has changed then
+  virtual void PreStep(float dt) = 0;
+  /// To be called after b2World::Step.
+  /// @throws std::logic_error without PreStep, in a callback of Box2D, or if the b2World is gone
+  virtual void PostStep() = 0;
+  /// Whether the b2World is still there, as far as can be told from the bodies in it.
+  virtual bool IsAlive() const = 0;
+
+protected:
+  using CWorld::CWorld;
+};
+
+/// An empty world in the b2World of a game.
+/// @param desc  the length unit is in user units per metre of the b2World
+/// @throws std::invalid_argument naming the field of the description that is not valid; the gravity has to be
+/// (0, 0)
+/// @throws std::logic_error during b2World::Step
+std::unique_ptr<CBox2DWorld> MakeWorld(b2World& world, const CWorldDesc& desc);
 
 /// How a b2World becomes a scene.
 struct CImportOptions {

@@ -74,12 +74,20 @@ void CBodies::Create(const CWorldState& state, CShapeId id, const CJoints& joint
   SetProperties(state, id);
 }
 
-void CBodies::AddFixture(b2Body& body, const b2Shape& shape) {
-  b2FixtureDef def;
-  def.shape = &shape;
-  def.friction = 0.0f;
-  def.restitutionThreshold = 0.0f;
-  body.CreateFixture(&def);
+template <class TShape, class F>
+void CBodies::AddFixture(CBody& body, F fill) {
+  const auto add = [&](auto shape) {
+    fill(shape);
+    b2FixtureDef def;
+    def.shape = &shape;
+    def.friction = 0.0f;
+    def.restitutionThreshold = 0.0f;
+    return body.m_pBody->CreateFixture(&def)->GetShape();
+  };
+  if (m_pTies == nullptr)
+    add(TShape());
+  else
+    m_pTies->Tie(*add(CTied<TShape>()), body.m_cId);
 }
 
 void CBodies::CreateBall(const CBallArrays& b, std::size_t i, CBody& body) {
@@ -94,11 +102,11 @@ void CBodies::CreateBall(const CBallArrays& b, std::size_t i, CBody& body) {
   body.m_pBody = m_pWorld->CreateBody(&def);
   body.m_bIsBall = true;
 
-  b2CircleShape circle;
   body.m_cOutline.m_fRadius = static_cast<double>(m_cScale.ToMetres(b.m_stdRadius[i]));
   body.m_fRadius = m_cScale.ToMetres(b.m_stdRadius[i]);
-  circle.m_radius = body.m_fRadius + (m_cTuning.m_bTrueContacts ? g_fBallSkin : 0.0f);
-  AddFixture(*body.m_pBody, circle);
+  AddFixture<b2CircleShape>(body, [&](b2CircleShape& circle) {
+    circle.m_radius = body.m_fRadius + (m_cTuning.m_bTrueContacts ? g_fBallSkin : 0.0f);
+  });
 
   // Directly, not by density: a ball of radius 0 has a mass too, and it must be in place after the fixture.
   b2MassData mass;
@@ -121,14 +129,11 @@ void CBodies::CreateShape(const CShape& shape, const CJoints& joints, CBody& bod
       m_cTuning.m_bTrueContacts ? std::optional(g_fBothSkins - g_fBallSkin) : std::nullopt;
   const CPieces pieces = CPieces::Make(shape, origin, m_cScale, m_fSagitta, skin);
   for (const b2CircleShape& circle : pieces.m_stdCircles)
-    AddFixture(*body.m_pBody, circle);
+    AddFixture<b2CircleShape>(body, [&](b2CircleShape& one) { one = circle; });
   for (const b2EdgeShape& edge : pieces.m_stdEdges)
-    AddFixture(*body.m_pBody, edge);
-  for (const CPieces::CChain& vertices : pieces.m_stdChains) {
-    b2ChainShape chain;
-    CreateChain(vertices, chain);
-    AddFixture(*body.m_pBody, chain);
-  }
+    AddFixture<b2EdgeShape>(body, [&](b2EdgeShape& one) { one = edge; });
+  for (const CPieces::CChain& vertices : pieces.m_stdChains)
+    AddFixture<b2ChainShape>(body, [&](b2ChainShape& chain) { CreateChain(vertices, chain); });
   body.m_fBaseOrientation = shape.GetOrientation();
   body.m_nArcPieces = pieces.m_nArcPieces;
   body.m_cJoints = joints;
@@ -138,8 +143,13 @@ void CBodies::CreateShape(const CShape& shape, const CJoints& joints, CBody& bod
 
 void CBodies::Remove(CShapeId id) {
   b2Body* pBody = Get(id).m_pBody;
-  Forget(id);
+  Forget(id); // before it goes, so that it does not count as lost
   m_pWorld->DestroyBody(pBody);
+}
+
+void CBodies::RemoveAll() {
+  while (!m_stdBodies.empty())
+    Remove(m_stdBodies.begin()->first);
 }
 
 void CBodies::Forget(CShapeId id) {

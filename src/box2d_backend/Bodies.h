@@ -13,6 +13,7 @@
 #include "Convert.h"
 #include "Flight.h"
 #include "Joints.h"
+#include "Ties.h"
 #include "TrueContact.h"
 #include "Tuning.h"
 
@@ -43,11 +44,14 @@ struct CBody {
 class CBodies {
 public:
   /// @param sagitta  in the metres of Box2D
-  CBodies(b2World& world, const CScale& scale, const CTuning& tuning, float sagitta)
-      : m_pWorld(&world), m_cScale(scale), m_cTuning(tuning), m_fSagitta(sagitta) {}
+  /// @param pTies    to which all fixtures are tied; nullptr where nobody else destroys any
+  CBodies(b2World& world, const CScale& scale, const CTuning& tuning, float sagitta, CTies* pTies)
+      : m_pWorld(&world), m_cScale(scale), m_cTuning(tuning), m_fSagitta(sagitta), m_pTies(pTies) {}
 
   void Create(const CWorldState& state, CShapeId id, const CJoints& joints = {});
   void Remove(CShapeId id);
+  void RemoveAll();
+  bool Contains(CShapeId id) const { return m_stdBodies.contains(id); }
   /// Forgets a body that is gone already.
   void Forget(CShapeId id);
   /// Elasticity, sensor, can-collide and user pointer as they are now.
@@ -64,12 +68,14 @@ public:
 private:
   void CreateBall(const CBallArrays& balls, std::size_t i, CBody& body);
   void CreateShape(const CShape& shape, const CJoints& joints, CBody& body);
-  void AddFixture(b2Body& body, const b2Shape& shape);
+  template <class TShape, class F>
+  void AddFixture(CBody& body, F fill);
 
   b2World* m_pWorld;
   CScale m_cScale;
   CTuning m_cTuning;
   float m_fSagitta;
+  CTies* m_pTies;
   std::map<CShapeId, CBody> m_stdBodies;
   std::unordered_map<const b2Body*, CBody*> m_stdByBody;
   std::vector<CBody*> m_stdBalls, m_stdKinematics;

@@ -40,6 +40,19 @@ void CContactGatherer::PostSolve(b2Contact* pContact, const b2ContactImpulse*) {
   m_cAnswers.AfterSolve();
 }
 
+void CContactGatherer::MeetOther(b2Contact& contact) {
+  CBody* pA = m_cBodies.Find(*contact.GetFixtureA()->GetBody());
+  CBody* pB = m_cBodies.Find(*contact.GetFixtureB()->GetBody());
+  if ((pA == nullptr) == (pB == nullptr)) return;
+  CBody& ball = pA != nullptr ? *pA : *pB;
+  if (!ball.m_bIsBall) return;
+  CBody other;
+  other.m_pBody = (pA != nullptr ? contact.GetFixtureB() : contact.GetFixtureA())->GetBody();
+  other.m_cStart = other.m_pBody->GetTransform();
+  ReportAsIs(contact, other, ball);
+  if (m_cTuning.m_bParabolas) m_cAnswers.FollowOther(contact, other, ball);
+}
+
 void CContactGatherer::ReportAsIs(b2Contact& contact, const CBody& shape, const CBody& ball) {
   b2WorldManifold manifold;
   contact.GetWorldManifold(&manifold);

@@ -25,6 +25,9 @@ public:
   void BeginStep(const b2Vec2& g, float h);
 
   void PreSolve(b2Contact* pContact, const b2Manifold* pOld) override;
+  /// After PreSolve, in a game's b2World: one of our balls meets what is not ours. Box2D, or the game,
+  /// answers it.
+  void MeetOther(b2Contact& contact);
   void PostSolve(b2Contact* pContact, const b2ContactImpulse* pImpulse) override;
 
   /// The contacts since the last call, one for each ball and shape that met, the fastest of several, by ball

@@ -34,12 +34,12 @@ CWorldLimits CStepper::GetLimits(const CWorldDesc& desc, const CTuning& tuning) 
 }
 
 CStepper::CStepper(b2World& world, CWorldState& state, CWorldStats& stats, const CWorldDesc& desc,
-                   const CTuning& tuning)
+                   const CTuning& tuning, CTies* pTies)
     : m_cState(state),
       m_cStats(stats),
       m_cTuning(tuning),
       m_cScale(UnitOf(desc, tuning)),
-      m_cBodies(world, m_cScale, m_cTuning, desc.m_fSagittaTolerance * m_cTuning.m_fScale),
+      m_cBodies(world, m_cScale, m_cTuning, desc.m_fSagittaTolerance * m_cTuning.m_fScale, pTies),
       m_cGatherer(m_cBodies, m_cScale, m_cTuning) {
   std::map<CShapeId, CJoints> joints;
   if (m_cTuning.m_bJoints) joints = FindJoints(m_cState, m_cScale.FromMetres(b2_linearSlop));
@@ -83,6 +83,14 @@ void CStepper::OnChanged(CShapeId id, CWorld::eChange what) {
   } else { // the rotation speed is handed over at the next substep
     NoteJoints(id);
   }
+}
+
+bool CStepper::OnLost(CShapeId id) {
+  FailIf(!m_cBodies.Contains(id));
+  NoteJoints(id);
+  m_cBodies.Forget(id);
+  m_cStats.m_nArcPieces = m_cBodies.GetArcPieces();
+  return true;
 }
 
 void CStepper::NoteJoints(CShapeId id) {

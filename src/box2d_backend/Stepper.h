@@ -21,20 +21,25 @@ public:
   /// What a world with that description can hold.
   static CWorldLimits GetLimits(const CWorldDesc& desc, const CTuning& tuning);
 
-  /// Makes a body for all that is in the state, in the order of ids. Both the state and the statistics have
-  /// to outlive it.
+  /// Makes a body for all that is in the state, in the order of ids. The state, the statistics and the ties
+  /// have to outlive it.
   CStepper(b2World& world, CWorldState& state, CWorldStats& stats, const CWorldDesc& desc,
-           const CTuning& tuning);
+           const CTuning& tuning, CTies* pTies = nullptr);
 
   /// To be told of what happens in the b2World.
   CContactGatherer& GetListener() { return m_cGatherer; }
   /// In metres.
   b2Vec2 GetGravity() const { return m_cScale.ToMetres(m_cState.m_vGravity); }
+  void SetGravity(const b2Vec2& g) { m_cState.m_vGravity = m_cScale.FromMetres(g); }
 
   // As a world is told of its changes.
   void OnAdded(CShapeId id);
   void OnRemoved(CShapeId id);
   void OnChanged(CShapeId id, CWorld::eChange what);
+  void RemoveAll() { m_cBodies.RemoveAll(); }
+  /// A fixture of that shape was destroyed by somebody else: what is left of its body is no concern of ours.
+  /// @return false if that was known
+  bool OnLost(CShapeId id);
 
   void BeginSubstep();
   /// Parts into which dt seconds have to be cut so that Box2D slows nothing down.
@@ -51,6 +56,7 @@ public:
   std::vector<CBend> GetBends() const;
   /// Takes over into the state what has become of the balls in dt seconds, and turns the other shapes.
   void EndSubstep(float dt);
+  void TakeBalls();
   std::vector<CContactEvent> TakeContacts() { return m_cGatherer.TakeContacts(); }
 
 private:
@@ -58,7 +64,6 @@ private:
   void NoteJoints(CShapeId id);
   void JoinShapes();
   void CountClamped(float h);
-  void TakeBalls();
   void TurnShapes(float dt);
 
   CWorldState& m_cState;

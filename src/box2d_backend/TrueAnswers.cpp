@@ -128,7 +128,8 @@ std::optional<CTrueAnswers::CAnswer> CTrueAnswers::Answer(b2Contact& contact, CB
   if (!m_bIsContinuous && approaches) {
     // b2TimeOfImpact knows no pairs of balls without a bullet, and nothing that is on another without its
     // skin.
-    const bool isSwept = !shape.m_bIsBall || shape.m_pBody->IsBullet() || ball.m_pBody->IsBullet();
+    const bool isSwept = ball.m_pBody->GetWorld()->GetContinuousPhysics() &&
+                         (!shape.m_bIsBall || shape.m_pBody->IsBullet() || ball.m_pBody->IsBullet());
     if (isSwept && sight.m_fSkins + Radii(contact) > b2_linearSlop) {
       Ignore(contact, sight.m_vNormAB); // Box2D will stop the ball where it arrives
       return {};
@@ -148,6 +149,35 @@ std::optional<CTrueAnswers::CAnswer> CTrueAnswers::Answer(b2Contact& contact, CB
   else
     SetManifold(contact, sight.m_vNormAB, impact.m_fSpeed == 0.0 ? sight.m_fGap - b2_linearSlop : 0.0f);
   return approaches ? std::optional(answer) : std::nullopt;
+}
+
+void CTrueAnswers::FollowOther(b2Contact& contact, CBody& other, CBody& ball) {
+  m_bIsContinuous = m_bIsContinuous || HasMoved(ball);
+  if (m_vGravity == b2Vec2_zero) return;
+  b2WorldManifold manifold;
+  contact.GetWorldManifold(&manifold);
+  CSight sight{
+      contact, manifold.separations[0], {}, manifold.normal, manifold.separations[0], 0.0, 0.0, false, {},
+      {}};
+  sight.m_vNorm = contact.GetFixtureB()->GetBody() == ball.m_pBody ? manifold.normal : -manifold.normal;
+  sight.m_vPOI = ball.m_pBody->GetPosition() - ball.m_fRadius * sight.m_vNorm;
+  CFlight::CImpact& impact = sight.m_cImpact;
+  impact.m_fPart = m_bIsContinuous ? PartAt(other, ball) : 0.0;
+  impact.m_vNorm = ToDouble(sight.m_vNorm);
+  impact.m_fSpeed = ToDouble(ball.m_pBody->GetLinearVelocity() -
+                             other.m_pBody->GetLinearVelocityFromWorldPoint(sight.m_vPOI))
+                        .dot(impact.m_vNorm);
+  impact.m_fElasticity = static_cast<double>(contact.GetRestitution());
+  if (!(impact.m_fSpeed < 0.0)) return;
+  Vector2d dp, dv;
+  ball.m_cFlight.GetDeviation(impact.m_fPart, dp, dv);
+  sight.m_fSpeed = -impact.m_fSpeed - dv.dot(impact.m_vNorm);
+  if (IsSupport(sight, other, ball)) {
+    contact.SetRestitution(0.0f);
+  } else if (other.m_pBody->GetType() != b2_dynamicBody) {
+    CFlight::Bounce(impact, ball.m_cFlight, 1.0, nullptr);
+    if (m_bIsContinuous) PushApart(sight, other, ball); // that does not lift it
+  }
 }
 
 CTrueAnswers::CSight CTrueAnswers::Look(b2Contact& contact, const CBody& shape, const CBody& ball) const {

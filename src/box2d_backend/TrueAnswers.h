@@ -37,6 +37,9 @@ public:
   /// @param contact  its restitution is that of the pair already
   std::optional<CAnswer> Answer(b2Contact& contact, CBody& shape, CBody& ball);
 
+  /// A ball meets what is not ours, and Box2D answers that; its parabola bounces there, or ends.
+  void FollowOther(b2Contact& contact, CBody& other, CBody& ball);
+
   /// The part of the step that is over when Box2D is where these two are, by that one which goes farther.
   double PartAt(const CBody& shape, const CBody& ball) const;
 

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: MIT
+// Who may be destroyed before whom, and who may replace whose listener, where Shapes is in a game's b2World.
+// What goes wrong here is memory that is used after its end: run it under the address sanitizer, too.
+#include "GuestTesting.h"
+
+#include <gtest/gtest.h>
+
+namespace Shapes::Tests {
+namespace {
+
+void ExpectGone(CTable& table) {
+  CBox2DWorld& guest = *table.m_pGuest;
+  EXPECT_FALSE(guest.IsAlive());
+  EXPECT_TRUE(guest.Contains(table.m_cBall)); // what was there last can be read
+  EXPECT_EQ(guest.GetBallPositions().size(), 2u);
+  EXPECT_EQ(guest.GetShape(table.m_cArc).GetShapeType(), eShape::Arc);
+  for (const auto& f :
+       std::vector<std::function<void()>>{[&] { guest.PreStep(g_fDt); }, [&] { guest.PostStep(); },
+                                          [&] {
+                                            guest.Add(CPointDesc({0, 0}));
+                                          },
+                                          [&] { guest.Remove(table.m_cBall); },
+                                          [&] {
+                                            guest.SetPos(table.m_cArc, {0, 0});
+                                          },
+                                          [&] {
+                                            guest.SetVel(table.m_cBall, {0, 0});
+                                          },
+                                          [&] { guest.SetUserPtr(table.m_cBall, nullptr); }})
+    EXPECT_NE(Thrown(f).find("The b2World is gone"), std::string::npos) << Thrown(f);
+  EXPECT_EQ(guest.GetStats().m_nBodiesLost, 0u);
+}
+
+TEST(GuestLifetimeTest, TheGameDestroysItsWorldFirst) {
+  CTable table;
+  EXPECT_TRUE(table.m_pGuest->IsAlive());
+  const Vector2 p = table.m_pGuest->GetPos(table.m_cBall);
+  table.m_pGame.reset();
+  EXPECT_EQ(table.m_pGuest->GetPos(table.m_cBall), p);
+  ExpectGone(table);
+}
+
+TEST(GuestLifetimeTest, TheGameDestroysItsWorldInTheMiddleOfAStep) {
+  CTable table;
+  table.m_pGuest->PreStep(g_fDt);
+  table.m_pGame.reset();
+  ExpectGone(table);
+}
+
+TEST(GuestLifetimeTest, AnEmptyGuestNoticesTheEndOfTheWorldToo) {
+  auto pGame = std::make_unique<b2World>(b2Vec2_zero);
+  const auto pGuest = MakeGuest(*pGame);
+  EXPECT_TRUE(pGuest->IsAlive());
+  pGame.reset();
+  EXPECT_FALSE(pGuest->IsAlive());
+}
+
+TEST(GuestLifetimeTest, TheGameDestroysABall) {
+  CTable table;
+  CBox2DWorld& guest = *table.m_pGuest;
+  table.m_pGame->DestroyBody(table.BodyOfBall());
+  EXPECT_FALSE(guest.Contains(table.m_cBall)); // at once
+  EXPECT_EQ(guest.GetBallPositions().size(), 1u);
+  EXPECT_EQ(guest.GetStats().m_nBodiesLost, 1u);
+  EXPECT_THROW(guest.GetPos(table.m_cBall), std::invalid_argument);
+  EXPECT_THROW(guest.Remove(table.m_cBall), std::invalid_argument);
+  table.Step(60);
+  EXPECT_TRUE(guest.Contains(table.m_cOther));
+  EXPECT_GT(guest.Add(CDynamicCircleDesc({3, 1}, 0.1f)), table.m_cOther); // ids are never used again
+  table.Step(60);
+}
+
+TEST(GuestLifetimeTest, TheGameDestroysABallInTheMiddleOfAStep) {
+  for (const bool beforeBox2D : {true, false}) {
+    CTable table;
+    CBox2DWorld& guest = *table.m_pGuest;
+    guest.PreStep(g_fDt);
+    if (beforeBox2D) table.m_pGame->DestroyBody(table.BodyOfBall());
+    table.m_pGame->Step(g_fDt, 8, 3);
+    if (!beforeBox2D) table.m_pGame->DestroyBody(table.BodyOfBall());
+    guest.PostStep();
+    ASSERT_EQ(guest.GetBallIds().size(), 1u);
+    EXPECT_EQ(guest.GetBallIds()[0], table.m_cOther);
+    EXPECT_NEAR(guest.GetPos(table.m_cOther).x(), 0, 0.01f); // and not the place of the other one
+    table.Step(10);
+  }
+}
+
+TEST(GuestLifetimeTest, TheGameDestroysAShapeOfSeveralFixtures) {
+  CTable table;
+  CBox2DWorld& guest = *table.m_pGuest;
+  const auto pieces = guest.GetStats().m_nArcPieces;
+  table.m_pGame->DestroyBody(table.BodyOfArc());
+  EXPECT_FALSE(guest.Contains(table.m_cArc));
+  EXPECT_EQ(guest.GetStats().m_nBodiesLost, 1u);
+  EXPECT_LT(guest.GetStats().m_nArcPieces, pieces);
+  table.Step(60); // the segment has lost what it went on in
+}
+
+TEST(GuestLifetimeTest, TheGameDestroysAFixture) {
+  CTable table;
+  b2Body* pArc = table.BodyOfArc();
+  ASSERT_NE(pArc->GetFixtureList()->GetNext(), nullptr);
+  pArc->DestroyFixture(pArc->GetFixtureList());
+  EXPECT_FALSE(table.m_pGuest->Contains(table.m_cArc));
+  table.Step(10);
+  table.m_pGame->DestroyBody(pArc); // what is left of it is the game's
+  EXPECT_EQ(table.m_pGuest->GetStats().m_nBodiesLost, 1u);
+  table.Step(10);
+}
+
+TEST(GuestLifetimeTest, TheGameDestroysAllBodies) {
+  CTable table;
+  while (table.m_pGame->GetBodyList() != nullptr)
+    table.m_pGame->DestroyBody(table.m_pGame->GetBodyList());
+  ExpectGone(table);
+  // The next one in the same b2World is none the wiser.
+  const auto pNext = MakeGuest(*table.m_pGame);
+  pNext->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  pNext->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -3}));
+  table.m_cListener = CCounting();
+  Steps(*table.m_pGame, *pNext, 10);
+  EXPECT_EQ(table.m_cListener.m_nBegin, 1); // once: the first one's listener passes on and no more
+  table.m_pGuest.reset();
+  Steps(*table.m_pGame, *pNext, 10);
+}
+
+TEST(GuestLifetimeTest, TheGameDestroysAllBodiesButABall) {
+  for (const bool goesOn : {true, false}) {
+    CTable table;
+    b2Body* pBall = table.BodyOfBall();
+    for (b2Body* p = table.m_pGame->GetBodyList(); p != nullptr;) {
+      b2Body* pNext = p->GetNext();
+      if (p != pBall) table.m_pGame->DestroyBody(p);
+      p = pNext;
+    }
+    EXPECT_TRUE(table.m_pGuest->IsAlive());
+    if (goesOn) table.Step(10);
+    EXPECT_EQ(table.m_pGuest->GetStats().m_nBodiesLost, 4u);
+    table.m_pGuest->Remove(table.m_cBall);
+    EXPECT_TRUE(table.m_pGuest->IsAlive()); // it has made itself another sentinel
+    table.m_pGame.reset();
+    EXPECT_FALSE(table.m_pGuest->IsAlive());
+  }
+}
+
+TEST(GuestLifetimeTest, TheMemoryOfABodyBecomesOneOfTheGame) {
+  for (const bool inTheStep : {false, true}) {
+    CTable table;
+    CBox2DWorld& guest = *table.m_pGuest;
+    if (inTheStep) guest.PreStep(g_fDt);
+    const b2Body* pBall = table.BodyOfBall();
+    table.m_pGame->DestroyBody(table.BodyOfBall());
+    b2Body* pBox = AddBox(*table.m_pGame, {3, 1.01f}); // falls onto the segment
+    ASSERT_EQ(pBox, pBall);                            // Box2D gives what it got back last
+    if (!inTheStep) guest.PreStep(g_fDt);
+    table.m_pGame->Step(g_fDt, 8, 3);
+    guest.PostStep();
+    table.Step(30);
+    EXPECT_FALSE(guest.Contains(table.m_cBall));
+    EXPECT_EQ(guest.GetStats().m_nBodiesLost, 1u);
+    for (const CContactEvent& event : guest.GetContacts())
+      EXPECT_EQ(event.m_cBall, table.m_cOther);
+    const b2Vec2 p = pBox->GetPosition();
+    EXPECT_NEAR(p.y, 1.01f, 0.02f);
+    table.m_pGuest.reset();
+    EXPECT_EQ(pBox->GetPosition(), p);
+    EXPECT_EQ(table.m_pGame->GetBodyCount(), 3); // ground and two boxes
+  }
+}
+
+TEST(GuestLifetimeTest, TheGuestIsDestroyedFirst) {
+  CTable table;
+  table.Step(30);
+  ASSERT_NE(Installed(*table.m_pGame), &table.m_cListener);
+  const int touching = table.m_cListener.m_nBegin - table.m_cListener.m_nEnd;
+  ASSERT_GT(touching, 1);
+  table.m_pGuest.reset();
+  EXPECT_EQ(Installed(*table.m_pGame), &table.m_cListener);
+  EXPECT_EQ(table.m_pGame->GetBodyCount(), 2);
+  // Only the box is left, on the ground.
+  EXPECT_EQ(table.m_cListener.m_nBegin - table.m_cListener.m_nEnd, 1);
+  for (int i = 0; i < 60; ++i)
+    table.m_pGame->Step(g_fDt, 8, 3);
+}
+
+TEST(GuestLifetimeTest, AnotherListenerIsNoticedAndPassedOnTo) {
+  CTable table;
+  CCounting second;
+  table.m_pGame->SetContactListener(&second);
+  table.m_cListener = CCounting();
+  table.Step(10);
+  EXPECT_EQ(table.m_pGuest->GetStats().m_nListenersReplaced, 1u);
+  EXPECT_FALSE(table.m_pGuest->GetContacts().empty());
+  EXPECT_GT(second.m_nPre, 0);
+  EXPECT_EQ(table.m_cListener.m_nPre, 0);
+  table.m_pGame->SetContactListener(nullptr);
+  second = CCounting();
+  table.Step(10);
+  EXPECT_EQ(table.m_pGuest->GetStats().m_nListenersReplaced, 2u);
+  EXPECT_FALSE(table.m_pGuest->GetContacts().empty());
+  EXPECT_EQ(second.m_nPre, 0);
+  table.m_pGuest.reset();
+  EXPECT_EQ(Installed(*table.m_pGame), nullptr);
+}
+
+TEST(GuestLifetimeTest, AListenerMayPassOnToOurs) {
+  struct CWrapping : CCounting {
+    b2ContactListener* m_pNext = nullptr;
+    void PreSolve(b2Contact* pContact, const b2Manifold* pOld) override {
+      CCounting::PreSolve(pContact, pOld);
+      m_pNext->PreSolve(pContact, pOld);
+    }
+  } outer;
+  CTable table;
+  outer.m_pNext = Installed(*table.m_pGame);
+  table.m_pGame->SetContactListener(&outer);
+  table.m_cListener = CCounting();
+  table.Step(10);
+  EXPECT_GT(outer.m_nPre, 0);
+  EXPECT_EQ(table.m_cListener.m_nPre, outer.m_nPre); // each hears everything once
+  // One that begins to pass on while it is passed on to must not go round for ever.
+  outer.m_pNext = Installed(*table.m_pGame);
+  outer.m_nPre = 0;
+  table.Step(10);
+  EXPECT_GT(outer.m_nPre, 0);
+  table.m_pGuest.reset();
+  for (int i = 0; i < 10; ++i)
+    table.m_pGame->Step(g_fDt, 8, 3);
+}
+
+TEST(GuestLifetimeTest, AListenerThatIsInstalledInEachStepCostsNothing) {
+  CTable table;
+  CCounting second;
+  b2ContactListener* pOurs = nullptr;
+  for (int i = 0; i < 10; ++i) {
+    table.m_pGame->SetContactListener(&second);
+    table.m_pGuest->PreStep(g_fDt);
+    EXPECT_TRUE(i == 0 || Installed(*table.m_pGame) == pOurs);
+    pOurs = Installed(*table.m_pGame);
+    table.m_pGame->Step(g_fDt, 8, 3);
+    table.m_pGuest->PostStep();
+  }
+  EXPECT_EQ(table.m_pGuest->GetStats().m_nListenersReplaced, 10u);
+  table.m_pGuest.reset();
+}
+
+TEST(GuestLifetimeTest, TwoGuestsInOneWorldLeaveInEitherOrder) {
+  for (const bool firstLeavesFirst : {true, false}) {
+    CTable table;
+    auto pSecond = MakeGuest(*table.m_pGame);
+    const CShapeId ball = pSecond->Add(CDynamicCircleDesc({3, 0.9f}, 0.1f, {0, -1}));
+    table.m_cListener = CCounting();
+    int strangers = 0;
+    for (int i = 0; i < 30; ++i) {
+      table.m_pGuest->PreStep(g_fDt);
+      pSecond->PreStep(g_fDt);
+      table.m_pGame->Step(g_fDt, 8, 3);
+      pSecond->PostStep();
+      table.m_pGuest->PostStep();
+      for (const CContactEvent& event : pSecond->GetContacts())
+        strangers += event.m_cBall == ball && event.m_cShape == CShapeId();
+    }
+    EXPECT_GT(strangers, 0); // the ball of the one falls onto the segment of the other
+    EXPECT_GT(table.m_pGuest->GetStats().m_nContacts, 0u);
+    EXPECT_EQ(table.m_pGuest->GetStats().m_nListenersReplaced + pSecond->GetStats().m_nListenersReplaced, 0u);
+    CBox2DWorld& left = firstLeavesFirst ? *pSecond : *table.m_pGuest;
+    (firstLeavesFirst ? table.m_pGuest : pSecond).reset();
+    EXPECT_TRUE(left.IsAlive());
+    const auto contacts = left.GetStats().m_nContacts;
+    left.Add(CDynamicCircleDesc({7, 0.15f}, 0.1f, {0, -1})); // to the ground
+    Steps(*table.m_pGame, left, 30);
+    EXPECT_GT(left.GetStats().m_nContacts, contacts);
+    EXPECT_EQ(left.GetStats().m_nListenersReplaced, 0u);
+    table.m_pGuest.reset();
+    pSecond.reset();
+    EXPECT_EQ(Installed(*table.m_pGame), &table.m_cListener);
+    EXPECT_EQ(table.m_pGame->GetBodyCount(), 2);
+  }
+}
+
+TEST(GuestLifetimeTest, TwoGuestsAfterTheEndOfTheirWorld) {
+  for (const bool firstLeavesFirst : {true, false}) {
+    CTable table;
+    auto pSecond = MakeGuest(*table.m_pGame);
+    table.m_pGame.reset();
+    (firstLeavesFirst ? table.m_pGuest : pSecond).reset();
+    EXPECT_FALSE((firstLeavesFirst ? pSecond : table.m_pGuest)->IsAlive());
+  }
+}
+
+TEST(GuestLifetimeTest, TheGuestIsDestroyedInTheMiddleOfAStepOfBox2D) {
+  CActing acting;
+  CTable table;
+  table.m_pGame->SetContactListener(&acting);
+  table.Step();
+  const int bodies = table.m_pGame->GetBodyCount();
+  acting.m_stdAct = [&] { table.m_pGuest.reset(); };
+  table.m_pGuest->PreStep(g_fDt);
+  table.m_pGame->Step(g_fDt, 8, 3);
+  ASSERT_EQ(table.m_pGuest, nullptr);
+  EXPECT_EQ(table.m_pGame->GetBodyCount(), bodies); // they are the game's now
+  for (int i = 0; i < 30; ++i)
+    table.m_pGame->Step(g_fDt, 8, 3);
+  const auto pNext = MakeGuest(*table.m_pGame);
+  Steps(*table.m_pGame, *pNext, 10);
+  table.m_pGame->DestroyBody(table.BodyOfBall());
+  Steps(*table.m_pGame, *pNext, 10);
+  EXPECT_EQ(pNext->GetStats().m_nBodiesLost, 0u);
+}
+
+TEST(GuestLifetimeTest, TheGuestIsDestroyedWhileABodyIs) {
+  CActing acting;
+  CTable table;
+  acting.m_bAtEnd = true;
+  table.m_pGame->SetContactListener(&acting);
+  table.Step(30);
+  acting.m_stdAct = [&] { table.m_pGuest.reset(); };
+  table.m_pGame->DestroyBody(table.m_pBox); // the other ball lies on it
+  ASSERT_EQ(table.m_pGuest, nullptr);
+  for (int i = 0; i < 30; ++i)
+    table.m_pGame->Step(g_fDt, 8, 3);
+}
+
+} // namespace
+} // namespace Shapes::Tests

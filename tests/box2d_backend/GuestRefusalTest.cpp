@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// What cannot be done with Shapes in a game's b2World, or not now, and that nothing has changed then.
+#include "GuestTesting.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace Shapes::Tests {
+namespace {
+
+TEST(GuestRefusalTest, NothingIsChangedInCallbacksOfBox2D) {
+  for (const bool atEnd : {false, true}) { // of the step, and of DestroyBody outside of one
+    CActing acting;
+    CTable table;
+    CBox2DWorld& guest = *table.m_pGuest;
+    acting.m_bAtEnd = atEnd;
+    table.m_pGame->SetContactListener(&acting);
+    table.Step(30);
+    std::vector<std::string> thrown;
+    std::size_t balls = 0;
+    acting.m_stdAct = [&] {
+      for (const auto& f : std::vector<std::function<void()>>{
+               [&] {
+                 guest.Add(CPointDesc({0, 0}));
+               },
+               [&] {
+                 guest.Add(CDynamicCircleDesc({0, 0}, 1));
+               },
+               [&] { guest.Remove(table.m_cBall); },
+               [&] {
+                 guest.SetPos(table.m_cBall, {0, 0});
+               },
+               [&] {
+                 guest.SetVel(table.m_cBall, {9, 9});
+               },
+               [&] { guest.SetElasticity(table.m_cArc, 0.1f); }, [&] { guest.SetSensor(table.m_cArc, true); },
+               [&] { guest.SetCanCollide(table.m_cArc, false); },
+               [&] { guest.SetUserPtr(table.m_cArc, nullptr); },
+               [&] {
+                 guest.AddCompound(std::vector<CAnyShapeDesc>{CPointDesc({0, 0})}, {0, 0});
+               },
+               [&] { guest.PreStep(g_fDt); }, [&] { guest.PostStep(); }})
+        thrown.push_back(Thrown(f));
+      balls = guest.GetBallPositions().size(); // looking is allowed
+    };
+    if (atEnd) {
+      table.m_pGame->DestroyBody(table.m_pBox);
+    } else {
+      guest.PreStep(g_fDt);
+      table.m_pGame->Step(g_fDt, 8, 3);
+      guest.PostStep();
+    }
+    ASSERT_EQ(thrown.size(), 12u);
+    for (const std::string& what : thrown)
+      EXPECT_NE(what.find("callback of Box2D"), std::string::npos) << what;
+    EXPECT_EQ(balls, 2u);
+    EXPECT_EQ(guest.GetElasticity(table.m_cArc), 1);
+    EXPECT_EQ(guest.GetUserPtr(table.m_cArc), &table.m_nUserData[1]);
+    table.Step(10);
+    guest.Remove(table.m_cBall); // the control: afterwards it can be done
+    table.m_pGuest.reset();
+  }
+}
+
+TEST(GuestRefusalTest, WhatTheGuestItselfDestroysIsHeardOfButNotActedUpon) {
+  CActing acting;
+  CTable table;
+  acting.m_bAtEnd = true;
+  table.m_pGame->SetContactListener(&acting);
+  table.Step(30);
+  std::string thrown;
+  acting.m_stdAct = [&] { thrown = Thrown([&] { table.m_pGuest->Remove(table.m_cSegment); }); };
+  table.m_pGuest->Remove(table.m_cOther);
+  EXPECT_NE(thrown.find("callback of Box2D"), std::string::npos) << thrown;
+  EXPECT_TRUE(table.m_pGuest->Contains(table.m_cSegment));
+  table.m_pGuest.reset();
+}
+
+TEST(GuestRefusalTest, ADestructionListenerHearsOfFixturesButNothingIsActedUpon) {
+  struct CGoodbye : b2DestructionListener {
+    std::function<void()> m_stdAct;
+    void SayGoodbye(b2Joint*) override {}
+    void SayGoodbye(b2Fixture*) override { m_stdAct(); }
+  } goodbye;
+  CTable table;
+  std::string thrown;
+  goodbye.m_stdAct = [&] { thrown = Thrown([&] { table.m_pGuest->Remove(table.m_cSegment); }); };
+  table.m_pGame->SetDestructionListener(&goodbye);
+  table.m_pGuest->Remove(table.m_cOther);
+  EXPECT_NE(thrown.find("callback of Box2D"), std::string::npos) << thrown;
+  EXPECT_TRUE(table.m_pGuest->Contains(table.m_cSegment));
+  table.m_pGame->SetDestructionListener(nullptr);
+}
+
+TEST(GuestRefusalTest, StepsComeInPairs) {
+  CTable table;
+  CBox2DWorld& guest = *table.m_pGuest;
+  EXPECT_NE(Thrown([&] { guest.PostStep(); }).find("without PreStep"), std::string::npos);
+  for (const float dt : {0.0f, -1.0f, std::nanf(""), 1e7f})
+    EXPECT_THROW(guest.PreStep(dt), std::invalid_argument);
+  const auto steps = guest.GetStats().m_nSteps;
+  guest.PreStep(g_fDt);
+  EXPECT_NE(Thrown([&] { guest.PreStep(g_fDt); }).find("called twice"), std::string::npos);
+  EXPECT_NE(Thrown([&] {
+              guest.SetPos(table.m_cBall, {0, 0});
+            }).find("between PreStep and PostStep"),
+            std::string::npos);
+  table.m_pGame->Step(g_fDt, 8, 3);
+  guest.PostStep();
+  EXPECT_NE(Thrown([&] { guest.PostStep(); }).find("without PreStep"), std::string::npos);
+  EXPECT_EQ(guest.GetStats().m_nSteps, steps + 1);
+}
+
+TEST(GuestRefusalTest, AStepWithoutPreStepIsTheGamesOwn) {
+  CTable table;
+  for (int i = 0; i < 30; ++i) // nothing of an earlier step is used
+    table.m_pGame->Step(g_fDt, 8, 3);
+  table.Step(30);
+  EXPECT_TRUE(table.m_pGuest->IsAlive());
+}
+
+TEST(GuestRefusalTest, WhatAGuestCannotDoItRefuses) {
+  CTable table;
+  CBox2DWorld& guest = *table.m_pGuest;
+  EXPECT_NE(Thrown([&] { guest.Step(); }).find("call PreStep(dt), then b2World::Step(dt, ...)"),
+            std::string::npos);
+  EXPECT_NE(Thrown([&] { guest.SaveState(); }).find("neither saved nor loaded"), std::string::npos);
+  const auto pOther = GetBackend(eBackend::Box2D)->MakeWorld(CWorldDesc());
+  const CSavedState saved = pOther->SaveState();
+  EXPECT_NE(Thrown([&] { guest.LoadState(saved); }).find("neither saved nor loaded"), std::string::npos);
+  EXPECT_TRUE(guest.Contains(table.m_cBall));
+  EXPECT_THROW(guest.SetGravity({0, -1}), std::invalid_argument);
+
+  const int bodies = table.m_pGame->GetBodyCount();
+  const b2ContactListener* pListener = Installed(*table.m_pGame);
+  CWorldDesc desc;
+  desc.m_vGravity = {0, -1};
+  EXPECT_EQ(Thrown([&] { MakeWorld(*table.m_pGame, desc); }),
+            "m_vGravity is not zero: expected (0, 0): the b2World has the gravity");
+  desc = CWorldDesc();
+  desc.m_fLengthUnit = 0;
+  EXPECT_THROW(MakeWorld(*table.m_pGame, desc), std::invalid_argument);
+  EXPECT_EQ(table.m_pGame->GetBodyCount(), bodies);
+  EXPECT_EQ(Installed(*table.m_pGame), pListener);
+}
+
+TEST(GuestRefusalTest, NoGuestIsMadeInTheMiddleOfAStepOfBox2D) {
+  CActing acting;
+  CTable table;
+  std::string thrown;
+  table.m_pGame->SetContactListener(&acting);
+  acting.m_stdAct = [&] { thrown = Thrown([&] { MakeGuest(*table.m_pGame); }); };
+  table.Step();
+  EXPECT_NE(thrown.find("during b2World::Step"), std::string::npos) << thrown;
+  table.m_pGuest.reset();
+}
+
+} // namespace
+} // namespace Shapes::Tests

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// A small game with a b2World of its own, for tests of Shapes in it.
+#pragma once
+
+#include <Shapes/Box2D.h>
+#include <Shapes/Shapes.h>
+
+#include <box2d/box2d.h>
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Shapes::Tests {
+
+inline constexpr float g_fDt = 1.0f / 60.0f;
+
+inline std::unique_ptr<CBox2DWorld> MakeGuest(b2World& game, eProfile e = eProfile::Shipped,
+                                              float unit = 1.0f) {
+  CWorldDesc desc;
+  desc.m_eProfile = e;
+  desc.m_fLengthUnit = unit;
+  return MakeWorld(game, desc);
+}
+
+/// What a game does in each frame.
+inline void Steps(b2World& game, CBox2DWorld& guest, int n, float dt = g_fDt) {
+  for (int i = 0; i < n; ++i) {
+    guest.PreStep(dt);
+    game.Step(dt, 8, 3);
+    guest.PostStep();
+  }
+}
+
+/// A box of side 1 and mass 1 about p, with Box2D's restitution 0 and no friction.
+inline b2Body* AddBox(b2World& game, const b2Vec2& p, b2BodyType type = b2_dynamicBody) {
+  b2BodyDef def;
+  def.type = type;
+  def.position = p;
+  b2Body* pBody = game.CreateBody(&def);
+  b2PolygonShape box;
+  box.SetAsBox(0.5f, 0.5f);
+  b2FixtureDef fixture;
+  fixture.shape = &box;
+  fixture.density = 1.0f;
+  fixture.friction = 0.0f;
+  pBody->CreateFixture(&fixture);
+  return pBody;
+}
+
+/// A ground of the game: an edge along y = 0.
+inline b2Body* AddGround(b2World& game) {
+  b2BodyDef def;
+  b2Body* pBody = game.CreateBody(&def);
+  b2EdgeShape edge;
+  edge.SetTwoSided({-50, 0}, {50, 0});
+  pBody->CreateFixture(&edge, 0.0f);
+  return pBody;
+}
+
+/// The bodies whose fixtures have that user pointer.
+inline std::vector<b2Body*> FindBodies(b2World& game, const void* pUser) {
+  std::vector<b2Body*> found;
+  for (b2Body* p = game.GetBodyList(); p != nullptr; p = p->GetNext())
+    if (p->GetFixtureList() != nullptr &&
+        p->GetFixtureList()->GetUserData().pointer == reinterpret_cast<uintptr_t>(pUser))
+      found.push_back(p);
+  return found;
+}
+
+inline b2Body* FindBody(b2World& game, const void* pUser) { return FindBodies(game, pUser).at(0); }
+
+/// Counts what it hears.
+struct CCounting : b2ContactListener {
+  int m_nBegin = 0, m_nEnd = 0, m_nPre = 0, m_nPost = 0;
+  float m_fRestitution = -1.0f; ///< in the last PreSolve
+  void BeginContact(b2Contact*) override { ++m_nBegin; }
+  void EndContact(b2Contact*) override { ++m_nEnd; }
+  void PreSolve(b2Contact* pContact, const b2Manifold*) override {
+    ++m_nPre;
+    m_fRestitution = pContact->GetRestitution();
+  }
+  void PostSolve(b2Contact*, const b2ContactImpulse*) override { ++m_nPost; }
+};
+
+inline b2ContactListener* Installed(const b2World& game) {
+  return game.GetContactManager().m_contactListener;
+}
+
+/// What it throws, "" if nothing.
+inline std::string Thrown(const std::function<void()>& f) {
+  try {
+    f();
+  } catch (const std::logic_error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+/// A game with a ground and a box, and a guest with a bit of everything, in touch with both.
+struct CTable {
+  CCounting m_cListener;
+  std::unique_ptr<b2World> m_pGame = std::make_unique<b2World>(b2Vec2(0, -10));
+  b2Body* m_pBox;
+  std::unique_ptr<CBox2DWorld> m_pGuest;
+  CShapeId m_cSegment, m_cArc, m_cPoint, m_cBall, m_cOther;
+  int m_nUserData[3] = {}; ///< of the ball, the arc, the other ball
+
+  explicit CTable(eProfile e = eProfile::Tuned) {
+    m_pGame->SetContactListener(&m_cListener);
+    AddGround(*m_pGame);
+    m_pBox = AddBox(*m_pGame, {0, 0.51f});
+    m_pGuest = MakeGuest(*m_pGame, e);
+    m_cSegment = m_pGuest->Add(CLineSegDesc({2, 0.5f}, {4, 0.5f}));
+    m_cArc = m_pGuest->Add(CArcDesc({4, 1.5f}, 1, 1.5f * g_fPi, 0.25f * g_fPi)); // goes on in the segment
+    m_cPoint = m_pGuest->Add(CPointDesc({2, 0.5f}));
+    m_cBall = m_pGuest->Add(CDynamicCircleDesc({3, 0.62f}, 0.1f, {1, 0}, 1, 0.5f));
+    m_cOther = m_pGuest->Add(CDynamicCircleDesc({0, 1.15f}, 0.1f, {0, 0}, 1, 0));
+    m_pGuest->SetUserPtr(m_cBall, &m_nUserData[0]);
+    m_pGuest->SetUserPtr(m_cArc, &m_nUserData[1]);
+    m_pGuest->SetUserPtr(m_cOther, &m_nUserData[2]);
+    Step(10);
+  }
+  void Step(int n = 1) { Steps(*m_pGame, *m_pGuest, n); }
+  b2Body* BodyOfBall() { return FindBody(*m_pGame, &m_nUserData[0]); }
+  b2Body* BodyOfArc() { return FindBody(*m_pGame, &m_nUserData[1]); }
+};
+
+/// Does something in the first callback of one kind.
+struct CActing : b2ContactListener {
+  std::function<void()> m_stdAct;
+  bool m_bAtEnd = false;
+  void Act() {
+    if (const auto act = std::exchange(m_stdAct, nullptr)) act();
+  }
+  void PreSolve(b2Contact*, const b2Manifold*) override {
+    if (!m_bAtEnd) Act();
+  }
+  void EndContact(b2Contact*) override {
+    if (m_bAtEnd) Act();
+  }
+};
+
+} // namespace Shapes::Tests
