@@ -64,7 +64,8 @@ std::vector<std::string> BrokenRules(const std::string& path, const std::string&
   if (!text.starts_with("// SPDX-License-Identifier: MIT\n")) report("the first line is not the licence");
   if (isHeader && text.find("\n#pragma once\n") == std::string::npos) report("no #pragma once");
 
-  const bool seesBox2D = IsIn(path, "src/box2d_backend/") || IsIn(path, "tests/box2d_backend/");
+  const bool seesBox2D = IsIn(path, "src/box2d_backend/") || IsIn(path, "tests/box2d_backend/") ||
+                         IsIn(path, "examples/box2d_game/");
   const bool seesInterfaceOnly = IsIn(path, "tests/contract/") || IsIn(path, "compare/") ||
                                  IsIn(path, "examples/") || IsIn(path, "tests/consumer/");
   const bool knowsNoEngine = IsIn(path, "include/") || IsIn(path, "src/shapes/");
@@ -85,7 +86,7 @@ std::vector<std::string> BrokenRules(const std::string& path, const std::string&
     const bool toTests = IsIn(include, "tests/");
     includesNative |= toNative && !toTests;
     includesBox2DBackend |= toBox2DBackend && !toTests;
-    forbid(toBox2D && !seesBox2D, "only src/box2d_backend knows Box2D");
+    forbid(toBox2D && !seesBox2D, "only src/box2d_backend and a game know Box2D");
     forbid(knowsNoEngine && (toNative || toBox2DBackend), "the interface and the shapes know no engine");
     forbid(IsIn(path, "src/native/") && toBox2DBackend, "the engines do not know each other");
     forbid(IsIn(path, "src/box2d_backend/") && toNative, "the engines do not know each other");
@@ -142,6 +143,9 @@ TEST_F(CHouseRulesControl, Box2DOutsideOfItsFolder) {
   EXPECT_EQ(Count("compare/X.cpp", "#include<box2d/box2d.h>\n"), 1u);
   EXPECT_EQ(Count("src/box2d_backend/X.cpp", "#include <box2d/box2d.h>\n"), 0u);
   EXPECT_EQ(Count("tests/box2d_backend/X.cpp", "#include <box2d/box2d.h>\n"), 0u);
+  EXPECT_EQ(Count("examples/quickstart/main.cpp", "#include <box2d/box2d.h>\n"), 1u);
+  EXPECT_EQ(Count("examples/box2d_game/main.cpp", "#include <box2d/box2d.h>\n"), 0u);
+  EXPECT_EQ(Count("examples/box2d_game/main.cpp", "#include \"box2d_backend/Pieces.h\"\n"), 1u);
   EXPECT_EQ(Count("src/native/X.cpp", "// #include <box2d/box2d.h>\n"), 0u);
 }
 
