@@ -32,6 +32,7 @@ private:
 CWorldDesc CEngine::MakeWorldDesc(const CScene& scene) const {
   CWorldDesc desc = scene.m_cWorld;
   desc.m_nSubsteps = m_nSubsteps;
+  desc.m_eProfile = m_eProfile;
   desc.m_nVelocityIterations = m_nVelocityIterations;
   desc.m_nPositionIterations = m_nPositionIterations;
   desc.m_fLengthUnit /= m_fScale;
@@ -55,10 +56,21 @@ std::string CEngine::GetLabel() const {
   return label.empty() ? "as it comes" : label;
 }
 
+const char* GetName(eProfile profile) { return profile == eProfile::Tuned ? "tuned" : "shipped"; }
+
 std::vector<CEngine> GetEngines() {
-  if (GetBackend(eBackend::Box2D) == nullptr)
+  const CBackend* pBox2D = GetBackend(eBackend::Box2D);
+  if (pBox2D == nullptr)
     throw std::runtime_error("this build has no Box2D engine: configure with -DSHAPES_WITH_BOX2D=ON");
-  return {{"native", GetBackend(eBackend::Native)}, {"box2d", GetBackend(eBackend::Box2D)}};
+  CEngine tuned{"box2d-tuned", pBox2D};
+  tuned.m_eProfile = eProfile::Tuned;
+  return {{"native", GetBackend(eBackend::Native)}, {"box2d", pBox2D}, tuned};
+}
+
+std::optional<std::size_t> FindOther(const std::vector<CEngine>& engines) {
+  for (std::size_t i = 1; i < engines.size(); ++i)
+    if (engines[i].m_pBackend != engines[0].m_pBackend) return i;
+  return std::nullopt;
 }
 
 CStart MakeStart(const CScene& scene, std::uint64_t seed, std::uint64_t trial) {

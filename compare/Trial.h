@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,10 +15,11 @@ namespace Shapes::Compare {
 
 /// An engine with the settings under which a scene is run.
 struct CEngine {
-  std::string m_sName; ///< "native" or "box2d"; several settings of one engine share it.
+  std::string m_sName; ///< "native", "box2d" or "box2d-tuned"; several settings of one engine share it.
   const CBackend* m_pBackend;
   unsigned m_nSubsteps = 1;
   // Read by Box2D only.
+  eProfile m_eProfile = eProfile::Shipped;
   unsigned m_nVelocityIterations = 8;
   unsigned m_nPositionIterations = 3;
   float m_fSagittaFactor = 1.0f; ///< Times the scene's sagitta tolerance: below 1 for more pieces of arcs.
@@ -30,9 +32,16 @@ struct CEngine {
   std::string GetLabel() const;
 };
 
-/// What is compared in this version: both engines as they come.
+/// "shipped" or "tuned".
+const char* GetName(eProfile profile);
+
+/// What is compared: native, and Box2D in each profile, as they come.
 /// @throws std::runtime_error if the Box2D engine was not built
 std::vector<CEngine> GetEngines();
+
+/// The first engine that has another backend than the first of all; none if there is no such. Settings of one
+/// backend share their CollisionDetected, so these two are held against each other.
+std::optional<std::size_t> FindOther(const std::vector<CEngine>& engines);
 
 /// Where a trial begins.
 struct CStart {

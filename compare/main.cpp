@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shapes-compare: runs the same scenes on both engines against an exact reference.
+// shapes-compare: runs the same scenes on every engine against an exact reference.
 #include "FailAbove.h"
 #include "Interrupt.h"
 #include "Options.h"
@@ -71,7 +71,7 @@ int Run(const std::vector<CScene>& scenes, const COptions& options, const std::s
 
 void AddRunOptions(CLI::App& app, COptions& options) {
   app.add_option("--engines", options.m_stdEngines,
-                 "Only these engines, separated by commas: native, box2d (default: both)")
+                 "Only these engines, separated by commas: native, box2d, box2d-tuned (default: all)")
       ->delimiter(',');
   app.add_option("--out", options.m_cOut, "Folder for report.html, run.json and contacts.csv")
       ->capture_default_str();
@@ -104,7 +104,7 @@ void List(const std::filesystem::path& folder) {
 int Main(int argc, char** argv) {
   COptions options;
   CLI::App app(
-      "Runs the same scenes on both engines of Shapes, against an exact reference, and says what differs: "
+      "Runs the same scenes on every engine of Shapes, against an exact reference, and says what differs: "
       "setback, tunneling, error, and time.",
       "shapes-compare");
   app.require_subcommand(1);

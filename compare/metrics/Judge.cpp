@@ -292,9 +292,12 @@ void CJudge::Ask(const CExactGame& game, const CEvent& event, CContact& contact)
   const double r = static_cast<double>(ball.m_fRadius);
   const double dt = static_cast<double>(m_cScene.m_cWorld.m_fTimeStep);
   const CVec2d v = event.m_vVelBefore - event.m_vSurface;
-  CVec2d centres[2];
+  std::vector<CVec2d> centres;
+  CPairQuestion::CAnswer answer;
   for (std::size_t i = 0; i < m_stdEngines.size(); ++i) {
-    const CPairQuestion::CAnswer answer = question.Ask(*m_stdEngines[i].m_pBackend);
+    const CBackend* pBackend = m_stdEngines[i].m_pBackend; // settings of one engine have one answer
+    if (i == 0 || pBackend != m_stdEngines[i - 1].m_pBackend) answer = question.Ask(*pBackend);
+    centres.push_back(answer.m_vCentre);
     CEngineContact& c = contact.m_stdEngines[i];
     const CVec2d error = answer.m_vCentre - event.m_vCenter;
     c.m_bDetected = answer.m_bDetected && error.allFinite();
@@ -303,12 +306,12 @@ void CJudge::Ask(const CExactGame& game, const CEvent& event, CContact& contact)
     c.m_fSetbackError = static_cast<float>(Norm(error) / r);
     c.m_fSetbackErrorNormal = static_cast<float>(error.dot(event.m_vNorm) / r);
     c.m_fTimeError = static_cast<float>(error.dot(v) / (v.squaredNorm() * dt));
-    if (i < 2) centres[i] = answer.m_vCentre;
   }
+  const auto other = FindOther(m_stdEngines);
   contact.m_bHasDifference =
-      m_stdEngines.size() >= 2 && contact.m_stdEngines[0].m_bDetected && contact.m_stdEngines[1].m_bDetected;
+      other && contact.m_stdEngines[0].m_bDetected && contact.m_stdEngines[*other].m_bDetected;
   if (contact.m_bHasDifference)
-    contact.m_fDifference = static_cast<float>(Norm(CVec2d(centres[0] - centres[1])) / r);
+    contact.m_fDifference = static_cast<float>(Norm(CVec2d(centres[0] - centres[*other])) / r);
 }
 
 } // namespace Shapes::Compare

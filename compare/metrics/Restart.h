@@ -72,7 +72,7 @@ struct CContact {
   float m_fApproach;             ///< approach speed, user units per second
   float m_fIncidence;            ///< radians between the velocity and the normal, 0 head-on
   float m_fElasticity;           ///< product of both
-  bool m_bHasDifference = false; ///< The first two engines detected the pair.
+  bool m_bHasDifference = false; ///< The first engine and FindOther detected the pair.
   float m_fDifference = 0.0f;    ///< between the centres that they claim, in radii
   std::vector<CEngineContact> m_stdEngines;
 };

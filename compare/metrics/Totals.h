@@ -29,7 +29,7 @@ struct CTotals {
 /// Of engine number `engine` over all contacts.
 CTotals MakeTotals(std::span<const CContact> contacts, std::size_t engine);
 
-/// Of the distances between the first two engines.
+/// Of the distances between the first engine and FindOther.
 CSummary SummariseDifference(std::span<const CContact> contacts);
 
 /// The contacts of one kind.

@@ -13,21 +13,19 @@ namespace Shapes::Compare {
 
 std::vector<CEngine> GetLadder() {
   const std::vector<CEngine> engines = GetEngines();
-  const auto native = [&](unsigned substeps) {
-    CEngine engine = engines.at(0);
-    engine.m_nSubsteps = substeps;
-    return engine;
+  const auto settings = [&](std::size_t e) {
+    return [engine = engines.at(e)](unsigned substeps, unsigned velocityIterations = 8,
+                                    unsigned positionIterations = 3, float scale = 1.0f,
+                                    float sagittaFactor = 1.0f) mutable {
+      engine.m_nSubsteps = substeps;
+      engine.m_nVelocityIterations = velocityIterations;
+      engine.m_nPositionIterations = positionIterations;
+      engine.m_fScale = scale;
+      engine.m_fSagittaFactor = sagittaFactor;
+      return engine;
+    };
   };
-  const auto box2d = [&](unsigned substeps, unsigned velocityIterations = 8, unsigned positionIterations = 3,
-                         float scale = 1.0f, float sagittaFactor = 1.0f) {
-    CEngine engine = engines.at(1);
-    engine.m_nSubsteps = substeps;
-    engine.m_nVelocityIterations = velocityIterations;
-    engine.m_nPositionIterations = positionIterations;
-    engine.m_fScale = scale;
-    engine.m_fSagittaFactor = sagittaFactor;
-    return engine;
-  };
+  auto native = settings(0), box2d = settings(1), tuned = settings(2);
   // A substep of Box2D is a whole step of it at a higher rate. Iterations matter where contacts act on each
   // other; the scale shrinks its skin and slop, the sagitta the error of arcs.
   return {
@@ -61,6 +59,12 @@ std::vector<CEngine> GetLadder() {
       box2d(16, 1, 1, 10, 0.25f),
       box2d(32, 1, 1, 10, 0.25f),
       box2d(32, 1, 1, 10, 0.0625f),
+      tuned(1),
+      tuned(1, 1, 1),
+      tuned(1, 8, 3, 1, 0.25f),
+      tuned(2),
+      tuned(4),
+      tuned(8),
   };
 }
 

@@ -43,6 +43,7 @@ ordered_json Settings(const CEngine& engine, const CScene& scene) {
   settings["time_step"] = desc.m_fTimeStep;
   settings["substeps"] = desc.m_nSubsteps;
   if (engine.m_pBackend == GetBackend(eBackend::Box2D)) {
+    settings["profile"] = GetName(desc.m_eProfile);
     settings["length_unit"] = desc.m_fLengthUnit;
     settings["sagitta_tolerance"] = desc.m_fSagittaTolerance;
     settings["velocity_iterations"] = desc.m_nVelocityIterations;
@@ -67,7 +68,7 @@ ordered_json Features(const CScene& scene) {
   return features;
 }
 
-// Both engines run what the scene calls for; Box2D sweeps the balls too, wherever they are.
+// Every engine runs what the scene calls for; Box2D sweeps the balls too, wherever they are.
 ordered_json Features(const CEngine& engine, const CScene& scene) {
   ordered_json features = Features(scene);
   if (engine.m_pBackend == GetBackend(eBackend::Box2D)) features.push_back("continuous");
@@ -166,7 +167,7 @@ ordered_json SceneToJson(const CRunReport& report, const CSceneReport& scene) {
       {"trials", scene.m_cRestart.m_nTrials},
       {"quiet_steps", scene.m_cRestart.m_nQuietSteps},
       {"set_aside", ToJson(scene.m_cRestart.m_cSetAside)},
-      {"apart", scene.m_stdEngines.size() < 2 ? ordered_json(nullptr) : ToJson(scene.m_cDifference)},
+      {"apart", FindOther(report.m_stdEngines) ? ToJson(scene.m_cDifference) : ordered_json(nullptr)},
       {"verdict", MakeVerdict(report, scene)},
       {"answers", scene.m_cWork.m_stdAnswers},
       {"engines", ordered_json::array()},

@@ -18,6 +18,13 @@ int Decimals(double x) {
   return std::clamp(1 - static_cast<int>(std::floor(std::log10(x))), 1, 4);
 }
 
+// "2e-5": one digit, and no zero in the exponent.
+std::string PowerText(double x) {
+  std::string text = fmt::format("{:.0e}", x);
+  if (const std::size_t zero = text.find("-0"); zero != text.npos) text.erase(zero + 1, 1);
+  return text;
+}
+
 double Percent(std::size_t hits, std::size_t n) {
   return 100.0 * static_cast<double>(hits) / static_cast<double>(n);
 }
@@ -26,7 +33,8 @@ double Percent(std::size_t hits, std::size_t n) {
 
 std::string SizeText(double x) {
   if (x == 0.0) return "0";
-  if (x < 0.0005) return "<.001";
+  if (x < g_fRounding) return "<1e-7";
+  if (x < 0.0005) return PowerText(x);
   if (x < 9.9995) return fmt::format("{:.3f}", x);
   return x < 1e6 ? fmt::format("{:.1f}", x) : fmt::format("{:.0e}", x);
 }

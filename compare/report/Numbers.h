@@ -9,8 +9,11 @@
 
 namespace Shapes::Compare {
 
-/// A length in radii, an angle, any size from 0 up: three decimals, "<.001" below what they show, one decimal
-/// from 10 on.
+/// What floats of about 1 do not show: errors of directions below it are rounding.
+inline constexpr double g_fRounding = 1e-7;
+
+/// A length in radii, an angle, any size from 0 up: three decimals, one from 10 on, "2e-5" below what they
+/// show, "<1e-7" below g_fRounding.
 std::string SizeText(double x);
 
 /// 20000 as "20,000".

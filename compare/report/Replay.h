@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Trajectories for the replay in the report: both engines and the exact reference side by side.
+// Trajectories for the replay in the report: all engines and the exact reference side by side.
 #pragma once
 
 #include "../metrics/Restart.h"

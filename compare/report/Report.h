@@ -30,7 +30,7 @@ struct CEngineReport {
 struct CSceneReport {
   CScene m_cScene;
   CRestartResult m_cRestart;
-  CSummary m_cDifference; ///< between the first two engines
+  CSummary m_cDifference; ///< between the first engine and FindOther
   std::vector<CEngineReport> m_stdEngines;
   CWorkPrecision m_cWork;
   CHeatMap m_cHeatMap;
@@ -46,7 +46,7 @@ struct CRunReport {
   std::vector<CSceneReport> m_stdScenes;
 };
 
-/// The table for a terminal, ASCII, at most 116 columns.
+/// The table for a terminal, ASCII, at most 80 columns.
 std::string MakeTable(const CRunReport& report);
 
 /// What a reader wants to know of one scene first, a sentence each; losses of an engine as plainly as wins.

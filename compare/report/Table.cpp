@@ -11,7 +11,7 @@
 namespace Shapes::Compare {
 namespace {
 
-constexpr std::size_t g_nWidth = 116;
+constexpr std::size_t g_nWidth = 80;
 
 // Breaks a text between words, or within one that is longer than a line. The first line is indented by
 // `first`, those after it by `rest`.
@@ -44,35 +44,45 @@ std::string Ascii(std::string text) {
   return text;
 }
 
-std::string Figure(const CSummary& s, double CSummary::*pFigure) {
-  return s.m_nCount == 0 ? "-" : SizeText(s.*pFigure);
+std::string P95(const CSummary& s) { return s.m_nCount == 0 ? "-" : SizeText(s.m_fP95); }
+
+// Of any length in seven characters.
+std::string TimeText(double ns) {
+  return ns < 999999.5 ? fmt::format("{:.0f}", ns) : fmt::format("{:.1e}", ns);
 }
+
+constexpr const char* g_sColumns = "{:<14}{:>8}{:>17}{:>8}{:>9}{:>9}{:>8}{:>7}\n";
 
 std::string Header() {
-  return fmt::format("{:<17} {:<7}{:>8}{:>17}{:>17}{:>17}{:>11}\n", "", "", "", "", "", "setback error",
-                     "direction") +
-         fmt::format("{:<17} {:<7}{:>8}{:>17}{:>17}{:>9}{:>8}{:>11}{:>11}{:>9}\n", "scene", "engine",
-                     "impacts", "missed", "tunneled", "median", "p95", "p95, rad", "ghosts", "ns");
+  return fmt::format("{:<14}{:>8}{:>17}{:>8}{:>9}{:>9}\n", "", "", "", "", "setback", "dir.") +
+         fmt::format(g_sColumns, "", "missed", "tunneled", "late", "p95", "p95", "ghosts", "ns");
 }
 
-// A name that is too long has a line of its own.
 std::string Rows(const CRunReport& report, const CSceneReport& scene) {
-  const std::string name = Ascii(scene.m_cScene.m_sName);
-  const bool isLong = name.size() > 17;
-  std::string text = isLong ? Wrap(name, 0, 2) : "";
+  const std::size_t impacts = scene.m_stdEngines.empty() ? 0 : scene.m_stdEngines[0].m_cTotals.m_nContacts;
+  std::string text =
+      Wrap(fmt::format("{}, {} impacts", Ascii(scene.m_cScene.m_sName), CountText(impacts)), 0, 2);
   for (std::size_t e = 0; e < scene.m_stdEngines.size(); ++e) {
     const CEngineReport& engine = scene.m_stdEngines[e];
     const CTotals& t = engine.m_cTotals;
     const std::size_t n = t.m_nContacts;
-    text += fmt::format(
-        "{:<17} {:<7}{:>8}{:>17}{:>17}{:>9}{:>8}{:>11}{:>11}{:>9.0f}\n", e == 0 && !isLong ? name : "",
-        report.m_stdEngines[e].m_sName, n, RateTextWithError(t.m_nMissed, n),
-        RateTextWithError(t.GetTunneled(), n), Figure(t.m_cSetbackError, &CSummary::m_fMedian),
-        Figure(t.m_cSetbackError, &CSummary::m_fP95), Figure(t.m_cDirectionError, &CSummary::m_fP95),
-        RateText(engine.m_nGhosts, scene.m_cRestart.m_nQuietSteps),
-        engine.m_cCost.m_cNsPerBallStep.m_fMedian);
+    text += fmt::format(g_sColumns, "  " + report.m_stdEngines[e].m_sName, RateText(t.m_nMissed, n),
+                        RateTextWithError(t.GetTunneled(), n), RateText(t.m_nLate, n), P95(t.m_cSetbackError),
+                        P95(t.m_cDirectionError), RateText(engine.m_nGhosts, scene.m_cRestart.m_nQuietSteps),
+                        TimeText(engine.m_cCost.m_cNsPerBallStep.m_fMedian));
   }
   return text;
+}
+
+// What the names of the engines stand for.
+std::string Engines(const CRunReport& report) {
+  std::string text = "Engines:";
+  for (const CEngine& engine : report.m_stdEngines) {
+    text += fmt::format("{} {}", &engine == &report.m_stdEngines.front() ? "" : ",", engine.m_sName);
+    if (engine.m_pBackend == GetBackend(eBackend::Box2D))
+      text += fmt::format(" (Box2D, profile {})", GetName(engine.m_eProfile));
+  }
+  return text + ".";
 }
 
 std::string Verdict(const CRunReport& report, const CSceneReport& scene) {
@@ -101,10 +111,13 @@ std::string MakeTable(const CRunReport& report) {
   text += '\n';
   text +=
       Wrap("At each impact of an exact reference the engines take that one step anew, from the exact state. "
-           "missed: no response. tunneled: missed, or pushed to the far side. setback error: distance "
-           "from the exact place of the impact, in ball radii. direction: error of the velocity after it. "
-           "ghosts: responses to what was not touched, of the steps in which a ball passes close by. ns: "
-           "time for one step of one ball. +-: half the 95% interval; < 3/n where none was seen in n.",
+           "missed: no response. tunneled: missed, or pushed to the far side. late: turned back one or two "
+           "steps later. setback: by how many ball radii CollisionDetected is off the exact place of the "
+           "impact; the same in every profile. dir.: error of the direction after it, radians. ghosts: "
+           "responses to what was not touched, of the steps in which a ball passes close by. ns: time for "
+           "one step of one ball. p95: 95th percentile. +-: half the 95% interval; < 3/n where none was "
+           "seen in n. " +
+               Engines(report),
            0, 0);
   for (const CSceneReport& scene : report.m_stdScenes)
     text += '\n' + Verdict(report, scene);

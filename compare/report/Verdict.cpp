@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <numeric>
 
 namespace Shapes::Compare {
 namespace {
 
-// Both engines are asked at the same impacts, so what counts are those that only one of them lost (Q.
+// All engines are asked at the same impacts, so what counts of two are those that only one of them lost (Q.
 // McNemar, Psychometrika 12, 1947, with correction for continuity, 95%). That none was lost by both is on the
 // safe side.
 bool CanBeToldApart(std::size_t a, std::size_t b) {
@@ -33,9 +35,14 @@ public:
   std::vector<std::string> Make() const {
     if (m_cScene.m_stdEngines.empty()) return {};
     if (m_cScene.m_cRestart.m_stdContacts.empty()) return {Nothing()};
-    std::vector<std::string> sentences{Losses() + "; " + Time() + "."};
-    if (const std::string text = Direction(); !text.empty()) sentences.push_back(text + ".");
-    if (const std::string text = Aside(); !text.empty()) sentences.push_back(text + ".");
+    std::vector<std::string> sentences;
+    if (Count() > 1) sentences.push_back(Winners());
+    for (const std::string& text : {Losses(), Time(), Direction()})
+      sentences.push_back(text);
+    const std::vector<std::string> asides = Asides();
+    sentences.insert(sentences.end(), asides.begin(), asides.end());
+    for (std::string& sentence : sentences)
+      sentence += '.';
     return sentences;
   }
 
@@ -45,20 +52,28 @@ private:
   const CTotals& Totals(std::size_t e) const { return m_cScene.m_stdEngines[e].m_cTotals; }
   const CCost& Cost(std::size_t e) const { return m_cScene.m_stdEngines[e].m_cCost; }
 
-  // "native <text>, box2d <text>", in this order of the engines.
-  std::string Each(const std::vector<std::size_t>& order,
-                   const std::function<std::string(std::size_t)>& text) const {
+  // The numbers of all engines, the least by `key` first.
+  std::vector<std::size_t> SortedBy(const std::function<double(std::size_t)>& key) const {
+    std::vector<std::size_t> order(Count());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+    return order;
+  }
+
+  // "native <text>, box2d <text>", in the order of the engines.
+  std::string Each(const std::function<std::string(std::size_t)>& text) const {
     std::string all;
-    for (const std::size_t e : order)
+    for (std::size_t e = 0; e < Count(); ++e)
       all += fmt::format("{}{} {}", all.empty() ? "" : ", ", Name(e), text(e));
     return all;
   }
-  std::string Each(const std::function<std::string(std::size_t)>& text) const { return Each(Order(), text); }
-  std::vector<std::size_t> Order() const {
-    std::vector<std::size_t> order(Count());
-    for (std::size_t e = 0; e < order.size(); ++e)
-      order[e] = e;
-    return order;
+
+  std::vector<std::string> NamesOf(const std::function<bool(std::size_t)>& test) const {
+    std::vector<std::string> names;
+    for (std::size_t e = 0; e < Count(); ++e)
+      if (test(e)) names.push_back(Name(e));
+    return names;
   }
 
   std::string Nothing() const {
@@ -75,71 +90,110 @@ private:
                        r.m_nTrials);
   }
 
+  double Lost(std::size_t e) const { return static_cast<double>(Totals(e).GetTunneled()); }
+  bool AreLossesApart(std::size_t a, std::size_t b) const {
+    return CanBeToldApart(Totals(a).GetTunneled(), Totals(b).GetTunneled());
+  }
+  double Ns(std::size_t e) const { return Cost(e).m_cNsPerBallStep.m_fMedian; }
+  bool AreTimesApart(std::size_t a, std::size_t b) const {
+    return a != b && !Overlap(CompareCosts(Cost(a), Cost(b)).m_cInterval, {1.0, 1.0});
+  }
+  double DirectionError(std::size_t e) const {
+    const CSummary& summary = Totals(e).m_cDirectionError;
+    return summary.m_nCount == 0 ? std::numeric_limits<double>::infinity() : summary.m_fP95;
+  }
+
+  // Who is the best in what, or no worse than the best as far as can be told.
+  std::string Winners() const {
+    const std::size_t lost = SortedBy([&](std::size_t e) { return Lost(e); })[0];
+    const std::size_t straight = SortedBy([&](std::size_t e) { return DirectionError(e); })[0];
+    const std::size_t fast = SortedBy([&](std::size_t e) { return Ns(e); })[0];
+    const auto best = [&](const std::function<bool(std::size_t)>& test) {
+      const std::vector<std::string> names = NamesOf(test);
+      return names.size() == Count() ? "no difference" : fmt::format("{}", fmt::join(names, " and "));
+    };
+    return fmt::format("Fewest lost: {}; best directions: {}; fastest: {}",
+                       best([&](std::size_t e) { return !AreLossesApart(e, lost); }),
+                       best([&](std::size_t e) { return DirectionText(e) == DirectionText(straight); }),
+                       best([&](std::size_t e) { return !AreTimesApart(e, fast); }));
+  }
+
+  // The one that loses most comes first.
   std::string Losses() const {
     const std::size_t n = Totals(0).m_nContacts;
-    const auto lost = [&](std::size_t e) { return Totals(e).GetTunneled(); };
-    std::vector<std::size_t> order = Order();
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return lost(a) > lost(b); });
-    if (lost(order.front()) == 0)
+    const std::vector<std::size_t> order = SortedBy([&](std::size_t e) { return -Lost(e); });
+    if (Lost(order.front()) == 0.0)
       return fmt::format("{} a ball in {} impacts",
-                         Count() == 2 ? "Neither loses" : Name(0) + " does not lose", CountText(n));
-    const bool open = Count() == 2 && !CanBeToldApart(lost(0), lost(1));
-    // The one that loses more comes first.
-    std::string text;
-    for (const std::size_t e : order) {
+                         Count() == 1   ? Name(0) + " does not lose"
+                         : Count() == 2 ? "Neither loses"
+                                        : "None loses",
+                         CountText(n));
+    const bool open = Count() > 1 && !AreLossesApart(order.front(), order.back());
+    std::string text, ties;
+    for (std::size_t i = 0; i < Count(); ++i) {
+      const std::size_t e = order[i], lost = Totals(e).GetTunneled();
       const std::string rate =
-          lost(e) == 0 ? fmt::format("none of {}", CountText(n)) : RateTextWithError(lost(e), n);
-      text += text.empty() ? fmt::format("{} loses {} of the balls", Name(e), rate)
-                           : fmt::format(", {} {}", Name(e), rate);
+          lost == 0 ? fmt::format("none of {}", CountText(n)) : RateTextWithError(lost, n);
+      text += i == 0 ? fmt::format("{} loses {} of the balls", Name(e), rate)
+                     : fmt::format(", {} {}", Name(e), rate);
+      if (i > 0 && !open && Lost(order[i - 1]) > 0.0 && !AreLossesApart(order[i - 1], e))
+        ties += fmt::format("; {} and {} cannot be told apart", Name(order[i - 1]), Name(e));
     }
     return open ? fmt::format("Which one loses more cannot be told from {} impacts: {}", CountText(n), text)
-                : text;
+                : text + ties;
   }
 
+  // The fastest comes first.
   std::string Time() const {
-    const auto ns = [&](std::size_t e) { return Cost(e).m_cNsPerBallStep.m_fMedian; };
     const auto whole = [](double x) { return CountText(static_cast<std::size_t>(std::lround(x))); };
-    const auto each = [&](std::size_t e) {
+    const std::vector<std::size_t> order = SortedBy([&](std::size_t e) { return Ns(e); });
+    const std::size_t fast = order.front();
+    std::string text = "A step of a ball takes";
+    for (const std::size_t e : order) {
+      std::vector<std::string> remarks;
+      const double ratio = CompareCosts(Cost(e), Cost(fast)).m_fMedian;
+      if (e != fast && !AreTimesApart(e, fast))
+        remarks.push_back("cannot be told apart");
+      else if (e != fast)
+        remarks.push_back(fmt::format("{:.{}f} times as long", ratio, ratio < 9.95 ? 1 : 0));
       const CInterval& i = Cost(e).m_cNsPerBallStep.m_cInterval;
-      if (i.m_fHigh <= g_fDisturbed * i.m_fLow) return whole(ns(e)) + " ns";
-      return fmt::format("{} ns, disturbed: {} to {}", whole(ns(e)), whole(i.m_fLow), whole(i.m_fHigh));
-    };
-    if (Count() != 2) return fmt::format("a step of a ball takes {}", each(0));
-    const CMedian ratio01 = CompareCosts(Cost(0), Cost(1));
-    if (Overlap(ratio01.m_cInterval, {1.0, 1.0}))
-      return fmt::format("their times cannot be told apart ({} and {} for a step of a ball)", each(0),
-                         each(1));
-    const std::size_t fast = ratio01.m_fMedian < 1.0 ? 0 : 1, slow = 1 - fast;
-    const double ratio = std::max(ratio01.m_fMedian, 1.0 / ratio01.m_fMedian);
-    const std::string part =
-        ratio >= 1.95 ? fmt::format("1/{:.0f}", ratio) : fmt::format("{:.0f}%", 100.0 / ratio);
-    return fmt::format("{} takes {} of the time ({} against {} for a step of a ball)", Name(fast), part,
-                       each(fast), each(slow));
+      if (i.m_fHigh > g_fDisturbed * i.m_fLow)
+        remarks.push_back(fmt::format("disturbed, {} to {}", whole(i.m_fLow), whole(i.m_fHigh)));
+      text += fmt::format("{} {} ns on {}", e == fast ? "" : ",", whole(Ns(e)), Name(e));
+      if (!remarks.empty()) text += fmt::format(" ({})", fmt::join(remarks, "; "));
+    }
+    return text;
   }
 
+  std::string DirectionText(std::size_t e) const {
+    const double error = DirectionError(e);
+    if (std::isinf(error)) return "not known";
+    return error < g_fRounding ? "exact" : fmt::format("within {} rad", SizeText(error));
+  }
+
+  // Engines with the same figure are named together.
   std::string Direction() const {
-    const auto error = [&](std::size_t e) -> std::string {
-      const CSummary& summary = Totals(e).m_cDirectionError;
-      if (summary.m_nCount == 0) return "not known";
-      if (summary.m_fP95 == 0.0) return "exact";
-      // Within what the digits show.
-      return fmt::format("within {} rad", summary.m_fP95 < 0.0005 ? "0.001" : SizeText(summary.m_fP95));
-    };
     std::string text = "Where the ball is turned back, 95% of its directions are ";
-    if (Count() == 2 && error(0) == error(1)) return text + error(0) + " on both";
-    for (std::size_t e = 0; e < Count(); ++e)
-      text += fmt::format("{}{} on {}", e == 0 ? "" : ", ", error(e), Name(e));
+    std::vector<std::string> seen;
+    for (std::size_t e = 0; e < Count(); ++e) {
+      const std::string error = DirectionText(e);
+      if (std::find(seen.begin(), seen.end(), error) != seen.end()) continue;
+      const std::vector<std::string> names =
+          NamesOf([&](std::size_t other) { return DirectionText(other) == error; });
+      const bool all = Count() > 1 && names.size() == Count();
+      text += fmt::format("{}{} on {}", seen.empty() ? "" : ", ", error,
+                          !all           ? fmt::format("{}", fmt::join(names, " and "))
+                          : Count() == 2 ? "both"
+                                         : "all");
+      seen.push_back(error);
+    }
     return text;
   }
 
   // What else there is to tell.
-  std::string Aside() const {
+  std::vector<std::string> Asides() const {
     std::vector<std::string> parts;
-    const auto any = [&](const std::function<bool(std::size_t)>& test) {
-      const std::vector<std::size_t> order = Order();
-      return std::any_of(order.begin(), order.end(), test);
-    };
+    const auto any = [&](const std::function<bool(std::size_t)>& test) { return !NamesOf(test).empty(); };
     const auto& engines = m_cScene.m_stdEngines;
     if (any([&](std::size_t e) { return Cost(e).m_nNotFinite > 0; }))
       parts.push_back("Balls became NaN or infinite: " +
@@ -157,7 +211,7 @@ private:
     if (any([&](std::size_t e) { return std::abs(EnergyChange(engines[e].m_cLongRun)) >= g_fChangeToTell; }))
       parts.push_back("Energy over many bounces: " +
                       Each([&](std::size_t e) { return EnergyText(engines[e].m_cLongRun); }));
-    return fmt::format("{}", fmt::join(parts, ". "));
+    return parts;
   }
 
   // Relative, over the whole run; 0 where the scene does not keep the energy.

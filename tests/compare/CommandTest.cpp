@@ -69,8 +69,8 @@ protected:
 TEST_F(CommandTest, RunWritesTheTableAndThreeFiles) {
   const CResult result = Call("run --scenes corner,bowl --quick --contacts 50 --out " + m_cFolder.string());
   ASSERT_EQ(result.m_nExit, 0) << result.m_sOutput;
-  EXPECT_NE(result.m_sOutput.find("\nbowl "), std::string::npos);
-  EXPECT_NE(result.m_sOutput.find("\ncorner "), std::string::npos);
+  EXPECT_NE(result.m_sOutput.find("\nbowl, 50 impacts\n"), std::string::npos);
+  EXPECT_NE(result.m_sOutput.find("\ncorner, 50 impacts\n"), std::string::npos);
   EXPECT_EQ(result.m_sOutput.find("spinner"), std::string::npos);
   EXPECT_EQ(result.m_sOutput.find('\r'), std::string::npos); // no progress where there is no terminal
 
@@ -81,9 +81,10 @@ TEST_F(CommandTest, RunWritesTheTableAndThreeFiles) {
   EXPECT_EQ(json.at("command"),
             "shapes-compare run --scenes corner,bowl --quick --contacts 50 --out " + m_cFolder.string());
   for (const auto& scene : json.at("scenes")) {
-    ASSERT_EQ(scene.at("engines").size(), 2u);
+    ASSERT_EQ(scene.at("engines").size(), 3u);
     EXPECT_EQ(scene.at("engines")[0].at("name"), "native");
     EXPECT_EQ(scene.at("engines")[1].at("name"), "box2d");
+    EXPECT_EQ(scene.at("engines")[2].at("name"), "box2d-tuned");
     for (const auto& engine : scene.at("engines"))
       EXPECT_EQ(engine.at("contacts"), 50);
   }
@@ -125,6 +126,7 @@ TEST_F(CommandTest, EnginesAreChosen) {
   EXPECT_EQ(engines("box2d"), "box2d ");
   EXPECT_EQ(engines("native"), "native ");
   EXPECT_EQ(engines("box2d,native"), "native box2d ");
+  EXPECT_EQ(engines("box2d-tuned"), "box2d-tuned ");
 }
 
 TEST_F(CommandTest, FailAboveIsAGate) {

@@ -45,6 +45,7 @@ TEST(GhostsTest, JointsOfAFloorBumpABallOnBox2D) {
                rate = std::sqrt(0.11 * 0.11 - 0.105 * 0.105) / 0.2;
   EXPECT_NEAR(static_cast<double>(result.m_stdGhosts[g_nBox2D]), n * rate,
               4 * std::sqrt(n * rate * (1 - rate)));
+  EXPECT_EQ(result.m_stdGhosts[g_nTuned], 0u); // it knows which pieces are joined
 }
 
 TEST(GhostsTest, WithoutJointsThereAreNone) {

@@ -146,7 +146,10 @@ protected:
       EXPECT_GT(worst.at("middle").at("exact").get<int>(), 0);
       EXPECT_GE(worst.at("ring").get<int>(), g_nPixelsOfALine);
       EXPECT_EQ(worst.at("ringBefore"), 0);
-      EXPECT_GT(worst.at("middle").at("native").get<int>() + worst.at("middle").at("box2d").get<int>(), 0);
+      int engines = 0;
+      for (const char* pEngine : {"native", "box2d", "box2d-tuned"})
+        engines += worst.at("middle").at(pEngine).get<int>();
+      EXPECT_GT(engines, 0);
     }
     const json& keys = scene.at("keys");
     for (const char* pKey : {"plus", "minus", "all", "wheel"})
@@ -162,12 +165,12 @@ protected:
   // What the made-up scenes hold beyond that.
   static void ExpectFull(const json& scene) {
     SCOPED_TRACE(scene.at("name"));
-    ExpectDrawn(scene.at("plots").at("error"), {"native", "box2d", "exact"});
-    ExpectDrawn(scene.at("plots").at("tunneled"), {"native", "box2d", "exact"});
-    ExpectDrawn(scene.at("plots").at("setback_error_histogram"), {"native", "box2d"});
-    ExpectDrawn(scene.at("plots").at("penetration_histogram"), {"native", "box2d"});
-    EXPECT_EQ(scene.at("heatMaps"), 2);
-    EXPECT_EQ(scene.at("outcomes"), 2);
+    ExpectDrawn(scene.at("plots").at("error"), {"native", "box2d", "box2d-tuned", "exact"});
+    ExpectDrawn(scene.at("plots").at("tunneled"), {"native", "box2d", "box2d-tuned", "exact"});
+    ExpectDrawn(scene.at("plots").at("setback_error_histogram"), {"native", "box2d", "box2d-tuned"});
+    ExpectDrawn(scene.at("plots").at("penetration_histogram"), {"native", "box2d", "box2d-tuned"});
+    EXPECT_EQ(scene.at("heatMaps"), 3);
+    EXPECT_EQ(scene.at("outcomes"), 3);
     EXPECT_GT(scene.at("metrics").get<int>(), 30);
     EXPECT_GT(scene.at("bins").get<int>(), 10);
     for (const json& axes : scene.at("axes"))
@@ -181,7 +184,7 @@ protected:
     // Nothing of what comes is drawn: at the beginning there is no way yet.
     EXPECT_GT(scene.at("end").get<int>(), 2 * scene.at("start").get<int>());
     ASSERT_TRUE(scene.contains("replay"));
-    for (const char* pEngine : {"native", "box2d"}) {
+    for (const char* pEngine : {"native", "box2d", "box2d-tuned"}) {
       const json& worst = scene.at("worst").at(pEngine);
       EXPECT_EQ(worst.at("clip"), std::string("worst ") + pEngine);
       EXPECT_EQ(worst.at("frame"), g_nWorstContact);
@@ -205,10 +208,10 @@ TEST_F(ReportPageTest, AFullReportInTheLight) {
   EXPECT_FALSE(result.at("isDark").get<bool>());
   EXPECT_FALSE(result.at("isInterrupted").get<bool>());
   EXPECT_EQ(result.at("cards"), 3);
-  EXPECT_EQ(result.at("rows"), 6);
+  EXPECT_EQ(result.at("rows"), 9);
   EXPECT_EQ(result.at("small").size(), 3u);
   for (const json& small : result.at("small"))
-    ExpectDrawn(small, {"native", "box2d", "exact"});
+    ExpectDrawn(small, {"native", "box2d", "box2d-tuned", "exact"});
   for (const json& axes : result.at("smallAxes")) {
     ExpectReadable(axes);
     EXPECT_EQ(axes.at("span"), result.at("smallAxes")[0].at("span"));
@@ -250,7 +253,7 @@ TEST_F(ReportPageTest, WhatARunMayLeaveOut) {
   const json result = Exercise(ToPage(MakeSparsePageDocuments()));
   ExpectSound(result);
   EXPECT_TRUE(result.at("isInterrupted").get<bool>());
-  EXPECT_EQ(result.at("rows"), 9);
+  EXPECT_EQ(result.at("rows"), 13);
   ASSERT_EQ(result.at("scenes").size(), 5u);
   ExpectFull(result.at("scenes")[0]);
   const auto find = [&](const std::string& name) -> const json& {
@@ -291,9 +294,9 @@ TEST_F(ReportPageTest, WhatTheProgramWrites) {
   ASSERT_EQ(result.at("scenes").size(), 2u);
   for (const json& scene : result.at("scenes")) {
     SCOPED_TRACE(scene.at("name"));
-    ExpectDrawn(scene.at("plots").at("error"), {"native", "box2d", "exact"});
+    ExpectDrawn(scene.at("plots").at("error"), {"native", "box2d", "box2d-tuned", "exact"});
     ASSERT_TRUE(scene.contains("replay"));
-    EXPECT_TRUE(scene.at("worst").contains("native") && scene.at("worst").contains("box2d"));
+    EXPECT_EQ(scene.at("worst").size(), 3u);
     for (const json& worst : scene.at("worst"))
       EXPECT_GT(worst.at("frame").get<int>(), 0);
   }
@@ -341,10 +344,10 @@ TEST_F(ReportPageTest, ControlAnEngineThatIsNotDrawn) {
   CPageDocuments sample = MakePageDocuments({"bowl"});
   json& rows = sample.m_cRun.at("work_precision");
   for (json& row : rows)
-    if (row.at("engine") == "box2d") row["direction_error_p95"] = nullptr;
+    if (row.at("engine") == "box2d-tuned") row["direction_error_p95"] = nullptr;
   const json result = Exercise(ToPage(sample));
   EXPECT_EQ(result.at("errors"), json::array());
-  EXPECT_EQ(result.at("scenes").at(0).at("plots").at("error").at("box2d"), 0);
+  EXPECT_EQ(result.at("scenes").at(0).at("plots").at("error").at("box2d-tuned"), 0);
 }
 
 } // namespace

@@ -176,7 +176,7 @@ TEST(RestartRulesTest, OptionsLeaveOutWhatTheySay) {
   std::size_t detected = 0;
   for (std::size_t i = 0; i < 200; ++i) {
     EXPECT_FALSE(lean.m_stdContacts[i].m_bHasDifference);
-    for (std::size_t e = 0; e < 2; ++e) {
+    for (std::size_t e = 0; e < GetEngines().size(); ++e) {
       const CEngineContact &a = full.m_stdContacts[i].m_stdEngines[e],
                            &b = lean.m_stdContacts[i].m_stdEngines[e];
       detected += a.m_bDetected;
@@ -197,7 +197,7 @@ TEST(RestartRulesTest, TheSameSeedGivesTheSameBits) {
   ASSERT_EQ(b.m_stdContacts.size(), 200u);
   for (std::size_t i = 0; i < 200; ++i) {
     EXPECT_EQ(a.m_stdContacts[i].m_fTime, b.m_stdContacts[i].m_fTime);
-    for (std::size_t e = 0; e < 2; ++e)
+    for (std::size_t e = 0; e < GetEngines().size(); ++e)
       EXPECT_TRUE(Equal(a.m_stdContacts[i].m_stdEngines[e], b.m_stdContacts[i].m_stdEngines[e]));
   }
   EXPECT_EQ(a.m_stdGhosts, b.m_stdGhosts);
@@ -209,6 +209,25 @@ TEST(RestartRulesTest, TheSameSeedGivesTheSameBits) {
   CRestartOptions other = MakeOptions(200, 100); // the control
   other.m_nSeed = 6;
   EXPECT_NE(RunRestarts(scene, GetEngines(), other).m_stdContacts[0].m_fTime, a.m_stdContacts[0].m_fTime);
+}
+
+// Profiles of one engine claim the same, so "apart" is of native and Box2D, whichever of them are there.
+TEST(RestartRulesTest, ApartIsTheDistanceOfTwoBackends) {
+  const CScene scene = LoadBundled("bowl");
+  const std::vector<CEngine> engines = GetEngines();
+  const auto judge = [&](const std::vector<CEngine>& some) {
+    return RunRestarts(scene, some, MakeOptions(50, 100)).m_stdContacts;
+  };
+  const auto all = judge(engines), tuned = judge({engines[g_nNative], engines[g_nTuned]}),
+             profiles = judge({engines[g_nBox2D], engines[g_nTuned]});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_TRUE(all[i].m_bHasDifference && tuned[i].m_bHasDifference);
+    EXPECT_GT(all[i].m_fDifference, 0.0f);
+    EXPECT_EQ(all[i].m_fDifference, tuned[i].m_fDifference);
+    EXPECT_FALSE(profiles[i].m_bHasDifference);
+    EXPECT_EQ(all[i].m_stdEngines[g_nBox2D].m_fSetbackError, all[i].m_stdEngines[g_nTuned].m_fSetbackError);
+  }
+  EXPECT_EQ(all.size(), 50u);
 }
 
 TEST(RestartRulesTest, ProgressGoesUpToOneAndMayEndTheRun) {

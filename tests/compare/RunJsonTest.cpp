@@ -126,6 +126,15 @@ TEST(RunJsonTest, OneEngineAloneFitsTheSchema) {
   EXPECT_TRUE(doc.at("/scenes/0/apart"_json_pointer).is_null());
 }
 
+TEST(RunJsonTest, ProfilesOfOneEngineAreNotApart) {
+  CRunReport report = MakeSampleReport();
+  report.m_stdEngines.erase(report.m_stdEngines.begin());
+  report.m_stdScenes[0].m_stdEngines.erase(report.m_stdScenes[0].m_stdEngines.begin());
+  const json doc = json::parse(MakeJson(report));
+  EXPECT_EQ(FindFault(doc), "");
+  EXPECT_TRUE(doc.at("/scenes/0/apart"_json_pointer).is_null());
+}
+
 TEST(RunJsonTest, FiguresAreWhereTheyBelong) {
   CRunReport report = MakeSampleReport();
   report.m_stdScenes.push_back(MakeUndecidedScene());
@@ -154,12 +163,16 @@ TEST(RunJsonTest, FiguresAreWhereTheyBelong) {
   EXPECT_EQ(at("/scenes/0/engines/0/energy_drift"), -0.03);
   EXPECT_TRUE(at("/scenes/0/engines/0/free_path_error").is_null());
   EXPECT_EQ(at("/scenes/0/engines/0/setback_error_histogram/31"), 28);
-  EXPECT_EQ(at("/scenes/0/heat_map/cells/0/tunneled"), json({1, 2}));
+  EXPECT_EQ(at("/scenes/0/heat_map/cells/0/tunneled"), json({1, 2, 0}));
   EXPECT_EQ(at("/work_precision/0/tunneled_rate/rate"), 0.2);
   EXPECT_TRUE(at("/work_precision/0/direction_error_p95").is_null());
-  EXPECT_EQ(at("/work_precision/2/engine"), "exact");
-  EXPECT_EQ(at("/work_precision/2/settings"), json::object());
-  EXPECT_EQ(at("/work_precision/3/scene"), "hopeless");
+  EXPECT_EQ(at("/work_precision/3/engine"), "exact");
+  EXPECT_EQ(at("/work_precision/3/settings"), json::object());
+  EXPECT_EQ(at("/work_precision/4/scene"), "hopeless");
+  EXPECT_FALSE(at("/scenes/0/engines/0/settings").contains("profile")); // native has none
+  EXPECT_EQ(at("/scenes/0/engines/1/settings/profile"), "shipped");
+  EXPECT_EQ(at("/scenes/0/engines/2/settings/profile"), "tuned");
+  EXPECT_EQ(at("/work_precision/2/settings/profile"), "tuned");
 }
 
 TEST(RunJsonTest, WhatWasNotMeasuredIsNullAndNotZero) {

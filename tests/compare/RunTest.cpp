@@ -45,8 +45,8 @@ TEST(RunTest, EverythingIsMeasuredOnEachScene) {
     EXPECT_EQ(scene.m_cWork.m_stdRungs.size(), GetLadder().size() + 1);
     EXPECT_FALSE(scene.m_cWork.m_stdAnswers.empty());
     EXPECT_EQ(scene.m_cHeatMap.m_stdCells.empty(), scene.m_cScene.m_stdBalls.size() != 1);
-    EXPECT_EQ(scene.m_stdClips.size(), 3u);
-    ASSERT_EQ(scene.m_stdEngines.size(), 2u);
+    EXPECT_EQ(scene.m_stdClips.size(), 4u);
+    ASSERT_EQ(scene.m_stdEngines.size(), 3u);
     for (const CEngineReport& engine : scene.m_stdEngines) {
       EXPECT_EQ(engine.m_cTotals.m_nContacts, g_nContacts);
       EXPECT_FALSE(engine.m_stdBins.empty());

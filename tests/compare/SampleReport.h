@@ -40,7 +40,10 @@ inline CContact MakeSampleContact() {
   right.m_fPenetration = 6.0f;
   CEngineContact missed;
   missed.m_fPenetration = 7.0f;
-  contact.m_stdEngines = {right, missed};
+  CEngineContact late = right;
+  late.m_eOutcome = eOutcome::Late;
+  late.m_fDirectionError = 0.0f;
+  contact.m_stdEngines = {right, missed, late};
   return contact;
 }
 
@@ -85,20 +88,22 @@ inline CEngineReport MakeSampleEngine(std::size_t tunneled, double ns, double di
   return report;
 }
 
-/// Two engines on the spinner: native loses 203 of 1000 and takes 50 ns, box2d 6 and 500 ns.
+/// Three engines on the spinner: native loses 203 of 1000 and takes 50 ns, box2d 6 and 500 ns, box2d-tuned
+/// none and 800 ns.
 inline CSceneReport MakeSampleScene() {
   CSceneReport report;
   report.m_cScene = LoadBundled("spinner");
   report.m_cRestart.m_stdContacts = {MakeSampleContact()};
-  report.m_cRestart.m_stdGhosts = {2, 2};
+  report.m_cRestart.m_stdGhosts = {2, 2, 2};
   report.m_cRestart.m_nQuietSteps = 800;
   report.m_cRestart.m_nTrials = 1200;
   report.m_cRestart.m_cSetAside = {1, 2, 3, 4, 0, ""};
   report.m_cDifference = {850, 0.06, 0.5, 1.25};
-  report.m_stdEngines = {MakeSampleEngine(203, 50.0, 0.0001), MakeSampleEngine(6, 500.0, 0.02)};
+  report.m_stdEngines = {MakeSampleEngine(203, 50.0, 0.0001), MakeSampleEngine(6, 500.0, 0.02),
+                         MakeSampleEngine(0, 800.0, 2e-6)};
   report.m_cWork.m_stdAnswers = {"Direction within .01 rad: box2d."};
   const std::vector<CEngine> engines = GetEngines();
-  CRung native, box2d, exact;
+  CRung native, box2d, tuned, exact;
   native.m_cEngine = engines[0];
   native.m_cNsPerBallSecond = {3000.0, {2900.0, 3100.0}};
   native.m_nContacts = 100;
@@ -107,20 +112,25 @@ inline CSceneReport MakeSampleScene() {
   box2d = native;
   box2d.m_cEngine = engines[1];
   box2d.m_fDirectionErrorP95 = 0.02;
+  tuned = native;
+  tuned.m_cEngine = engines[2];
+  tuned.m_fDirectionErrorP95 = 2e-6;
   exact = native;
   exact.m_cEngine = {g_sExact, nullptr};
   exact.m_fDirectionErrorP95 = 0.0;
-  report.m_cWork.m_stdRungs = {native, box2d, exact};
+  report.m_cWork.m_stdRungs = {native, box2d, tuned, exact};
   report.m_cHeatMap.m_stdSpeeds = {1.0, 2.0};
   report.m_cHeatMap.m_stdSizes = {1.0};
   report.m_cHeatMap.m_fTravel = 1.25;
-  report.m_cHeatMap.m_stdCells = {{50, {1, 2}}, {0, {0, 0}}};
+  report.m_cHeatMap.m_stdCells = {{50, {1, 2, 0}}, {0, {0, 0, 0}}};
   CClip clip;
   clip.m_sName = "worst native";
   clip.m_nContact = 1;
   clip.m_sWhat = "native with segment: missed";
-  clip.m_stdTracks = {
-      {{1.0f, 2.0f}, {1.5f, 2.25f}}, {{1.0f, 2.0f}, {1.5f, 2.5f}}, {{1.0f, 2.0f}, {1.123456f, 3.0f}}};
+  clip.m_stdTracks = {{{1.0f, 2.0f}, {1.5f, 2.25f}},
+                      {{1.0f, 2.0f}, {1.5f, 2.5f}},
+                      {{1.0f, 2.0f}, {1.25f, 2.75f}},
+                      {{1.0f, 2.0f}, {1.123456f, 3.0f}}};
   report.m_stdClips = {clip};
   return report;
 }
@@ -141,7 +151,7 @@ inline CSceneReport MakeUndecidedScene() {
   CSceneReport report = MakeSampleScene();
   report.m_cScene.m_sName = "hopeless";
   report.m_cRestart = {};
-  report.m_cRestart.m_stdGhosts = {0, 0};
+  report.m_cRestart.m_stdGhosts = {0, 0, 0};
   report.m_cRestart.m_nTrials = 40;
   report.m_cRestart.m_cSetAside.m_nUndecided = 40;
   report.m_cRestart.m_cSetAside.m_sUndecided = "trial 0, step 2: ball 0 is jammed at (1, 2)";

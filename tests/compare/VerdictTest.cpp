@@ -20,15 +20,38 @@ void ExpectSays(const CRunReport& report, const std::string& part, bool expected
   EXPECT_EQ(Text(report).find(part) != std::string::npos, expected) << part << "\nin\n" << Text(report);
 }
 
-TEST(VerdictTest, TheOneThatLosesMoreComesFirst) {
+// The sample with its first two engines only.
+CRunReport OfTwo(const CEngineReport& native, const CEngineReport& box2d) {
   CRunReport report = MakeSampleReport();
-  ExpectSays(report,
-             "native loses 20.3% +-2.5 of the balls, box2d 0.60% +-0.51; native takes 1/10 of the time "
-             "(50 ns against 500 ns for a step of a ball).");
+  report.m_stdEngines.resize(2);
+  report.m_stdScenes[0].m_stdEngines = {native, box2d};
+  return report;
+}
+
+TEST(VerdictTest, TheOneThatLosesMoreComesFirstAndTheFastest) {
+  CRunReport report = MakeSampleReport();
+  ExpectSays(report, "native loses 20.3% +-2.5 of the balls, box2d 0.60% +-0.51, box2d-tuned none of 1,000.");
+  ExpectSays(report, "A step of a ball takes 50 ns on native, 500 ns on box2d (10 times as long), 800 ns on "
+                     "box2d-tuned (16 times as long).");
   auto& engines = report.m_stdScenes[0].m_stdEngines;
   std::swap(engines[0], engines[1]);
-  ExpectSays(report,
-             "box2d loses 20.3% +-2.5 of the balls, native 0.60% +-0.51; box2d takes 1/10 of the time");
+  ExpectSays(report, "box2d loses 20.3% +-2.5 of the balls, native 0.60% +-0.51, box2d-tuned none of 1,000.");
+  ExpectSays(report, "A step of a ball takes 50 ns on box2d, 500 ns on native (10 times as long), 800");
+}
+
+TEST(VerdictTest, WhoWinsIsSaidFirst) {
+  CRunReport report = MakeSampleReport();
+  const auto first = [&] { return MakeVerdict(report, report.m_stdScenes[0])[0]; };
+  EXPECT_EQ(first(), "Fewest lost: box2d-tuned; best directions: box2d-tuned; fastest: native.");
+  auto& engines = report.m_stdScenes[0].m_stdEngines;
+  engines[1] = MakeSampleEngine(3, 51.0, 2.4e-6); // 0 and 3, and 2.0e-6 and 2.4e-6, cannot be told apart
+  EXPECT_EQ(first(), "Fewest lost: box2d and box2d-tuned; best directions: box2d and box2d-tuned; fastest: "
+                     "native and box2d.");
+  engines[0] = engines[1] = engines[2];
+  EXPECT_EQ(first(), "Fewest lost: no difference; best directions: no difference; fastest: no difference.");
+  for (CEngineReport& engine : engines)
+    engine.m_cTotals.m_cDirectionError = {};
+  EXPECT_EQ(first(), "Fewest lost: no difference; best directions: not known; fastest: no difference.");
 }
 
 TEST(VerdictTest, DisturbedTimesAreSaidToBe) {
@@ -36,58 +59,68 @@ TEST(VerdictTest, DisturbedTimesAreSaidToBe) {
   ExpectSays(report, "disturbed", false);
   CCost& cost = report.m_stdScenes[0].m_stdEngines[1].m_cCost;
   cost.m_cNsPerBallStep.m_cInterval = {300.0, 600.0};
-  ExpectSays(report, "500 ns, disturbed: 300 to 600");
+  ExpectSays(report, "500 ns on box2d (10 times as long; disturbed, 300 to 600), 800 ns");
 }
 
 TEST(VerdictTest, WhatCannotBeToldApartIsNotCompared) {
-  CRunReport report = MakeSampleReport();
-  auto& engines = report.m_stdScenes[0].m_stdEngines;
-  engines = {MakeSampleEngine(8, 100.0, 0.02), MakeSampleEngine(6, 104.0, 0.02)};
+  const CEngineReport box2d = MakeSampleEngine(6, 104.0, 0.02);
+  CRunReport report = OfTwo(MakeSampleEngine(8, 100.0, 0.02), box2d);
+  ExpectSays(report, "Fewest lost: no difference; best directions: no difference; fastest: no difference.");
   ExpectSays(report, "Which one loses more cannot be told from 1,000 impacts: native loses 0.80% +-0.58 of "
-                     "the balls, box2d 0.60% "
-                     "+-0.51; their times cannot be told apart (100 ns and 104 ns");
+                     "the balls, box2d 0.60% +-0.51.");
+  ExpectSays(report, "A step of a ball takes 100 ns on native, 104 ns on box2d (cannot be told apart).");
   ExpectSays(report, "95% of its directions are within 0.020 rad on both");
   // The control: figures that are apart.
-  engines[0] = MakeSampleEngine(80, 60.0, 0.03);
+  report = OfTwo(MakeSampleEngine(80, 60.0, 0.03), box2d);
   ExpectSays(report, "cannot be told", false);
-  // The intervals of 19 and 6 overlap, and yet they are apart: both were asked at the same impacts.
-  engines[0] = MakeSampleEngine(19, 60.0, 0.03);
-  ExpectSays(report, "cannot be told from", false);
-  engines[0] = MakeSampleEngine(15, 60.0, 0.03);
-  ExpectSays(report, "cannot be told from");
-  engines[0] = MakeSampleEngine(80, 60.0, 0.03);
-  ExpectSays(report, "native takes 58% of the time");
+  ExpectSays(report, "60 ns on native, 104 ns on box2d (1.7 times as long)");
   ExpectSays(report, "are within 0.030 rad on native, within 0.020 rad on box2d.");
+  // The intervals of 19 and 6 overlap, and yet they are apart: both were asked at the same impacts.
+  ExpectSays(OfTwo(MakeSampleEngine(19, 60.0, 0.03), box2d), "cannot be told from", false);
+  ExpectSays(OfTwo(MakeSampleEngine(15, 60.0, 0.03), box2d), "cannot be told from");
+}
+
+TEST(VerdictTest, OfThreeEnginesThoseThatCannotBeToldApartAreNamed) {
+  CRunReport report = MakeSampleReport();
+  auto& engines = report.m_stdScenes[0].m_stdEngines;
+  engines[2] = MakeSampleEngine(4, 800.0, 0.02);
+  ExpectSays(report, "native loses 20.3% +-2.5 of the balls, box2d 0.60% +-0.51, box2d-tuned 0.40% +-0.44; "
+                     "box2d and box2d-tuned cannot be told apart.");
+  ExpectSays(report, "are within 1e-4 rad on native, within 0.020 rad on box2d and box2d-tuned.");
+  engines[0] = MakeSampleEngine(8, 50.0, 0.02);
+  ExpectSays(report, "Which one loses more cannot be told from 1,000 impacts: native loses");
+  ExpectSays(report, "cannot be told apart", false); // that says it all
+  ExpectSays(report, "are within 0.020 rad on all.");
+  engines[0] = engines[1] = engines[2] = MakeSampleEngine(0, 50.0, 0.02);
+  ExpectSays(report, "None loses a ball in 1,000 impacts.");
 }
 
 TEST(VerdictTest, DirectionsAreExactOrWithinWhatTheDigitsShow) {
-  CRunReport report = MakeSampleReport();
+  CRunReport report = OfTwo(MakeSampleEngine(8, 100.0, 0.0), MakeSampleEngine(6, 104.0, 0.0001));
   auto& engines = report.m_stdScenes[0].m_stdEngines;
-  engines = {MakeSampleEngine(8, 100.0, 0.0), MakeSampleEngine(6, 104.0, 0.0001)};
-  ExpectSays(report, "95% of its directions are exact on native, within 0.001 rad on box2d.");
-  engines[1].m_cTotals.m_cDirectionError.m_fP95 = 0.0;
+  ExpectSays(report, "95% of its directions are exact on native, within 1e-4 rad on box2d.");
+  engines[1].m_cTotals.m_cDirectionError.m_fP95 = 0.9e-7; // rounding
   ExpectSays(report, "95% of its directions are exact on both.");
   engines[1].m_cTotals.m_cDirectionError = {};
   ExpectSays(report, "exact on native, not known on box2d.");
 }
 
 TEST(VerdictTest, NoneIsOfHowMany) {
-  CRunReport report = MakeSampleReport();
-  auto& engines = report.m_stdScenes[0].m_stdEngines;
-  engines[1] = MakeSampleEngine(0, 500.0, 0.02);
+  CRunReport report = OfTwo(MakeSampleEngine(203, 50.0, 0.02), MakeSampleEngine(0, 500.0, 0.02));
   ExpectSays(report, "box2d none of 1,000");
-  engines[0] = MakeSampleEngine(0, 50.0, 0.02);
-  ExpectSays(report, "Neither loses a ball in 1,000 impacts;");
+  report.m_stdScenes[0].m_stdEngines[0] = MakeSampleEngine(0, 50.0, 0.02);
+  ExpectSays(report, "Neither loses a ball in 1,000 impacts.");
 }
 
 TEST(VerdictTest, OneEngineAloneIsNotCompared) {
   CRunReport report = MakeSampleReport();
   report.m_stdEngines = {GetEngines()[1]};
   report.m_stdScenes[0].m_stdEngines = {MakeSampleEngine(0, 500.0, 0.02)};
-  ExpectSays(report, "box2d does not lose a ball in 1,000 impacts; a step of a ball takes 500 ns.");
+  ExpectSays(report, "box2d does not lose a ball in 1,000 impacts.\nA step of a ball takes 500 ns on box2d.");
   report.m_stdScenes[0].m_stdEngines = {MakeSampleEngine(10, 500.0, 0.02)};
-  ExpectSays(report, "box2d loses 1.0% +-0.6 of the balls; a step");
+  ExpectSays(report, "box2d loses 1.0% +-0.6 of the balls.\nA step");
   ExpectSays(report, "native", false);
+  ExpectSays(report, "Fewest", false);
   ExpectSays(report, "oth", false);
 }
 
@@ -98,21 +131,21 @@ TEST(VerdictTest, TellsOfWhatElseIsWrongAndOnlyThen) {
     engine.m_nGhosts = 0;
     engine.m_cLongRun.m_fEnergyDrift = 0.0005; // too little to tell
   }
-  EXPECT_EQ(MakeVerdict(report, scene).size(), 2u);
+  EXPECT_EQ(MakeVerdict(report, scene).size(), 4u);
   scene.m_stdEngines[0].m_cLongRun.m_fEnergyDrift = 0.0321;
   scene.m_stdEngines[1].m_cLongRun.m_fEnergyDrift = -0.5;
-  ExpectSays(report, "Energy over many bounces: native +3.2% in 10,000, box2d -50% in 10,000.");
-  scene.m_stdEngines[1].m_cLongRun.m_fEnergyDrift = 0.0;
-  ExpectSays(report, "native +3.2% in 10,000, box2d kept in 10,000.");
+  ExpectSays(report,
+             "Energy over many bounces: native +3.2% in 10,000, box2d -50% in 10,000, box2d-tuned kept "
+             "in 10,000.");
   scene.m_stdEngines[1].m_cLongRun = {1000, 60.0, 2.5, {}, {}};
-  ExpectSays(report, "native +3.2% in 10,000, box2d times 3.5 in 1,000.");
+  ExpectSays(report, "native +3.2% in 10,000, box2d times 3.5 in 1,000");
   scene.m_stdEngines[1].m_cTotals.m_nLate = 300;
-  ExpectSays(report, "Turned back one or two steps late: native 0.50%, box2d 30.0%.");
+  ExpectSays(report, "Turned back one or two steps late: native 0.50%, box2d 30.0%, box2d-tuned 0.50%.");
   scene.m_stdEngines[1].m_nGhosts = 80;
-  ExpectSays(report, "native <0.38%, box2d 10.0%");
+  ExpectSays(report, "native <0.38%, box2d 10.0%, box2d-tuned <0.38%.");
   scene.m_stdEngines[0].m_cCost.m_nNotFinite = 3;
-  ExpectSays(report, "NaN or infinite: native 3, box2d 0");
-  EXPECT_EQ(MakeVerdict(report, scene).size(), 3u);
+  ExpectSays(report, "NaN or infinite: native 3, box2d 0, box2d-tuned 0.");
+  EXPECT_EQ(MakeVerdict(report, scene).size(), 8u);
 }
 
 TEST(VerdictTest, WhatWasNotMeasuredIsNotJudged) {

@@ -13,7 +13,8 @@ namespace {
 CRung Rung(const std::string& engine, unsigned substeps, double ns, std::optional<double> error,
            std::size_t contacts, std::size_t tunneled) {
   CRung rung;
-  rung.m_cEngine = {engine, nullptr, substeps};
+  rung.m_cEngine = {engine, nullptr};
+  rung.m_cEngine.m_nSubsteps = substeps;
   rung.m_cNsPerBallSecond = {ns, {ns, ns}};
   rung.m_fDirectionErrorP95 = error;
   rung.m_nContacts = contacts;
@@ -29,7 +30,11 @@ TEST(WorkPrecision, TheLadderHasEachSettingOnceAndBeginsWithTheEnginesAsTheyCome
   EXPECT_TRUE(labels.count("box2d: as it comes"));
   EXPECT_TRUE(labels.count("native: 64 substeps"));
   EXPECT_TRUE(labels.count("box2d: 4 substeps, 10x scale, 1+1 iterations"));
-  EXPECT_EQ(labels.size(), 30u);
+  EXPECT_TRUE(labels.count("box2d-tuned: as it comes"));
+  EXPECT_TRUE(labels.count("box2d-tuned: arcs 4x finer"));
+  EXPECT_EQ(labels.size(), 36u);
+  for (const CEngine& engine : GetLadder())
+    EXPECT_EQ(engine.m_eProfile, engine.m_sName == "box2d-tuned" ? eProfile::Tuned : eProfile::Shipped);
 }
 
 TEST(WorkPrecision, TheFrontIsWhatNothingBeats) {
@@ -95,9 +100,9 @@ TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
   };
   const CWorkPrecision work = MeasureWorkPrecision(scene, ladder, options);
   EXPECT_EQ(last, 1.0);
-  ASSERT_EQ(work.m_stdRungs.size(), 4u);
-  const CRung &one = work.m_stdRungs[0], &box2d = work.m_stdRungs[1], &eight = work.m_stdRungs[2];
-  const CRung& exact = work.m_stdRungs[3];
+  ASSERT_EQ(work.m_stdRungs.size(), 5u);
+  const CRung &one = work.m_stdRungs[0], &box2d = work.m_stdRungs[1], &eight = work.m_stdRungs[3];
+  const CRung& exact = work.m_stdRungs[4];
   EXPECT_GT(one.m_nTunneled, one.m_nContacts / 3);
   EXPECT_EQ(eight.m_nTunneled, 0u);
   EXPECT_EQ(box2d.m_nTunneled, 0u);

@@ -2,13 +2,27 @@
 // Draws shapes, balls and their ways.
 const Drawing = (() => {
   // What coincides can be told apart: the exact way is broad and lies below, the others are broken over it,
-  // one in the gaps of the other.
+  // each in the gaps of the others: all have the same period.
   const lines = {
-    exact: {dash: [], offset: 0, width: 6, name: 'solid'},
-    native: {dash: [8, 8], offset: 0, width: 2.5, name: 'dashed'},
-    box2d: {dash: [2.5, 2, 2.5, 9], offset: -8.5, width: 2.5, name: 'dotted'},
+    exact: {dash: [], offset: 0, width: 6},
+    native: {dash: [8, 16], offset: 0, width: 2.5},
+    box2d: {dash: [2, 2, 2, 18], offset: -9, width: 2.5},
+    'box2d-tuned': {dash: [4, 1.5, 2, 16.5], offset: -16, width: 2.5},
   };
-  const lineOf = (name) => lines[name] ?? {dash: [12, 4, 2, 4], offset: 0, width: 2, name: 'dashed'};
+  const lineOf = (name) => lines[name] ?? {dash: [12, 4, 2, 6], offset: 0, width: 2};
+
+  /** The same line for a legend, as a background of CSS. */
+  function dashesOf(name) {
+    const {dash} = lineOf(name);
+    if (dash.length === 0) return 'var(--engine)';
+    let at = 0;
+    const stops = dash.map((length, i) => {
+      const from = at;
+      at += length;
+      return `${i % 2 === 0 ? 'var(--engine)' : 'transparent'} ${from}px ${at}px`;
+    });
+    return `repeating-linear-gradient(90deg, ${stops.join(', ')})`;
+  }
 
   const isPlace = (p) => Format.isNumber(p[0]) && Format.isNumber(p[1]);
   const lerp = (a, b, t) => a + (b - a) * t;
@@ -170,5 +184,5 @@ const Drawing = (() => {
     };
   }
 
-  return {lineOf, placeAt, drawShapes, drawTrack, drawRing, boxOf};
+  return {dashesOf, placeAt, drawShapes, drawTrack, drawRing, boxOf};
 })();

@@ -47,7 +47,7 @@ const Metrics = (() => {
       ]
     ],
     [
-      'What CollisionDetected claims: median / p95 / max',
+      'What CollisionDetected claims (the same in every profile of Box2D): median / p95 / max',
       [
         ['setback', 'radii', asSummary('setback')],
         ['setback error', 'radii', asSummary('setback_error')],
@@ -93,7 +93,8 @@ const Metrics = (() => {
 
   function settingRows(engines) {
     const names = [...new Set(engines.flatMap((e) => Object.keys(e.settings ?? {})))];
-    const rows = names.map((name) => [name.replaceAll('_', ' '), '', (e) => plain(e.settings?.[name])]);
+    const text = (value) => (typeof value === 'string' ? value : plain(value));
+    const rows = names.map((name) => [name.replaceAll('_', ' '), '', (e) => text(e.settings?.[name])]);
     return [
       ['Settings', [...rows, ['runs', '', (e) => list(e.features).join(', ').replaceAll('_', ' ') || dash]]]
     ];
@@ -126,9 +127,9 @@ const Metrics = (() => {
     return el('p', {class: 'note'},
               parts.length ? `Seen and not judged: ${parts.join(', ')}.` : 'Every impact was judged.',
               s.first_undecided ? ` The first undecided: ${s.first_undecided}.` : '',
-              scene.apart?.count > 0
-                  ? ` The two engines' claims are ${summary(scene.apart)} radii apart (median / p95).`
-                  : '');
+              scene.apart?.count > 0 ? ` What CollisionDetected claims natively and on Box2D is ${
+                                           summary(scene.apart)} radii apart (median / p95).`
+                                     : '');
   }
 
   return {table};

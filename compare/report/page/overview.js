@@ -108,10 +108,11 @@ const Overview = (() => {
             el('tbody', null,
                scenes.map((scene) => list(scene.engines).map((engine, i) => row(scene, engine, i)))))),
       el('p', {class: 'note'},
-         'Shaded: better than the other engine, and the 95% intervals do not overlap. ' +
+         'Shaded: better than every other engine, and the 95% intervals do not overlap. ' +
              '"<" stands for none seen in n: below 3 in n at 95%. p95 is the 95th percentile. ' +
              'Setback errors are of the pairs that the engine\u2019s CollisionDetected saw ("of" how many, where ' +
-             'these are not all contacts), direction errors of the balls that were turned back.'),
+             'these are not all contacts), and the same in every profile of Box2D; direction errors are of the ' +
+             'balls that were turned back.'),
     ];
   }
 

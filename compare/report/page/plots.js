@@ -85,7 +85,7 @@ const Plots = (() => {
     };
   }
 
-  const pointStyles = {native: 'circle', box2d: 'rect'};
+  const pointStyles = {native: 'circle', box2d: 'rect', 'box2d-tuned': 'rectRot'};
 
   function series(engine, points, isSmall) {
     const colour = Data.colour(engine);
@@ -99,7 +99,7 @@ const Plots = (() => {
       pointBackgroundColor: bySubsteps.map((p) => (p.isFront ? colour : Data.css('--bg'))),
       pointBorderColor: colour,
       pointBorderWidth: 1.8,
-      pointStyle: bySubsteps.map((p) => (p.isUpperBound ? 'triangle' : pointStyles[engine] ?? 'rectRot')),
+      pointStyle: bySubsteps.map((p) => (p.isUpperBound ? 'triangle' : pointStyles[engine] ?? 'star')),
       pointRotation: bySubsteps.map((p) => (p.isUpperBound ? 180 : 0)),
       pointRadius: bySubsteps.map((p) => (isSmall          ? 2.5
                                           : p.isUpperBound ? 6

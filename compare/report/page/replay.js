@@ -256,9 +256,8 @@ const Replay = (() => {
           this.draw();
         }
       });
-      const style = Drawing.lineOf(name).name;
       return el('label', {'--engine': `var(${Data.colourVariable(name)})`}, box,
-                el('span', {class: `line ${style}`}), name);
+                el('span', {class: 'line', '--dashes': Drawing.dashesOf(name)}), name);
     }
 
     #listen() {

@@ -120,31 +120,32 @@ const Tables = (() => {
       ['setback error', 'radii, median / p95', (bin) => summary(bin.setback_error)],
       ['direction error', 'rad, median / p95', (bin) => angles(bin.direction_error)],
     ];
+    const row = (bin, engine, i) => {
+      const rowspan = engines.length;
+      const head = [
+        el('th', {rowspan, scope: 'rowgroup'}, bin.label),
+        el('td', {rowspan}, count(bin.contacts)),
+      ];
+      const cells = columns.map(([, , cell]) => el('td', null, cell(find(engine, bin))));
+      return el('tr', {class: i === 0 ? 'first' : null}, i === 0 ? head : null,
+                el('th', {scope: 'row'}, Data.tag(engine.name)), cells);
+    };
     let group = null;
     const rows = [...keys.values()].flatMap((bin) => {
-      const head = bin.by === group
-                       ? []
-                       : [el('tr', {class: 'group'},
-                             el('th', {colspan: 2 + columns.length * engines.length, scope: 'rowgroup'},
-                                binTitles[bin.by] ?? bin.by))];
+      const title = el('th', {colspan: 3 + columns.length, scope: 'rowgroup'}, binTitles[bin.by] ?? bin.by);
+      const isFirst = bin.by !== group;
       group = bin.by;
-      return [
-        ...head,
-        el('tr', null, el('th', {scope: 'row'}, bin.label), el('td', null, count(bin.contacts)),
-           columns.flatMap(([, , cell]) => engines.map((engine) => el('td', null, cell(find(engine, bin))))))
-      ];
+      const own = engines.map((engine, i) => row(bin, engine, i));
+      return isFirst ? [el('tr', {class: 'group'}, title), ...own] : own;
     });
-    return el(
-        'div', null, el('h3', null, 'Where it goes wrong'),
-        el('div', {class: 'scroll'},
-           el('table', {'data-bins': ''},
-              el('thead', null,
-                 el('tr', null, el('th', {rowspan: 2}), el('th', {rowspan: 2, scope: 'col'}, 'contacts'),
-                    columns.map(([head, unit]) => el('th', {colspan: engines.length, scope: 'colgroup'}, head,
-                                                     el('small', null, unit)))),
-                 el('tr', null,
-                    columns.flatMap(() => engines.map((e) => el('th', {scope: 'col'}, Data.tag(e.name)))))),
-              el('tbody', null, rows))));
+    const heads = columns.map(([head, unit]) => el('th', {scope: 'col'}, head, el('small', null, unit)));
+    return el('div', null, el('h3', null, 'Where it goes wrong'),
+              el('div', {class: 'scroll'},
+                 el('table', {'data-bins': ''},
+                    el('thead', null,
+                       el('tr', null, el('th'), el('th', {scope: 'col'}, 'contacts'),
+                          el('th', {scope: 'col', class: 'name'}, 'engine'), heads)),
+                    el('tbody', null, rows))));
   }
 
   const some = (n, name) => (isNumber(n) ? `${count(n)} ${name}${n === 1 ? '' : 's'}` : null);
