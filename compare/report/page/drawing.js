@@ -5,9 +5,9 @@ const Drawing = (() => {
   // each in the gaps of the others: all have the same period.
   const lines = {
     exact: {dash: [], offset: 0, width: 6},
-    native: {dash: [8, 16], offset: 0, width: 2.5},
-    box2d: {dash: [2, 2, 2, 18], offset: -9, width: 2.5},
-    'box2d-tuned': {dash: [4, 1.5, 2, 16.5], offset: -16, width: 2.5},
+    native: {dash: [7, 13], offset: 0, width: 3},
+    box2d: {dash: [2.5, 1.5, 2.5, 13.5], offset: -8, width: 3},
+    'box2d-tuned': {dash: [4, 16], offset: -15.5, width: 3},
   };
   const lineOf = (name) => lines[name] ?? {dash: [12, 4, 2, 6], offset: 0, width: 2};
 
