@@ -114,7 +114,9 @@ private:
     };
     return fmt::format("Fewest lost: {}; best directions: {}; fastest: {}",
                        best([&](std::size_t e) { return !AreLossesApart(e, lost); }),
-                       best([&](std::size_t e) { return DirectionText(e) == DirectionText(straight); }),
+                       std::isinf(DirectionError(straight)) ? "not known" : best([&](std::size_t e) {
+                         return DirectionText(e) == DirectionText(straight);
+                       }),
                        best([&](std::size_t e) { return !AreTimesApart(e, fast); }));
   }
 

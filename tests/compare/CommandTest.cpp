@@ -208,7 +208,7 @@ TEST_F(CommandTest, ASceneOfOnesOwnIsRun) {
     "balls": [{"position": [0.3, 0], "velocity": [3, 2], "radius": 0.1}]})");
   const CResult result = Call("scene " + file + " --quick --contacts 20 --out " + m_cFolder.string());
   EXPECT_EQ(result.m_nExit, 0) << result.m_sOutput;
-  EXPECT_NE(result.m_sOutput.find("\nmine "), std::string::npos);
+  EXPECT_NE(result.m_sOutput.find("\nmine, "), std::string::npos);
 }
 
 TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
