@@ -67,8 +67,14 @@ CTrueContact MeetLine(const Vector2d& p, const Vector2d& n, const Vector2d& q, c
   return contact;
 }
 
+// Whether the ball goes there, by its way.
+bool IsAhead(const CTrueContact& contact, const Vector2d& w) {
+  return w.dot(contact.m_vNorm) < 0.0 && !contact.m_bMisses;
+}
+
 // Past an end.
 CTrueContact MeetEnd(const COutline::CEnd& end, const Vector2d& q, const Vector2d& w, double r) {
+  const CTrueContact round = MeetDisk(end.m_vPos, r, q, w);
   if (end.m_bJoined) {
     // Beyond the end is the neighbour: what meets it beyond the end does not meet the end.
     const Vector2d left = Perp(end.m_vNext);
@@ -76,9 +82,12 @@ CTrueContact MeetEnd(const COutline::CEnd& end, const Vector2d& q, const Vector2
         end.m_fBend == 0.0
             ? MeetLine(end.m_vPos, (q - end.m_vPos).dot(left) < 0.0 ? Vector2d(-left) : left, q, w, r)
             : MeetCircle(end.m_vPos + left / end.m_fBend, 1.0 / std::abs(end.m_fBend), q, w, r);
-    if ((q + beyond.m_fTime * w - r * beyond.m_vNorm - end.m_vPos).dot(end.m_vNext) > 0.0) return beyond;
+    const bool isBeyond = (q + beyond.m_fTime * w - r * beyond.m_vNorm - end.m_vPos).dot(end.m_vNext) > 0.0;
+    // Round a corner the end may come first.
+    const bool endIsFirst = IsAhead(round, w) && round.m_fTime < beyond.m_fTime;
+    if (isBeyond && !endIsFirst) return beyond;
   }
-  return MeetDisk(end.m_vPos, r, q, w);
+  return round;
 }
 
 CTrueContact MeetLineSeg(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
@@ -97,23 +106,48 @@ bool IsInSector(const COutline& o, const Vector2d& d) {
   return o.m_bFull || (o.m_bLong ? after0 || before1 : after0 && before1);
 }
 
+CTrueContact MeetArcEnd(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
+  // By where the ball is now: its way to the circle may be long where there is no arc.
+  const bool isNear0 = (q - o.m_cEnd0.m_vPos).squaredNorm() < (q - o.m_cEnd1.m_vPos).squaredNorm();
+  const CTrueContact nearer = MeetEnd(isNear0 ? o.m_cEnd0 : o.m_cEnd1, q, w, r);
+  // Between the two ends it may leave the nearer one for the other.
+  const COutline::CEnd& other = isNear0 ? o.m_cEnd1 : o.m_cEnd0;
+  if (other.m_bJoined || nearer.m_fGap < 0.0) return nearer;
+  const CTrueContact farther = MeetEnd(other, q, w, r);
+  return IsAhead(farther, w) && (!IsAhead(nearer, w) || farther.m_fTime < nearer.m_fTime) ? farther : nearer;
+}
+
 CTrueContact MeetArc(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
   const CTrueContact curve = MeetCircle(o.m_vCentre, o.m_fRadius, q, w, r);
-  const Vector2d d = q + curve.m_fTime * w - o.m_vCentre;
-  if (IsInSector(o, d)) return curve;
-  const bool to0 =
-      (d + o.m_vCentre - o.m_cEnd0.m_vPos).squaredNorm() < (d + o.m_vCentre - o.m_cEnd1.m_vPos).squaredNorm();
-  return MeetEnd(to0 ? o.m_cEnd0 : o.m_cEnd1, q, w, r);
+  const bool onCurve = IsInSector(o, q + curve.m_fTime * w - o.m_vCentre);
+  if (onCurve && IsInSector(o, q - o.m_vCentre)) return curve;
+  const CTrueContact end = MeetArcEnd(o, q, w, r);
+  // From beyond an end, the end may be in the way of the curve, and a clear ball has not met the curve.
+  const bool curveIsFirst =
+      curve.m_fTime > 0.0 ? !IsAhead(end, w) || end.m_fTime > curve.m_fTime : end.m_fGap < 0.0;
+  return onCurve && curveIsFirst ? curve : end;
+}
+
+CTrueContact Meet(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
+  switch (o.m_eKind) {
+  case COutline::eKind::LineSeg: return MeetLineSeg(o, q, w, r);
+  case COutline::eKind::Arc: return MeetArc(o, q, w, r);
+  default: return MeetDisk(o.m_vCentre, o.m_fRadius + r, q, w);
+  }
 }
 
 } // namespace
 
 CTrueContact FindTrueContact(const COutline& outline, const Vector2d& q, const Vector2d& w, double r) {
-  switch (outline.m_eKind) {
-  case COutline::eKind::LineSeg: return MeetLineSeg(outline, q, w, r);
-  case COutline::eKind::Arc: return MeetArc(outline, q, w, r);
-  default: return MeetDisk(outline.m_vCentre, outline.m_fRadius + r, q, w);
-  }
+  CTrueContact met = Meet(outline, q, w, r);
+  const CTrueContact now = Meet(outline, q, Vector2d::Zero(), r);
+  // What it came through and has left is over.
+  if (met.m_fTime < 0.0 && now.m_fGap > 0.0) return now;
+  // What it parts from is not traced; but one that came past an end may be on its way into a face by now.
+  const bool parts = !IsAhead(met, w), partsNow = !(w.dot(now.m_vNorm) < 0.0);
+  if (parts && (now.m_fGap < 0.0 || (partsNow && !met.m_bMisses))) return now;
+  met.m_fGap = now.m_fGap;
+  return met;
 }
 
 } // namespace Shapes::Box2D

@@ -28,6 +28,9 @@ struct COutline {
   CEnd m_cEnd0, m_cEnd1;                 ///< An arc runs counterclockwise from end 0.
 };
 
+/// See FindTrueContact: a few roundings in double.
+inline constexpr double g_fTrueContactError = 0x1p-50;
+
 struct CTrueContact {
   Vector2d m_vNorm = Vector2d::Zero(); ///< Unit normal from the shape to the ball where they meet.
   double m_fTime = 0.0;                ///< Seconds until they meet; negative if that is over.
@@ -37,7 +40,15 @@ struct CTrueContact {
 
 /// The contact of a ball that is near a shape, if it goes straight on as it does now, or has come so.
 /// Where it does not approach, or its way misses the shape, the time is 0 and the normal is that of now;
-/// of a way that misses it the part across the way, so that nothing is answered.
+/// of a way that misses it the part across the way, so that nothing is answered. A ball that overlaps a face,
+/// but came past an end that it parts from, has the time 0 too, and is answered by the normal of now.
+///
+/// Near is nearer than half of the smallest of these: the radius of the ball, of an arc and of what is left
+/// of it for a ball inside, the length of a segment. Farther ahead what is first is not looked for.
+///
+/// Moved on by m_fTime the ball touches the shape, or what is joined to it, within g_fTrueContactError of the
+/// sum of all coordinates and radii; the normal is that of the place, within the same share of that sum over
+/// the smallest of those. Traced back out of two parts of a shape at once it touches one of them.
 /// @param q  centre of the ball in the frame of the outline, metres; on the side that it comes from
 /// @param w  its velocity relative to the surface, metres per second
 /// @param r  its radius, metres
