@@ -19,10 +19,12 @@ void CFlight::Begin(const Vector2d& g, double h) {
 double CFlight::PartAt(const b2Body& ball, const b2Vec2& start) const {
   const b2Vec2 v = ball.GetLinearVelocity(), p = ball.GetPosition();
   const double vv = static_cast<double>(b2Dot(v, v)) * m_fStep;
-  if (!(vv > 0.0)) return m_fPart;
+  // The parabolas may meet just outside of the step in which the straight ways do.
+  const double least = std::clamp(m_fPart, 0.0, 1.0);
+  if (!(vv > 0.0)) return least;
   const double part = m_bHasLeg ? 1.0 - static_cast<double>(b2Dot(m_vLegEnd - p, v)) / vv
                                 : static_cast<double>(b2Dot(p - start, v)) / vv;
-  return std::clamp(part, m_fPart, 1.0);
+  return std::clamp(part, least, 1.0);
 }
 
 void CFlight::GetDeviation(double part, Vector2d& p, Vector2d& v) const {
