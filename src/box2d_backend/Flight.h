@@ -16,6 +16,11 @@ namespace Shapes::Box2D {
 
 using Vector2d = Eigen::Vector2d;
 
+/// How far from its parabola a ball lands after a bounce, as a share of the way that it makes in a step, and
+/// the error of its velocity as a share of that: what is left of the time of impact where the ball meets the
+/// surface at least twice as fast as gravity makes it in a step. Rounding to the floats of Box2D is added.
+inline constexpr double g_fFlightError = 1e-6;
+
 /// Of one ball during one step; metres and seconds.
 class CFlight {
 public:
