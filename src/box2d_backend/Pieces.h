@@ -34,7 +34,8 @@ struct CPieces {
   /// @param origin   what becomes (0, 0), user units
   /// @param sagitta  height of an arc above its chords, metres
   /// @param skin     if it is given, the pieces reach as far beyond the shape everywhere, metres: the skin of
-  /// edges and what is added to the radius of circles. Those of arcs reach farther where their edges do not.
+  /// edges and what is added to the radius of circles. Those of arcs reach farther where their edges do not,
+  /// by at most two heights of their chords.
   static CPieces Make(const CShape& shape, const Vector2& origin, const CScale& scale, float sagitta,
                       std::optional<float> skin = {});
 };

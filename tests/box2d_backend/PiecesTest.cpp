@@ -288,5 +288,112 @@ TEST(PiecesTest, WhatIsTooSmallForBox2DBecomesAPointOrACircle) {
   EXPECT_EQ(Make(MakeArc(0.006f, 0, 0)).m_stdChains.size(), 2u);
 }
 
+// The rest is about pieces with a skin.
+
+constexpr float g_fSkin = 0.00625f;
+
+CPieces MakeWithSkin(const CShape& shape, float sagitta = g_fSagittaTolerance) {
+  return CPieces::Make(shape, shape.GetPos(), CScale(1.0f), sagitta, g_fSkin);
+}
+
+double Distance(const b2EdgeShape& edge, const b2Vec2& p) {
+  const b2Vec2 way = edge.m_vertex2 - edge.m_vertex1;
+  const float along = std::clamp(b2Dot(p - edge.m_vertex1, way) / b2Dot(way, way), 0.0f, 1.0f);
+  return Norm(p - edge.m_vertex1 - along * way);
+}
+
+TEST(PiecesTest, EverySkinIsAsAsked) {
+  EXPECT_EQ(MakeWithSkin(CPoint(CPointDesc(Vector2(3, 4)))).m_stdCircles[0].m_radius, g_fSkin);
+  EXPECT_EQ(MakeWithSkin(CCircle(CCircleDesc({3, 4}, 2))).m_stdCircles[0].m_radius, 2 + g_fSkin);
+  EXPECT_EQ(MakeWithSkin(CLineSeg(CLineSegDesc({0, 0}, {1, 0}))).m_stdEdges[0].m_radius, g_fSkin);
+  EXPECT_EQ(MakeWithSkin(MakeArc(0.005f, 0, 1)).m_stdCircles[0].m_radius, g_fSkin);
+  EXPECT_EQ(MakeWithSkin(MakeArc(0.005f, 0, 0)).m_stdCircles[0].m_radius, 0.005f + g_fSkin);
+  // The control: without one they have what Box2D gives them.
+  EXPECT_EQ(Make(CLineSeg(CLineSegDesc({0, 0}, {1, 0}))).m_stdEdges[0].m_radius, b2_polygonRadius);
+}
+
+TEST(PiecesTest, TheSkinsOfAnArcReachBeyondItAsAskedAndNotMuchFarther) {
+  CRandom random(16);
+  int arcs = 0, fewChords = 0;
+  double farthest = 0;
+  for (int k = 0; k < 1000; ++k) {
+    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+    const CRandomArc made(random);
+    const CArc& arc = made.m_cArc;
+    const CPieces pieces = MakeWithSkin(arc, made.m_fSagitta);
+    const int n = pieces.m_nArcPieces;
+    if (n == 0 || n > 200) continue;
+    ++arcs, fewChords += n <= 3;
+    ASSERT_EQ(pieces.m_stdEdges.size(), static_cast<std::size_t>(n));
+    EXPECT_TRUE(pieces.m_stdChains.empty() && pieces.m_stdCircles.empty());
+    const double R = made.m_fRadius, span = arc.GetSpan();
+    const double sagitta = R * (1 - std::cos(span / n / 2)), rounding = 8 * g_fUlp * (R + 100);
+    for (int i = 0; i <= 8 * n; ++i) {
+      const float angle = arc.GetAngle0() + arc.GetSpan() * static_cast<float>(i) / static_cast<float>(8 * n);
+      const Vector2 u = made.m_fRadius * AngleToVector(angle);
+      double most = -1;
+      for (const b2EdgeShape& edge : pieces.m_stdEdges)
+        most = std::max(most, static_cast<double>(edge.m_radius) - Distance(edge, {u.x(), u.y()}));
+      EXPECT_GE(most, static_cast<double>(g_fSkin) - rounding) << i << " of " << 8 * n;
+    }
+    for (const b2EdgeShape& edge : pieces.m_stdEdges)
+      for (int i = 0; i <= 8; ++i) {
+        const b2Vec2 p = edge.m_vertex1 + static_cast<float>(i) / 8 * (edge.m_vertex2 - edge.m_vertex1);
+        const Vector2 at = made.m_vPos + Vector2(p.x, p.y);
+        const double out = static_cast<double>((at - arc.ClosestPt(at)).norm() + edge.m_radius - g_fSkin);
+        EXPECT_LE(out, 2 * sagitta + rounding);
+        if (sagitta > 100 * rounding) farthest = std::max(farthest, out / sagitta);
+      }
+  }
+  EXPECT_GT(arcs, 500);
+  EXPECT_GT(fewChords, 50);
+  EXPECT_GT(farthest, 1.4); // the bound is not idle
+}
+
+TEST(PiecesTest, ChordsOnTheCircleWouldNeedAllOfTheSagitta) { // the control of chords that are half outside
+  const CArc arc = MakeArc(1, 0, g_fPi);
+  const CPieces pieces = MakeWithSkin(arc), inside = Make(arc);
+  const double sagitta = 1 - std::cos(static_cast<double>(g_fPi) / 32);
+  const b2EdgeShape& edge = pieces.m_stdEdges[8];
+  const b2Vec2 middle = 0.5f * (edge.m_vertex1 + edge.m_vertex2);
+  EXPECT_NEAR(1 - Norm(middle), 0.5 * sagitta, 0.01 * sagitta);
+  EXPECT_NEAR(Norm(edge.m_vertex1) - 1, 0.5 * sagitta, 0.01 * sagitta);
+  const auto& v = inside.m_stdChains[0].m_stdVertices;
+  EXPECT_NEAR(1 - Norm(0.5f * (v[8] + v[9])), sagitta, 0.01 * sagitta);
+}
+
+TEST(PiecesTest, TheEdgesOfAnArcGoFromEndToEnd) {
+  for (const float span : {0.7f, 3.0f, 6.0f}) {
+    const CArc arc = MakeArc(2, 1, 1 + span);
+    const auto edges = MakeWithSkin(arc).m_stdEdges;
+    const auto at = [](const Vector2& p) { return b2Vec2(p.x(), p.y()); };
+    EXPECT_LE(Norm(edges.front().m_vertex1 - at(arc.GetEndPt0())), 4 * 2 * g_fUlp);
+    EXPECT_LE(Norm(edges.back().m_vertex2 - at(arc.GetEndPt1())), 4 * 2 * g_fUlp);
+    for (std::size_t i = 1; i < edges.size(); ++i)
+      EXPECT_EQ(edges[i].m_vertex1, edges[i - 1].m_vertex2) << i;
+  }
+}
+
+TEST(PiecesTest, TheEdgesOfAFullCircleClose) {
+  const CPieces pieces = MakeWithSkin(MakeArc(2, 1, 1));
+  ASSERT_EQ(pieces.m_stdEdges.size(), static_cast<std::size_t>(pieces.m_nArcPieces));
+  EXPECT_EQ(pieces.m_stdEdges.front().m_vertex1, pieces.m_stdEdges.back().m_vertex2);
+  for (const b2EdgeShape& edge : pieces.m_stdEdges) // every vertex is as far out, the first as well
+    EXPECT_NEAR(Norm(edge.m_vertex1), Norm(pieces.m_stdEdges[1].m_vertex1), 8 * 2 * g_fUlp);
+}
+
+TEST(PiecesTest, SidesOfAnArcWithASkinAreSolidAsAsked) {
+  for (const auto& [a0, a1] : {std::pair(0.0f, g_fPi), std::pair(0.0f, 0.0f), std::pair(1.0f, 6.5f)})
+    for (int i = 0; i < 24; ++i) {
+      const float angle = 1.1f + 1.9f * static_cast<float>(i) / 24;
+      const Vector2 outside = 1.05f * AngleToVector(angle), inside = 0.95f * AngleToVector(angle);
+      for (const eSides sides : {eSides::Both, eSides::Front, eSides::Back}) {
+        const CPieces pieces = MakeWithSkin(MakeArc(1, a0, a1, sides));
+        EXPECT_EQ(Touches(pieces, outside), sides != eSides::Back) << angle;
+        EXPECT_EQ(Touches(pieces, inside), sides != eSides::Front) << angle;
+      }
+    }
+}
+
 } // namespace
 } // namespace Shapes::Box2D
