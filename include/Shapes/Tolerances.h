@@ -8,6 +8,10 @@ namespace Shapes {
 /// such points (at most 8e36) stays finite in float. Anything larger is refused.
 inline constexpr float g_fMaxLength = 1e18f;
 
+/// Smallest length unit of Box2D, in user units per metre: a metre divided by it stays finite, and what Box2D
+/// holds does not become 0 in user units. Anything smaller is refused.
+inline constexpr float g_fMinLengthUnit = 1e-18f;
+
 /// Largest speed, in units per second. A response that would exceed it (elasticity above 1 between two walls
 /// doubles the speed at each hit) is cut to it and flagged: CDynamicCircle::GetSpeedCapped, CWorldStats.
 inline constexpr float g_fMaxSpeed = 1e18f;
@@ -125,6 +129,9 @@ inline constexpr double g_fFreeEigenvalue = 1e-10;
 /// program. Refused.
 inline constexpr float g_fMaxBox2DLength = 1e8f;
 inline constexpr float g_fMaxBox2DSpeed = 1e9f;
+/// Most that elasticity adds to a velocity on Box2D, in metres per second: above the largest speed, to which
+/// a ball is cut in the end; what Box2D computes from it on the way stays finite.
+inline constexpr float g_fMaxBox2DKick = 4e9f;
 inline constexpr float g_fMinBox2DMass = 1e-12f;
 inline constexpr float g_fMaxBox2DMass = 1e12f;
 

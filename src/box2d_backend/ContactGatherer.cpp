@@ -8,6 +8,8 @@
 namespace Shapes::Box2D {
 
 void CContactGatherer::BeginStep(const b2Vec2& g, float h) {
+  m_vGravity = g;
+  m_fStep = h;
   m_cAnswers.BeginStep(g, h);
   m_stdBends.clear();
   for (CBody* pBall : m_cBodies.GetBalls()) {
@@ -23,14 +25,22 @@ void CContactGatherer::PreSolve(b2Contact* pContact, const b2Manifold*) {
   CBody* pA = m_cBodies.Find(*pContact->GetFixtureA()->GetBody());
   CBody* pB = m_cBodies.Find(*pContact->GetFixtureB()->GetBody());
   if (pA == nullptr || pB == nullptr) return;
-  // Box2D takes the larger restitution; here it is the product of both elasticities.
-  pContact->SetRestitution(pA->m_fElasticity * pB->m_fElasticity);
   // Of two balls the one that responds is the one that was added first.
   if (pA->m_bIsBall && (!pB->m_bIsBall || pA->m_cId < pB->m_cId)) std::swap(pA, pB);
+  pContact->SetRestitution(RestitutionOf(*pA, *pB));
   if (!m_cTuning.m_bTrueContacts)
     ReportAsIs(*pContact, *pA, *pB);
   else if (const auto answer = m_cAnswers.Answer(*pContact, *pA, *pB))
     Report(*pA, *pB, *answer);
+}
+
+float CContactGatherer::RestitutionOf(const CBody& shape, const CBody& ball) const {
+  // Box2D takes the larger restitution; here it is the product of both elasticities. Beyond what any ball may
+  // leave with it is cut, because masses times speeds and squares of speeds would be infinite in Box2D.
+  const b2Body &a = *shape.m_pBody, &b = *ball.m_pBody;
+  const b2Vec2 v = b.GetLinearVelocity() - a.GetLinearVelocityFromWorldPoint(b.GetPosition());
+  const float fall = m_fStep * (m_vGravity.Length() + b.GetWorld()->GetGravity().Length());
+  return std::min(shape.m_fElasticity * ball.m_fElasticity, g_fMaxBox2DKick / (v.Length() + fall));
 }
 
 void CContactGatherer::PostSolve(b2Contact* pContact, const b2ContactImpulse*) {

@@ -43,12 +43,15 @@ public:
   const std::vector<CBend>& GetBends() const { return m_stdBends; }
 
 private:
+  float RestitutionOf(const CBody& shape, const CBody& ball) const;
   void ReportAsIs(b2Contact& contact, const CBody& shape, const CBody& ball);
   void Report(const CBody& shape, const CBody& ball, const CTrueAnswers::CAnswer& answer);
 
   CBodies& m_cBodies;
   CScale m_cScale;
   CTuning m_cTuning;
+  b2Vec2 m_vGravity{0.0f, 0.0f};
+  float m_fStep = 0.0f;
   CTrueAnswers m_cAnswers;
   std::vector<CContactEvent> m_stdEvents;
   std::vector<CBend> m_stdBends;

@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "Flight.h"
 
+#include <Shapes/Tolerances.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace Shapes::Box2D {
+namespace {
+
+Vector2d Bounded(const Vector2d& v, double most) {
+  const double length = v.norm();
+  return length > most ? Vector2d(most / length * v) : v;
+}
+
+} // namespace
 
 void CFlight::Begin(const Vector2d& g, double h) {
   m_vGravity = g;
@@ -29,7 +39,8 @@ double CFlight::PartAt(const b2Body& ball, const b2Vec2& start) const {
 
 void CFlight::GetDeviation(double part, Vector2d& p, Vector2d& v) const {
   const double t = (part - m_fPart) * m_fStep;
-  p = m_vPos + t * m_vVel + 0.5 * t * t * m_vGravity;
+  // What is too fast for Box2D, which moves nothing farther than that, is not thrown out of all bounds.
+  p = Bounded(m_vPos + t * m_vVel + 0.5 * t * t * m_vGravity, static_cast<double>(b2_maxTranslation));
   v = m_vVel + t * m_vGravity;
 }
 
@@ -60,7 +71,7 @@ double CFlight::Bounce(const CImpact& impact, CFlight& ball, double share, CFlig
 void CFlight::SetDeviation(double part, const Vector2d& p, const Vector2d& v) {
   m_fPart = part;
   m_vPos = p;
-  m_vVel = v;
+  m_vVel = Bounded(v, static_cast<double>(g_fMaxBox2DKick)); // each bounce may multiply it
   m_bHasBounced = true;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "OwnedWorld.h"
 
+#include <algorithm>
+
 namespace Shapes::Box2D {
 
 COwnedWorld::COwnedWorld(const CWorldDesc& desc, const CTuning& tuning)
@@ -20,8 +22,8 @@ void COwnedWorld::Substep(float dt) {
   m_pStepper->BeginSubstep();
   // Counted anew for what is left, because a kick makes a ball faster.
   float left = dt;
-  for (unsigned cuts = 2; cuts > 1;) {
-    cuts = m_cTuning.m_bCuts ? m_pStepper->CountCuts(left) : 1;
+  for (unsigned cuts = 2, most = g_nMaxCuts; cuts > 1; --most) {
+    cuts = m_cTuning.m_bCuts ? std::min(m_pStepper->CountCuts(left), most) : 1;
     const float h = left / static_cast<float>(cuts);
     m_pWorld->SetGravity(m_pStepper->GetGravity());
     m_pStepper->BeforeStep(h);

@@ -49,7 +49,8 @@ CWorld::CWorld(const CWorldDesc& desc, const CWorldLimits& limits)
       m_cLimits(limits),
       m_pState(std::make_unique<CWorldState>()),
       m_pSensors(std::make_unique<CSensors>()) {
-  RequirePositive("m_fLengthUnit", desc.m_fLengthUnit, g_fMaxLength); // first: the limits follow from it
+  RequireRange("m_fLengthUnit", desc.m_fLengthUnit, g_fMinLengthUnit,
+               g_fMaxLength); // first: the limits follow from it
   RequireVector("m_vGravity", desc.m_vGravity, limits.m_fMaxSpeed);
   RequirePositive("m_fTimeStep", desc.m_fTimeStep, g_fMaxTimeStep);
   RequireCount("m_nSubsteps", desc.m_nSubsteps, g_nMaxSubsteps);
