@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// What each switch of the tuned profile does: a world that has all of them, and one that lacks just this one.
+#include "box2d_backend/Tuning.h"
+
+#include <gtest/gtest.h>
+
+#include "box2d_backend/Box2DWorld.h"
+#include "box2d_backend/TunedTesting.h"
+
+namespace Shapes::Tests {
+namespace {
+
+using Box2D::CBox2DWorld;
+using Box2D::CTuning;
+using Box2D::g_cTuned;
+
+constexpr std::uint64_t g_nSeed = 66;
+
+std::unique_ptr<CWorld> Make(const CTuning& tuning, const Vector2& gravity = Vector2::Zero()) {
+  CWorldDesc desc;
+  desc.m_vGravity = gravity;
+  desc.m_fTimeStep = g_fDt;
+  return std::make_unique<CBox2DWorld>(desc, tuning);
+}
+
+/// The tuned profile with one switch turned off.
+CTuning Without(bool CTuning::*pSwitch) {
+  CTuning tuning = g_cTuned;
+  tuning.*pSwitch = false;
+  return tuning;
+}
+
+/// Whether two balls of .02 that come at each other with 60 m/s pass through each other.
+bool Pass(const CTuning& tuning) {
+  auto pWorld = Make(tuning);
+  const CShapeId left = pWorld->Add(CDynamicCircleDesc({-0.8f, 0}, 0.02f, {60, 0}));
+  const CShapeId right = pWorld->Add(CDynamicCircleDesc({0.9f, 0}, 0.02f, {-60, 0}));
+  for (int i = 0; i < 3; ++i)
+    pWorld->Step();
+  return pWorld->GetPos(left).x() > pWorld->GetPos(right).x();
+}
+
+TEST(TuningTest, BulletsLetNoBallThroughAnother) {
+  EXPECT_FALSE(Pass(g_cTuned));
+  EXPECT_TRUE(Pass(Without(&CTuning::m_bBullets)));
+}
+
+/// How many of 500 balls that meet a floor of two pieces, within .15 of where they join, are off by more than
+/// .01 radians.
+int CountWrongAtJoint(const CTuning& tuning) {
+  CRandom random(g_nSeed);
+  CRange range(Make(tuning), {CLineSegDesc({-1, 0}, {0, 0}), CLineSegDesc({0, 0}, {1, 0})}, 0.1f);
+  int wrong = 0;
+  for (int k = 0; k < 500;) {
+    const double x = EitherSign(random, 0.15), incidence = EitherSign(random, 85 * g_fDegree);
+    const double speed = 1 + 19 * random.Unit(), phase = random.Unit();
+    const auto shot = range.Aim({{x, 0}, {0, 1}, incidence, speed, phase});
+    if (!shot) continue;
+    ++k;
+    wrong += range.DirectionError(*shot) > 0.01;
+  }
+  return wrong;
+}
+
+TEST(TuningTest, JointsMakeOneFloorOfTwo) {
+  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  EXPECT_EQ(CountWrongAtJoint(g_cTuned), 0);
+  EXPECT_GT(CountWrongAtJoint(Without(&CTuning::m_bJoints)), 0);
+}
+
+/// How high an elastic ball comes a minute after it was dropped from 2.
+float HeightInAMinute(const CTuning& tuning) {
+  auto pWorld = Make(tuning, {0, -9.81f});
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 2.1f}, 0.1f));
+  float highest = 0;
+  for (int i = 0; i < 3600; ++i) {
+    pWorld->Step();
+    if (i >= 3500) highest = std::max(highest, pWorld->GetPos(ball).y() - 0.1f);
+  }
+  return highest;
+}
+
+TEST(TuningTest, ParabolasKeepTheHeightOfADrop) {
+  EXPECT_NEAR(HeightInAMinute(g_cTuned), 2, 0.01f * 2);
+  EXPECT_GT(std::abs(HeightInAMinute(Without(&CTuning::m_bParabolas)) - 2), 0.01f * 2);
+}
+
+struct CFastBall {
+  float m_fSpeed;
+  CWorldStats m_cStats;
+};
+
+/// After 6 steps with this speed.
+CFastBall Shoot(const CTuning& tuning, float speed) {
+  auto pWorld = Make(tuning);
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, {speed, 0}));
+  for (int i = 0; i < 6; ++i)
+    pWorld->Step();
+  return {pWorld->GetVel(ball).norm(), pWorld->GetStats()};
+}
+
+TEST(TuningTest, CutsLetAFastBallBeFast) {
+  const CFastBall fast = Shoot(g_cTuned, 500);
+  EXPECT_EQ(fast.m_fSpeed, 500);
+  EXPECT_EQ(fast.m_cStats.m_nMovesClamped, 0u);
+  const CFastBall slowed = Shoot(Without(&CTuning::m_bCuts), 500);
+  EXPECT_NEAR(slowed.m_fSpeed, b2_maxTranslation / g_cTuned.m_fScale / g_fDt, 1e-3f);
+  EXPECT_GE(slowed.m_cStats.m_nMovesClamped, 1u); // and it is reported
+  EXPECT_EQ(slowed.m_cStats.m_nEngineSteps, 6u);
+}
+
+TEST(TuningTest, CutsAreAsManyAsASpeedNeeds) {
+  EXPECT_EQ(Shoot(g_cTuned, 5).m_cStats.m_nEngineSteps, 6u); // one for each substep
+  for (const float speed : {60.0f, 500.0f, 1500.0f}) {
+    const float parts = speed * g_fDt * g_cTuned.m_fScale / (g_fSafeMove * b2_maxTranslation);
+    EXPECT_EQ(Shoot(g_cTuned, speed).m_cStats.m_nEngineSteps, 6u * static_cast<unsigned>(std::ceil(parts)));
+  }
+  // There is a limit, beyond which a ball is slowed down even so.
+  const CFastBall slowed = Shoot(g_cTuned, 1e5f);
+  EXPECT_GE(slowed.m_cStats.m_nMovesClamped, 1u);
+  EXPECT_LT(slowed.m_fSpeed, 1e5f);
+}
+
+TEST(TuningTest, CutsAreAsManyAsATurnNeeds) {
+  const auto count = [](float revsPerSecond, float reach) {
+    auto pWorld = Make(g_cTuned);
+    CLineSegDesc desc(Vector2(0, 0), Vector2(reach, 0));
+    desc.m_eMotionType = eMotion::Kinematic;
+    desc.m_fRotSpeed = revsPerSecond;
+    pWorld->Add(desc);
+    for (int i = 0; i < 6; ++i)
+      pWorld->Step();
+    EXPECT_EQ(pWorld->GetStats().m_nTurnsClamped, 0u);
+    return pWorld->GetStats().m_nEngineSteps;
+  };
+  EXPECT_EQ(count(0, 0.1f), 6u);
+  EXPECT_EQ(count(1, 0.1f), 6u); // .105 radians a step
+  const float turn = g_fTwoPi * 30 * g_fDt;
+  EXPECT_EQ(count(30, 0.1f), 6u * static_cast<unsigned>(std::ceil(turn / g_fLargestTurn)));
+  EXPECT_GT(count(1, 20), 6u); // a long one sweeps far
+}
+
+/// The largest direction error of 300 shots from the inside of a half circle of 1, radians.
+double WorstInBowl(const CTuning& tuning) {
+  CRandom random(g_nSeed);
+  CRange range(Make(tuning), {CArcDesc({0, 0}, 1, g_fPi, g_fTwoPi)}, 0.1f);
+  double worst = 0;
+  for (int k = 0; k < 300;) {
+    const Vector2d u = UnitVector((195 + 150 * random.Unit()) * g_fDegree);
+    const double incidence = EitherSign(random, 60 * g_fDegree), phase = random.Unit();
+    const auto shot = range.Aim({u, -u, incidence, 10, phase});
+    if (!shot) continue;
+    ++k;
+    worst = std::max(worst, range.DirectionError(*shot));
+  }
+  return worst;
+}
+
+TEST(TuningTest, TrueContactsMakeArcsRound) {
+  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  EXPECT_LE(WorstInBowl(g_cTuned), 0.02);
+  EXPECT_GT(WorstInBowl(Without(&CTuning::m_bTrueContacts)), 0.05);
+}
+
+/// How far from a wall, at most of 20 phases, a ball of .1 m/s turns round, by its ways there and back.
+float WorstPlace(const CTuning& tuning) {
+  const float speed = 0.1f;
+  float worst = 0;
+  for (int k = 0; k < 20; ++k) {
+    auto pWorld = Make(tuning);
+    pWorld->Add(CLineSegDesc({0, -1}, {0, 1}));
+    const float start = 0.2f + speed * g_fDt * static_cast<float>(k) / 20;
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({start, 0}, 0.1f, {-speed, 0}));
+    int steps = 0;
+    for (; steps < 200 && pWorld->GetVel(ball).x() < 0; ++steps)
+      pWorld->Step();
+    const float turned =
+        0.5f * (start + pWorld->GetPos(ball).x() - speed * g_fDt * static_cast<float>(steps));
+    worst = std::max(worst, std::abs(turned - 0.1f));
+  }
+  return worst;
+}
+
+TEST(TuningTest, TheScalePutsWallsWhereTheyAreForSlowBalls) {
+  EXPECT_LE(WorstPlace(g_cTuned), static_cast<float>(g_fTunedOffset));
+  CTuning unscaled = g_cTuned;
+  unscaled.m_fScale = 1;
+  EXPECT_GT(WorstPlace(unscaled), static_cast<float>(g_fTunedOffset));
+}
+
+TEST(TuningTest, TheShippedProfileHasNoneOfIt) {
+  const CTuning& shipped = Box2D::GetTuning(eProfile::Shipped);
+  EXPECT_TRUE(Pass(shipped));
+  EXPECT_GT(CountWrongAtJoint(shipped), 0);
+  EXPECT_GT(std::abs(HeightInAMinute(shipped) - 2), 0.01f * 2);
+  EXPECT_GT(WorstInBowl(shipped), 0.05);
+  const CFastBall slowed = Shoot(shipped, 500);
+  EXPECT_NEAR(slowed.m_fSpeed, b2_maxTranslation / g_fDt, 1e-3f);
+  EXPECT_EQ(slowed.m_cStats.m_nEngineSteps, 6u);
+}
+
+} // namespace
+} // namespace Shapes::Tests
