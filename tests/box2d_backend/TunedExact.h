@@ -49,12 +49,13 @@ inline CHit MeetOutside(const CBallState& b, const Vector2d& c, double R) {
   return {t, (d + t * b.m_vVel).normalized()};
 }
 
-/// When a ball within a ring meets its inside.
+/// When a ball meets the inside of a ring. One that is outside flies through where there may be a gap: what
+/// is in its way there is met before.
 inline CHit MeetInside(const CBallState& b, const Vector2d& c, double R) {
   const Vector2d d = b.m_vPos - c;
   const double rho = R - b.m_fRadius, k = d.squaredNorm() - rho * rho;
   const double a = b.m_vVel.squaredNorm(), h = d.dot(b.m_vVel), disc = h * h - a * k;
-  if (d.norm() >= R || disc <= 0) return {};
+  if (rho <= 0 || disc <= 0) return {};
   const double t = (-h + std::sqrt(disc)) / a;
   if (t < 0) return {};
   return {t, -(d + t * b.m_vVel).normalized()};
