@@ -110,11 +110,12 @@ CTrueContact MeetArcEnd(const COutline& o, const Vector2d& q, const Vector2d& w,
   // By where the ball is now: its way to the circle may be long where there is no arc.
   const bool isNear0 = (q - o.m_cEnd0.m_vPos).squaredNorm() < (q - o.m_cEnd1.m_vPos).squaredNorm();
   const CTrueContact nearer = MeetEnd(isNear0 ? o.m_cEnd0 : o.m_cEnd1, q, w, r);
-  // Between the two ends it may leave the nearer one for the other.
+  // Between two ends that are close it may leave the nearer one for the other.
   const COutline::CEnd& other = isNear0 ? o.m_cEnd1 : o.m_cEnd0;
   if (other.m_bJoined || nearer.m_fGap < 0.0) return nearer;
   const CTrueContact farther = MeetEnd(other, q, w, r);
-  return IsAhead(farther, w) && (!IsAhead(nearer, w) || farther.m_fTime < nearer.m_fTime) ? farther : nearer;
+  const bool isNear = IsAhead(farther, w) && farther.m_fTime * w.norm() < r;
+  return isNear && (!IsAhead(nearer, w) || farther.m_fTime < nearer.m_fTime) ? farther : nearer;
 }
 
 CTrueContact MeetArc(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {

@@ -31,7 +31,7 @@ int CountWrong(eProfile profile, double degrees) {
 
 TEST(TunedArcEndTest, NakedEndsAreRound) {
   SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
-  for (const double degrees : {90, 180, 270}) {
+  for (const double degrees : {90, 180, 270, 340}) {
     SCOPED_TRACE(degrees);
     EXPECT_EQ(CountWrong(eProfile::Tuned, degrees), 0);
     EXPECT_GT(CountWrong(eProfile::Shipped, degrees), 100); // the control
