@@ -57,9 +57,9 @@ struct CContactEvent {
   /// The shape that was met; of two balls the one that was added later. None (the default) for what is in a
   /// game's b2World and not of Shapes.
   CShapeId m_cShape;
-  CShapeId m_cBall;  ///< The ball; of two balls the one that was added first.
-  Vector2 m_vPOI;    ///< Point of impact, user units.
-  Vector2 m_vNorm;   ///< Unit normal from the shape to the ball.
+  CShapeId m_cBall; ///< The ball; of two balls the one that was added first.
+  Vector2 m_vPOI;   ///< Point of impact, user units.
+  Vector2 m_vNorm;  ///< Unit normal from the shape to the ball.
   /// Native: how far along the normal the ball was set back. Box2D worlds do not, sensors do not: 0.
   float m_fSetback = 0.0f;
   /// Approach speed before the response, units per second, at least 0. Of sensors by the way of the ball,

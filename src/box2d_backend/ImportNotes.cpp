@@ -28,7 +28,9 @@ const char* NameOf(b2JointType type) {
   }
 }
 
-std::string InBrackets(const b2Vec2& v) { return "(" + ToText(v.x) + ", " + ToText(v.y) + ")"; }
+std::string InBrackets(const b2Vec2& v) {
+  return std::string("(").append(ToText(v.x)).append(", ").append(ToText(v.y)).append(")");
+}
 
 std::string Capital(std::string text) {
   text[0] = static_cast<char>(text[0] - 'a' + 'A');

@@ -49,10 +49,11 @@ void Ignore(b2Contact& contact, const b2Vec2& n) {
 }
 
 // Across the normal of what is answered, nothing is changed by the answer.
-void IgnoreAcross(b2Contact& contact, const b2Vec2& answered) {
+void IgnoreAcross(b2Contact& contact, const b2Vec2& answered, const CBody& ball) {
   b2Vec2 across = b2Cross(1.0f, answered);
-  const b2Vec2 v = contact.GetFixtureB()->GetBody()->GetLinearVelocity() -
-                   contact.GetFixtureA()->GetBody()->GetLinearVelocity();
+  const b2Vec2 p = ball.m_pBody->GetPosition(); // what turns has another velocity everywhere
+  const b2Vec2 v = contact.GetFixtureB()->GetBody()->GetLinearVelocityFromWorldPoint(p) -
+                   contact.GetFixtureA()->GetBody()->GetLinearVelocityFromWorldPoint(p);
   if (b2Dot(v, across) < 0.0f) across = -across;
   SetManifold(contact, across, 0.0f);
   contact.GetManifold()->points[0].normalImpulse = 0.0f;
@@ -101,12 +102,12 @@ void CTrueAnswers::OpenIsland(const b2Vec2& n) {
 std::optional<CTrueAnswers::CAnswer> CTrueAnswers::Answer(b2Contact& contact, CBody& shape, CBody& ball) {
   m_bIsContinuous = m_bIsContinuous || HasMoved(shape) || HasMoved(ball);
   if (m_bIsIslandOpen) {
-    IgnoreAcross(contact, m_vIslandNormal); // it gets its own impact, after this one
+    IgnoreAcross(contact, m_vIslandNormal, ball); // it gets its own impact, after this one
     return {};
   }
   for (const CEarly& early : m_stdEarly)
     if (early.m_pShape == &shape && early.m_pBall == &ball) {
-      IgnoreAcross(contact, early.m_vNorm); // another edge of the same shape
+      IgnoreAcross(contact, early.m_vNorm, ball); // another edge of the same shape
       return {};
     }
 

@@ -41,7 +41,9 @@ std::string Number(float value) {
   return {digits.data(), end};
 }
 
-std::string ToJson(const Vector2& v) { return "[" + Number(v.x()) + ", " + Number(v.y()) + "]"; }
+std::string ToJson(const Vector2& v) {
+  return std::string("[").append(Number(v.x())).append(", ").append(Number(v.y())).append("]");
+}
 
 // One object on one line.
 class CObject {

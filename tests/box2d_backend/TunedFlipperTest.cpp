@@ -97,5 +97,35 @@ TEST(TunedFlipperTest, AShippedFlipperMissesSome) { // the control
   EXPECT_GT(Quantile(result.m_stdKickErrors, 1), 0.1);
 }
 
+TEST(TunedFlipperTest, AGuardedTipKicksAsANakedOneDoes) {
+  // A point at the tip of a bar touches whatever the end of the bar touches. What is hit first is answered,
+  // and the other one must not hold the ball back, though its surface moves as fast.
+  CRandom random(g_nSeed);
+  double most = 0;
+  int kicks = 0;
+  for (int k = 0; k < 400; ++k) {
+    SCOPED_TRACE(testing::Message() << "seed " << g_nSeed << ", case " << k);
+    const double start = 360 * g_fDegree * random.Unit(), y = 1.2 * random.Unit() - 0.6,
+                 x = -3 - random.Unit();
+    Vector2 v[2];
+    for (const bool guarded : {false, true}) {
+      auto pWorld = MakeBox2D(eProfile::Tuned);
+      std::vector<CAnyShapeDesc> shapes{CLineSegDesc(Vector2(-1, 0), Vector2(1, 0))};
+      if (guarded) shapes.insert(shapes.end(), {CPointDesc(Vector2(-1, 0)), CPointDesc(Vector2(1, 0))});
+      for (const CShapeId id : pWorld->AddCompound(shapes, {0, 0}, 2))
+        pWorld->SetOrientation(id, static_cast<float>(start));
+      const CShapeId ball =
+          pWorld->Add(CDynamicCircleDesc({static_cast<float>(x), static_cast<float>(y)}, 0.1f, {8, 0}));
+      for (int i = 0; i < 60 && pWorld->GetVel(ball).x() == 8; ++i)
+        pWorld->Step();
+      v[guarded] = pWorld->GetVel(ball);
+    }
+    kicks += v[0].x() != 8;
+    most = std::max(most, static_cast<double>((v[0] - v[1]).norm() / v[0].norm()));
+  }
+  EXPECT_GT(kicks, 200);
+  EXPECT_LE(most, 0.01);
+}
+
 } // namespace
 } // namespace Shapes::Tests

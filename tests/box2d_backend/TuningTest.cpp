@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "box2d_backend/Box2DWorld.h"
+#include "box2d_backend/OwnedWorld.h"
 #include "box2d_backend/TunedTesting.h"
 
 namespace Shapes::Tests {
 namespace {
 
-using Box2D::CBox2DWorld;
+using Box2D::COwnedWorld;
 using Box2D::CTuning;
 using Box2D::g_cTuned;
 
@@ -20,7 +20,7 @@ std::unique_ptr<CWorld> Make(const CTuning& tuning, const Vector2& gravity = Vec
   CWorldDesc desc;
   desc.m_vGravity = gravity;
   desc.m_fTimeStep = g_fDt;
-  return std::make_unique<CBox2DWorld>(desc, tuning);
+  return std::make_unique<COwnedWorld>(desc, tuning);
 }
 
 /// The tuned profile with one switch turned off.

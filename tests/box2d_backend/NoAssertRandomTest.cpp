@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// Random worlds that seek the borders of what Box2D bears. Its asserts end the process, so that nothing that
+// passes through the interface may reach them. SHAPES_TEST_SECONDS=600 goes on for so long,
+// SHAPES_TEST_SEED=7 begins elsewhere.
+#include "Borders.h"
+
+#include <Shapes/Shapes.h>
+
+#include <gtest/gtest.h>
+
+#include "contract/Backends.h"
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+namespace Shapes::Box2D {
+namespace {
+
+// The seed of the world that is being tried: an assert leaves no other trace.
+volatile std::sig_atomic_t g_nSeed = 0;
+
+void TellSeed(int) {
+  std::fprintf(stderr, "aborted in the world of seed %d\n", static_cast<int>(g_nSeed));
+  std::fflush(stderr);
+}
+
+/// A random world and what is done to it.
+class CTrial {
+public:
+  CTrial(eProfile profile, std::uint64_t seed) : m_cRandom(seed), m_cBorders(m_cRandom) {
+    CWorldDesc desc;
+    do {
+      desc = m_cBorders.World(profile);
+      Try([&] { m_pWorld = GetBackend(eBackend::Box2D)->MakeWorld(desc); });
+    } while (!m_pWorld);
+    m_cBorders.Inside(desc);
+  }
+
+  void Run() {
+    const std::uint32_t n = 2 + m_cRandom.Below(10), rounds = 1 + m_cRandom.Below(4);
+    for (std::uint32_t i = 0; i < n; ++i)
+      Add();
+    // A tuned world cuts the steps of what is fast.
+    for (std::uint32_t i = 0; i < rounds && m_pWorld->GetStats().m_nEngineSteps < 300; ++i) {
+      for (std::uint32_t steps = 1 + m_cRandom.Below(3); steps > 0; --steps)
+        m_pWorld->Step(), ExpectFinite();
+      for (std::uint32_t changes = m_cRandom.Below(4); changes > 0; --changes)
+        m_cRandom.Below(4) == 0 ? Add() : Try([&] { Change(); });
+    }
+    m_pWorld->Step();
+    ExpectFinite();
+  }
+
+  std::uint64_t m_nAccepted = 0, m_nRefused = 0, m_nContacts = 0;
+
+private:
+  // What is refused changes nothing, and nothing but std::invalid_argument is thrown.
+  template <class F>
+  void Try(const F& f) {
+    const std::vector<Vector2> before = Positions();
+    try {
+      f();
+      ++m_nAccepted;
+    } catch (const std::invalid_argument&) {
+      ++m_nRefused;
+      EXPECT_EQ(Positions(), before);
+    }
+  }
+
+  std::vector<Vector2> Positions() const {
+    std::vector<Vector2> all;
+    if (!m_pWorld) return all;
+    for (const CShapeId id : m_stdIds)
+      all.push_back(m_pWorld->GetPos(id));
+    const auto balls = m_pWorld->GetBallPositions(), velocities = m_pWorld->GetBallVelocities();
+    all.insert(all.end(), balls.begin(), balls.end());
+    all.insert(all.end(), velocities.begin(), velocities.end());
+    return all;
+  }
+
+  void ExpectFinite() {
+    for (const Vector2& v : Positions())
+      EXPECT_TRUE(v.allFinite()) << v.transpose();
+    for (const CContactEvent& event : m_pWorld->GetContacts()) {
+      EXPECT_TRUE(event.m_vPOI.allFinite()) << event.m_vPOI.transpose();
+      EXPECT_NEAR(event.m_vNorm.norm(), 1.0f, 1e-5f);
+      EXPECT_TRUE(std::isfinite(event.m_fSpeed) && event.m_fSpeed >= 0.0f) << event.m_fSpeed;
+    }
+    m_nContacts += m_pWorld->GetContacts().size();
+  }
+
+  void Add() {
+    const auto add = [&](const CAnyShapeDesc& desc) {
+      Try([&] { m_stdIds.push_back(m_pWorld->Add(desc)); });
+    };
+    const std::uint32_t what = m_cRandom.Below(8);
+    if (what == 0) {
+      const auto chain = m_cBorders.Chain();
+      const Vector2 center = m_cBorders.Pos();
+      const float speed = m_cBorders.RotSpeed();
+      Try([&] {
+        const auto ids = m_pWorld->AddCompound(chain, center, speed);
+        m_stdIds.insert(m_stdIds.end(), ids.begin(), ids.end());
+      });
+    } else if (what == 1) {
+      for (const CAnyShapeDesc& desc : m_cBorders.Chain())
+        add(desc);
+    } else {
+      add(what < 5 ? m_cBorders.Shape() : m_cBorders.Ball());
+    }
+    // Thousands of chords that all touch one ball take Box2D seconds a step.
+    for (; m_pWorld->GetStats().m_nArcPieces > 30; m_stdIds.pop_back())
+      m_pWorld->Remove(m_stdIds.back());
+  }
+
+  void Change() {
+    if (m_stdIds.empty()) return;
+    const std::uint32_t i = m_cRandom.Below(static_cast<std::uint32_t>(m_stdIds.size()));
+    const CShapeId id = m_stdIds[i];
+    switch (m_cRandom.Below(16)) {
+    case 0:
+      m_stdIds.erase(m_stdIds.begin() + i);
+      m_pWorld->Remove(id);
+      break;
+    case 1:
+    case 2: m_pWorld->SetPos(id, m_cBorders.Pos()); break;
+    case 3:
+    case 4: m_pWorld->SetVel(id, m_cBorders.Vel()); break;
+    case 5: m_pWorld->SetOrientation(id, m_cBorders.Angle()); break;
+    case 6: m_pWorld->SetRotSpeed(id, m_cBorders.RotSpeed()); break;
+    case 7: m_pWorld->SetRotCenter(id, m_cBorders.Pos()); break;
+    case 8: m_pWorld->SetElasticity(id, m_cBorders.Elasticity()); break;
+    case 9: m_pWorld->SetSensor(id, m_cRandom.Coin()); break;
+    case 10: m_pWorld->SetCanCollide(id, m_cRandom.Coin()); break;
+    case 11: m_pWorld->Reset(id); break;
+    case 12: m_pWorld->SetGravity(m_cBorders.Gravity()); break;
+    case 13: m_cSaved = m_pWorld->SaveState(), m_stdSavedIds = m_stdIds; break;
+    case 14:
+      m_pWorld->LoadState(m_cSaved);
+      m_stdIds = m_stdSavedIds;
+      break;
+    default: m_pWorld->SetUserPtr(id, this); break;
+    }
+  }
+
+  Tests::CRandom m_cRandom;
+  CBorders m_cBorders;
+  std::unique_ptr<CWorld> m_pWorld;
+  std::vector<CShapeId> m_stdIds, m_stdSavedIds;
+  CSavedState m_cSaved;
+};
+
+class CNoAssertRandom : public testing::TestWithParam<eProfile> {};
+INSTANTIATE_TEST_SUITE_P(, CNoAssertRandom, testing::Values(eProfile::Shipped, eProfile::Tuned),
+                         [](const auto& param) {
+                           return param.param == eProfile::Tuned ? "Tuned" : "Shipped";
+                         });
+
+TEST_P(CNoAssertRandom, WorldsAtTheBordersNeitherAbortNorLoseTheirNumbers) {
+  const char *pSeconds = std::getenv("SHAPES_TEST_SECONDS"), *pSeed = std::getenv("SHAPES_TEST_SEED");
+  const double seconds = pSeconds != nullptr ? std::atof(pSeconds) : 0.0;
+  const int first = pSeed != nullptr ? std::atoi(pSeed) : 1, n = GetParam() == eProfile::Tuned ? 150 : 600;
+  const auto previous = std::signal(SIGABRT, TellSeed);
+  const auto now = [] { return std::chrono::steady_clock::now(); };
+  const auto start = now();
+  const auto since = [&](auto then) { return std::chrono::duration<double>(now() - then).count(); };
+  std::uint64_t accepted = 0, refused = 0, contacts = 0;
+  double longest = 0.0;
+  for (int i = 0; (i < n || since(start) < seconds) && !HasFailure(); ++i) {
+    g_nSeed = first + i;
+    const auto begun = now();
+    CTrial trial(GetParam(), static_cast<std::uint64_t>(first + i));
+    trial.Run();
+    if (HasFailure()) std::cerr << "seed " << first + i << '\n';
+    accepted += trial.m_nAccepted;
+    refused += trial.m_nRefused;
+    contacts += trial.m_nContacts;
+    if (since(begun) <= longest) continue;
+    longest = since(begun);
+    if (seconds > 0.0) std::cerr << "seed " << first + i << " took " << longest << " s\n";
+  }
+  std::signal(SIGABRT, previous);
+  // The borders are met from both sides, and the worlds are not empty.
+  EXPECT_GT(accepted, static_cast<std::uint64_t>(n));
+  EXPECT_GT(refused, static_cast<std::uint64_t>(n / 10));
+  EXPECT_GT(contacts, static_cast<std::uint64_t>(n));
+  if (seconds > 0.0)
+    std::cerr << g_nSeed << " accepted " << accepted << " refused " << refused << " contacts " << contacts
+              << '\n';
+}
+
+// The shapes of a game, one pair at a time: there is no world that would refuse what is too far for Box2D.
+TEST(NoAssertRandomPair, ContactsAtTheBordersHaveNumbers) {
+  const CBackend& box2d = *GetBackend(eBackend::Box2D);
+  std::uint64_t contacts = 0;
+  for (std::uint64_t seed = 1; seed <= 1000 && !testing::Test::HasFailure(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Tests::CRandom random(seed);
+    CBorders borders(random);
+    CWorldDesc desc;
+    if (random.Below(4) == 0) desc.m_fLengthUnit = 1e10f; // up to the largest lengths of a shape
+    borders.Inside(desc);
+    CGameClock::Set(1.0f / 60.0f, random.Coin() ? 0.0f : -10.0f);
+    const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(CWorldDesc());
+    try {
+      const auto pShape = pWorld->GetShape(pWorld->Add(borders.Shape())).Clone();
+      CDynamicCircle ball(borders.Ball());
+      // Thousands of chords that turn, each swept in dozens of parts, take half a minute.
+      const bool isHuge = pShape->GetAABB().GetWidth() > 1e4f;
+      if (isHuge && pShape->GetShapeType() == eShape::Arc && pShape->GetRotating()) continue;
+      for (int i = 0; i < 3; ++i) {
+        pShape->move();
+        ball.move();
+        CContactDesc c(pShape.get(), &ball);
+        if (!box2d.CollisionDetected(c)) continue;
+        ++contacts;
+        EXPECT_TRUE(c.m_vPOI.allFinite()) << c.m_vPOI.transpose();
+        EXPECT_NEAR(c.m_vNorm.norm(), 1.0f, 1e-5f) << c.m_vNorm.transpose();
+        EXPECT_TRUE(std::isfinite(c.m_fSetback) && std::isfinite(c.m_fSpeed))
+            << c.m_fSetback << ' ' << c.m_fSpeed;
+        ball.CollisionResponse(c);
+        EXPECT_TRUE(ball.GetPos().allFinite()) << ball.GetPos().transpose();
+        EXPECT_TRUE(ball.GetVel().allFinite()) << ball.GetVel().transpose();
+      }
+    } catch (const std::invalid_argument&) { // one of them is beyond the borders
+    }
+  }
+  CGameClock::Set(1.0f / 60.0f, 0.0f);
+  EXPECT_GT(contacts, 300u);
+}
+
+} // namespace
+} // namespace Shapes::Box2D

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: MIT
+// Box2D ends the process where it asserts, and Debian's library keeps its asserts. What is at the border of
+// what it bears is stepped, in both profiles, and everything stays a number; what is beyond is refused.
+#include <Shapes/Shapes.h>
+
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "box2d_backend/Tuning.h"
+
+namespace Shapes::Box2D {
+namespace {
+
+constexpr float g_fNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float g_fInf = std::numeric_limits<float>::infinity();
+constexpr float g_fDenormal = std::numeric_limits<float>::denorm_min();
+
+float Above(float f) { return std::nextafter(f, g_fInf); }
+float Below(float f) { return std::nextafter(f, 0.0f); }
+
+// The control: this is what the library keeps away from Box2D.
+TEST(NoAssertDeathTest, Box2DEndsTheProcess) {
+  const b2Vec2 close[] = {{0, 0}, {0.004f, 0}, {1, 0}};
+  b2ChainShape chain;
+  EXPECT_DEATH(chain.CreateChain(close, 3, {-1, 0}, {2, 0}), "Assertion");
+  b2World world({0, 0});
+  b2BodyDef def;
+  def.position.Set(g_fNaN, 0);
+  EXPECT_DEATH(world.CreateBody(&def), "Assertion");
+}
+
+class CNoAssert : public testing::TestWithParam<eProfile> {
+protected:
+  CNoAssert() { m_cDesc.m_eProfile = GetParam(); }
+
+  /// User units to a metre of Box2D.
+  float Unit() const { return m_cDesc.m_fLengthUnit / GetTuning(GetParam()).m_fScale; }
+  float MaxLength() const { return std::min(g_fMaxLength, g_fMaxBox2DLength * Unit()); }
+  float MaxSpeed() const { return std::min(g_fMaxSpeed, g_fMaxBox2DSpeed * Unit()); }
+  void Make() { m_pWorld = GetBackend(eBackend::Box2D)->MakeWorld(m_cDesc); }
+
+  /// Balls of no and of some size, at rest at p and on their way through it.
+  void AddBalls(const Vector2& p) {
+    for (const float r : {0.0f, 0.1f * Unit()})
+      for (const float v : {0.0f, 0.9f})
+        m_pWorld->Add(CDynamicCircleDesc(p + Vector2(0, v / 100 * Unit()), r, {0, -v * Unit()}));
+  }
+
+  void Step(int n = 3) {
+    for (; n > 0; --n)
+      m_pWorld->Step();
+    for (const Vector2& p : m_pWorld->GetBallPositions())
+      EXPECT_TRUE(p.allFinite()) << p.transpose();
+    for (const Vector2& v : m_pWorld->GetBallVelocities())
+      EXPECT_TRUE(v.allFinite()) << v.transpose();
+    for (const CContactEvent& event : m_pWorld->GetContacts())
+      EXPECT_TRUE(event.m_vPOI.allFinite() && event.m_vNorm.allFinite() && std::isfinite(event.m_fSpeed));
+  }
+
+  template <class TDesc>
+  void ExpectRefused(const TDesc& desc) {
+    EXPECT_THROW(m_pWorld->Add(desc), std::invalid_argument);
+  }
+
+  CWorldDesc m_cDesc;
+  std::unique_ptr<CWorld> m_pWorld;
+};
+INSTANTIATE_TEST_SUITE_P(, CNoAssert, testing::Values(eProfile::Shipped, eProfile::Tuned),
+                         [](const auto& param) {
+                           return param.param == eProfile::Tuned ? "Tuned" : "Shipped";
+                         });
+
+TEST_P(CNoAssert, SegmentsOfAnyLength) {
+  for (const float metres : {0.0f, g_fDenormal, 1e-30f, 0.004f, Below(b2_linearSlop), b2_linearSlop,
+                             Above(b2_linearSlop), Below(g_fShortestEdge), g_fShortestEdge, 1e4f, 1e8f})
+    for (const eSides sides : {eSides::Both, eSides::Front, eSides::Back})
+      for (const eMotion motion : {eMotion::Static, eMotion::Kinematic}) {
+        Make();
+        CLineSegDesc desc({0, 0}, {metres * Unit(), 0});
+        desc.m_eSides = sides;
+        desc.m_eMotionType = motion;
+        desc.m_fRotSpeed = 1;
+        m_pWorld->Add(desc);
+        for (const Vector2& p : {desc.GetEndPt0(), desc.GetEndPt1(), desc.m_vPos})
+          AddBalls(p);
+        Step();
+      }
+}
+
+TEST_P(CNoAssert, ArcsOfAnyRadiusAndSpan) {
+  for (const float metres :
+       {0.0f, g_fDenormal, 1e-30f, 0.001f, 0.0025f, b2_linearSlop, g_fShortestEdge, 0.1f, 1e3f})
+    for (const float span :
+         {g_fDenormal, 1e-6f, 0.001f, 0.01f, 0.1f, g_fPi, 6.0f, Below(Below(Below(g_fTwoPi))), g_fTwoPi})
+      for (const eMotion motion : {eMotion::Static, eMotion::Kinematic}) {
+        Make();
+        CArcDesc desc({0, 0}, metres * Unit(), 0, span);
+        desc.m_eSides = span < 1 ? eSides::Front : eSides::Both;
+        desc.m_eMotionType = motion;
+        desc.m_fRotSpeed = 1;
+        m_pWorld->Add(desc);
+        Vector2 p0, p1;
+        desc.GetEndPts(p0, p1);
+        for (const Vector2& p : {p0, p1, desc.m_vPos})
+          AddBalls(p);
+        Step();
+      }
+}
+
+TEST_P(CNoAssert, ShapesThatTurnAboutAPointFarAway) {
+  // There the vertices of an arc are rounded to each other.
+  for (const float metres : {1e3f, 1e4f, 1e5f, 1e6f, 1e7f}) {
+    Make();
+    CArcDesc arc({0, 0}, Unit(), 0, 3);
+    CLineSegDesc seg({0, 0}, {g_fShortestEdge * Unit(), 0});
+    const auto ids =
+        m_pWorld->AddCompound(std::vector<CAnyShapeDesc>{arc, seg}, {metres * Unit(), metres * Unit()}, 1);
+    AddBalls({0, 0});
+    AddBalls({Unit(), 0});
+    Step();
+    for (const CShapeId id : ids)
+      m_pWorld->SetOrientation(id, 1.0f);
+    Step();
+  }
+}
+
+TEST_P(CNoAssert, TheLimitsAreTakenAndTheNextFloatIsNot) {
+  for (const float unit : {1.0f, 1e-3f, 100.0f}) {
+    m_cDesc.m_fLengthUnit = unit;
+    Make();
+    const float length = MaxLength(), speed = MaxSpeed();
+    for (const float f : {length, -length}) {
+      m_pWorld->Add(CPointDesc({f, f}));
+      m_pWorld->Add(CDynamicCircleDesc({f, -f}, 0));
+      ExpectRefused(CPointDesc({Above(length), 0}));
+      ExpectRefused(CDynamicCircleDesc({0, f < 0 ? -Above(length) : Above(length)}, 0));
+    }
+    m_pWorld->Add(CCircleDesc({0, 0}, length));
+    ExpectRefused(CCircleDesc({0, 0}, Above(length)));
+    m_pWorld->Add(CArcDesc({0, 0}, length, 0, 0));
+    m_pWorld->Add(CLineSegDesc({-length, -length}, {length, length}));
+    for (const float m : {g_fMinBox2DMass, g_fMaxBox2DMass})
+      m_pWorld->Add(CDynamicCircleDesc({0, 0}, unit, {speed, -speed}, m));
+    ExpectRefused(CDynamicCircleDesc({0, 0}, unit, {Above(speed), 0}));
+    ExpectRefused(CDynamicCircleDesc({0, 0}, unit, {0, 0}, Below(g_fMinBox2DMass)));
+    ExpectRefused(CDynamicCircleDesc({0, 0}, unit, {0, 0}, Above(g_fMaxBox2DMass)));
+    m_pWorld->SetGravity({speed, -speed});
+    EXPECT_THROW(m_pWorld->SetGravity({Above(speed), 0}), std::invalid_argument);
+    m_pWorld->SetPos(m_pWorld->GetBallIds()[0], {length, length});
+    EXPECT_THROW(m_pWorld->SetPos(m_pWorld->GetBallIds()[0], {0, Above(length)}), std::invalid_argument);
+    Step();
+  }
+}
+
+TEST_P(CNoAssert, WorldDescriptionsAtTheirLimits) {
+  const auto step = [&](auto change) {
+    m_cDesc = CWorldDesc();
+    m_cDesc.m_eProfile = GetParam();
+    change(m_cDesc);
+    Make();
+    m_pWorld->SetGravity({0, -std::min(10 * Unit(), MaxSpeed())});
+    m_pWorld->Add(CArcDesc({0, 0}, 0.5f * Unit(), 0, 3));
+    m_pWorld->Add(CCircleDesc({0, 0}, 0.5f * Unit()));
+    AddBalls({0, 0});
+    AddBalls({0, 0.5f * Unit()});
+    Step();
+  };
+  for (const float f : {g_fMinTimeStep, 1e-20f, 1e3f, g_fMaxTimeStep})
+    step([&](CWorldDesc& d) { d.m_fTimeStep = f; });
+  for (const float f : {g_fMinLengthUnit, 1e-9f, 1e9f, g_fMaxLength})
+    step([&](CWorldDesc& d) { d.m_fLengthUnit = f; });
+  for (const float f : {g_fDenormal, 1e-30f, 1.0f, g_fMaxLength})
+    step([&](CWorldDesc& d) { d.m_fSagittaTolerance = f; });
+  step([](CWorldDesc& d) { d.m_nVelocityIterations = d.m_nPositionIterations = 1; });
+  step([](CWorldDesc& d) { d.m_nVelocityIterations = d.m_nPositionIterations = 1000; });
+  step([](CWorldDesc& d) { d.m_nSubsteps = 64; });
+  // A metre of a tuned world would have been infinitely many of these units.
+  EXPECT_THROW(step([](CWorldDesc& d) { d.m_fLengthUnit = Below(g_fMinLengthUnit); }), std::invalid_argument);
+  EXPECT_THROW(step([](CWorldDesc& d) { d.m_fLengthUnit = g_fDenormal; }), std::invalid_argument);
+}
+
+TEST_P(CNoAssert, ManyShapesAtOnePlace) {
+  Make();
+  for (int i = 0; i < 10; ++i) {
+    m_pWorld->Add(CPointDesc({0, 0}));
+    m_pWorld->Add(CCircleDesc({0, 0}, Unit()));
+    m_pWorld->Add(CLineSegDesc({-Unit(), 0}, {Unit(), 0}));
+    AddBalls({0, 0});
+  }
+  Step();
+}
+
+TEST_P(CNoAssert, TheFastestSurfaceAndTheLargestElasticityGiveASpeedThatIsANumber) {
+  for (const float unit : {1.0f, 1e10f, 1e17f})
+    for (const float dt : {g_fMinTimeStep, 1.0f / 60.0f, g_fMaxTimeStep}) {
+      m_cDesc.m_fLengthUnit = unit;
+      m_cDesc.m_fTimeStep = dt;
+      Make();
+      CLineSegDesc desc({-Unit(), 0}, {Unit(), 0}, g_fMaxElasticity);
+      desc.m_eMotionType = eMotion::Kinematic;
+      desc.m_vRotCenter = {-0.9f * MaxLength(), 0};
+      desc.m_fRotSpeed = g_fMaxRotSpeed;
+      m_pWorld->Add(desc);
+      m_pWorld->SetGravity({0, -MaxSpeed()});
+      m_pWorld->Add(
+          CDynamicCircleDesc({0, 0.1f * Unit()}, 0.1f * Unit(), {0, 0}, g_fMaxBox2DMass, g_fMaxElasticity));
+      m_pWorld->Add(
+          CDynamicCircleDesc({0, 0.25f * Unit()}, 0.1f * Unit(), {0, 0}, g_fMinBox2DMass, g_fMaxElasticity));
+      Step();
+    }
+}
+
+TEST_P(CNoAssert, BumpersThatHoldABallFastTakeNoMoreThanTheMostCuts) {
+  // The ball gets faster in each cut, and would ask for more of them for ever.
+  Make();
+  for (const float x : {-0.05f, 0.05f})
+    m_pWorld->Add(CLineSegDesc({x, -1}, {x, 1}, g_fMaxElasticity));
+  m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.06f, {1, 0}, 1, g_fMaxElasticity));
+  Step(1);
+  EXPECT_LE(m_pWorld->GetStats().m_nEngineSteps, g_nMaxCuts);
+  EXPECT_EQ(m_pWorld->GetStats().m_nEngineSteps > 1, GetParam() == eProfile::Tuned);
+}
+
+TEST_P(CNoAssert, ABumpedBallGoesNoFartherThanBox2DMovesIt) {
+  // In a tuned world each of many hits multiplies how far it is off its parabola.
+  m_cDesc.m_fTimeStep = 1000;
+  Make();
+  m_pWorld->SetGravity({1e6f, 0});
+  for (const float y : {0.0f, 1.0f})
+    m_pWorld->Add(CLineSegDesc({-5, y}, {5, y + 0.5f}, g_fMaxElasticity));
+  m_pWorld->Add(CDynamicCircleDesc({0, 0.4f}, 0.3f, {0, 1}));
+  m_pWorld->Add(CDynamicCircleDesc({0.5f, 0.5f}, 2.0f, {0, 1}, 1, 1000));
+  Step(1);
+  // In each cut 2 metres by Box2D, 2 by the deviation, and what pushes overlapping shapes apart: less than 8.
+  const float most = 12 * Unit() * static_cast<float>(m_pWorld->GetStats().m_nEngineSteps);
+  for (const Vector2& p : m_pWorld->GetBallPositions())
+    EXPECT_LE(p.norm(), most);
+}
+
+TEST_P(CNoAssert, BouncyBallsInEachOtherStayNumbers) {
+  // In a tuned world each of many impacts in a step multiplies what a ball is faster on its parabola.
+  m_cDesc.m_vGravity = {0, -2.5f};
+  Make();
+  m_pWorld->Add(CPointDesc({-0.076f, -0.085f}, 2));
+  m_pWorld->Add(CDynamicCircleDesc({-0.076f, -0.085f}, 0.25f, {-1.2e8f, 3.6e7f}, 1, 1000));
+  m_pWorld->Add(CDynamicCircleDesc({-0.11f, 0.1f}, 0.025f, {0, 0}, 1, g_fMaxElasticity));
+  m_pWorld->Add(CDynamicCircleDesc({0.01f, -0.57f}, 2.5f, {0.24f, 0.07f}));
+  Step(10);
+}
+
+TEST_P(CNoAssert, WhatTouchesIsMovedChangedAndRemoved) {
+  Make();
+  const CShapeId seg = m_pWorld->Add(CLineSegDesc({-1, 0}, {0, 0}));
+  CLineSegDesc desc({0, 0}, {1, 0});
+  desc.m_eMotionType = eMotion::Kinematic;
+  const CShapeId flipper = m_pWorld->Add(desc);
+  const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f, {0, -1}));
+  const CShapeId other = m_pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -1}));
+  const std::vector<std::function<void()>> changes = {
+      [&] {
+        m_pWorld->SetPos(ball, {0, 0});
+      },
+      [&] { m_pWorld->SetPos(other, m_pWorld->GetPos(ball)); },
+      [&] {
+        m_pWorld->SetVel(ball, {MaxSpeed(), 0});
+      },
+      [&] {
+        m_pWorld->SetPos(flipper, {0, 0.1f});
+      },
+      [&] { m_pWorld->SetOrientation(flipper, 1e9f); },
+      [&] {
+        m_pWorld->SetRotCenter(flipper, {0, MaxLength()});
+      },
+      [&] { m_pWorld->SetRotSpeed(flipper, g_fMaxRotSpeed); },
+      [&] { m_pWorld->SetRotSpeed(flipper, g_fDenormal); },
+      [&] { m_pWorld->SetElasticity(flipper, g_fMaxElasticity); },
+      [&] { m_pWorld->SetSensor(ball, true); },
+      [&] { m_pWorld->SetSensor(ball, false); },
+      [&] { m_pWorld->SetCanCollide(seg, false); },
+      [&] { m_pWorld->Reset(flipper); },
+      [&] { m_pWorld->LoadState(m_pWorld->SaveState()); },
+      [&] { m_pWorld->Remove(other); },
+      [&] { m_pWorld->Remove(flipper); },
+      [&] { m_pWorld->Remove(ball); },
+  };
+  for (const auto& change : changes) {
+    change();
+    Step();
+  }
+}
+
+TEST_P(CNoAssert, EndsThatNearlyMeet) {
+  // Within the tolerance of joints in a tuned world, at it and beyond; arcs that are too short for a chord
+  // too.
+  for (const float gap : {0.0f, 1e-6f, Below(b2_linearSlop), b2_linearSlop, Above(b2_linearSlop), 0.02f})
+    for (const float length : {0.0f, 1e-3f, b2_linearSlop, g_fShortestEdge, 1.0f}) {
+      Make();
+      Vector2 p(0, 0);
+      for (int i = 0; i < 3; ++i) {
+        const Vector2 next = p + Vector2(length * Unit(), 0);
+        m_pWorld->Add(CLineSegDesc(p, next));
+        AddBalls(next);
+        CArcDesc arc(next + Vector2(gap, length) * Unit(), length * Unit(), -0.5f * g_fPi, 0);
+        m_pWorld->Add(arc);
+        Vector2 p0;
+        arc.GetEndPts(p0, p);
+        AddBalls(p);
+      }
+      Step();
+    }
+}
+
+} // namespace
+} // namespace Shapes::Box2D
