@@ -2,6 +2,11 @@
 // Between the user's units and the metres of Box2D.
 #pragma once
 
+// The one header that is in 2.4.1 and later 2.4 only: the version itself is in no header.
+#if !__has_include(<box2d/b2_common.h>)
+#error "Shapes needs Box2D 2.4, from 2.4.1 on: this is another version. -DSHAPES_WITH_BOX2D=OFF builds without it."
+#endif
+
 #include <Shapes/ShapeMath.h>
 
 #include <box2d/box2d.h>
