@@ -4,7 +4,7 @@
 
 // The one header that is in 2.4.1 and later 2.4 only: the version itself is in no header.
 #if !__has_include(<box2d/b2_common.h>)
-#error "Shapes needs Box2D 2.4, from 2.4.1 on: this is another version. -DSHAPES_WITH_BOX2D=OFF builds without it."
+#error "Shapes needs Box2D 2.4, from 2.4.1 on: -DSHAPES_WITH_BOX2D=OFF builds without it."
 #endif
 
 #include <Shapes/ShapeMath.h>
