@@ -161,6 +161,13 @@ void CBodies::Forget(CShapeId id) {
   m_stdBodies.erase(it);
 }
 
+bool CBodies::IsNearOthers(const CBody& ball) {
+  FailIf(m_pTies == nullptr); // nobody else is here
+  for (const b2ContactEdge* p = ball.m_pBody->GetContactList(); p != nullptr; p = p->next)
+    if (Find(*p->other) == nullptr) return true;
+  return false;
+}
+
 CBody* CBodies::Find(const b2Body& body) {
   const auto it = m_stdByBody.find(&body);
   return it == m_stdByBody.end() ? nullptr : it->second;

@@ -62,6 +62,8 @@ public:
   CBody* Find(const b2Body& body);
   /// In the order of their ids, as everywhere.
   const std::vector<CBody*>& GetBalls() const { return m_stdBalls; }
+  /// Whether the ball may be touching a body of somebody else.
+  bool IsNearOthers(const CBody& ball);
   const std::vector<CBody*>& GetKinematics() const { return m_stdKinematics; }
   std::uint64_t GetArcPieces() const { return m_nArcPieces; }
 

@@ -30,8 +30,12 @@ void CContactGatherer::PreSolve(b2Contact* pContact, const b2Manifold*) {
   pContact->SetRestitution(RestitutionOf(*pA, *pB));
   if (!m_cTuning.m_bTrueContacts)
     ReportAsIs(*pContact, *pA, *pB);
-  else if (const auto answer = m_cAnswers.Answer(*pContact, *pA, *pB))
+  else if (const auto answer = m_cAnswers.Answer(*pContact, *pA, *pB, CanWait(*pA, *pB)))
     Report(*pA, *pB, *answer);
+}
+
+bool CContactGatherer::CanWait(const CBody& shape, const CBody& ball) {
+  return !m_cBodies.IsNearOthers(ball) && !(shape.m_bIsBall && m_cBodies.IsNearOthers(shape));
 }
 
 float CContactGatherer::RestitutionOf(const CBody& shape, const CBody& ball) const {

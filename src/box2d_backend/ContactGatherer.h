@@ -43,6 +43,7 @@ public:
   const std::vector<CBend>& GetBends() const { return m_stdBends; }
 
 private:
+  bool CanWait(const CBody& shape, const CBody& ball);
   float RestitutionOf(const CBody& shape, const CBody& ball) const;
   void ReportAsIs(b2Contact& contact, const CBody& shape, const CBody& ball);
   void Report(const CBody& shape, const CBody& ball, const CTrueAnswers::CAnswer& answer);

@@ -99,7 +99,8 @@ void CTrueAnswers::OpenIsland(const b2Vec2& n) {
   m_vIslandNormal = n;
 }
 
-std::optional<CTrueAnswers::CAnswer> CTrueAnswers::Answer(b2Contact& contact, CBody& shape, CBody& ball) {
+std::optional<CTrueAnswers::CAnswer> CTrueAnswers::Answer(b2Contact& contact, CBody& shape, CBody& ball,
+                                                          bool canWait) {
   m_bIsContinuous = m_bIsContinuous || HasMoved(shape) || HasMoved(ball);
   if (m_bIsIslandOpen) {
     IgnoreAcross(contact, m_vIslandNormal, ball); // it gets its own impact, after this one
@@ -120,7 +121,7 @@ std::optional<CTrueAnswers::CAnswer> CTrueAnswers::Answer(b2Contact& contact, CB
   const double left = (1.0 - impact.m_fPart) * static_cast<double>(m_fStep);
   if (sight.m_bMisses || (approaches && sight.m_fTime > left)) {
     // Only their skins meet in this step. In the second pass Box2D would stop the ball here again and again.
-    if (m_bIsContinuous)
+    if (m_bIsContinuous || !canWait)
       contact.SetEnabled(false);
     else
       Ignore(contact, sight.m_vNormAB);
@@ -131,7 +132,7 @@ std::optional<CTrueAnswers::CAnswer> CTrueAnswers::Answer(b2Contact& contact, CB
     // skin.
     const bool isSwept = ball.m_pBody->GetWorld()->GetContinuousPhysics() &&
                          (!shape.m_bIsBall || shape.m_pBody->IsBullet() || ball.m_pBody->IsBullet());
-    if (isSwept && sight.m_fSkins + Radii(contact) > b2_linearSlop) {
+    if (isSwept && canWait && sight.m_fSkins + Radii(contact) > b2_linearSlop) {
       Ignore(contact, sight.m_vNormAB); // Box2D will stop the ball where it arrives
       return {};
     }

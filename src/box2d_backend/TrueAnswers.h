@@ -35,7 +35,9 @@ public:
   };
   /// Prepares the contact for Box2D.
   /// @param contact  its restitution is that of the pair already
-  std::optional<CAnswer> Answer(b2Contact& contact, CBody& shape, CBody& ball);
+  /// @param canWait  false if Box2D may throw the ball another way in its first look, as what is there of
+  /// somebody else is answered then: what waits the wrong way round would hold it
+  std::optional<CAnswer> Answer(b2Contact& contact, CBody& shape, CBody& ball, bool canWait = true);
 
   /// A ball meets what is not ours, and Box2D answers that; its parabola bounces there, or ends.
   void FollowOther(b2Contact& contact, CBody& other, CBody& ball);

@@ -176,7 +176,7 @@ std::vector<CShapeId> CSceneDesc::AddTo(CWorld& world) const {
 std::string CSceneDesc::ToJson(const std::string& name, float seconds) const {
   if (name.empty()) Refuse("name", "empty", "a name of at least one letter");
   if (m_stdBalls.empty()) Refuse("m_stdBalls", "empty", "at least one ball: shapes-compare follows balls");
-  RequirePositive("m_fLengthUnit", m_cWorld.m_fLengthUnit, g_fMaxLength);
+  RequireRange("m_fLengthUnit", m_cWorld.m_fLengthUnit, g_fMinLengthUnit, g_fMaxLength);
   RequireVector("m_vGravity", m_cWorld.m_vGravity, g_fMaxSpeed);
   RequirePositive("m_fTimeStep", m_cWorld.m_fTimeStep, g_fMaxTimeStep);
   RequireRange("seconds", seconds, m_cWorld.m_fTimeStep, std::numeric_limits<float>::max());

@@ -420,5 +420,30 @@ TEST_P(CGuest, WhatBox2DSlowsDownIsCountedByTheLengthOfTheStep) {
   EXPECT_GT(guest.GetOrientation(flipper), 0);
 }
 
+TEST(GuestWorldWayTest, ABallKeepsItsWayFromAnArcOntoTheGroundOfTheGame) {
+  // It meets both in one step. What waits for its impact with the arc must not hold it when the ground
+  // answers.
+  for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned}) {
+    b2World world({0, -10});
+    b2BodyDef def;
+    b2EdgeShape ground;
+    ground.SetTwoSided({-20, 0}, {20, 0});
+    world.CreateBody(&def)->CreateFixture(&ground, 0.0f);
+    CWorldDesc desc;
+    desc.m_eProfile = profile;
+    const auto pGuest = MakeWorld(world, desc);
+    pGuest->Add(CArcDesc({2, 2}, 2, g_fPi, 1.5f * g_fPi));
+    const CShapeId ball = pGuest->Add(CDynamicCircleDesc({0.2f, 2.5f}, 0.15f, {0, -4}, 1, 0.3f));
+    for (int i = 0; i < 45; ++i) {
+      pGuest->PreStep(1.0f / 60.0f);
+      world.Step(1.0f / 60.0f, 8, 3);
+      pGuest->PostStep();
+    }
+    // Energy makes it 7.9 at the ground; each bounce along the arc takes a little.
+    EXPECT_GT(pGuest->GetVel(ball).x(), profile == eProfile::Tuned ? 7.0f : 6.0f);
+    EXPECT_LT(pGuest->GetVel(ball).x(), 7.9f);
+  }
+}
+
 } // namespace
 } // namespace Shapes::Tests
