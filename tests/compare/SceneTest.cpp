@@ -271,7 +271,7 @@ TEST_F(SceneTest, WhatTheShapesRefuseIsNamedByItsPath) {
       {[](json& d) { d["time_step"] = 1e-60; }, " /time_step: expected a number above 0"},
       {[](json& d) { d["time_step"] = 1e7; }, " /time_step: expected a number above 0, up to"},
       {[](json& d) { d["gravity"][0] = 1e19; }, " /gravity: expected finite"},
-      {[](json& d) { d["length_unit"] = 1e19; }, " /length_unit: expected a number above 0"},
+      {[](json& d) { d["length_unit"] = 1e19; }, " /length_unit: expected a number from 1e-18 to 1e+18"},
       {[](json& d) { d["balls"][0]["mass"] = 1e-60; }, " /balls/0/mass: expected a number"},
       {[](json& d) { d["balls"][0]["mass"] = 1e37; }, " /balls/0/mass: expected a number"},
       {[](json& d) { d["balls"][0]["velocity"][1] = 1e19; }, " /balls/0/velocity: expected finite"},
