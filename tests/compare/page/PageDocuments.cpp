@@ -353,7 +353,7 @@ CPageDocuments MakeSparsePageDocuments() {
     }
 
   json& single = report.m_cRun["scenes"][2];
-  single["engines"] = {single["engines"][0]};
+  single["engines"] = json::array({single["engines"][0]}); // one in braces alone is a copy for some compilers
   single["apart"] = nullptr;
   single["heat_map"] = nullptr;
 
