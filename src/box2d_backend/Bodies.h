@@ -20,23 +20,20 @@
 namespace Shapes::Box2D {
 
 struct CBody {
-  CShapeId m_cId;
   b2Body* m_pBody = nullptr;
-  bool m_bIsBall = false;
-  b2Transform m_cStart; ///< at the beginning of the step, of what moves
+  CShapeId m_cId;
   float m_fElasticity = 1.0f;
-  COutline m_cOutline; ///< of a ball too
+  b2Transform m_cStart; ///< at the beginning of the step, of what moves
+  COutline m_cOutline;
 
-  // Of balls.
-  float m_fRadius = 0.0f; ///< without skin
-  CFlight m_cFlight;
-  bool m_bIsSupported = false;  ///< lies on something in this step
-  bool m_bWasSupported = false; ///< did so in the last one
-
-  // Of shapes.
-  float m_fBaseOrientation = 0.0f; ///< orientation of the shape when its fixtures were made
+  CFlight m_cFlight;               ///< of a ball
+  float m_fRadius = 0.0f;          ///< of a ball, without skin
+  float m_fBaseOrientation = 0.0f; ///< of a shape when its fixtures were made
   int m_nArcPieces = 0;
-  CJoints m_cJoints; ///< of which its outline knows
+  bool m_bIsBall = false;
+  bool m_bIsSupported = false;  ///< the ball lies on something in this step
+  bool m_bWasSupported = false; ///< it did so in the last one
+  CJoints m_cJoints;            ///< of which the outline of a shape knows
 };
 
 /// Makes one b2Body for each shape. What Box2D tells of a body leads back to its shape without the user data

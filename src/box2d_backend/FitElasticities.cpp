@@ -141,7 +141,7 @@ bool Reproduces(CKinds kinds, std::span<const float> e, const CBouncePair& pair)
 }
 
 std::vector<float> FitElasticities(CKinds kinds, std::span<const CBouncePair> pairs) {
-  const std::vector<float> all = Fit(kinds, pairs, FindZeros(kinds, pairs));
+  std::vector<float> all = Fit(kinds, pairs, FindZeros(kinds, pairs));
   const auto badness = Badness(kinds, pairs, all);
   if (std::get<0>(badness) + std::get<1>(badness) == 0) return all;
 

@@ -74,11 +74,11 @@ bool IsAhead(const CTrueContact& contact, const Vector2d& w) {
 
 // Past an end.
 CTrueContact MeetEnd(const COutline::CEnd& end, const Vector2d& q, const Vector2d& w, double r) {
-  const CTrueContact round = MeetDisk(end.m_vPos, r, q, w);
+  CTrueContact round = MeetDisk(end.m_vPos, r, q, w);
   if (end.m_bJoined) {
     // Beyond the end is the neighbour: what meets it beyond the end does not meet the end.
     const Vector2d left = Perp(end.m_vNext);
-    const CTrueContact beyond =
+    CTrueContact beyond =
         end.m_fBend == 0.0
             ? MeetLine(end.m_vPos, (q - end.m_vPos).dot(left) < 0.0 ? Vector2d(-left) : left, q, w, r)
             : MeetCircle(end.m_vPos + left / end.m_fBend, 1.0 / std::abs(end.m_fBend), q, w, r);
@@ -93,7 +93,7 @@ CTrueContact MeetEnd(const COutline::CEnd& end, const Vector2d& q, const Vector2
 CTrueContact MeetLineSeg(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
   const Vector2d& t = o.m_cEnd1.m_vOut;
   const Vector2d n = Cross(t, q - o.m_cEnd0.m_vPos) < 0.0 ? Vector2d(-Perp(t)) : Perp(t);
-  const CTrueContact face = MeetLine(o.m_cEnd0.m_vPos, n, q, w, r);
+  CTrueContact face = MeetLine(o.m_cEnd0.m_vPos, n, q, w, r);
   const Vector2d foot = q + face.m_fTime * w;
   if ((foot - o.m_cEnd0.m_vPos).dot(t) < 0.0) return MeetEnd(o.m_cEnd0, q, w, r);
   if ((foot - o.m_cEnd1.m_vPos).dot(t) > 0.0) return MeetEnd(o.m_cEnd1, q, w, r);
@@ -109,7 +109,7 @@ bool IsInSector(const COutline& o, const Vector2d& d) {
 CTrueContact MeetArcEnd(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
   // By where the ball is now: its way to the circle may be long where there is no arc.
   const bool isNear0 = (q - o.m_cEnd0.m_vPos).squaredNorm() < (q - o.m_cEnd1.m_vPos).squaredNorm();
-  const CTrueContact nearer = MeetEnd(isNear0 ? o.m_cEnd0 : o.m_cEnd1, q, w, r);
+  CTrueContact nearer = MeetEnd(isNear0 ? o.m_cEnd0 : o.m_cEnd1, q, w, r);
   // Between two ends that are close it may leave the nearer one for the other.
   const COutline::CEnd& other = isNear0 ? o.m_cEnd1 : o.m_cEnd0;
   if (other.m_bJoined || nearer.m_fGap < 0.0) return nearer;
@@ -119,7 +119,7 @@ CTrueContact MeetArcEnd(const COutline& o, const Vector2d& q, const Vector2d& w,
 }
 
 CTrueContact MeetArc(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
-  const CTrueContact curve = MeetCircle(o.m_vCentre, o.m_fRadius, q, w, r);
+  CTrueContact curve = MeetCircle(o.m_vCentre, o.m_fRadius, q, w, r);
   const bool onCurve = IsInSector(o, q + curve.m_fTime * w - o.m_vCentre);
   if (onCurve && IsInSector(o, q - o.m_vCentre)) return curve;
   const CTrueContact end = MeetArcEnd(o, q, w, r);
@@ -141,7 +141,7 @@ CTrueContact Meet(const COutline& o, const Vector2d& q, const Vector2d& w, doubl
 
 CTrueContact FindTrueContact(const COutline& outline, const Vector2d& q, const Vector2d& w, double r) {
   CTrueContact met = Meet(outline, q, w, r);
-  const CTrueContact now = Meet(outline, q, Vector2d::Zero(), r);
+  CTrueContact now = Meet(outline, q, Vector2d::Zero(), r);
   // What it came through and has left is over.
   if (met.m_fTime < 0.0 && now.m_fGap > 0.0) return now;
   // What it parts from is not traced; but one that came past an end may be on its way into a face by now.

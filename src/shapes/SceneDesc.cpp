@@ -31,7 +31,7 @@ std::string Quoted(std::string_view text) {
 // Who reads JSON goes through double, and so rounds twice. Of the shortest texts of all floats that changes
 // 7.038531e-26 alone, which is written as the double that it is.
 std::string Number(float value) {
-  const std::string text = ToText(value);
+  std::string text = ToText(value);
   double read = 0.0;
   std::from_chars(text.data(), text.data() + text.size(), read);
   if (static_cast<float>(read) == value) return text;
@@ -125,7 +125,7 @@ void Grow(CAabb2D& box, const CAabb2D& other) {
 
 template <class TDesc>
 CAabb2D ReachOf(const TDesc& desc) {
-  const CAabb2D box = BoxOf(desc);
+  CAabb2D box = BoxOf(desc);
   if (desc.m_eMotionType != eMotion::Kinematic) return box;
   const Vector2 &c = desc.m_vRotCenter, &p = box.GetTopLeft(), &q = box.GetBottomRt();
   const float x = std::max(std::abs(p.x() - c.x()), std::abs(q.x() - c.x()));
