@@ -77,7 +77,7 @@ std::unique_ptr<CBox2DWorld> MakeWorld(b2World& world, const CWorldDesc& desc);
 
 /// How a b2World becomes a scene.
 struct CImportOptions {
-  float m_fLengthUnit = 1.0f;       ///< User units per metre of the b2World, above 0.
+  float m_fLengthUnit = 1.0f;       ///< User units per metre of the b2World, from g_fMinLengthUnit.
   float m_fTimeStep = 1.0f / 60.0f; ///< Seconds that the game gives to b2World::Step, above 0.
 };
 

@@ -39,7 +39,7 @@ public:
 
   // Read by Box2D only, whose tolerances are in metres.
   eProfile m_eProfile = eProfile::Shipped;
-  float m_fLengthUnit = 1.0f; ///< User units per metre (100 for 100 pixels per metre), above 0.
+  float m_fLengthUnit = 1.0f; ///< User units per metre (100 for 100 pixels per metre), from g_fMinLengthUnit.
   float m_fSagittaTolerance = g_fSagittaTolerance; ///< Height of arcs above their chords, in metres, above 0.
   unsigned m_nVelocityIterations = 8;              ///< Per substep, 1 .. 1000.
   unsigned m_nPositionIterations = 3;              ///< Per substep, 1 .. 1000.

@@ -196,7 +196,7 @@ private:
 } // namespace Box2D
 
 CSceneDesc ImportScene(const b2World& world, const CImportOptions& options) {
-  RequirePositive("m_fLengthUnit", options.m_fLengthUnit, g_fMaxLength);
+  RequireRange("m_fLengthUnit", options.m_fLengthUnit, g_fMinLengthUnit, g_fMaxLength);
   RequirePositive("m_fTimeStep", options.m_fTimeStep, g_fMaxTimeStep);
   const Box2D::CSurvey survey(world);
   std::vector<Box2D::CBounceKind> kinds;

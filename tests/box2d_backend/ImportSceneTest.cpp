@@ -335,6 +335,7 @@ TEST(ImportSceneTest, WhatNoShapeCanHaveIsRefusedWithItsBody) {
   EXPECT_EQ(refusal(game).find("body 1 fixture 0: gravity scale is nan: expected "), 0u) << refusal(game);
   pBall->SetGravityScale(1.0f);
   EXPECT_EQ(refusal(game, {.m_fLengthUnit = 0.0f}).find("m_fLengthUnit is 0: "), 0u);
+  EXPECT_EQ(refusal(game, {.m_fLengthUnit = 1e-19f}).find("m_fLengthUnit is 1e-19: "), 0u); // as of a world
   EXPECT_EQ(refusal(game, {.m_fTimeStep = NAN}).find("m_fTimeStep is nan: "), 0u);
   EXPECT_EQ(refusal(game, {.m_fLengthUnit = 1e18f}).find("body 1 fixture 0: m_vPos is (3e+18, 0): "), 0u);
 }
