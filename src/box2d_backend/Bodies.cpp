@@ -12,8 +12,6 @@ namespace {
 constexpr float g_fBothSkins = g_fSkinSlops * b2_linearSlop;
 constexpr float g_fBallSkin = 0.5f * g_fBothSkins;
 
-Vector2d ToDouble(const b2Vec2& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
-
 template <class TShape>
 void SetEnds(const TShape& shape, const Vector2& origin, const CScale& scale, const CJoints& joints,
              COutline& outline) {
@@ -102,8 +100,8 @@ void CBodies::CreateBall(const CBallArrays& b, std::size_t i, CBody& body) {
   body.m_pBody = m_pWorld->CreateBody(&def);
   body.m_bIsBall = true;
 
-  body.m_cOutline.m_fRadius = static_cast<double>(m_cScale.ToMetres(b.m_stdRadius[i]));
   body.m_fRadius = m_cScale.ToMetres(b.m_stdRadius[i]);
+  body.m_cOutline.m_fRadius = static_cast<double>(body.m_fRadius);
   AddFixture<b2CircleShape>(body, [&](b2CircleShape& circle) {
     circle.m_radius = body.m_fRadius + (m_cTuning.m_bTrueContacts ? g_fBallSkin : 0.0f);
   });

@@ -14,7 +14,7 @@ void CContactGatherer::BeginStep(const b2Vec2& g, float h) {
   m_stdBends.clear();
   for (CBody* pBall : m_cBodies.GetBalls()) {
     pBall->m_cStart = pBall->m_pBody->GetTransform();
-    pBall->m_cFlight.Begin({static_cast<double>(g.x), static_cast<double>(g.y)}, static_cast<double>(h));
+    pBall->m_cFlight.Begin(ToDouble(g), static_cast<double>(h));
     pBall->m_bWasSupported = std::exchange(pBall->m_bIsSupported, false);
   }
   for (CBody* pBody : m_cBodies.GetKinematics())

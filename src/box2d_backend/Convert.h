@@ -27,4 +27,11 @@ private:
   float m_fUnit;
 };
 
+inline Eigen::Vector2d ToDouble(const b2Vec2& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y)};
+}
+inline b2Vec2 ToFloat(const Eigen::Vector2d& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y())};
+}
+
 } // namespace Shapes::Box2D

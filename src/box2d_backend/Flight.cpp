@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Convert.h"
+
 namespace Shapes::Box2D {
 namespace {
 
@@ -87,11 +89,9 @@ void CFlight::Land(b2Body& ball) const {
     v -= std::min(0.0, v.dot(n)) * n;
     p -= std::min(0.0, p.dot(n)) * n;
   }
-  const b2Vec2 dv(static_cast<float>(v.x()), static_cast<float>(v.y()));
-  ball.SetLinearVelocity(ball.GetLinearVelocity() + dv);
+  ball.SetLinearVelocity(ball.GetLinearVelocity() + ToFloat(v));
   if (!m_bHasBounced) return; // the way of a ball in free flight ends on its parabola
-  const b2Vec2 dp(static_cast<float>(p.x()), static_cast<float>(p.y()));
-  ball.SetTransform(ball.GetPosition() + dp, ball.GetAngle());
+  ball.SetTransform(ball.GetPosition() + ToFloat(p), ball.GetAngle());
 }
 
 } // namespace Shapes::Box2D

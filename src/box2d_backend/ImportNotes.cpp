@@ -28,10 +28,6 @@ const char* NameOf(b2JointType type) {
   }
 }
 
-std::string InBrackets(const b2Vec2& v) {
-  return std::string("(").append(ToText(v.x)).append(", ").append(ToText(v.y)).append(")");
-}
-
 std::string Capital(std::string text) {
   text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text;
@@ -68,7 +64,7 @@ private:
       if (part.m_nBody != lastBody && !(v == b2Vec2_zero))
         m_stdNotes.push_back("Body " + std::to_string(part.m_nBody) +
                              " (kinematic) stays where it is: only turning has a " +
-                             "counterpart, its velocity of " + InBrackets(v) + " m/s has none.");
+                             "counterpart, its velocity of " + ToText(Vector2(v.x, v.y)) + " m/s has none.");
       lastBody = part.m_nBody;
 
       const b2Shape& shape = *part.m_pFixture->GetShape();

@@ -9,8 +9,6 @@
 namespace Shapes::Box2D {
 namespace {
 
-Vector2d ToDouble(const b2Vec2& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
-b2Vec2 ToFloat(const Vector2d& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
 Vector2d MulT(const b2Rot& q, const Vector2d& v) {
   const double c = static_cast<double>(q.c), s = static_cast<double>(q.s);
   return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()};
@@ -57,6 +55,13 @@ void IgnoreAcross(b2Contact& contact, const b2Vec2& answered, const CBody& ball)
   if (b2Dot(v, across) < 0.0f) across = -across;
   SetManifold(contact, across, 0.0f);
   contact.GetManifold()->points[0].normalImpulse = 0.0f;
+}
+
+// What the ball takes of an impact: the share of the other's mass in that of both.
+double ShareOf(const CBody& shape, const CBody& ball) {
+  const double m = static_cast<double>(ball.m_pBody->GetMass()),
+               m1 = static_cast<double>(shape.m_pBody->GetMass());
+  return shape.m_bIsBall ? m1 / (m + m1) : 1.0;
 }
 
 // Whether a body is on its way through the step.
@@ -139,12 +144,9 @@ std::optional<CTrueAnswers::CAnswer> CTrueAnswers::Answer(b2Contact& contact, CB
     m_stdEarly.push_back({&shape, &ball, sight.m_vNorm});
   }
   if (approaches) {
-    const double m = static_cast<double>(ball.m_pBody->GetMass()),
-                 m1 = static_cast<double>(shape.m_pBody->GetMass());
     contact.GetManifold()->points[0].normalImpulse = 0.0f;
-    answer.m_fSpeed =
-        static_cast<float>(CFlight::Bounce(impact, ball.m_cFlight, shape.m_bIsBall ? m1 / (m + m1) : 1.0,
-                                           shape.m_bIsBall ? &shape.m_cFlight : nullptr));
+    answer.m_fSpeed = static_cast<float>(CFlight::Bounce(impact, ball.m_cFlight, ShareOf(shape, ball),
+                                                         shape.m_bIsBall ? &shape.m_cFlight : nullptr));
   }
   if (m_bIsContinuous)
     PushApart(sight, shape, ball);
@@ -269,9 +271,7 @@ void CTrueAnswers::PushApart(const CSight& sight, CBody& shape, CBody& ball) {
   const float push = std::max(0.0f, stop - sight.m_fSkins) + b2_linearSlop;
   SetManifold(sight.m_cContact, sight.m_vNormAB, SeparationFor(push, pushed));
   const Vector2d way = static_cast<double>(pushed) * sight.m_cImpact.m_vNorm;
-  const double m = static_cast<double>(ball.m_pBody->GetMass()),
-               m1 = static_cast<double>(shape.m_pBody->GetMass());
-  const double share = shape.m_bIsBall ? m1 / (m + m1) : 1.0;
+  const double share = ShareOf(shape, ball);
   ball.m_cFlight.Shift(-share * way);
   if (shape.m_bIsBall) shape.m_cFlight.Shift((1.0 - share) * way);
 }

@@ -14,15 +14,10 @@ std::string ToText(float value) {
   return {text.data(), end};
 }
 
-namespace {
-
 std::string ToText(const Vector2& v) {
   std::string text = "(";
-  text.append(Shapes::ToText(v.x())).append(", ").append(Shapes::ToText(v.y())).append(")");
-  return text;
+  return text.append(ToText(v.x())).append(", ").append(ToText(v.y())).append(")");
 }
-
-} // namespace
 
 void Refuse(const std::string& field, const std::string& value, const std::string& expected) {
   throw std::invalid_argument(field + " is " + value + ": expected " + expected);

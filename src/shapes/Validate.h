@@ -11,6 +11,8 @@ namespace Shapes {
 
 /// The shortest text that reads back as the same float.
 std::string ToText(float value);
+/// The same of both coordinates: "(1, 2)".
+std::string ToText(const Vector2& v);
 
 /// @throws std::invalid_argument "<field> is <value>: expected <what>"
 [[noreturn]] void Refuse(const std::string& field, const std::string& value, const std::string& expected);
