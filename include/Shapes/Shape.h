@@ -89,7 +89,11 @@ public:
   void Advance(float dt);
 
   /// Whether the shape turns by itself: kinematic with a rotation speed other than 0.
-  bool GetRotating() const { return m_eMotionType == eMotion::Kinematic && m_fRotSpeed != 0.0f; }
+  bool GetRotating() const {
+    return m_eMotionType == eMotion::Kinematic && m_fRotSpeed != 0.0f && !m_bIsHeld;
+  }
+  /// For worlds only: whether the shape stands still whatever its rotation speed.
+  void SetHeld(bool b) { m_bIsHeld = b; }
   /// Radians from the pose at construction, in [0, 2 pi).
   float GetOrientation() const { return m_fOrientation; }
   /// Same as Rotate(GetRotCenter(), angle).
@@ -135,6 +139,7 @@ protected:
   eMotion m_eMotionType;
   bool m_bIsSensor;
   bool m_bCanCollide = true;
+  bool m_bIsHeld = false;
   float m_fElasticity;
   float m_fRotSpeed;
   float m_fOrientation = 0.0f;

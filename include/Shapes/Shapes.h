@@ -9,6 +9,7 @@
 #include <Shapes/Compound.h>
 #include <Shapes/Contact.h>
 #include <Shapes/DynamicCircle.h>
+#include <Shapes/Effects.h>
 #include <Shapes/Line.h>
 #include <Shapes/LineSeg.h>
 #include <Shapes/Point.h>

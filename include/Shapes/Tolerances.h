@@ -55,6 +55,11 @@ inline constexpr float g_fBoxPadding = 16.0f * 1.1920929e-7f;
 /// instructions than with 0, 100 balls among 64 shapes 1% fewer; 1 gains nothing more.
 inline constexpr float g_fCandidateSlack = 0.25f;
 
+/// A ball that moves by more than this share of its radius in a substep is fast: Continuous is called for.
+/// What moves by less than its whole radius does not get through a wall in one substep; half of it leaves
+/// room for what an impact adds in the middle of one.
+inline constexpr float g_fFastMove = 0.5f;
+
 /// How far the way of a ball that is followed in the frame of a turning sensor may be off, in its radii: a
 /// ball that touches by less than that may be missed, one that misses by less may be seen.
 inline constexpr float g_fTurnedWayError = 0.01f;

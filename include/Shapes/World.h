@@ -6,22 +6,27 @@
 #include <Shapes/Backend.h>
 #include <Shapes/Circle.h>
 #include <Shapes/DynamicCircle.h>
+#include <Shapes/Effects.h>
 #include <Shapes/LineSeg.h>
 #include <Shapes/Point.h>
 #include <Shapes/Tolerances.h>
 
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
 namespace Shapes {
 
+class CFastMoves;
 class CSensors;
 class CWorldState;
+struct CContent;
 
 /// How Box2D is used; the native engine reads none of it. docs/box2d_differences.md has the figures.
 enum class eProfile {
@@ -36,6 +41,7 @@ public:
   Vector2 m_vGravity = Vector2::Zero(); ///< User units per second squared.
   float m_fTimeStep = 1.0f / 60.0f;     ///< Seconds per Step, above 0.
   unsigned m_nSubsteps = 1;             ///< Equal parts into which a Step is cut, 1 .. g_nMaxSubsteps.
+  CEffectChoice m_cEffects;             ///< No effect may be both forced and forbidden.
 
   // Read by Box2D only, whose tolerances are in metres.
   eProfile m_eProfile = eProfile::Shipped;
@@ -81,10 +87,21 @@ struct CSensorEvent {
 struct CWorldStats {
   std::uint64_t m_nSteps = 0;
   std::uint64_t m_nSubsteps = 0;
+  /// Substeps in which an effect ran, by eEffect.
+  std::array<std::uint64_t, static_cast<std::size_t>(eEffect::Size)> m_stdSubstepsWith{};
+  std::uint64_t GetSubstepsWith(eEffect e) const { return m_stdSubstepsWith[static_cast<std::size_t>(e)]; }
+  std::uint64_t m_nBallsAccelerated = 0; ///< Times that gravity was added to the velocity of a ball.
+  std::uint64_t m_nShapesTurned = 0;     ///< Times that a shape was turned by its rotation speed.
   std::uint64_t m_nShapeTests = 0; ///< Native: pair kernels called for a ball and a shape that is not a ball.
   std::uint64_t m_nBallTests = 0;  ///< Native: pair kernels called for two balls.
-  std::uint64_t m_nContacts = 0;   ///< Contacts that were responded to.
-  std::uint64_t m_nSensorHits = 0; ///< Contacts of sensors.
+  std::uint64_t m_nSweeps = 0;     ///< Native: times of impact looked for, of a ball with a shape or a ball.
+  std::uint64_t m_nBallsSwept = 0; ///< Native: balls that had something on their way, once for each substep.
+  std::uint64_t m_nBallsHalted =
+      0; ///< Native: balls that had more than g_nMaxImpacts in a substep, and stayed where they were then.
+  std::uint64_t m_nSensorTests = 0;  ///< Ways of balls that were looked at for a sensor.
+  std::uint64_t m_nContacts = 0;     ///< Contacts that were responded to.
+  std::uint64_t m_nSensorHits = 0;   ///< Contacts of sensors.
+  std::uint64_t m_nReported = 0;     ///< Contacts of both kinds that GetContacts told.
   std::uint64_t m_nSpeedsCapped = 0; ///< Responses after which a ball had to be cut to g_fMaxSpeed.
   std::uint64_t m_nMovesClamped =
       0; ///< Box2D: ball steps longer than its 2 metres; Box2D slows such a ball down.
@@ -158,6 +175,12 @@ public:
   std::span<const CSensorEvent> GetSensorEvents() const { return m_stdSensorEvents; }
   const CWorldStats& GetStats() const;
 
+  /// What the next substep will simulate, from what is in the world now.
+  CEffects GetEffects() const;
+  /// The same in words: a line for each effect with its name, whether it runs, and why. "Kinematics: runs; 2
+  /// shapes rotate".
+  std::string ExplainEffects() const;
+
   // Of any shape.
   eShape GetShapeType(CShapeId id) const;
   eMotion GetMotionType(CShapeId id) const;
@@ -204,10 +227,26 @@ public:
   void LoadState(const CSavedState& state);
 
 protected:
-  CWorld(const CWorldDesc& desc, const CWorldLimits& limits);
+  /// @param needs  effects that the engine runs wherever they are not forbidden
+  CWorld(const CWorldDesc& desc, const CWorldLimits& limits, CEffects needs = {});
 
   CWorldState& State() { return *m_pState; }
   const CWorldState& State() const { return *m_pState; }
+  /// Whether Continuous is to be decided in each substep, by MovesFast.
+  bool IsContinuousOpen() const { return m_bIsContinuousOpen; }
+  /// Changes whenever what runs, or anything else that an engine's plan of a substep may depend on, might
+  /// have: whatever is not a velocity.
+  std::uint64_t GetContentVersion() const { return m_nContentVersion; }
+  /// @param kick  what is still to be added to the velocities in the substep that begins
+  bool MovesFast(const Vector2& kick = Vector2::Zero()) const;
+  /// Continuous runs in this substep; to be called where it was decided.
+  void CountContinuous() { ++m_nContinuous; }
+  /// What Sensors, GetContacts and the like have to be told of is different from what it was.
+  void ContentChanged() { m_bContentChanged = true; }
+
+  /// Whether it runs in this substep; of Continuous only if it runs in any case.
+  bool Runs(eEffect e) const;
+  /// For GetContacts, if Events runs; whoever responds to a contact counts it, too.
   void Report(const CContactEvent& event);
   /// For Substep of an engine that answers contacts on the way: ball (its index) was at p when the share t of
   /// the substep was over, 0 .. 1, told in the order of time. Sensors see a way that is straight in between.
@@ -239,12 +278,26 @@ private:
   const CWorldState& Look() const;
   CShape& FindShape(CShapeId id) const;
   CShape& FindKinematic(CShapeId id, const char* what) const;
+  CEffects FindRunning() const;
+  Vector2 GetKick() const;
+  void CountEffects();
+  void Sense(float dt);
+  void PlanSubsteps();
   CShapeId AddShape(std::unique_ptr<CShape> pShape);
   void RequireExtent(const CAabb2D& box) const;
   void RequireHeld(const CWorldState& state) const;
 
   CWorldDesc m_cDesc;
   CWorldLimits m_cLimits;
+  CEffects m_cNeeds;
+  CEffects m_cRunning;
+  bool m_bIsContinuousOpen = false;
+  bool m_bContentChanged = true;
+  std::uint64_t m_nContentVersion = 0;
+  std::uint64_t m_nCounted = 0;    // substeps whose effects are in the statistics
+  std::uint64_t m_nContinuous = 0; // substeps since the last plan in which Continuous was decided
+  std::unique_ptr<CContent> m_pContent;
+  std::unique_ptr<CFastMoves> m_pFastMoves;
   std::unique_ptr<CWorldState> m_pState;
   std::unique_ptr<CSensors> m_pSensors;
   std::vector<CContactEvent> m_stdContacts;

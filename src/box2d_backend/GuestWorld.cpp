@@ -85,8 +85,10 @@ void CGuestWorld::PostStep() {
   for (const CStepper::CBend& bend : m_pStepper->GetBends())
     Bend(bend.m_nBall, bend.m_vPos, bend.m_fPart);
   m_pStepper->EndSubstep(m_fStep);
-  for (const CContactEvent& event : m_pStepper->TakeContacts())
-    Report(event);
+  for (const CContactEvent& event : m_pStepper->TakeContacts()) {
+    if (Runs(eEffect::Events)) Report(event);
+    ++Stats().m_nContacts;
+  }
   EndSubstep(std::exchange(m_fStep, 0.0f));
   EndStep();
 }

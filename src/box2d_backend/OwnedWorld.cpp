@@ -35,8 +35,10 @@ void COwnedWorld::Substep(float dt) {
     left -= h;
   }
   m_pStepper->EndSubstep(dt);
-  for (const CContactEvent& event : m_pStepper->TakeContacts())
-    Report(event);
+  for (const CContactEvent& event : m_pStepper->TakeContacts()) {
+    if (Runs(eEffect::Events)) Report(event);
+    ++Stats().m_nContacts;
+  }
 }
 
 } // namespace Shapes::Box2D

@@ -27,62 +27,91 @@ void CNativeWorld::OnRemoved(CShapeId) { m_bShapesChanged = true; }
 void CNativeWorld::OnChanged(CShapeId id, eChange what) {
   // Balls are looked at where they are in each step; only shapes have boxes that are kept, unless they are
   // sensors.
-  if ((what == eChange::Pose || what == eChange::Sensor) && State().FindShape(id) != CWorldState::npos)
-    m_bShapesChanged = true;
+  const std::size_t k = State().FindShape(id);
+  if (k == CWorldState::npos || what == eChange::Properties) return;
+  const CShapeEntry& entry = State().m_stdShapes[k];
+  const bool turned = std::find(m_stdTurning.begin(), m_stdTurning.end(), &entry) != m_stdTurning.end();
+  if (what != eChange::Motion || turned != entry.m_pShape->GetRotating()) m_bShapesChanged = true;
 }
 
 void CNativeWorld::Substep(float dt) {
+  if (m_nPlanned != GetContentVersion()) PlanStages();
+  for (const CStage stage : m_stdFirst)
+    (this->*stage)(dt);
+  bool swept = Runs(eEffect::Continuous);
+  if (IsContinuousOpen() && MovesFast()) {
+    swept = true;
+    CountContinuous();
+  }
+  for (const CStage stage : swept ? m_stdContinuous : m_stdApproximate)
+    (this->*stage)(dt);
+}
+
+void CNativeWorld::PlanStages() {
+  m_nPlanned = GetContentVersion();
   if (m_bShapesChanged) SortShapes();
-  AdvanceKinematics(dt);
-  MoveBalls(dt);
-  MeetShapes();
-  MeetBalls();
+  const bool reports = Runs(eEffect::Events);
+  m_stdFirst.clear();
+  if (Runs(eEffect::Gravity)) m_stdFirst.push_back(&CNativeWorld::Accelerate);
+
+  m_stdApproximate.clear();
+  if (Runs(eEffect::Kinematics)) m_stdApproximate.push_back(&CNativeWorld::TurnShapes);
+  m_stdApproximate.push_back(&CNativeWorld::MoveBalls);
+  if (!m_stdByRank.empty())
+    m_stdApproximate.push_back(reports ? &CNativeWorld::MeetShapes<true> : &CNativeWorld::MeetShapes<false>);
+  if (Runs(eEffect::BallPairs))
+    m_stdApproximate.push_back(reports ? &CNativeWorld::MeetBalls<true> : &CNativeWorld::MeetBalls<false>);
+  m_stdContinuous = m_stdApproximate;
 }
 
 void CNativeWorld::SortShapes() {
   m_stdByRank.clear();
-  m_stdSensors.clear();
+  m_stdTurning.clear();
   const auto& shapes = State().m_stdShapes;
+  for (const CShapeEntry& entry : shapes)
+    if (entry.m_pShape->GetRotating()) m_stdTurning.push_back(&entry);
   for (const bool points : {true, false})
     for (const CShapeEntry& entry : shapes)
-      if ((entry.m_pShape->GetShapeType() == eShape::Point) == points)
-        (entry.m_pShape->GetSensor() ? m_stdSensors : m_stdByRank).push_back(&entry);
+      if ((entry.m_pShape->GetShapeType() == eShape::Point) == points && !entry.m_pShape->GetSensor())
+        m_stdByRank.push_back(&entry);
 
-  for (CGroup* pGroup : {&m_cStatic, &m_cKinematic}) {
+  for (CGroup* pGroup : {&m_cResting, &m_cTurning}) {
     pGroup->m_stdRank.clear();
     pGroup->m_stdBoxes.clear();
   }
   for (std::uint32_t rank = 0; rank < m_stdByRank.size(); ++rank) {
     const CShape& shape = *m_stdByRank[rank]->m_pShape;
-    CGroup& group = shape.GetMotionType() == eMotion::Kinematic ? m_cKinematic : m_cStatic;
+    CGroup& group = shape.GetRotating() ? m_cTurning : m_cResting;
     group.m_stdRank.push_back(rank);
     group.m_stdBoxes.push_back(BoxOf(shape));
   }
-  m_cStatic.m_cTree.Build(m_cStatic.m_stdBoxes);
-  m_cKinematic.m_cTree.Build(m_cKinematic.m_stdBoxes);
+  m_cResting.m_cTree.Build(m_cResting.m_stdBoxes);
+  m_cTurning.m_cTree.Build(m_cTurning.m_stdBoxes);
   m_bShapesChanged = false;
 }
 
-void CNativeWorld::AdvanceKinematics(float dt) {
-  bool turned = false;
-  for (std::size_t i = 0; i < m_cKinematic.m_stdRank.size(); ++i) {
-    CShape& shape = *m_stdByRank[m_cKinematic.m_stdRank[i]]->m_pShape;
-    if (!shape.GetRotating()) continue;
-    shape.Advance(dt);
-    m_cKinematic.m_stdBoxes[i] = BoxOf(shape);
-    turned = true;
-  }
-  if (turned) m_cKinematic.m_cTree.Refit(m_cKinematic.m_stdBoxes);
-  for (const CShapeEntry* pSensor : m_stdSensors)
-    if (pSensor->m_pShape->GetRotating()) pSensor->m_pShape->Advance(dt);
+void CNativeWorld::Accelerate(float dt) {
+  CBallArrays& b = State().m_cBalls;
+  const Vector2 g = State().m_vGravity;
+  for (Vector2& v : b.m_stdVel)
+    Shapes::Accelerate(v, g, dt);
+  Stats().m_nBallsAccelerated += b.Size();
+}
+
+void CNativeWorld::TurnShapes(float dt) {
+  for (const CShapeEntry* pEntry : m_stdTurning)
+    pEntry->m_pShape->Advance(dt);
+  Stats().m_nShapesTurned += m_stdTurning.size();
+  for (std::size_t i = 0; i < m_cTurning.m_stdRank.size(); ++i)
+    m_cTurning.m_stdBoxes[i] = BoxOf(*m_stdByRank[m_cTurning.m_stdRank[i]]->m_pShape);
+  m_cTurning.m_cTree.Refit(m_cTurning.m_stdBoxes);
 }
 
 void CNativeWorld::MoveBalls(float dt) {
   CBallArrays& b = State().m_cBalls;
   b.m_stdPrevPos = b.m_stdPos;
-  const Vector2 g = State().m_vGravity;
   for (std::size_t i = 0; i < b.Size(); ++i)
-    MoveBall(b.m_stdPos[i], b.m_stdVel[i], g, dt);
+    Move(b.m_stdPos[i], b.m_stdVel[i], dt);
 }
 
 CBall CNativeWorld::Ball(std::size_t i) const {
@@ -98,7 +127,7 @@ bool CNativeWorld::Meets(std::size_t i) const {
 void CNativeWorld::CollectShapes(const CBall& ball, std::uint32_t firstRank) {
   m_stdCandidates.clear();
   const CAabb2D box = Padded(CAabb2D(ball.m_vPos, ball.m_vPos), ball.m_fRadius * (1.0f + g_fCandidateSlack));
-  for (const CGroup* pGroup : {&m_cStatic, &m_cKinematic}) {
+  for (const CGroup* pGroup : {&m_cResting, &m_cTurning}) {
     m_stdFound.clear();
     pGroup->m_cTree.Query(box, m_stdFound);
     for (const std::uint32_t item : m_stdFound)
@@ -107,20 +136,22 @@ void CNativeWorld::CollectShapes(const CBall& ball, std::uint32_t firstRank) {
   std::sort(m_stdCandidates.begin(), m_stdCandidates.end());
 }
 
-void CNativeWorld::MeetShapes() {
+template <bool TReports>
+void CNativeWorld::MeetShapes(float) {
   const CBallArrays& b = State().m_cBalls;
   for (std::size_t i = 0; i < b.Size(); ++i)
-    if (Meets(i)) MeetShapes(i);
+    if (Meets(i)) MeetShapesOf<TReports>(i);
 }
 
-void CNativeWorld::MeetShapes(std::size_t ball) {
+template <bool TReports>
+void CNativeWorld::MeetShapesOf(std::size_t ball) {
   const CBallArrays& b = State().m_cBalls;
   const float slack = g_fCandidateSlack * b.m_stdRadius[ball];
   Vector2 collectedAt = b.m_stdPos[ball];
   CollectShapes(Ball(ball), 0);
   for (std::size_t k = 0; k < m_stdCandidates.size(); ++k) {
     const std::uint32_t rank = m_stdCandidates[k];
-    MeetShape(ball, *m_stdByRank[rank]);
+    MeetShape<TReports>(ball, *m_stdByRank[rank]);
     if ((b.m_stdPos[ball] - collectedAt).cwiseAbs().maxCoeff() <= slack) continue;
     // A response has moved the ball out of the reach of what was collected: the rest again, from where it is
     // now.
@@ -130,6 +161,7 @@ void CNativeWorld::MeetShapes(std::size_t ball) {
   }
 }
 
+template <bool TReports>
 void CNativeWorld::MeetShape(std::size_t i, const CShapeEntry& entry) {
   const CShape& shape = *entry.m_pShape;
   if (!shape.GetCanCollide()) return;
@@ -139,13 +171,12 @@ void CNativeWorld::MeetShape(std::size_t i, const CShapeEntry& entry) {
 
   CBallArrays& b = State().m_cBalls;
   const Vector2 surface = shape.GetSurfaceVelocity(hit.m_vPOI);
-  Report({entry.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
-          ApproachSpeed(b.m_stdVel[i], surface, hit.m_vNorm)});
+  if constexpr (TReports)
+    Report({entry.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
+            ApproachSpeed(b.m_stdVel[i], surface, hit.m_vNorm)});
+  ++Stats().m_nContacts;
   const float e = b.m_stdElasticity[i] * shape.GetElasticity();
-  if (shape.GetMotionType() == eMotion::Kinematic)
-    RespondKinematic(hit.m_vNorm, hit.m_fSetback, e, surface, b.m_stdPos[i], b.m_stdVel[i]);
-  else
-    RespondStatic(hit.m_vNorm, hit.m_fSetback, e, b.m_stdPos[i], b.m_stdVel[i]);
+  RespondKinematic(hit.m_vNorm, hit.m_fSetback, e, surface, b.m_stdPos[i], b.m_stdVel[i]);
   Count(CapSpeed(b.m_stdVel[i]));
 }
 
@@ -163,16 +194,16 @@ void CNativeWorld::CollectBalls(std::size_t i, std::uint32_t first) {
   m_stdCandidates.erase(std::unique(m_stdCandidates.begin(), m_stdCandidates.end()), m_stdCandidates.end());
 }
 
-void CNativeWorld::MeetBalls() {
+template <bool TReports>
+void CNativeWorld::MeetBalls(float) {
   const CBallArrays& b = State().m_cBalls;
-  if (b.Size() < 2) return;
   m_cGrid.Build(b.m_stdPos, b.m_stdRadius);
   for (std::uint32_t i = 0; i + 1 < b.Size(); ++i) {
     if (!Meets(i)) continue;
     CollectBalls(i, i + 1);
     for (std::size_t k = 0; k < m_stdCandidates.size(); ++k) {
       const std::uint32_t j = m_stdCandidates[k];
-      if (!MeetBall(i, j)) continue;
+      if (!MeetBall<TReports>(i, j)) continue;
       m_cGrid.Move(i, b.m_stdPos[i]);
       m_cGrid.Move(j, b.m_stdPos[j]);
       CollectBalls(i, j + 1);
@@ -181,14 +212,17 @@ void CNativeWorld::MeetBalls() {
   }
 }
 
+template <bool TReports>
 bool CNativeWorld::MeetBall(std::size_t i, std::size_t j) {
   ++Stats().m_nBallTests;
   CHit hit;
   FailIf(!DetectBallBall(Ball(j), Ball(i), hit));
 
   CBallArrays& b = State().m_cBalls;
-  Report({b.m_stdId[j], b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
-          ApproachSpeed(b.m_stdVel[i], b.m_stdVel[j], hit.m_vNorm)});
+  if constexpr (TReports)
+    Report({b.m_stdId[j], b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
+            ApproachSpeed(b.m_stdVel[i], b.m_stdVel[j], hit.m_vNorm)});
+  ++Stats().m_nContacts;
   RespondDynamic(hit.m_vNorm, hit.m_fSetback, b.m_stdElasticity[i] * b.m_stdElasticity[j], b.m_stdMass[j],
                  b.m_stdMass[i], b.m_stdPos[j], b.m_stdVel[j], b.m_stdPos[i], b.m_stdVel[i]);
   Count(CapSpeed(b.m_stdVel[j]));

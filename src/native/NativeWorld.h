@@ -16,10 +16,11 @@ struct CShapeEntry;
 
 namespace Shapes::Native {
 
-/// A world on the native engine. Each substep gives the same bits as the plain loop: kinematic shapes advance
-/// by id; balls move by id; each ball by id is tested against every point by id, then every other shape by
-/// id, at its present position, and answers at once; then every pair of balls i < j answers once. Sensors are
-/// left out. Boxes only spare tests that must fail.
+/// A world on the native engine. A substep is a list of stages, those that are called for. Without Continuous
+/// it gives the same bits as the plain loop: kinematic shapes advance by id; balls move by id; each ball by
+/// id is tested against every point by id, then every other shape by id, at its present position, and answers
+/// at once; then every pair of balls i < j answers once. Sensors are left out. Boxes only spare tests that
+/// must fail.
 class CNativeWorld final : public CWorld {
 public:
   explicit CNativeWorld(const CWorldDesc& desc);
@@ -32,20 +33,33 @@ private:
   void OnSaved() override {}
   void OnLoaded() override { m_bShapesChanged = true; }
 
-  /// Shapes of one motion, with the tree over their boxes. Items of the tree index m_stdRank.
+  using CStage = void (CNativeWorld::*)(float dt);
+
+  /// Shapes that turn, or shapes that do not, with the tree over their boxes. Items of the tree index
+  /// m_stdRank.
   struct CGroup {
     std::vector<std::uint32_t> m_stdRank;
     std::vector<CAabb2D> m_stdBoxes;
     CBoxTree m_cTree;
   };
 
+  void PlanStages();
   void SortShapes();
-  void AdvanceKinematics(float dt);
+
+  // Stages.
+  void Accelerate(float dt);
+  void TurnShapes(float dt);
   void MoveBalls(float dt);
-  void MeetShapes();
-  void MeetShapes(std::size_t ball);
+  template <bool TReports>
+  void MeetShapes(float dt);
+  template <bool TReports>
+  void MeetBalls(float dt);
+
+  template <bool TReports>
+  void MeetShapesOf(std::size_t ball);
+  template <bool TReports>
   void MeetShape(std::size_t ball, const CShapeEntry& entry);
-  void MeetBalls();
+  template <bool TReports>
   bool MeetBall(std::size_t i, std::size_t j);
 
   CBall Ball(std::size_t i) const;
@@ -55,10 +69,15 @@ private:
   void CollectBalls(std::size_t i, std::uint32_t first);
   void Count(bool capped) { Stats().m_nSpeedsCapped += capped; }
 
+  std::uint64_t m_nPlanned = 0;         // version of the content
+  std::vector<CStage> m_stdFirst;       // before it is known whether anything is fast
+  std::vector<CStage> m_stdApproximate; // then these,
+  std::vector<CStage> m_stdContinuous;  // or these
+
   bool m_bShapesChanged = true;
-  std::vector<const CShapeEntry*> m_stdByRank; // points by id, then the others by id; without sensors
-  std::vector<const CShapeEntry*> m_stdSensors;
-  CGroup m_cStatic, m_cKinematic;
+  std::vector<const CShapeEntry*> m_stdByRank;  // points by id, then the others by id; without sensors
+  std::vector<const CShapeEntry*> m_stdTurning; // sensors too
+  CGroup m_cResting, m_cTurning;
   CBallGrid m_cGrid;
   std::vector<std::uint32_t> m_stdFound, m_stdCandidates;
 };

@@ -34,7 +34,8 @@ void CDynamicCircle::Translate(const Vector2&) { m_vPrevPos = m_vPos; }
 
 void CDynamicCircle::move() {
   m_vPrevPos = m_vPos;
-  MoveBall(m_vPos, m_vVel, Vector2(0.0f, m_fGravity), m_fTimeStep);
+  Accelerate(m_vVel, Vector2(0.0f, m_fGravity), m_fTimeStep);
+  Move(m_vPos, m_vVel, m_fTimeStep);
   PoseChanged();
 }
 

@@ -10,11 +10,9 @@
 
 namespace Shapes {
 
-/// One step of a free ball: semi-implicit Euler.
-inline void MoveBall(Vector2& p, Vector2& v, const Vector2& gravity, float dt) {
-  v += gravity * dt;
-  p += v * dt;
-}
+/// One step of a free ball, semi-implicit Euler: first its velocity, then its place.
+inline void Accelerate(Vector2& v, const Vector2& gravity, float dt) { v += gravity * dt; }
+inline void Move(Vector2& p, const Vector2& v, float dt) { p += v * dt; }
 
 /// max(0, -(v - surface) . n)
 inline float ApproachSpeed(const Vector2& v, const Vector2& surface, const Vector2& n) {

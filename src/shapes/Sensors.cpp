@@ -121,6 +121,7 @@ void CSensors::TakeShapes(const CWorldState& state) {
 
 void CSensors::MeetShape(const CBallArrays& b, std::size_t i, const CSensed& sensed, double dt) {
   if (!m_stdBoxes[i].intersects(sensed.m_cBox)) return;
+  ++m_nTests;
   const CWay way = GetWay(i);
   const bool turns = sensed.m_fTurn != 0.0;
   if (turns) MakeTurnedWay(way, sensed.m_vRotCenter, sensed.m_fTurn, b.m_stdRadius[i], m_stdOtherWay);
@@ -139,6 +140,7 @@ void CSensors::MeetShape(const CBallArrays& b, std::size_t i, const CSensed& sen
 
 void CSensors::MeetBall(const CBallArrays& b, std::size_t i, std::size_t j, double dt) {
   if (!m_stdBoxes[i].intersects(m_stdBoxes[j])) return;
+  ++m_nTests;
   MakeRelativeWay(GetWay(i), GetWay(j), m_stdOtherWay);
   auto touch = CZone(Vector2d::Zero(), b.m_stdRadius[j]).Touch(m_stdOtherWay, b.m_stdRadius[i]);
   if (!touch) return;

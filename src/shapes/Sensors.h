@@ -34,6 +34,9 @@ public:
   /// @return the contacts, by ball and then by shape; valid until the next call
   std::span<const CContactEvent> Sense(CWorldState& state, float dt, std::vector<CSensorEvent>& events);
 
+  /// How many ways of balls were looked at since it was made.
+  std::uint64_t GetTests() const { return m_nTests; }
+
 private:
   struct CBend {
     std::size_t m_nBall;
@@ -63,6 +66,7 @@ private:
 
   bool m_bForgotten = true;
   bool m_bAny = false;
+  std::uint64_t m_nTests = 0;
   std::vector<std::uint32_t> m_stdShapes; // sensors; then the others, if a ball is a sensor
   std::vector<std::uint32_t> m_stdBalls;  // sensors
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/World.h>
 
+#include "Effects.h"
 #include "Sensors.h"
 #include "Validate.h"
 #include "WorldState.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace Shapes {
 namespace {
@@ -42,11 +44,17 @@ std::unique_ptr<CShape> MakeShape(const CDynamicCircleDesc&) {
   Refuse("m_eMotionType", "Dynamic", "Static or Kinematic: a compound has no balls");
 }
 
+// Seconds of one substep.
+float GetSubstep(const CWorldDesc& desc) { return desc.m_fTimeStep / static_cast<float>(desc.m_nSubsteps); }
+
 } // namespace
 
-CWorld::CWorld(const CWorldDesc& desc, const CWorldLimits& limits)
+CWorld::CWorld(const CWorldDesc& desc, const CWorldLimits& limits, CEffects needs)
     : m_cDesc(desc),
       m_cLimits(limits),
+      m_cNeeds(needs),
+      m_pContent(std::make_unique<CContent>()),
+      m_pFastMoves(std::make_unique<CFastMoves>()),
       m_pState(std::make_unique<CWorldState>()),
       m_pSensors(std::make_unique<CSensors>()) {
   RequireRange("m_fLengthUnit", desc.m_fLengthUnit, g_fMinLengthUnit,
@@ -54,11 +62,15 @@ CWorld::CWorld(const CWorldDesc& desc, const CWorldLimits& limits)
   RequireVector("m_vGravity", desc.m_vGravity, limits.m_fMaxSpeed);
   RequirePositive("m_fTimeStep", desc.m_fTimeStep, g_fMaxTimeStep);
   RequireCount("m_nSubsteps", desc.m_nSubsteps, g_nMaxSubsteps);
-  RequireRange("m_fTimeStep / m_nSubsteps", desc.m_fTimeStep / static_cast<float>(desc.m_nSubsteps),
-               g_fMinTimeStep, g_fMaxTimeStep);
+  RequireRange("m_fTimeStep / m_nSubsteps", GetSubstep(desc), g_fMinTimeStep, g_fMaxTimeStep);
   RequirePositive("m_fSagittaTolerance", desc.m_fSagittaTolerance, g_fMaxLength);
   RequireCount("m_nVelocityIterations", desc.m_nVelocityIterations, 1000);
   RequireCount("m_nPositionIterations", desc.m_nPositionIterations, 1000);
+  for (int i = 0; i < static_cast<int>(eEffect::Size); ++i) {
+    const auto e = static_cast<eEffect>(i);
+    if (desc.m_cEffects.m_cForced.Has(e) && desc.m_cEffects.m_cForbidden.Has(e))
+      Refuse("m_cEffects", std::string(GetName(e)) + " both forced and forbidden", "at most one of both");
+  }
   m_pState->m_vGravity = desc.m_vGravity;
   m_pState->m_cLimits = limits;
 }
@@ -73,13 +85,65 @@ const CWorldState& CWorld::Look() const {
 
 const CWorldStats& CWorld::GetStats() const {
   Look();
+  const_cast<CWorld*>(this)->CountEffects();
   return m_cStats;
+}
+
+void CWorld::CountEffects() {
+  const std::uint64_t substeps = m_cStats.m_nSubsteps - std::exchange(m_nCounted, m_cStats.m_nSubsteps);
+  for (std::size_t i = 0; i < m_cStats.m_stdSubstepsWith.size(); ++i)
+    if (m_cRunning.Has(static_cast<eEffect>(i))) m_cStats.m_stdSubstepsWith[i] += substeps;
+  m_cStats.m_stdSubstepsWith[static_cast<std::size_t>(eEffect::Continuous)] +=
+      std::exchange(m_nContinuous, 0);
+}
+
+CEffects CWorld::FindRunning() const {
+  const CEffectChoice& choice = m_cDesc.m_cEffects;
+  return ((GetCalledFor(*m_pContent, *m_pState) | choice.m_cForced | m_cNeeds) - choice.m_cForbidden) &
+         g_cBuilt;
+}
+
+void CWorld::PlanSubsteps() {
+  m_bContentChanged = false;
+  CountEffects();
+  *m_pContent = CountContent(*m_pState);
+  m_cRunning = FindRunning();
+  const eEffect e = eEffect::Continuous;
+  m_bIsContinuousOpen =
+      IsBuilt(e) && !m_cRunning.Has(e) && !m_cDesc.m_cEffects.m_cForbidden.Has(e) && m_pContent->CanMeet();
+  if (m_bIsContinuousOpen) m_pFastMoves->Set(*m_pState, GetSubstep(m_cDesc));
+  ++m_nContentVersion;
+}
+
+bool CWorld::MovesFast(const Vector2& kick) const {
+  return m_pFastMoves->IsAny(m_pState->m_cBalls.m_stdVel, kick);
+}
+
+CEffects CWorld::GetEffects() const {
+  Look();
+  // What is worked out now would be in the next step.
+  if (m_bContentChanged) const_cast<CWorld*>(this)->PlanSubsteps();
+  CEffects running = m_cRunning;
+  if (m_bIsContinuousOpen && MovesFast(GetKick())) running.Set(eEffect::Continuous);
+  return running;
+}
+
+std::string CWorld::ExplainEffects() const {
+  const CEffects running = GetEffects();
+  return Explain(running, m_cDesc.m_cEffects, m_cNeeds, *m_pContent, *m_pState,
+                 FindLongestMoves(*m_pState, GetKick(), GetSubstep(m_cDesc)));
+}
+
+Vector2 CWorld::GetKick() const {
+  return m_cRunning.Has(eEffect::Gravity) ? Vector2(m_pState->m_vGravity * GetSubstep(m_cDesc))
+                                          : Vector2(Vector2::Zero());
 }
 
 void CWorld::SetGravity(const Vector2& g) {
   OnAccess(eAccess::SetGravity);
   RequireVector("m_vGravity", g, m_cLimits.m_fMaxSpeed);
   m_pState->m_vGravity = m_cDesc.m_vGravity = g;
+  ContentChanged();
 }
 
 void CWorld::RequireExtent(const CAabb2D& box) const {
@@ -112,9 +176,11 @@ CShapeId CWorld::AddShape(std::unique_ptr<CShape> pShape) {
   OnAccess(eAccess::Change);
   RequireExtent(pShape->GetAABB());
   RequireVector("m_vRotCenter", pShape->GetRotCenter(), m_cLimits.m_fMaxLength);
+  pShape->SetHeld(m_cDesc.m_cEffects.m_cForbidden.Has(eEffect::Kinematics));
   const CShapeId id{m_pState->m_nNextId++};
   m_pState->m_stdShapes.emplace_back(id, std::move(pShape));
   m_pSensors->Forget();
+  ContentChanged();
   OnAdded(id);
   return id;
 }
@@ -133,6 +199,7 @@ CShapeId CWorld::Add(const CDynamicCircleDesc& desc) {
   const CShapeId id{m_pState->m_nNextId++};
   m_pState->m_cBalls.Add(id, desc);
   m_pSensors->Forget();
+  ContentChanged();
   OnAdded(id);
   return id;
 }
@@ -171,6 +238,7 @@ bool CWorld::Forget(CShapeId id) {
   else
     return false;
   m_pSensors->Forget();
+  ContentChanged();
   return true;
 }
 
@@ -186,17 +254,29 @@ bool CWorld::Contains(CShapeId id) const {
 }
 
 void CWorld::BeginStep() {
+  if (m_bContentChanged) PlanSubsteps();
   m_stdContacts.clear();
   m_stdSensorEvents.clear();
-  m_pSensors->Begin(*m_pState, m_stdSensorEvents);
+  if (Runs(eEffect::Sensors)) m_pSensors->Begin(*m_pState, m_stdSensorEvents);
 }
 
 void CWorld::EndSubstep(float dt) {
   ++m_cStats.m_nSubsteps;
+  if (Runs(eEffect::Sensors)) Sense(dt);
+}
+
+void CWorld::Sense(float dt) {
   // Asked again: somebody else may have taken shapes out in the middle of the step.
-  if (!m_pSensors->Begin(*m_pState, m_stdSensorEvents)) return;
-  for (const CContactEvent& event : m_pSensors->Sense(*m_pState, dt, m_stdSensorEvents))
-    Report(event);
+  const bool any = m_pSensors->Begin(*m_pState, m_stdSensorEvents);
+  // Ends of pairs were all that was left to tell.
+  if (!any && !m_cDesc.m_cEffects.m_cForced.Has(eEffect::Sensors)) ContentChanged();
+  if (!any) return;
+  const bool reports = Runs(eEffect::Events);
+  for (const CContactEvent& event : m_pSensors->Sense(*m_pState, dt, m_stdSensorEvents)) {
+    if (reports) Report(event);
+    ++m_cStats.m_nSensorHits;
+  }
+  m_cStats.m_nSensorTests = m_pSensors->GetTests();
 }
 
 void CWorld::EndStep() { ++m_cStats.m_nSteps; }
@@ -204,7 +284,7 @@ void CWorld::EndStep() { ++m_cStats.m_nSteps; }
 void CWorld::Step() {
   OnAccess(eAccess::Step);
   BeginStep();
-  const float dt = m_cDesc.m_fTimeStep / static_cast<float>(m_cDesc.m_nSubsteps);
+  const float dt = GetSubstep(m_cDesc);
   for (unsigned i = 0; i < m_cDesc.m_nSubsteps; ++i) {
     Substep(dt);
     EndSubstep(dt);
@@ -214,10 +294,14 @@ void CWorld::Step() {
 
 void CWorld::Report(const CContactEvent& event) {
   m_stdContacts.push_back(event);
-  ++(event.m_bIsSensor ? m_cStats.m_nSensorHits : m_cStats.m_nContacts);
+  ++m_cStats.m_nReported;
 }
 
-void CWorld::Bend(std::size_t ball, const Vector2& p, float t) { m_pSensors->Bend(ball, p, t); }
+bool CWorld::Runs(eEffect e) const { return IsBuilt(e) && m_cRunning.Has(e); }
+
+void CWorld::Bend(std::size_t ball, const Vector2& p, float t) {
+  if (Runs(eEffect::Sensors)) m_pSensors->Bend(ball, p, t);
+}
 
 CShape& CWorld::FindShape(CShapeId id) const {
   const std::size_t i = Look().FindShape(id);
@@ -252,6 +336,7 @@ void CWorld::SetPos(CShapeId id, const Vector2& p) {
     m_pState->m_cBalls.m_stdPos[i] = m_pState->m_cBalls.m_stdPrevPos[i] = p;
   else
     FindShape(id).SetPos(p);
+  ContentChanged();
   OnChanged(id, eChange::Pose);
 }
 
@@ -267,6 +352,7 @@ void CWorld::SetElasticity(CShapeId id, float e) {
     m_pState->m_cBalls.m_stdElasticity[i] = e;
   else
     FindShape(id).SetElasticity(e);
+  ContentChanged();
   OnChanged(id, eChange::Properties);
 }
 
@@ -282,6 +368,7 @@ void CWorld::SetSensor(CShapeId id, bool b) {
   else
     FindShape(id).SetSensor(b);
   m_pSensors->Forget();
+  ContentChanged();
   OnChanged(id, eChange::Sensor);
 }
 
@@ -296,6 +383,7 @@ void CWorld::SetCanCollide(CShapeId id, bool b) {
     m_pState->m_cBalls.m_stdCanCollide[i] = b;
   else
     FindShape(id).SetCanCollide(b);
+  ContentChanged();
   OnChanged(id, eChange::Properties);
 }
 
@@ -321,12 +409,14 @@ const Vector2& CWorld::GetRotCenter(CShapeId id) const { return FindShape(id).Ge
 void CWorld::SetOrientation(CShapeId id, float angle) {
   OnAccess(eAccess::Change);
   FindKinematic(id, "a kinematic shape, to be turned").SetOrientation(angle);
+  ContentChanged();
   OnChanged(id, eChange::Pose);
 }
 
 void CWorld::SetRotSpeed(CShapeId id, float revsPerSecond) {
   OnAccess(eAccess::Change);
   FindKinematic(id, "a kinematic shape, to be turned").SetRotSpeed(revsPerSecond);
+  ContentChanged();
   OnChanged(id, eChange::Motion);
 }
 
@@ -334,12 +424,14 @@ void CWorld::SetRotCenter(CShapeId id, const Vector2& center) {
   OnAccess(eAccess::Change);
   RequireVector("m_vRotCenter", center, m_cLimits.m_fMaxLength);
   FindKinematic(id, "a kinematic shape, to be turned").SetRotCenter(center);
+  ContentChanged();
   OnChanged(id, eChange::Pose);
 }
 
 void CWorld::Reset(CShapeId id) {
   OnAccess(eAccess::Change);
   FindKinematic(id, "a kinematic shape, to be put back").Reset();
+  ContentChanged();
   OnChanged(id, eChange::Pose);
 }
 
@@ -386,10 +478,13 @@ void CWorld::LoadState(const CSavedState& state) {
   m_pState = std::make_unique<CWorldState>(*state.m_pState);
   m_pState->m_nNextId = nextId;
   m_pState->m_cLimits = m_cLimits;
+  for (const CShapeEntry& entry : m_pState->m_stdShapes)
+    entry.m_pShape->SetHeld(m_cDesc.m_cEffects.m_cForbidden.Has(eEffect::Kinematics));
   m_cDesc.m_vGravity = m_pState->m_vGravity;
   m_stdContacts.clear();
   m_stdSensorEvents.clear();
   m_pSensors->Forget();
+  ContentChanged();
   OnLoaded();
 }
 

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Which effects a world calls for, and why.
+#pragma once
+
+#include <Shapes/Effects.h>
+
+#include "WorldState.h"
+
+#include <string>
+#include <vector>
+
+namespace Shapes {
+
+/// Effects that are compiled in. All, but for builds that measure what an effect costs where it does not run.
+#ifdef SHAPES_WITHOUT_EFFECTS
+inline constexpr CEffects g_cBuilt = CEffects::All() - CEffects{SHAPES_WITHOUT_EFFECTS};
+#else
+inline constexpr CEffects g_cBuilt = CEffects::All();
+#endif
+constexpr bool IsBuilt(eEffect e) { return g_cBuilt.Has(e); }
+
+/// What of a world calls for effects and changes only when it is told to.
+struct CContent {
+  std::size_t m_nBalls = 0;
+  std::size_t m_nSolidBalls = 0;
+  std::size_t m_nSolidShapes = 0;
+  std::size_t m_nRotating = 0;
+  std::size_t m_nSensors = 0; ///< Shapes and balls.
+  bool CanMeet() const { return m_nSolidBalls > 1 || (m_nSolidBalls > 0 && m_nSolidShapes > 0); }
+};
+CContent CountContent(const CWorldState& state);
+
+/// What is called for by it, the gravity, and what sensors have still to tell; all but Continuous, which
+/// follows from the speeds.
+CEffects GetCalledFor(const CContent& content, const CWorldState& state);
+
+/// Decides before a substep whether anything in it is fast: a solid ball that moves by more than g_fFastMove
+/// of its radius, or a rotating solid shape that does so of the smallest one's.
+class CFastMoves {
+public:
+  /// To be called when anything but velocities has changed.
+  /// @param dt  seconds of a substep
+  void Set(const CWorldState& state, float dt);
+  /// @param kick  what is still to be added to the velocities
+  bool IsAny(const std::vector<Vector2>& velocities, const Vector2& kick = Vector2::Zero()) const {
+    bool fast = m_bIsSurfaceFast;
+    for (std::size_t i = 0; i < m_stdLimits.size(); ++i) {
+      const Eigen::Vector2d v = (velocities[i] + kick).cast<double>();
+      fast |= v.x() * v.x() + v.y() * v.y() > m_stdLimits[i];
+    }
+    return fast;
+  }
+
+private:
+  std::vector<double> m_stdLimits; // square of the speed of each ball
+  bool m_bIsSurfaceFast = false;
+};
+
+/// The longest way, in user units, of a point of a rotating solid shape in dt seconds.
+double FindLongestSurfaceMove(const CWorldState& state, float dt);
+
+/// The longest moves in dt seconds: that of a ball in its radii, that of a surface in those of the smallest
+/// ball. What cannot meet anything does not count.
+struct CLongestMoves {
+  double m_fBall = 0.0;
+  double m_fSurface = 0.0;
+};
+CLongestMoves FindLongestMoves(const CWorldState& state, const Vector2& kick, float dt);
+
+/// How far the farthest point of a shape is from the centre about which it turns. Error a few roundings.
+double GetReach(const CShape& shape);
+
+/// A line for each effect: its name, whether it runs, and why.
+/// @param engineNeeds  run in this engine wherever they are not forbidden
+std::string Explain(CEffects running, const CEffectChoice& choice, CEffects engineNeeds,
+                    const CContent& content, const CWorldState& state, const CLongestMoves& moves);
+
+} // namespace Shapes
