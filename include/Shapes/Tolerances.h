@@ -60,12 +60,35 @@ inline constexpr float g_fCandidateSlack = 0.25f;
 /// room for what an impact adds in the middle of one.
 inline constexpr float g_fFastMove = 0.5f;
 
+/// Most impacts of a ball in a substep where Continuous runs: bounds time. A ball that has had as many stays
+/// where it is for the rest of the substep, and is counted: CWorldStats::m_nBallsHalted.
+inline constexpr unsigned g_nMaxImpacts = 256;
+
+/// An overlap, or an approach by the end of a substep, of up to this share of the coordinates and radii
+/// involved is rounding where Continuous runs, dimensionless: places are floats between the substeps, and
+/// what turns is rounded up to eight times. Balls are set back by it without a contact.
+inline constexpr float g_fTouchRounding = 0x1p-21f;
+
+/// Hops in a substep of a ball that slides along the inside of an arc or a turning shape where Continuous
+/// runs. It is off its way by (v dt / g_nHops)^2 / (8 R).
+inline constexpr unsigned g_nHops = 16;
+/// Steepest hop, in radians: bounces that are steeper are never taken for sliding.
+inline constexpr float g_fShallow = 0.01f;
+
 /// How far the way of a ball that is followed in the frame of a turning sensor may be off, in its radii: a
 /// ball that touches by less than that may be missed, one that misses by less may be seen.
 inline constexpr float g_fTurnedWayError = 0.01f;
 /// Most straight parts for that between two bends of a way: bounds time where a sensor turns hundreds of
 /// times in a substep. The way is coarser than the error then.
 inline constexpr int g_nMaxTurnParts = 1024;
+
+/// A gap of that many roundings (in double) of the coordinates is touching in a sweep, and approach speeds of
+/// as many roundings of the speeds are none, dimensionless. Larger than what some hundred impacts add up to;
+/// at 1 unit from the origin it is 1.4e-14 units.
+inline constexpr int g_nSweepRoundings = 64;
+/// Most steps of the search for an impact with one part of a turning shape. Ten in the mean; some dozen for
+/// each whole turn. Bounds time where a shape turns hundreds of times in a step.
+inline constexpr int g_nMaxMarchSteps = 4096;
 
 /// Largest turn, in radians, that is asked of b2TimeOfImpact at once.
 inline constexpr float g_fLargestTurn = 0.125f;

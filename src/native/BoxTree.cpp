@@ -27,20 +27,28 @@ CAabb2D Padded(const CAabb2D& box, float margin) {
 
 void CBoxTree::Build(std::span<const CAabb2D> boxes) {
   m_stdNodes.clear();
+  m_stdParents.clear();
+  m_stdLeaves.resize(boxes.size());
   if (boxes.empty()) return;
   std::vector<std::uint32_t> items(boxes.size());
   std::iota(items.begin(), items.end(), 0u);
   m_stdNodes.reserve(2 * boxes.size() - 1);
-  BuildNode(boxes, items);
+  m_stdParents.reserve(2 * boxes.size() - 1);
+  BuildNode(boxes, items, 0);
 }
 
-void CBoxTree::BuildNode(std::span<const CAabb2D> boxes, std::span<std::uint32_t> items) {
+void CBoxTree::BuildNode(std::span<const CAabb2D> boxes, std::span<std::uint32_t> items,
+                         std::uint32_t parent) {
   CAabb2D box = boxes[items[0]];
   for (const std::uint32_t i : items.subspan(1))
     box = Union(box, boxes[i]);
-  const std::size_t node = m_stdNodes.size();
+  const auto node = static_cast<std::uint32_t>(m_stdNodes.size());
   m_stdNodes.push_back({box, 0, items[0]});
-  if (items.size() == 1) return;
+  m_stdParents.push_back(parent);
+  if (items.size() == 1) {
+    m_stdLeaves[items[0]] = node;
+    return;
+  }
 
   const int axis = box.GetWidth() >= box.GetHt() ? 0 : 1;
   const auto centre = [&](std::uint32_t i) {
@@ -49,9 +57,9 @@ void CBoxTree::BuildNode(std::span<const CAabb2D> boxes, std::span<std::uint32_t
   const std::size_t half = items.size() / 2;
   std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return centre(a) < centre(b); });
-  BuildNode(boxes, items.first(half));
+  BuildNode(boxes, items.first(half), node);
   m_stdNodes[node].m_nRight = static_cast<std::uint32_t>(m_stdNodes.size());
-  BuildNode(boxes, items.subspan(half));
+  BuildNode(boxes, items.subspan(half), node);
 }
 
 void CBoxTree::Refit(std::span<const CAabb2D> boxes) {
@@ -59,6 +67,14 @@ void CBoxTree::Refit(std::span<const CAabb2D> boxes) {
     CNode& node = m_stdNodes[i];
     node.m_cBox = node.m_nRight == 0 ? boxes[node.m_nItem]
                                      : Union(m_stdNodes[i + 1].m_cBox, m_stdNodes[node.m_nRight].m_cBox);
+  }
+}
+
+void CBoxTree::Grow(std::uint32_t item, const CAabb2D& box) {
+  if (m_stdNodes.empty()) return;
+  for (std::uint32_t i = m_stdLeaves[item];; i = m_stdParents[i]) {
+    m_stdNodes[i].m_cBox = Union(m_stdNodes[i].m_cBox, box);
+    if (i == 0) return;
   }
 }
 

@@ -19,6 +19,8 @@ public:
   void Build(std::span<const CAabb2D> boxes);
   /// Takes new boxes for the same items and keeps the tree: O(n), for shapes that turn a little.
   void Refit(std::span<const CAabb2D> boxes);
+  /// Lets the box of an item reach as far as this one, too: O(log n). An empty tree stays empty.
+  void Grow(std::uint32_t item, const CAabb2D& box);
   /// Appends to found every item whose box meets this one, in no order.
   void Query(const CAabb2D& box, std::vector<std::uint32_t>& found) const;
 
@@ -29,9 +31,11 @@ private:
     std::uint32_t m_nRight; // index of the right child; 0 for a leaf
     std::uint32_t m_nItem;  // leaf only
   };
-  void BuildNode(std::span<const CAabb2D> boxes, std::span<std::uint32_t> items);
+  void BuildNode(std::span<const CAabb2D> boxes, std::span<std::uint32_t> items, std::uint32_t parent);
 
   std::vector<CNode> m_stdNodes;
+  std::vector<std::uint32_t> m_stdParents; // of each node; of the root itself
+  std::vector<std::uint32_t> m_stdLeaves;  // of each item
   mutable std::vector<std::uint32_t> m_stdStack;
 };
 

@@ -7,17 +7,6 @@
 #include <algorithm>
 
 namespace Shapes::Native {
-namespace {
-
-// The kernel of an arc errs by its centre and its radius, and both may be far from its box.
-CAabb2D BoxOf(const CShape& shape) {
-  if (shape.GetShapeType() != eShape::Arc) return Padded(shape.GetAABB());
-  const float size = shape.GetPos().cwiseAbs().maxCoeff() + static_cast<const CArc&>(shape).GetRadius();
-  return Padded(shape.GetAABB(), g_fBoxPadding * size);
-}
-
-} // namespace
-
 CNativeWorld::CNativeWorld(const CWorldDesc& desc) : CWorld(desc, CWorldLimits()) {}
 
 void CNativeWorld::OnAdded(CShapeId id) { OnChanged(id, eChange::Pose); }
@@ -49,7 +38,13 @@ void CNativeWorld::Substep(float dt) {
 
 void CNativeWorld::PlanStages() {
   m_nPlanned = GetContentVersion();
-  if (m_bShapesChanged) SortShapes();
+  if (m_bShapesChanged) {
+    m_cSolids.Sort(State().m_stdShapes);
+    m_stdTurning.clear();
+    for (const CShapeEntry& entry : State().m_stdShapes)
+      if (entry.m_pShape->GetRotating()) m_stdTurning.push_back(&entry);
+    m_bShapesChanged = false;
+  }
   const bool reports = Runs(eEffect::Events);
   m_stdFirst.clear();
   if (Runs(eEffect::Gravity)) m_stdFirst.push_back(&CNativeWorld::Accelerate);
@@ -57,37 +52,13 @@ void CNativeWorld::PlanStages() {
   m_stdApproximate.clear();
   if (Runs(eEffect::Kinematics)) m_stdApproximate.push_back(&CNativeWorld::TurnShapes);
   m_stdApproximate.push_back(&CNativeWorld::MoveBalls);
-  if (!m_stdByRank.empty())
+  if (m_cSolids.Size() > 0)
     m_stdApproximate.push_back(reports ? &CNativeWorld::MeetShapes<true> : &CNativeWorld::MeetShapes<false>);
   if (Runs(eEffect::BallPairs))
     m_stdApproximate.push_back(reports ? &CNativeWorld::MeetBalls<true> : &CNativeWorld::MeetBalls<false>);
-  m_stdContinuous = m_stdApproximate;
-}
 
-void CNativeWorld::SortShapes() {
-  m_stdByRank.clear();
-  m_stdTurning.clear();
-  const auto& shapes = State().m_stdShapes;
-  for (const CShapeEntry& entry : shapes)
-    if (entry.m_pShape->GetRotating()) m_stdTurning.push_back(&entry);
-  for (const bool points : {true, false})
-    for (const CShapeEntry& entry : shapes)
-      if ((entry.m_pShape->GetShapeType() == eShape::Point) == points && !entry.m_pShape->GetSensor())
-        m_stdByRank.push_back(&entry);
-
-  for (CGroup* pGroup : {&m_cResting, &m_cTurning}) {
-    pGroup->m_stdRank.clear();
-    pGroup->m_stdBoxes.clear();
-  }
-  for (std::uint32_t rank = 0; rank < m_stdByRank.size(); ++rank) {
-    const CShape& shape = *m_stdByRank[rank]->m_pShape;
-    CGroup& group = shape.GetRotating() ? m_cTurning : m_cResting;
-    group.m_stdRank.push_back(rank);
-    group.m_stdBoxes.push_back(BoxOf(shape));
-  }
-  m_cResting.m_cTree.Build(m_cResting.m_stdBoxes);
-  m_cTurning.m_cTree.Build(m_cTurning.m_stdBoxes);
-  m_bShapesChanged = false;
+  m_stdContinuous = {&CNativeWorld::Sweep};
+  if (Runs(eEffect::Kinematics)) m_stdContinuous.push_back(&CNativeWorld::TurnShapes);
 }
 
 void CNativeWorld::Accelerate(float dt) {
@@ -102,9 +73,7 @@ void CNativeWorld::TurnShapes(float dt) {
   for (const CShapeEntry* pEntry : m_stdTurning)
     pEntry->m_pShape->Advance(dt);
   Stats().m_nShapesTurned += m_stdTurning.size();
-  for (std::size_t i = 0; i < m_cTurning.m_stdRank.size(); ++i)
-    m_cTurning.m_stdBoxes[i] = BoxOf(*m_stdByRank[m_cTurning.m_stdRank[i]]->m_pShape);
-  m_cTurning.m_cTree.Refit(m_cTurning.m_stdBoxes);
+  m_cSolids.BoxTurning();
 }
 
 void CNativeWorld::MoveBalls(float dt) {
@@ -127,12 +96,8 @@ bool CNativeWorld::Meets(std::size_t i) const {
 void CNativeWorld::CollectShapes(const CBall& ball, std::uint32_t firstRank) {
   m_stdCandidates.clear();
   const CAabb2D box = Padded(CAabb2D(ball.m_vPos, ball.m_vPos), ball.m_fRadius * (1.0f + g_fCandidateSlack));
-  for (const CGroup* pGroup : {&m_cResting, &m_cTurning}) {
-    m_stdFound.clear();
-    pGroup->m_cTree.Query(box, m_stdFound);
-    for (const std::uint32_t item : m_stdFound)
-      if (pGroup->m_stdRank[item] >= firstRank) m_stdCandidates.push_back(pGroup->m_stdRank[item]);
-  }
+  m_cSolids.Query(box, m_stdCandidates);
+  if (firstRank > 0) std::erase_if(m_stdCandidates, [=](std::uint32_t rank) { return rank < firstRank; });
   std::sort(m_stdCandidates.begin(), m_stdCandidates.end());
 }
 
@@ -151,7 +116,7 @@ void CNativeWorld::MeetShapesOf(std::size_t ball) {
   CollectShapes(Ball(ball), 0);
   for (std::size_t k = 0; k < m_stdCandidates.size(); ++k) {
     const std::uint32_t rank = m_stdCandidates[k];
-    MeetShape<TReports>(ball, *m_stdByRank[rank]);
+    MeetShape<TReports>(ball, m_cSolids.Get(rank));
     if ((b.m_stdPos[ball] - collectedAt).cwiseAbs().maxCoeff() <= slack) continue;
     // A response has moved the ball out of the reach of what was collected: the rest again, from where it is
     // now.
@@ -228,6 +193,16 @@ bool CNativeWorld::MeetBall(std::size_t i, std::size_t j) {
   Count(CapSpeed(b.m_stdVel[j]));
   Count(CapSpeed(b.m_stdVel[i]));
   return true;
+}
+
+void CNativeWorld::Sweep(float dt) {
+  const bool reports = Runs(eEffect::Events);
+  m_cContinuous.Step(State().m_cBalls, m_cSolids, Runs(eEffect::BallPairs), dt, Stats());
+  for (const CContinuous::CBend& bend : m_cContinuous.GetBends())
+    Bend(bend.m_nBall, bend.m_vPos, bend.m_fPart);
+  if (reports)
+    for (const CContactEvent& event : m_cContinuous.GetContacts())
+      Report(event);
 }
 
 } // namespace Shapes::Native

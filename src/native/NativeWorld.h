@@ -4,8 +4,9 @@
 #include <Shapes/World.h>
 
 #include "BallGrid.h"
-#include "BoxTree.h"
+#include "Continuous.h"
 #include "Detect.h"
+#include "Solids.h"
 
 #include <cstdint>
 #include <vector>
@@ -35,16 +36,7 @@ private:
 
   using CStage = void (CNativeWorld::*)(float dt);
 
-  /// Shapes that turn, or shapes that do not, with the tree over their boxes. Items of the tree index
-  /// m_stdRank.
-  struct CGroup {
-    std::vector<std::uint32_t> m_stdRank;
-    std::vector<CAabb2D> m_stdBoxes;
-    CBoxTree m_cTree;
-  };
-
   void PlanStages();
-  void SortShapes();
 
   // Stages.
   void Accelerate(float dt);
@@ -54,6 +46,7 @@ private:
   void MeetShapes(float dt);
   template <bool TReports>
   void MeetBalls(float dt);
+  void Sweep(float dt);
 
   template <bool TReports>
   void MeetShapesOf(std::size_t ball);
@@ -75,9 +68,9 @@ private:
   std::vector<CStage> m_stdContinuous;  // or these
 
   bool m_bShapesChanged = true;
-  std::vector<const CShapeEntry*> m_stdByRank;  // points by id, then the others by id; without sensors
+  CSolids m_cSolids;
   std::vector<const CShapeEntry*> m_stdTurning; // sensors too
-  CGroup m_cResting, m_cTurning;
+  CContinuous m_cContinuous;
   CBallGrid m_cGrid;
   std::vector<std::uint32_t> m_stdFound, m_stdCandidates;
 };

@@ -6,38 +6,57 @@ namespace {
 
 // What a response adds along n. Finite: the surface of a shape far from its centre may be faster than any
 // ball, and infinity times a component of n that is 0 is not a number. CapSpeed does the rest.
-float Kick(float e, float vn) { return std::max((1.0f + e) * vn, -g_fMaxKick); }
+template <class T>
+T Kick(T e, T vn) {
+  return std::max((T(1) + e) * vn, -T(g_fMaxKick));
+}
+
+using Vector2d = Eigen::Vector2d;
+double Length(const Vector2d& v) { return v.norm(); }
+Vector2d Normalize(const Vector2d& v) { return v.normalized(); }
 
 } // namespace
 
-bool CapSpeed(Vector2& v, float most) {
-  FailIf(Length(v) <= most);
-  v = most * Normalize(v);
+template <class TVector>
+bool CapSpeed(TVector& v, float most) {
+  const typename TVector::Scalar limit(most);
+  FailIf(Length(v) <= limit);
+  v = limit * Normalize(v);
   return true;
 }
 
 void RespondStatic(const Vector2& n, float setback, float e, Vector2& p, Vector2& v) {
-  RespondKinematic(n, setback, e, Vector2::Zero(), p, v);
+  RespondKinematic<Vector2>(n, setback, e, Vector2::Zero(), p, v);
 }
 
-void RespondKinematic(const Vector2& n, float setback, float e, const Vector2& surface, Vector2& p,
-                      Vector2& v) {
-  const float vn = (v - surface).dot(n);
-  if (vn < 0.0f) v -= Kick(e, vn) * n;
+template <class TVector, class T>
+void RespondKinematic(const TVector& n, T setback, T e, const TVector& surface, TVector& p, TVector& v) {
+  const T vn = (v - surface).dot(n);
+  if (vn < T(0)) v -= Kick(e, vn) * n;
   p += setback * n;
 }
 
-void RespondDynamic(const Vector2& n, float setback, float e, float m0, float m1, Vector2& p0, Vector2& v0,
-                    Vector2& p1, Vector2& v1) {
+template <class TVector, class T>
+void RespondDynamic(const TVector& n, T setback, T e, T m0, T m1, TVector& p0, TVector& v0, TVector& p1,
+                    TVector& v1) {
   // As shares of the total mass: the product of two masses may overflow, the shares cannot.
-  const float share0 = m1 / (m0 + m1), share1 = m0 / (m0 + m1);
-  const float vn = (v1 - v0).dot(n);
-  if (vn < 0.0f) {
+  const T share0 = m1 / (m0 + m1), share1 = m0 / (m0 + m1);
+  const T vn = (v1 - v0).dot(n);
+  if (vn < T(0)) {
     v0 += (Kick(e, vn) * share0) * n;
     v1 -= (Kick(e, vn) * share1) * n;
   }
   p0 -= (setback * share0) * n;
   p1 += (setback * share1) * n;
 }
+
+template bool CapSpeed(Vector2&, float);
+template bool CapSpeed(Vector2d&, float);
+template void RespondKinematic(const Vector2&, float, float, const Vector2&, Vector2&, Vector2&);
+template void RespondKinematic(const Vector2d&, double, double, const Vector2d&, Vector2d&, Vector2d&);
+template void RespondDynamic(const Vector2&, float, float, float, float, Vector2&, Vector2&, Vector2&,
+                             Vector2&);
+template void RespondDynamic(const Vector2d&, double, double, double, double, Vector2d&, Vector2d&, Vector2d&,
+                             Vector2d&);
 
 } // namespace Shapes

@@ -166,6 +166,7 @@ TEST(GuardPoint, IsMetBeforeTheSegmentItGuards) {
   const auto bounce = [](bool guarded, bool segmentFirst) {
     CWorldDesc desc;
     desc.m_fTimeStep = 0.01f;
+    desc.m_cEffects = g_cApproximate;
     const std::unique_ptr<CWorld> pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
     const CLineSegDesc seg({0.0f, 0.0f}, {1.0f, 0.0f});
     if (segmentFirst) pWorld->Add(seg);

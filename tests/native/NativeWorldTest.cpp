@@ -134,6 +134,7 @@ std::unique_ptr<CWorld> MakeNativeWorld(float dt, float gravity) {
   CWorldDesc desc;
   desc.m_fTimeStep = dt;
   desc.m_vGravity = {0, gravity};
+  desc.m_cEffects = g_cApproximate;
   return GetBackend(eBackend::Native)->MakeWorld(desc);
 }
 
@@ -227,6 +228,7 @@ TEST(NativeWorldTest, OrderIsWhatThePlainLoopSays) {
   constexpr float dt = 1.0f / 60.0f;
   CWorldDesc desc;
   desc.m_fTimeStep = dt;
+  desc.m_cEffects = g_cApproximate;
   auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
   pWorld->Add(CLineSegDesc({0, 0}, {1, 0})); // added before the point, but the point is met first
   const CShapeId guard = pWorld->Add(CPointDesc(Vector2(0, 0)));

@@ -154,9 +154,10 @@ TEST(DynamicResponse, SharesTheSetbackByTheOtherMass) {
   EXPECT_EQ(v1, Vector2::Zero());
 }
 
-TEST(MoveBall, UsesTheNewVelocity) {
+TEST(Accelerate, AndThenMoveIsSemiImplicit) {
   Vector2 p(1.0f, 2.0f), v(4.0f, 0.0f);
-  MoveBall(p, v, {0.0f, -8.0f}, 0.5f);
+  Accelerate(v, {0.0f, -8.0f}, 0.5f);
+  Move(p, v, 0.5f);
   EXPECT_EQ(v, Vector2(4.0f, -4.0f));
   EXPECT_EQ(p, Vector2(3.0f, 0.0f));
 }

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+#include "Continuous.h"
+
+#include "../shapes/Response.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace Shapes::Native {
+namespace {
+
+// A leg so short that nothing turns meanwhile, seconds.
+constexpr double g_fInstant = 0x1p-80;
+
+double SizeOf(const Vector2d& p, double r) { return p.cwiseAbs().maxCoeff() + r; }
+
+// An overlap that rounding explains, where these are the coordinates.
+double Rounding(double size) { return static_cast<double>(g_fTouchRounding) * size; }
+
+Vector2 ToFloat(const Vector2d& p) {
+  // Beyond it boxes are all alike, and nothing is there.
+  const double most = 1e37;
+  return p.cwiseMax(-most).cwiseMin(most).cast<float>();
+}
+
+} // namespace
+
+bool CContinuous::CEvent::operator<(const CEvent& other) const {
+  return std::tie(m_fTime, m_nBall) > std::tie(other.m_fTime, other.m_nBall);
+}
+
+void CContinuous::Step(CBallArrays& balls, CSolids& shapes, bool pairs, float dt, CWorldStats& stats) {
+  m_pBalls = &balls;
+  m_pShapes = &shapes;
+  m_pStats = &stats;
+  m_fStep = static_cast<double>(dt);
+  m_stdContacts.clear();
+  m_stdBends.clear();
+  m_stdQueue.clear();
+  shapes.BoxTurning(dt);
+  shapes.MakeOutlines(dt);
+
+  TakeBalls(balls);
+  m_cBallTree.Build(pairs ? std::span<const CAabb2D>(m_stdBoxes) : std::span<const CAabb2D>());
+  const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
+  for (std::uint32_t i = 0; i < n; ++i)
+    SetBackFromBalls(i);
+  for (std::uint32_t i = 0; i < n; ++i)
+    SetBackFromShapes(i);
+  for (std::uint32_t i = 0; i < n; ++i)
+    FindNext(i);
+
+  while (!m_stdQueue.empty()) {
+    std::pop_heap(m_stdQueue.begin(), m_stdQueue.end());
+    const CEvent event = m_stdQueue.back();
+    m_stdQueue.pop_back();
+    const CMoving& ball = m_stdBalls[event.m_nBall];
+    if (event.m_nStamp != ball.m_nStamp) continue;
+    if (ball.m_cNext.m_bIsBall && m_stdBalls[ball.m_cNext.m_nOther].m_nStamp != ball.m_cNext.m_nOtherStamp)
+      FindNext(event.m_nBall); // the other one has got another way meanwhile
+    else
+      Answer(event.m_nBall);
+  }
+  PutBalls(balls);
+}
+
+void CContinuous::TakeBalls(const CBallArrays& b) {
+  m_stdBalls.clear();
+  m_stdBoxes.clear();
+  for (std::size_t i = 0; i < b.Size(); ++i) {
+    if (!b.m_stdCanCollide[i] || b.m_stdSensor[i]) continue;
+    CMoving ball;
+    ball.m_nBall = i;
+    ball.m_vPos = b.m_stdPos[i].cast<double>();
+    ball.m_vVel = b.m_stdVel[i].cast<double>();
+    ball.m_fRadius = static_cast<double>(b.m_stdRadius[i]);
+    ball.m_fMass = static_cast<double>(b.m_stdMass[i]);
+    ball.m_fElasticity = static_cast<double>(b.m_stdElasticity[i]);
+    m_stdBoxes.push_back(GetBox(ball));
+    m_stdBalls.push_back(ball);
+  }
+}
+
+void CContinuous::PutBalls(CBallArrays& b) const {
+  const auto dt = static_cast<float>(m_fStep);
+  b.m_stdPrevPos = b.m_stdPos;
+  auto ball = m_stdBalls.begin();
+  for (std::size_t i = 0; i < b.Size(); ++i) {
+    const bool isSolid = ball != m_stdBalls.end() && ball->m_nBall == i;
+    if (isSolid && ball->m_bIsMoved) {
+      b.m_stdPos[i] = ToFloat(ball->m_vPos + ball->GetPathVel() * (m_fStep - ball->m_fTime));
+      b.m_stdVel[i] = ball->m_vVel.cast<float>();
+    } else {
+      Move(b.m_stdPos[i], b.m_stdVel[i], dt);
+    }
+    ball += isSolid;
+  }
+}
+
+CLeg CContinuous::GetLeg(const CMoving& ball) const {
+  return {ball.m_vPos, ball.GetPathVel(), ball.m_fRadius, m_fStep - ball.m_fTime};
+}
+
+CAabb2D CContinuous::GetBox(const CMoving& ball) const {
+  const CLeg leg = GetLeg(ball);
+  CAabb2D box(ToFloat(leg.m_vPos), ToFloat(leg.m_vPos));
+  box += ToFloat(leg.m_vPos + leg.m_vVel * leg.m_fDuration);
+  return Padded(box, static_cast<float>(leg.m_fRadius) * (1.0f + g_fBoxPadding));
+}
+
+void CContinuous::SetBackFromBalls(std::uint32_t i) {
+  m_stdBallsFound.clear();
+  m_cBallTree.Query(m_stdBoxes[i], m_stdBallsFound);
+  std::sort(m_stdBallsFound.begin(), m_stdBallsFound.end());
+  for (const std::uint32_t j : m_stdBallsFound) {
+    CImpact impact;
+    double depth;
+    if (j <= i || !OverlapBallBall(GetLeg(m_stdBalls[j]), GetLeg(m_stdBalls[i]), impact, depth)) continue;
+    const double m0 = m_stdBalls[i].m_fMass, m1 = m_stdBalls[j].m_fMass;
+    Push(i, impact.m_vNorm, depth * (m1 / (m0 + m1)));
+    Push(j, -impact.m_vNorm, depth * (m0 / (m0 + m1)));
+  }
+}
+
+void CContinuous::SetBackFromShapes(std::uint32_t i) {
+  m_stdShapesFound.clear();
+  m_pShapes->Query(m_stdBoxes[i], m_stdShapesFound);
+  m_pStats->m_nBallsSwept += !m_stdShapesFound.empty();
+  std::sort(m_stdShapesFound.begin(), m_stdShapesFound.end());
+  for (const std::uint32_t rank : m_stdShapesFound) {
+    if (!m_pShapes->Get(rank).m_pShape->GetCanCollide()) continue;
+    const CMoving& ball = m_stdBalls[i];
+    const COutline& outline = m_pShapes->GetOutline(rank);
+    CImpact impact;
+    double depth;
+    if (!Overlap(outline, GetLeg(ball), 0.0, impact, depth)) continue;
+    const bool isRounding = depth <= Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + outline.m_fSize);
+    if (isRounding || outline.m_eSides == eSides::Both) Push(i, impact.m_vNorm, depth);
+  }
+}
+
+// Moves a ball along n, up to what is in the way.
+void CContinuous::Push(std::uint32_t i, const Vector2d& n, double depth) {
+  CMoving& ball = m_stdBalls[i];
+  const double size = SizeOf(ball.m_vPos, ball.m_fRadius);
+  if (depth > Rounding(size)) {
+    CMoving pushed = ball;
+    pushed.m_vVel = depth / m_fStep * n;
+    const CAabb2D box = GetBox(pushed);
+    CLeg leg = GetLeg(pushed);
+    leg.m_vVel = depth / g_fInstant * n;
+    leg.m_fDuration = g_fInstant;
+    std::vector<std::uint32_t> ranks;
+    m_pShapes->Query(box, ranks);
+    for (const std::uint32_t rank : ranks) {
+      CImpact impact;
+      if (m_pShapes->Get(rank).m_pShape->GetCanCollide() &&
+          Sweep(m_pShapes->GetOutline(rank), leg, 0.0, impact) != eSweep::None)
+        leg.m_fDuration = std::min(leg.m_fDuration, impact.m_fTime);
+    }
+    depth *= leg.m_fDuration / g_fInstant;
+  }
+  ball.m_vPos += depth * n;
+  ball.m_bIsMoved = true;
+  m_stdBoxes[i] = GetBox(ball);
+  m_cBallTree.Grow(i, m_stdBoxes[i]);
+}
+
+void CContinuous::FindNext(std::uint32_t i) {
+  CMoving& ball = m_stdBalls[i];
+  CNext next;
+  if (!ball.m_bIsHalted) {
+    MeetShapes(i, next);
+    MeetBalls(i, next);
+  }
+  ball.m_cNext = next;
+  if (next.m_eSweep == eSweep::None) return;
+  m_stdQueue.push_back({std::min(ball.m_fTime + next.m_cImpact.m_fTime, m_fStep), i, ball.m_nStamp});
+  std::push_heap(m_stdQueue.begin(), m_stdQueue.end());
+}
+
+void CContinuous::MeetShapes(std::uint32_t i, CNext& next) {
+  const CMoving& ball = m_stdBalls[i];
+  m_stdShapesFound.clear();
+  m_pShapes->Query(m_stdBoxes[i], m_stdShapesFound);
+  for (const std::uint32_t rank : m_stdShapesFound) {
+    if (!m_pShapes->Get(rank).m_pShape->GetCanCollide()) continue;
+    ++m_pStats->m_nSweeps;
+    const COutline& outline = m_pShapes->GetOutline(rank);
+    CNext found;
+    found.m_nOther = rank;
+    found.m_eSweep = Sweep(outline, GetLeg(ball), ball.m_fTime, found.m_cImpact);
+    Offer(ball, found, outline.m_fSize, next);
+  }
+}
+
+void CContinuous::MeetBalls(std::uint32_t i, CNext& next) {
+  const CMoving& ball = m_stdBalls[i];
+  m_stdBallsFound.clear();
+  m_cBallTree.Query(m_stdBoxes[i], m_stdBallsFound);
+  for (const std::uint32_t j : m_stdBallsFound) {
+    if (j == i) continue;
+    ++m_pStats->m_nSweeps;
+    // Both from the time at which the later leg of the two begins; none beyond what stops it.
+    const CMoving& other = m_stdBalls[j];
+    const double start = std::max(ball.m_fTime, other.m_fTime), since = start - ball.m_fTime;
+    double otherSince = start - other.m_fTime;
+    if (other.m_cNext.m_eSweep != eSweep::None)
+      otherSince = std::min(otherSince, other.m_cNext.m_cImpact.m_fTime);
+    CLeg leg = GetLeg(ball), otherLeg = GetLeg(other);
+    leg.m_vPos += leg.m_vVel * since;
+    otherLeg.m_vPos += otherLeg.m_vVel * otherSince;
+    leg.m_fDuration = otherLeg.m_fDuration = m_fStep - start;
+
+    CNext found;
+    found.m_bIsBall = true;
+    found.m_nOther = j;
+    found.m_nOtherStamp = other.m_nStamp;
+    found.m_eSweep = SweepBallBall(otherLeg, leg, found.m_cImpact);
+    if (found.m_eSweep == eSweep::None) continue;
+    found.m_fOtherTime = otherSince + found.m_cImpact.m_fTime;
+    found.m_cImpact.m_fTime += since;
+    Offer(ball, found, SizeOf(other.m_vPos, other.m_fRadius), next);
+  }
+}
+
+// Takes what was found for next if it comes first.
+void CContinuous::Offer(const CMoving& ball, const CNext& found, double size, CNext& next) const {
+  if (found.m_eSweep == eSweep::None) return;
+  const CImpact& impact = found.m_cImpact;
+  if (found.m_eSweep == eSweep::Impact && impact.m_fCurve == 0.0) {
+    // What would not take the ball into it by more than rounding is none, or a pile that settles would never
+    // be done with it.
+    const double approach = ApproachSpeed(ball.GetPathVel(), impact.m_vSurface, impact.m_vNorm);
+    const double left = m_fStep - ball.m_fTime - impact.m_fTime;
+    if (approach * left <= Rounding(size + SizeOf(ball.m_vPos, ball.m_fRadius))) return;
+  }
+  const auto order = [](const CNext& n) { return std::tuple(n.m_cImpact.m_fTime, n.m_bIsBall, n.m_nOther); };
+  if (next.m_eSweep == eSweep::None || order(found) < order(next)) next = found;
+}
+
+void CContinuous::Answer(std::uint32_t i) {
+  CMoving& ball = m_stdBalls[i];
+  const CNext next = ball.m_cNext;
+  if (next.m_eSweep == eSweep::Unknown) {
+    Advance(ball, next.m_cImpact.m_fTime);
+    Halt(ball);
+    return NewLeg(i);
+  }
+  if (!next.m_bIsBall) {
+    AnswerShape(ball);
+    return NewLeg(i);
+  }
+  CMoving& other = m_stdBalls[next.m_nOther];
+  AnswerBall(ball, other);
+  // Both boxes have to be there before either looks for the other.
+  m_stdBoxes[i] = GetBox(ball);
+  m_cBallTree.Grow(i, m_stdBoxes[i]);
+  NewLeg(next.m_nOther);
+  NewLeg(i);
+}
+
+void CContinuous::NewLeg(std::uint32_t i) {
+  m_stdBoxes[i] = GetBox(m_stdBalls[i]);
+  m_cBallTree.Grow(i, m_stdBoxes[i]);
+  FindNext(i);
+}
+
+void CContinuous::Advance(CMoving& ball, double leg) {
+  ball.m_vPos += ball.GetPathVel() * leg;
+  ball.m_fTime = std::min(ball.m_fTime + leg, m_fStep);
+  ball.m_bIsMoved = true;
+  ++ball.m_nStamp;
+}
+
+void CContinuous::AnswerShape(CMoving& ball) {
+  const CImpact impact = ball.m_cNext.m_cImpact;
+  const std::uint32_t rank = ball.m_cNext.m_nOther;
+  const CShapeEntry& entry = m_pShapes->Get(rank);
+  const Vector2d &n = impact.m_vNorm, &surface = impact.m_vSurface;
+  Advance(ball, impact.m_fTime);
+  const double depth = ball.m_fRadius - (ball.m_vPos - impact.m_vPOI).dot(n);
+  // Exactly onto the shape; but one that began deep in something stays there.
+  if (depth <= Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + m_pShapes->GetOutline(rank).m_fSize))
+    ball.m_vPos = impact.m_vPOI + ball.m_fRadius * n;
+  const double approach = ApproachSpeed(ball.m_vVel, surface, n);
+  const double e = ball.m_fElasticity * static_cast<double>(entry.m_pShape->GetElasticity());
+  RespondKinematic(n, 0.0, e, surface, ball.m_vPos, ball.m_vVel);
+  if (ball.m_nLastRank == rank && impact.m_fTime * g_nHops < m_fStep) Slide(ball, impact);
+  m_pStats->m_nSpeedsCapped += CapSpeed(ball.m_vVel);
+  ball.m_nLastRank = rank;
+  Report(entry.m_cId, ball, impact.m_vPOI, n, approach);
+  EndLeg(ball);
+}
+
+// A ball that stays on a surface that curves towards it would meet it again at once, and again.
+void CContinuous::Slide(CMoving& ball, const CImpact& impact) const {
+  const Vector2d &n = impact.m_vNorm, u = ball.m_vVel - impact.m_vSurface;
+  const double most = static_cast<double>(g_fShallow) * (ball.m_vVel.norm() + impact.m_vSurface.norm());
+  const double hop = std::min(impact.m_fCurve * m_fStep / (2.0 * g_nHops), most), out = u.dot(n);
+  if (!(out < hop)) return;
+  const Vector2d along = u - out * n;
+  const double speed = along.norm();
+  // What it gains across it loses along the surface.
+  const double left = std::sqrt(std::max(0.0, u.squaredNorm() - hop * hop));
+  ball.m_vVel = impact.m_vSurface + hop * n + (speed > 0.0 ? left / speed : 0.0) * along;
+}
+
+void CContinuous::AnswerBall(CMoving& ball, CMoving& other) {
+  const CNext next = ball.m_cNext;
+  const Vector2d n = next.m_cImpact.m_vNorm;
+  Advance(ball, next.m_cImpact.m_fTime);
+  Advance(other, next.m_fOtherTime);
+  other.m_fTime = ball.m_fTime;
+  const double e = ball.m_fElasticity * other.m_fElasticity;
+  const double approach = ApproachSpeed(ball.m_vVel, other.GetPathVel(), n);
+  double setback = ball.m_fRadius + other.m_fRadius - (ball.m_vPos - other.m_vPos).dot(n);
+  const double size = SizeOf(ball.m_vPos, ball.m_fRadius) + SizeOf(other.m_vPos, other.m_fRadius);
+  if (std::abs(setback) > Rounding(size)) setback = 0.0; // they began deep in each other
+  if (other.m_bIsHalted)
+    RespondKinematic(n, setback, e, Vector2d(Vector2d::Zero()), ball.m_vPos, ball.m_vVel);
+  else
+    RespondDynamic(n, setback, e, other.m_fMass, ball.m_fMass, other.m_vPos, other.m_vVel, ball.m_vPos,
+                   ball.m_vVel);
+  for (CMoving* pBall : {&ball, &other}) {
+    m_pStats->m_nSpeedsCapped += CapSpeed(pBall->m_vVel);
+    pBall->m_nLastRank = g_nNone;
+  }
+  const bool ballIsFirst = ball.m_nBall < other.m_nBall;
+  const CMoving &first = ballIsFirst ? ball : other, &second = ballIsFirst ? other : ball;
+  const Vector2d nhat = ballIsFirst ? n : Vector2d(-n);
+  Report(m_pBalls->m_stdId[second.m_nBall], first, second.m_vPos + second.m_fRadius * nhat, nhat, approach);
+  EndLeg(ball);
+  if (!other.m_bIsHalted) EndLeg(other);
+}
+
+void CContinuous::Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n,
+                         double speed) {
+  ++m_pStats->m_nContacts;
+  CContactEvent event;
+  event.m_cShape = shape;
+  event.m_cBall = m_pBalls->m_stdId[ball.m_nBall];
+  event.m_vPOI = ToFloat(poi);
+  event.m_vNorm = n.cast<float>();
+  event.m_fSpeed = static_cast<float>(speed);
+  m_stdContacts.push_back(event);
+}
+
+void CContinuous::EndLeg(CMoving& ball) {
+  m_stdBends.push_back({ball.m_nBall, ToFloat(ball.m_vPos), static_cast<float>(ball.m_fTime / m_fStep)});
+  if (++ball.m_nImpacts == g_nMaxImpacts) Halt(ball);
+}
+
+void CContinuous::Halt(CMoving& ball) {
+  ball.m_bIsHalted = true;
+  ++m_pStats->m_nBallsHalted;
+}
+
+} // namespace Shapes::Native

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../shapes/WorldState.h"
+
+#include <cstdint>
+#include <vector>
+
+#include "BoxTree.h"
+#include "Solids.h"
+#include "Sweep.h"
+
+namespace Shapes::Native {
+
+/// The continuous way through a substep: every solid ball goes straight on at the velocity that it has, from
+/// impact to impact, and is answered at each, in the order of time, at the place and in the direction of the
+/// impact; the rest of the substep it travels on. Shapes turn meanwhile. Computed in double.
+///
+/// - A ball that nothing is in the way of only moves, with the bits of the approximate way.
+/// - Who overlaps something at the beginning is set back along the normal, two balls by their shares of the
+///   mass, but not through anything else. A one-sided shape lets whoever overlaps it by more than rounding
+///   stay.
+/// - Impacts at the same time are answered one after the other: shapes before balls, by rank and by id.
+/// - A ball that comes back to the same turning shape or inside of an arc within 1/g_nHops of the substep,
+///   and leaves it all but along the surface, slides: it keeps its speed, but leaves so steeply that it stays
+///   away for that long, or at g_fShallow radians if that is less.
+/// - A ball that has had g_nMaxImpacts impacts is halted: it stays where it is, which is a place that it can
+///   be at, for the rest of the substep, and keeps its velocity; others bounce off it as off a wall.
+class CContinuous {
+public:
+  /// Moves the balls by dt seconds, and counts what was done.
+  /// @param shapes  as they are at the beginning of the substep
+  /// @param pairs   whether balls meet each other
+  void Step(CBallArrays& balls, CSolids& shapes, bool pairs, float dt, CWorldStats& stats);
+
+  /// The impacts of the last call in the order of time.
+  const std::vector<CContactEvent>& GetContacts() const { return m_stdContacts; }
+  /// Where balls were at the share m_fPart of the substep when they were answered.
+  struct CBend {
+    std::size_t m_nBall;
+    Vector2 m_vPos;
+    float m_fPart;
+  };
+  const std::vector<CBend>& GetBends() const { return m_stdBends; }
+
+private:
+  static constexpr std::uint32_t g_nNone = 0xFFFFFFFFu;
+
+  /// What a ball meets next.
+  struct CNext {
+    eSweep m_eSweep = eSweep::None;
+    bool m_bIsBall = false;
+    std::uint32_t m_nOther = g_nNone; // rank of the shape, or index in m_stdBalls
+    std::uint32_t m_nOtherStamp = 0;  // of a ball
+    double m_fOtherTime = 0.0;        // of a ball: seconds on its own leg
+    CImpact m_cImpact;                // at the time on the leg of this ball; the normal points to it
+  };
+  struct CMoving {
+    std::size_t m_nBall; // index in the arrays
+    Vector2d m_vPos;     // where the leg begins
+    Vector2d m_vVel;
+    double m_fRadius, m_fMass, m_fElasticity;
+    double m_fTime = 0.0; // when the leg begins, seconds in the substep
+    CNext m_cNext;
+    std::uint32_t m_nStamp = 0; // changes with the leg
+    unsigned m_nImpacts = 0;
+    std::uint32_t m_nLastRank = g_nNone; // of the shape that it has just left
+    bool m_bIsHalted = false;
+    bool m_bIsMoved = false; // by anything but its velocity
+
+    Vector2d GetPathVel() const { return m_bIsHalted ? Vector2d(Vector2d::Zero()) : m_vVel; }
+  };
+  struct CEvent {
+    double m_fTime;
+    std::uint32_t m_nBall;
+    std::uint32_t m_nStamp;
+    bool operator<(const CEvent& other) const; // comes later: for a heap whose top is the first
+  };
+
+  void TakeBalls(const CBallArrays& balls);
+  void PutBalls(CBallArrays& balls) const;
+  CLeg GetLeg(const CMoving& ball) const;
+  CAabb2D GetBox(const CMoving& ball) const;
+  void SetBack();
+  void SetBackFromShapes(std::uint32_t i);
+  void SetBackFromBalls(std::uint32_t i);
+  void Push(std::uint32_t i, const Vector2d& n, double depth);
+  void FindNext(std::uint32_t i);
+  void MeetShapes(std::uint32_t i, CNext& next);
+  void MeetBalls(std::uint32_t i, CNext& next);
+  void Offer(const CMoving& ball, const CNext& found, double size, CNext& next) const;
+  void Advance(CMoving& ball, double leg);
+  void Answer(std::uint32_t i);
+  void AnswerShape(CMoving& ball);
+  void AnswerBall(CMoving& ball, CMoving& other);
+  void Slide(CMoving& ball, const CImpact& impact) const;
+  void Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n, double speed);
+  void EndLeg(CMoving& ball);
+  void Halt(CMoving& ball);
+  void NewLeg(std::uint32_t i);
+
+  std::vector<CContactEvent> m_stdContacts;
+  std::vector<CBend> m_stdBends;
+
+  // Of the substep.
+  CBallArrays* m_pBalls = nullptr;
+  CSolids* m_pShapes = nullptr;
+  CWorldStats* m_pStats = nullptr;
+  double m_fStep = 0.0;
+  std::vector<CMoving> m_stdBalls; // that are solid
+  std::vector<CAabb2D> m_stdBoxes; // of their legs
+  CBoxTree m_cBallTree;
+  std::vector<CEvent> m_stdQueue; // a heap
+  std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound;
+};
+
+} // namespace Shapes::Native

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "Search.h"
+
+namespace Shapes::Native {
+namespace {
+
+// The ball as the other one sees it, which is a disc about the origin then.
+CStraightLeg Relative(const CLeg& other, const CLeg& ball) {
+  const double size = std::max(other.m_vPos.cwiseAbs().maxCoeff(), ball.m_vPos.cwiseAbs().maxCoeff()) +
+                      other.m_fRadius + ball.m_fRadius;
+  return {{ball.m_vPos - other.m_vPos, ball.m_vVel - other.m_vVel, ball.m_fRadius,
+           std::min(other.m_fDuration, ball.m_fDuration)},
+          {size, Length(other.m_vVel) + Length(ball.m_vVel)}};
+}
+
+template <class TLeg>
+bool Meet(const CLeg& other, const TLeg& leg, double end, CImpact& impact) {
+  const COutline disc;
+  CSearch<TLeg> search(disc, leg, end, impact);
+  search.Meet(CRoundPart{Vector2d::Zero(), other.m_fRadius});
+  impact.m_vSurface = other.m_vVel;
+  return search.GetFound() == eSweep::Impact;
+}
+
+} // namespace
+
+eSweep SweepBallBall(const CLeg& other, const CLeg& ball, CImpact& impact) {
+  const CStraightLeg leg = Relative(other, ball);
+  if (!Meet(other, leg, leg.GetLeg().m_fDuration, impact)) return eSweep::None;
+  impact.m_vPOI += other.m_vPos + other.m_vVel * impact.m_fTime;
+  return eSweep::Impact;
+}
+
+bool OverlapBallBall(const CLeg& other, const CLeg& ball, CImpact& impact, double& depth) {
+  FailIf(!Meet(other, CStanding(Relative(other, ball)), 0.0, impact));
+  depth = -impact.m_fTime;
+  impact.m_fTime = 0.0;
+  impact.m_vPOI += other.m_vPos;
+  return true;
+}
+
+} // namespace Shapes::Native

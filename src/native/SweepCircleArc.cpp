@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "Search.h"
+
+namespace Shapes::Native {
+
+template <class TLeg>
+void SweepCircleArc(CSearch<TLeg>& search) {
+  const COutline& arc = search.GetShape();
+  const Vector2d& c = arc.m_vCenter;
+  const double R = arc.m_fRadius, r = search.GetBallRadius(), touch = search.GetLeg().GetTouch();
+  const double slack = R > touch ? touch / R : 1.0;
+  const auto inSector = [&](const Vector2d& p) { return InSector(arc, p - c, slack); };
+  // Overlapping by r the centre is on the circle: on the other side it is not on the solid one.
+  if (arc.m_eSides != eSides::Back) search.Meet(CRoundPart{c, R}, r, inSector);
+  if (arc.m_eSides != eSides::Front && r < R) search.Meet(CInsidePart{c, R}, r, inSector);
+  if (arc.m_bFull) return;
+
+  const bool oneSided = arc.m_eSides != eSides::Both;
+  const double side = arc.m_eSides == eSides::Back ? -1.0 : 1.0;
+  for (const bool first : {true, false}) {
+    const Vector2d &end = first ? arc.m_vPt0 : arc.m_vPt1, &other = first ? arc.m_vPt1 : arc.m_vPt0;
+    search.Meet(CRoundPart{end, 0.0}, oneSided ? touch : std::numeric_limits<double>::infinity(),
+                [&](const Vector2d& p) {
+                  if (InSector(arc, p - c, -slack)) return false;
+                  // On its way through it may reach the second end while it still overlaps the first.
+                  return !oneSided ||
+                         (side * (Length(p - c) - R) >= -touch && Length(p - other) >= r - touch);
+                });
+  }
+}
+
+SHAPES_SWEEP_FOR_ALL_LEGS(SweepCircleArc)
+
+} // namespace Shapes::Native

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// A leg as a turning shape sees it, and when it reaches a part: by steps that are never too long.
+#pragma once
+
+#include "StraightLeg.h"
+
+namespace Shapes::Native {
+
+/// The leg in the frame of the shape, which is the world's at time 0. A function f of it with f'' >= -K
+/// cannot reach 0 before the smallest root h of f + f' h - K h^2/2, and that is the step. Close to the impact
+/// it converges as Newton's method does.
+///
+/// K is the least that is known: the centre of what is round moves on a circle, so the distance from it,
+/// which is convex, has K = its acceleration. In the frame the ball is accelerated by at most M = 2|w||v| +
+/// w^2 |x - c|, so the distance from a segment with its ends, which is convex too, has K = M. From inside a
+/// circle it is (rho^2 - |x|^2)/2 that is followed, where rho = R - r.
+class CTurningLeg {
+public:
+  static constexpr bool g_bTurns = true;
+
+  CTurningLeg(const COutline& shape, const CLeg& leg, const CRoundings& roundings)
+      : m_cLeg(leg),
+        m_cRoundings(roundings),
+        m_vRotCenter(shape.m_vRotCenter),
+        m_fTurn(shape.m_fTurnSpeed),
+        m_fSpeed(Length(leg.m_vVel)) {
+    m_fReach = std::max(Length(FromCenter(0.0)), Length(FromCenter(leg.m_fDuration)));
+  }
+
+  const CLeg& GetLeg() const { return m_cLeg; }
+  double GetTouch() const { return m_cRoundings.m_fTouch; }
+  CSeenBall At(double t) const {
+    const Vector2d d = FromCenter(t);
+    const double c = std::cos(m_fTurn * t), s = std::sin(m_fTurn * t);
+    const auto inFrame = [&](const Vector2d& v) -> Vector2d {
+      return {c * v.x() + s * v.y(), c * v.y() - s * v.x()};
+    };
+    return {m_vRotCenter + inFrame(d), inFrame(m_cLeg.m_vVel - m_fTurn * Perp(d))};
+  }
+
+  /// As of CStraightLeg, and Unknown if the march did not come to an end: nothing is met before t then.
+  template <class TPart, class F>
+  eSweep When(const TPart& part, double deepest, const F& counts, double& t) const {
+    const CBounds bounds = GetBounds(part);
+    const double touch = m_cRoundings.m_fTouch, slow = m_cRoundings.m_fSlow, end = t;
+    // A step in which the gap bends by no more than what is touching.
+    const double least = Quotient(std::sqrt(2.0 * touch * bounds.m_fScale), std::sqrt(bounds.m_fBend), end);
+    bool armed = true; // not while the ball is let through
+    double now = 0.0;
+    for (int i = 0; i < g_nMaxMarchSteps; ++i) {
+      const CSeenBall ball = At(now);
+      const CSpot spot = part.At(ball, m_cLeg.m_fRadius);
+      const double gap = spot.m_fGap, rate = spot.Rate(ball), tick = 4.0 * g_fEps * now;
+      if (i == 0) armed = gap >= -std::max(deepest, touch);
+      armed = armed || gap > touch;
+
+      double step;
+      if (gap > touch)
+        step = SafeStep(Follow(part, gap, rate), bounds.m_fBend, end);
+      else if (armed) // let go: until it begins to approach
+        step = std::max(Quotient(std::max(Follow(part, gap, rate).m_fRate, 0.0), bounds.m_fBend, end), least);
+      else
+        step = std::max(Quotient(std::max(-gap, 0.0), bounds.m_fSpeed, end), least);
+
+      if (armed && rate < -slow && (gap <= touch || step <= tick)) {
+        t = now;
+        if (counts(ball.m_vPos)) return eSweep::Impact;
+        armed = false;
+        step = least;
+      }
+      now += std::max({step, tick, g_fTiny});
+      if (now > end) return eSweep::None;
+    }
+    t = now;
+    return eSweep::Unknown;
+  }
+
+  double GetCurve(const CInsidePart& part, const CSpot&) const {
+    const CBounds bounds = GetBounds(part);
+    return bounds.m_fBend / bounds.m_fScale;
+  }
+  template <class TPart>
+  double GetCurve(const TPart& part, const CSpot&) const {
+    return GetBounds(part).m_fBend;
+  }
+
+private:
+  static constexpr double g_fEps = std::numeric_limits<double>::epsilon();
+  static constexpr double g_fTiny = std::numeric_limits<double>::min();
+
+  // What is followed, and how fast it grows.
+  struct CFollowed {
+    double m_fValue, m_fRate;
+  };
+  template <class TPart>
+  CFollowed Follow(const TPart&, double gap, double rate) const {
+    return {gap, rate};
+  }
+  CFollowed Follow(const CInsidePart& part, double gap, double rate) const {
+    const double rho = part.m_fRadius - m_cLeg.m_fRadius;
+    return {gap * (rho - 0.5 * gap), rate * (rho - gap)};
+  }
+
+  struct CBounds {
+    double m_fBend;  // K, for what is followed
+    double m_fSpeed; // of the gap
+    double m_fScale; // what is followed per unit of gap, at the impact
+  };
+  CBounds GetBounds(const CRoundPart& part) const {
+    return {Acceleration(part.m_vCenter), Speed(part.m_vCenter), 1.0};
+  }
+  // As long as the centre of the ball is within the circle.
+  CBounds GetBounds(const CInsidePart& part) const {
+    const double s = Speed(part.m_vCenter);
+    return {s * s + part.m_fRadius * Acceleration(part.m_vCenter), s, part.m_fRadius - m_cLeg.m_fRadius};
+  }
+  template <class TPart>
+  CBounds GetBounds(const TPart&) const {
+    const double w = std::abs(m_fTurn);
+    return {2.0 * w * m_fSpeed + w * w * m_fReach, m_fSpeed + w * m_fReach, 1.0};
+  }
+
+  Vector2d FromCenter(double t) const { return m_cLeg.m_vPos - m_vRotCenter + m_cLeg.m_vVel * t; }
+  // Of a point of the shape, and of the ball relative to it.
+  double Acceleration(const Vector2d& p) const { return m_fTurn * m_fTurn * Length(p - m_vRotCenter); }
+  double Speed(const Vector2d& p) const { return m_fSpeed + std::abs(m_fTurn) * Length(p - m_vRotCenter); }
+
+  // above / below, of what is not negative; infinite instead of more than `most`.
+  static double Quotient(double above, double below, double most) {
+    return above <= most * below && below > 0.0 ? above / below : std::numeric_limits<double>::infinity();
+  }
+
+  // Smallest h > 0 with f + f' h - K h^2/2 = 0, for f > 0.
+  static double SafeStep(const CFollowed& f, double K, double end) {
+    const double root = std::sqrt(f.m_fRate * f.m_fRate + 2.0 * K * f.m_fValue);
+    return f.m_fRate > 0.0 ? Quotient(f.m_fRate + root, K, end)
+                           : Quotient(2.0 * f.m_fValue, root - f.m_fRate, end);
+  }
+
+  CLeg m_cLeg;
+  CRoundings m_cRoundings;
+  Vector2d m_vRotCenter;
+  double m_fTurn;
+  double m_fSpeed; // of the ball in the world
+  double m_fReach; // how far from the centre of rotation it gets
+};
+
+} // namespace Shapes::Native

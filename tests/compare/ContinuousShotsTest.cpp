@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// Shots at each kind of shape on the native engine with Continuous, held against the exact reference. ctest
+// shoots a part of what docs/effects.md reports; SHAPES_SHOTS=1000000 shoots all of it, and prints the
+// figures.
+#include "Random.h"
+#include "compare/ReferenceTesting.h"
+#include "reference/Distance.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+namespace Shapes::Compare {
+namespace {
+
+using Tests::CRandom;
+using Vector2d = Eigen::Vector2d;
+
+constexpr float g_fDt = 1.0f / 60.0f;
+
+/// How often each kind is shot at.
+int GetShots() {
+  const char* sShots = std::getenv("SHAPES_SHOTS");
+  return sShots == nullptr ? 10000 : std::atoi(sShots);
+}
+
+struct CShot {
+  CAnyShapeDesc m_cTarget; // unless it is a ball
+  bool m_bIsBall = false;
+  CDynamicCircleDesc m_cOther;
+  CDynamicCircleDesc m_cBall;
+};
+
+enum class eTarget { Point, LineSeg, LineSegEnd, Circle, Ring, ArcOutside, ArcInside, ArcEnd, Ball };
+
+struct CCase {
+  const char* m_sName;
+  eTarget m_eTarget;
+  bool m_bTurns;
+};
+
+// From where it touches the target with the normal n there, the ball goes back by a random part of a step.
+CDynamicCircleDesc MakeBall(CRandom& random, const Vector2& poi, const Vector2& n, float r, float way) {
+  // An incidence of up to 89 degrees.
+  const float angle = random.Uniform(-1.55f, 1.55f);
+  const Vector2 v = RotatePt(-n, Vector2::Zero(), angle) * (way / g_fDt);
+  const float part = random.Uniform(0.0f, 1.0f);
+  return {poi + r * n - v * (part * g_fDt), r, v, random.Scale(-3, 3)};
+}
+
+CShot MakeShot(CRandom& random, const CCase& what) {
+  const float r = random.Scale(-4, 0);
+  const float ratio = std::exp(random.Uniform(std::log(0.01f), std::log(1e4f)));
+  const Vector2 c = random.InSquare(2.0f);
+  const float a = random.Uniform(0.0f, g_fTwoPi), R = r * random.Scale(-2, 4),
+              length = r * random.Scale(-2, 6);
+  const Vector2 u = AngleToVector(a);
+  CShot shot;
+  // Where the ball is to touch, and from where.
+  Vector2 poi = c, n = u;
+  switch (what.m_eTarget) {
+  case eTarget::Point: shot.m_cTarget = CPointDesc(c); break;
+  case eTarget::LineSeg:
+    shot.m_cTarget = CLineSegDesc(c, c + length * perp(u));
+    poi = c + random.Uniform(0.0f, 1.0f) * length * perp(u);
+    break;
+  case eTarget::LineSegEnd:
+    shot.m_cTarget = CLineSegDesc(c, c + length * perp(u));
+    n = RotatePt(u, Vector2::Zero(), random.Uniform(-1.5f, 0.0f));
+    break;
+  case eTarget::Circle:
+    shot.m_cTarget = CCircleDesc(c, R);
+    poi = c + R * u;
+    break;
+  case eTarget::Ring: {
+    const float ring = r * (1.0f + random.Scale(-3, 5));
+    shot.m_cTarget = CCircleDesc(c, ring);
+    poi = c + ring * u;
+    n = -u;
+    break;
+  }
+  case eTarget::ArcOutside:
+  case eTarget::ArcInside: {
+    const bool inside = what.m_eTarget == eTarget::ArcInside;
+    const float arc = inside ? r * (1.0f + random.Scale(-3, 5)) : R, before = random.Uniform(0.0f, 3.0f);
+    const float after = random.Uniform(0.01f, 3.0f);
+    shot.m_cTarget = CArcDesc(c, arc, a - before, a + after);
+    poi = c + arc * u;
+    n = inside ? Vector2(-u) : u;
+    break;
+  }
+  case eTarget::ArcEnd:
+    shot.m_cTarget = CArcDesc(c, R, a, a + random.Uniform(0.01f, 6.0f));
+    poi = c + R * u;
+    n = RotatePt(u, Vector2::Zero(), random.Uniform(-2.0f, 0.0f)); // seen from before the end
+    break;
+  case eTarget::Ball: {
+    shot.m_bIsBall = true;
+    poi = c;
+    break;
+  }
+  }
+  shot.m_cBall = MakeBall(random, poi, n, r, ratio * r);
+  if (shot.m_bIsBall) {
+    // Both move; the other one is on its way, too.
+    const float R1 = r * random.Scale(-3, 3);
+    const Vector2 v = random.VectorOfLength(0.0f, ratio * r / g_fDt);
+    const float part = random.Uniform(0.0f, 1.0f);
+    shot.m_cOther = CDynamicCircleDesc(c - R1 * u - v * (part * g_fDt), R1, v, random.Scale(-3, 3));
+    const float back = part * g_fDt; // both at the same time
+    shot.m_cBall.m_vPos = c + r * u - shot.m_cBall.m_vVel * back;
+  }
+  if (what.m_bTurns)
+    std::visit(
+        [&](auto& desc) {
+          desc.m_eMotionType = eMotion::Kinematic;
+          desc.m_vRotCenter = c + random.Coin() * random.VectorOfLength(0.0f, 4.0f * r);
+          desc.m_fRotSpeed = random.SignedScale(-3, 5); // up to a whole turn in a step
+        },
+        shot.m_cTarget);
+  return shot;
+}
+
+class ContinuousShotsTest : public testing::TestWithParam<CCase> {
+protected:
+  struct CResult {
+    int m_nHits = 0;     // that the reference sees, and that are not ambiguous
+    int m_nTunneled = 0; // of them without a response, or with one on the wrong side
+    int m_nGhosts = 0;   // responses where the reference sees nothing
+    // Errors of the outgoing direction where there was one impact, by the decade of v dt / r.
+    std::array<std::vector<double>, 6> m_stdErrors;
+  };
+
+  // Coordinates and radii of all that is there.
+  static double GetSize(const CExact& exact) {
+    double size = 0.0;
+    for (std::size_t i = 0; i < exact.GetBallCount(); ++i)
+      size += exact.GetBall(i).GetExtent();
+    if (exact.GetShapeCount() == 0) return size;
+    const CFigure<double> f = exact.GetFigure(0);
+    for (const CVec2d* p : {&f.m_vCenter, &f.m_vPt0, &f.m_vPt1})
+      size += p->cwiseAbs().maxCoeff();
+    return size + f.m_fRadius;
+  }
+
+  // What overlaps from the beginning is set back: that is no shot.
+  static bool BeginsWithOverlap(const CExact& exact) {
+    const CExactBall<double>& ball = exact.GetBall(0);
+    const double gap = exact.GetBallCount() > 1 ? (exact.GetBall(1).m_vPos - ball.m_vPos).norm() -
+                                                      exact.GetBall(1).m_fRadius - ball.m_fRadius
+                                                : Distance(exact.GetFigure(0), ball.m_vPos) - ball.m_fRadius;
+    return gap < 0.0;
+  }
+
+  static CResult Shoot(const CEffectChoice& choice, int shots, std::uint64_t seed) {
+    CRandom random(seed);
+    CResult result;
+    for (int i = 0; i < shots; ++i) {
+      const CShot shot = MakeShot(random, GetParam());
+      CBalls balls{shot.m_cBall};
+      CShapes shapes;
+      if (shot.m_bIsBall)
+        balls.push_back(shot.m_cOther);
+      else
+        shapes.push_back(shot.m_cTarget);
+      CExact exact = Make(shapes, balls);
+      if (BeginsWithOverlap(exact)) continue;
+      CEvents events;
+      exact.Step(g_fDt, events);
+
+      CWorldDesc desc;
+      desc.m_fTimeStep = g_fDt;
+      desc.m_cEffects = choice;
+      const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+      for (const CAnyShapeDesc& shape : shapes)
+        pWorld->Add(shape);
+      for (const CDynamicCircleDesc& ball : balls)
+        pWorld->Add(ball);
+      pWorld->Step();
+      const auto contacts = pWorld->GetContacts();
+      if (events.empty()) {
+        result.m_nGhosts += !contacts.empty() && exact.GetNearMissCount() == 0;
+        continue;
+      }
+      const CExactEvent<double>& first = events[0];
+      // What is touched within the roundings of floats may be answered a step later.
+      const double size = GetSize(exact);
+      const double approach = (first.m_vSurface - first.m_vVelBefore).dot(first.m_vNorm);
+      if (first.m_bGraze || first.m_bOverlapped || first.m_bSimultaneous ||
+          approach * (static_cast<double>(g_fDt) - first.m_fTime) < g_fTouchRounding * size)
+        continue;
+      ++result.m_nHits;
+      if (contacts.empty() || contacts[0].m_vNorm.cast<double>().dot(first.m_vNorm) <= 0.0) {
+        ++result.m_nTunneled;
+        continue;
+      }
+      if (events.size() != 1) continue;
+      const Vector2d v = pWorld->GetBallVelocities()[0].cast<double>(), w = exact.GetBall(0).m_vVel;
+      const double ratio = static_cast<double>(shot.m_cBall.m_vVel.norm() * g_fDt / shot.m_cBall.m_fRadius);
+      const auto decade = static_cast<std::size_t>(std::clamp(std::floor(std::log10(ratio)) + 2.0, 0.0, 5.0));
+      result.m_stdErrors[decade].push_back(std::abs(std::atan2(v.x() * w.y() - v.y() * w.x(), v.dot(w))));
+    }
+    return result;
+  }
+};
+
+TEST_P(ContinuousShotsTest, NoneTunnelsAtAnySpeed) {
+  constexpr std::uint64_t seed = 20;
+  const int shots = GetShots();
+  CResult result = Shoot(g_cContinuous, shots, seed);
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  std::cout << GetParam().m_sName << ": " << shots << " shots, " << result.m_nHits << " hits, "
+            << result.m_nTunneled << " tunneled, " << result.m_nGhosts << " ghosts, p95 by decade";
+  EXPECT_GT(result.m_nHits, shots / 4);
+  EXPECT_EQ(result.m_nTunneled, 0);
+  EXPECT_EQ(result.m_nGhosts, 0);
+  for (std::size_t decade = 0; decade < result.m_stdErrors.size(); ++decade) {
+    std::vector<double>& errors = result.m_stdErrors[decade];
+    if (errors.size() < 20) continue;
+    std::sort(errors.begin(), errors.end());
+    const double p95 = errors[errors.size() * 95 / 100];
+    std::cout << " " << p95 << " (" << errors.back() << ")";
+    // Both start from the same floats; the velocity is rounded to floats in the end.
+    EXPECT_LT(p95, 1e-6) << "v dt / r up to 1e" << static_cast<int>(decade) - 1;
+  }
+  std::cout << "\n";
+}
+
+TEST_P(ContinuousShotsTest, WhichTheApproximateWayDoes) {
+  const CResult result = Shoot(g_cApproximate, 2000, 21);
+  EXPECT_GT(result.m_nTunneled, result.m_nHits / 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , ContinuousShotsTest,
+    testing::Values(CCase{"Point", eTarget::Point, false}, CCase{"LineSeg", eTarget::LineSeg, false},
+                    CCase{"LineSegEnd", eTarget::LineSegEnd, false}, CCase{"Circle", eTarget::Circle, false},
+                    CCase{"Ring", eTarget::Ring, false}, CCase{"ArcOutside", eTarget::ArcOutside, false},
+                    CCase{"ArcInside", eTarget::ArcInside, false}, CCase{"ArcEnd", eTarget::ArcEnd, false},
+                    CCase{"Ball", eTarget::Ball, false}, CCase{"TurningPoint", eTarget::Point, true},
+                    CCase{"TurningLineSeg", eTarget::LineSeg, true},
+                    CCase{"TurningLineSegEnd", eTarget::LineSegEnd, true},
+                    CCase{"TurningCircle", eTarget::Circle, true}, CCase{"TurningRing", eTarget::Ring, true},
+                    CCase{"TurningArcOutside", eTarget::ArcOutside, true},
+                    CCase{"TurningArcInside", eTarget::ArcInside, true},
+                    CCase{"TurningArcEnd", eTarget::ArcEnd, true}),
+    [](const auto& sample) { return std::string(sample.param.m_sName); });
+
+} // namespace
+} // namespace Shapes::Compare
