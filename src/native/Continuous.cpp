@@ -170,10 +170,8 @@ void CContinuous::Push(std::uint32_t i, const Vector2d& n, double depth) {
 void CContinuous::FindNext(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   CNext next;
-  if (!ball.m_bIsHalted) {
-    MeetShapes(i, next);
-    MeetBalls(i, next);
-  }
+  if (!ball.m_bIsHalted) MeetShapes(i, next);
+  MeetBalls(i, next);
   ball.m_cNext = next;
   if (next.m_eSweep == eSweep::None) return;
   m_stdQueue.push_back({std::min(ball.m_fTime + next.m_cImpact.m_fTime, m_fStep), i, ball.m_nStamp});
@@ -221,7 +219,7 @@ void CContinuous::MeetBalls(std::uint32_t i, CNext& next) {
     if (found.m_eSweep == eSweep::None) continue;
     found.m_fOtherTime = otherSince + found.m_cImpact.m_fTime;
     found.m_cImpact.m_fTime += since;
-    Offer(ball, found, SizeOf(other.m_vPos, other.m_fRadius), next);
+    Offer(ball, found, other.m_fRadius, next);
   }
 }
 
@@ -234,7 +232,7 @@ void CContinuous::Offer(const CMoving& ball, const CNext& found, double size, CN
     // be done with it.
     const double approach = ApproachSpeed(ball.GetPathVel(), impact.m_vSurface, impact.m_vNorm);
     const double left = m_fStep - ball.m_fTime - impact.m_fTime;
-    if (approach * left <= Rounding(size + SizeOf(ball.m_vPos, ball.m_fRadius))) return;
+    if (approach * left <= Rounding(size + SizeOf(impact.m_vPOI, ball.m_fRadius))) return;
   }
   const auto order = [](const CNext& n) { return std::tuple(n.m_cImpact.m_fTime, n.m_bIsBall, n.m_nOther); };
   if (next.m_eSweep == eSweep::None || order(found) < order(next)) next = found;
@@ -314,12 +312,15 @@ void CContinuous::AnswerBall(CMoving& ball, CMoving& other) {
   Advance(other, next.m_fOtherTime);
   other.m_fTime = ball.m_fTime;
   const double e = ball.m_fElasticity * other.m_fElasticity;
-  const double approach = ApproachSpeed(ball.m_vVel, other.GetPathVel(), n);
+  const double approach = ApproachSpeed(ball.GetPathVel(), other.GetPathVel(), n);
   double setback = ball.m_fRadius + other.m_fRadius - (ball.m_vPos - other.m_vPos).dot(n);
   const double size = SizeOf(ball.m_vPos, ball.m_fRadius) + SizeOf(other.m_vPos, other.m_fRadius);
   if (std::abs(setback) > Rounding(size)) setback = 0.0; // they began deep in each other
+  const Vector2d rest = Vector2d::Zero();
   if (other.m_bIsHalted)
-    RespondKinematic(n, setback, e, Vector2d(Vector2d::Zero()), ball.m_vPos, ball.m_vVel);
+    RespondKinematic(n, setback, e, rest, ball.m_vPos, ball.m_vVel);
+  else if (ball.m_bIsHalted)
+    RespondKinematic(Vector2d(-n), setback, e, rest, other.m_vPos, other.m_vVel);
   else
     RespondDynamic(n, setback, e, other.m_fMass, ball.m_fMass, other.m_vPos, other.m_vVel, ball.m_vPos,
                    ball.m_vVel);
@@ -331,8 +332,8 @@ void CContinuous::AnswerBall(CMoving& ball, CMoving& other) {
   const CMoving &first = ballIsFirst ? ball : other, &second = ballIsFirst ? other : ball;
   const Vector2d nhat = ballIsFirst ? n : Vector2d(-n);
   Report(m_pBalls->m_stdId[second.m_nBall], first, second.m_vPos + second.m_fRadius * nhat, nhat, approach);
-  EndLeg(ball);
-  if (!other.m_bIsHalted) EndLeg(other);
+  for (CMoving* pBall : {&ball, &other})
+    if (!pBall->m_bIsHalted) EndLeg(*pBall);
 }
 
 void CContinuous::Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n,

@@ -24,7 +24,7 @@ public:
   template <class TPart, class F>
   eSweep When(const TPart& part, double deepest, const F& counts, double& t) const {
     const CSeenBall ball = m_cLeg.At(0.0);
-    const double gap = part.At(ball, GetLeg().m_fRadius).m_fGap;
+    const double gap = part.At(ball).m_fGap;
     if (!(gap < t && gap >= -deepest && counts(ball.m_vPos))) return eSweep::None;
     t = gap;
     return eSweep::Impact;
@@ -60,7 +60,7 @@ public:
     const eSweep found = m_cLeg.When(part, deepest, counts, t);
     if (found == eSweep::None || (m_eFound != eSweep::None && !(t < m_cImpact.m_fTime))) return;
     m_eFound = found;
-    const CSpot spot = part.At(m_cLeg.At(t), GetBallRadius());
+    const CSpot spot = part.At(m_cLeg.At(t));
     m_cImpact = {t, spot.m_vPOI, spot.m_vNorm, Vector2d::Zero(), m_cLeg.GetCurve(part, spot)};
   }
   /// Wherever the centre is, and however deep.

@@ -32,14 +32,16 @@ public:
 
   const CLeg& GetLeg() const { return m_cLeg; }
   double GetTouch() const { return m_cRoundings.m_fTouch; }
-  CSeenBall At(double t) const { return {m_cLeg.m_vPos + m_cLeg.m_vVel * t, m_cLeg.m_vVel}; }
+  CSeenBall At(double t) const {
+    return {m_cLeg.m_vPos + m_cLeg.m_vVel * t, m_cLeg.m_vVel, m_cLeg.m_fRadius};
+  }
 
   /// The earlier root of |d + v t| = R, where d is from the centre of the disc, R the sum of both radii and
   /// b = d.v: with disc = (R|v| - |d x v|)(R|v| + |d x v|) it is (|d| - R)(|d| + R) / (sqrt(disc) - b).
   /// Error at most 16 eps (|d| + R) / approach speed + 4 eps t.
   template <class F>
   eSweep When(const CRoundPart& part, double deepest, const F& counts, double& t) const {
-    const CSpot spot = part.At(At(0.0), m_cLeg.m_fRadius);
+    const CSpot spot = part.At(At(0.0));
     if (spot.m_fGap <= GetTouch()) return AtOnce(spot, deepest, counts, t);
     const Vector2d d = m_cLeg.m_vPos - part.m_vCenter;
     const double R = part.m_fRadius + m_cLeg.m_fRadius, b = d.dot(m_cLeg.m_vVel);
@@ -56,7 +58,7 @@ public:
   /// ball rolls along the circle.
   template <class F>
   eSweep When(const CInsidePart& part, double deepest, const F& counts, double& t) const {
-    const CSpot spot = part.At(At(0.0), m_cLeg.m_fRadius);
+    const CSpot spot = part.At(At(0.0));
     const double gap = spot.m_fGap;
     if (gap <= GetTouch() && Approaches(spot)) return AtOnce(spot, deepest, counts, t);
     const Vector2d d = m_cLeg.m_vPos - part.m_vCenter;
@@ -64,20 +66,21 @@ public:
     const double speed = Length(m_cLeg.m_vVel), reach = R * speed;
     double aside = std::abs(Cross(d, m_cLeg.m_vVel));
     if (reach < aside) {
-      // The way does not enter the circle in which the centre is clear. If it begins beyond, it begins to
-      // approach where it is closest to the centre.
-      if (gap < -std::max(deepest, GetTouch())) return eSweep::None;
+      // The way does not enter the circle in which the centre is clear. A ball that overlaps from the start
+      // begins to approach where it is closest to the centre.
+      if (gap < -std::max(deepest, GetTouch()) || !counts(m_cLeg.m_vPos)) return eSweep::None;
       aside = reach;
     }
     const double root = std::sqrt(reach - aside) * std::sqrt(reach + aside);
-    if (b > 0.0) return Then(std::max(gap, 0.0) * (R + dist), b + root, counts, t);
+    // What touches and rolls along it is there already: how fast it comes closer is rounding.
+    if (b > 0.0) return Then(gap > GetTouch() ? gap * (R + dist) : 0.0, b + root, counts, t);
     return Then(root - b, speed * speed, counts, t);
   }
 
   /// Error as for a disc.
   template <class F>
   eSweep When(const CFacePart& part, double deepest, const F& counts, double& t) const {
-    const CSpot spot = part.At(At(0.0), m_cLeg.m_fRadius);
+    const CSpot spot = part.At(At(0.0));
     if (spot.m_fGap <= GetTouch()) return AtOnce(spot, deepest, counts, t);
     return Then(spot.m_fGap, -Rate(spot), counts, t);
   }
@@ -86,7 +89,7 @@ public:
   /// or leaves it for good.
   template <class F>
   eSweep When(const CLineSegPart& part, double deepest, const F& counts, double& t) const {
-    const CSpot spot = part.At(At(0.0), m_cLeg.m_fRadius);
+    const CSpot spot = part.At(At(0.0));
     if (spot.m_fGap <= GetTouch()) return AtOnce(spot, deepest, counts, t);
     const Vector2d from0 = m_cLeg.m_vPos - part.m_vPt0;
     const CFacePart face{part.m_vPt0,

@@ -10,6 +10,12 @@ CRoundings Roundings(const COutline& shape, const CLeg& leg) {
   return {size, Length(leg.m_vVel) + std::abs(shape.m_fTurnSpeed) * size};
 }
 
+// A ball that is smaller than what is touching would not be seen on the right side of what it has met.
+CLeg Seen(CLeg leg, const CRoundings& roundings) {
+  leg.m_fRadius = std::max(leg.m_fRadius, 0.5 * roundings.m_fTouch);
+  return leg;
+}
+
 // The one place that goes from type to kernel.
 template <class TLeg>
 eSweep Run(const COutline& shape, const TLeg& leg, double end, CImpact& impact) {
@@ -27,8 +33,9 @@ eSweep Run(const COutline& shape, const TLeg& leg, double end, CImpact& impact) 
 
 } // namespace
 
-eSweep Sweep(const COutline& shape, const CLeg& leg, double start, CImpact& impact) {
-  const CRoundings roundings = Roundings(shape, leg);
+eSweep Sweep(const COutline& shape, const CLeg& ball, double start, CImpact& impact) {
+  const CRoundings roundings = Roundings(shape, ball);
+  const CLeg leg = Seen(ball, roundings);
   eSweep found;
   if (shape.m_fTurnSpeed == 0.0) {
     found = Run(shape, CStraightLeg(leg, roundings), leg.m_fDuration, impact);
@@ -44,8 +51,9 @@ eSweep Sweep(const COutline& shape, const CLeg& leg, double start, CImpact& impa
   return found;
 }
 
-bool Overlap(const COutline& shape, const CLeg& leg, double start, CImpact& impact, double& depth) {
-  const CRoundings roundings = Roundings(shape, leg);
+bool Overlap(const COutline& shape, const CLeg& ball, double start, CImpact& impact, double& depth) {
+  const CRoundings roundings = Roundings(shape, ball);
+  const CLeg leg = Seen(ball, roundings);
   const COutline now = TurnedFor(shape, start);
   const eSweep found = shape.m_fTurnSpeed == 0.0
                            ? Run(now, CStanding(CStraightLeg(leg, roundings)), 0.0, impact)

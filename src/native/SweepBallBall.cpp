@@ -4,13 +4,16 @@
 namespace Shapes::Native {
 namespace {
 
-// The ball as the other one sees it, which is a disc about the origin then.
+// The ball as the other one sees it, which is a disc about the origin then. As in Sweep it is not smaller
+// than what is touching.
 CStraightLeg Relative(const CLeg& other, const CLeg& ball) {
   const double size = std::max(other.m_vPos.cwiseAbs().maxCoeff(), ball.m_vPos.cwiseAbs().maxCoeff()) +
-                      other.m_fRadius + ball.m_fRadius;
-  return {{ball.m_vPos - other.m_vPos, ball.m_vVel - other.m_vVel, ball.m_fRadius,
+                      (other.m_fRadius + ball.m_fRadius);
+  const CRoundings roundings(size, Length(other.m_vVel) + Length(ball.m_vVel));
+  const double r = std::max(ball.m_fRadius, 0.5 * roundings.m_fTouch - other.m_fRadius);
+  return {{ball.m_vPos - other.m_vPos, ball.m_vVel - other.m_vVel, r,
            std::min(other.m_fDuration, ball.m_fDuration)},
-          {size, Length(other.m_vVel) + Length(ball.m_vVel)}};
+          roundings};
 }
 
 template <class TLeg>

@@ -21,7 +21,7 @@ void SweepLineSegCircle(CSearch<TLeg>& search) {
   search.Meet(face, r, between);
   if constexpr (!TLeg::g_bTurns) { // whoever leaves the face does not come closer to the ends
     const CSeenBall ball = leg.At(0.0);
-    const double gap = face.At(ball, r).m_fGap;
+    const double gap = face.At(ball).m_fGap;
     if (gap <= touch && gap >= -r && between(ball.m_vPos)) return;
   }
   // ... and the ends elsewhere. These let go whatever overlaps them.

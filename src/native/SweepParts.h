@@ -12,6 +12,7 @@ namespace Shapes::Native {
 struct CSeenBall {
   Vector2d m_vPos; ///< centre
   Vector2d m_vVel;
+  double m_fRadius;
 };
 
 /// Where a ball and a part are closest.
@@ -33,9 +34,9 @@ struct CRoundPart {
   Vector2d m_vCenter;
   double m_fRadius;
 
-  CSpot At(const CSeenBall& ball, double r) const {
+  CSpot At(const CSeenBall& ball) const {
     const Vector2d d = ball.m_vPos - m_vCenter, n = Away(d, ball);
-    return {Length(d) - (m_fRadius + r), n, m_vCenter + m_fRadius * n};
+    return {Length(d) - (m_fRadius + ball.m_fRadius), n, m_vCenter + m_fRadius * n};
   }
 };
 
@@ -44,11 +45,11 @@ struct CInsidePart {
   Vector2d m_vCenter;
   double m_fRadius;
 
-  CSpot At(const CSeenBall& ball, double r) const {
+  CSpot At(const CSeenBall& ball) const {
     const Vector2d d = ball.m_vPos - m_vCenter, out = Away(d, ball);
     // Right in the middle it is met where it goes.
     const Vector2d n = d.isZero(0.0) ? out : Vector2d(-out);
-    return {m_fRadius - r - Length(d), n, m_vCenter - m_fRadius * n};
+    return {m_fRadius - ball.m_fRadius - Length(d), n, m_vCenter - m_fRadius * n};
   }
 };
 
@@ -56,9 +57,9 @@ struct CInsidePart {
 struct CFacePart {
   Vector2d m_vPt, m_vNorm;
 
-  CSpot At(const CSeenBall& ball, double r) const {
+  CSpot At(const CSeenBall& ball) const {
     const double s = m_vNorm.dot(ball.m_vPos - m_vPt);
-    return {s - r, m_vNorm, ball.m_vPos - s * m_vNorm};
+    return {s - ball.m_fRadius, m_vNorm, ball.m_vPos - s * m_vNorm};
   }
 };
 
@@ -68,15 +69,15 @@ struct CLineSegPart {
 
   Vector2d Along() const { return -Perp(m_vFront); }
 
-  CSpot At(const CSeenBall& ball, double r) const {
+  CSpot At(const CSeenBall& ball) const {
     const Vector2d from0 = ball.m_vPos - m_vPt0;
-    if (!(Along().dot(from0) > 0.0)) return CRoundPart{m_vPt0, 0.0}.At(ball, r);
-    if (!(Along().dot(ball.m_vPos - m_vPt1) < 0.0)) return CRoundPart{m_vPt1, 0.0}.At(ball, r);
+    if (!(Along().dot(from0) > 0.0)) return CRoundPart{m_vPt0, 0.0}.At(ball);
+    if (!(Along().dot(ball.m_vPos - m_vPt1) < 0.0)) return CRoundPart{m_vPt1, 0.0}.At(ball);
     const double s = m_vFront.dot(from0);
     // Exactly on the line, the side from which it came.
     const bool front = s > 0.0 || (s == 0.0 && !(m_vFront.dot(ball.m_vVel) > 0.0));
     const Vector2d n = front ? m_vFront : Vector2d(-m_vFront);
-    return {std::abs(s) - r, n, ball.m_vPos - s * m_vFront};
+    return {std::abs(s) - ball.m_fRadius, n, ball.m_vPos - s * m_vFront};
   }
 };
 

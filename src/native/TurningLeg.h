@@ -35,36 +35,38 @@ public:
     const auto inFrame = [&](const Vector2d& v) -> Vector2d {
       return {c * v.x() + s * v.y(), c * v.y() - s * v.x()};
     };
-    return {m_vRotCenter + inFrame(d), inFrame(m_cLeg.m_vVel - m_fTurn * Perp(d))};
+    return {m_vRotCenter + inFrame(d), inFrame(m_cLeg.m_vVel - m_fTurn * Perp(d)), m_cLeg.m_fRadius};
   }
 
   /// As of CStraightLeg, and Unknown if the march did not come to an end: nothing is met before t then.
   template <class TPart, class F>
   eSweep When(const TPart& part, double deepest, const F& counts, double& t) const {
-    const CBounds bounds = GetBounds(part);
     const double touch = m_cRoundings.m_fTouch, slow = m_cRoundings.m_fSlow, end = t;
     // A step in which the gap bends by no more than what is touching.
-    const double least = Quotient(std::sqrt(2.0 * touch * bounds.m_fScale), std::sqrt(bounds.m_fBend), end);
+    const double least = Quotient(std::sqrt(2.0 * touch), std::sqrt(GetCurve(part)), end);
     bool armed = true; // not while the ball is let through
     double now = 0.0;
     for (int i = 0; i < g_nMaxMarchSteps; ++i) {
       const CSeenBall ball = At(now);
-      const CSpot spot = part.At(ball, m_cLeg.m_fRadius);
+      const CSpot spot = part.At(ball);
       const double gap = spot.m_fGap, rate = spot.Rate(ball), tick = 4.0 * g_fEps * now;
       if (i == 0) armed = gap >= -std::max(deepest, touch);
       armed = armed || gap > touch;
 
       double step;
       if (gap > touch)
-        step = SafeStep(Follow(part, gap, rate), bounds.m_fBend, end);
+        step = SafeStep(Nearing(part, gap, rate), end);
       else if (armed) // let go: until it begins to approach
-        step = std::max(Quotient(std::max(Follow(part, gap, rate).m_fRate, 0.0), bounds.m_fBend, end), least);
+        step = std::max(SlowStep(Nearing(part, gap, rate), end), least);
       else
-        step = std::max(Quotient(std::max(-gap, 0.0), bounds.m_fSpeed, end), least);
+        step = std::max(SafeStep(Leaving(part, gap, rate), end), least);
 
       if (armed && rate < -slow && (gap <= touch || step <= tick)) {
-        t = now;
-        if (counts(ball.m_vPos)) return eSweep::Impact;
+        if (counts(ball.m_vPos)) {
+          // What is left of the gap.
+          t = std::min(now + std::min(Quotient(std::max(gap, 0.0), -rate, end), least), end);
+          return eSweep::Impact;
+        }
         armed = false;
         step = least;
       }
@@ -75,49 +77,53 @@ public:
     return eSweep::Unknown;
   }
 
-  double GetCurve(const CInsidePart& part, const CSpot&) const {
-    const CBounds bounds = GetBounds(part);
-    return bounds.m_fBend / bounds.m_fScale;
-  }
   template <class TPart>
   double GetCurve(const TPart& part, const CSpot&) const {
-    return GetBounds(part).m_fBend;
+    return GetCurve(part);
   }
 
 private:
   static constexpr double g_fEps = std::numeric_limits<double>::epsilon();
   static constexpr double g_fTiny = std::numeric_limits<double>::min();
 
-  // What is followed, and how fast it grows.
-  struct CFollowed {
-    double m_fValue, m_fRate;
-  };
   template <class TPart>
-  CFollowed Follow(const TPart&, double gap, double rate) const {
-    return {gap, rate};
-  }
-  CFollowed Follow(const CInsidePart& part, double gap, double rate) const {
-    const double rho = part.m_fRadius - m_cLeg.m_fRadius;
-    return {gap * (rho - 0.5 * gap), rate * (rho - gap)};
+  double GetCurve(const TPart& part) const {
+    const CFollowed f = Nearing(part, 0.0, 1.0);
+    return f.m_fBend / f.m_fRate;
   }
 
-  struct CBounds {
-    double m_fBend;  // K, for what is followed
-    double m_fSpeed; // of the gap
-    double m_fScale; // what is followed per unit of gap, at the impact
+  // A function f that has the sign of the gap, or the other one, and a K with f'' >= -K where f > 0.
+  struct CFollowed {
+    double m_fValue, m_fRate, m_fBend;
   };
-  CBounds GetBounds(const CRoundPart& part) const {
-    return {Acceleration(part.m_vCenter), Speed(part.m_vCenter), 1.0};
+  // f falls to 0 where the ball touches.
+  CFollowed Nearing(const CRoundPart& part, double gap, double rate) const {
+    return {gap, rate, Acceleration(part.m_vCenter)};
   }
-  // As long as the centre of the ball is within the circle.
-  CBounds GetBounds(const CInsidePart& part) const {
-    const double s = Speed(part.m_vCenter);
-    return {s * s + part.m_fRadius * Acceleration(part.m_vCenter), s, part.m_fRadius - m_cLeg.m_fRadius};
+  // The bound holds as long as the centre of the ball is within the circle.
+  CFollowed Nearing(const CInsidePart& part, double gap, double rate) const {
+    const double rho = part.m_fRadius - m_cLeg.m_fRadius, s = Speed(part.m_vCenter);
+    return {gap * (rho - 0.5 * gap), rate * (rho - gap),
+            s * s + part.m_fRadius * Acceleration(part.m_vCenter)};
   }
   template <class TPart>
-  CBounds GetBounds(const TPart&) const {
+  CFollowed Nearing(const TPart&, double gap, double rate) const {
     const double w = std::abs(m_fTurn);
-    return {2.0 * w * m_fSpeed + w * w * m_fReach, m_fSpeed + w * m_fReach, 1.0};
+    return {gap, rate, 2.0 * w * m_fSpeed + w * w * m_fReach};
+  }
+  // f falls to 0 where a ball that is let through is clear again. (No ball goes through a whole segment.)
+  CFollowed Leaving(const CRoundPart& part, double gap, double rate) const {
+    const double R = part.m_fRadius + m_cLeg.m_fRadius, s = Speed(part.m_vCenter);
+    return {-gap * (R + 0.5 * gap), -rate * (R + gap), s * s + R * Acceleration(part.m_vCenter)};
+  }
+  CFollowed Leaving(const CInsidePart& part, double gap, double rate) const {
+    const CFollowed f = Nearing(part, gap, rate);
+    const double reach = m_fReach + Length(part.m_vCenter - m_vRotCenter);
+    return {-f.m_fValue, -f.m_fRate, reach * Acceleration(part.m_vCenter)};
+  }
+  template <class TPart>
+  CFollowed Leaving(const TPart& part, double gap, double rate) const {
+    return Nearing(part, -gap, -rate);
   }
 
   Vector2d FromCenter(double t) const { return m_cLeg.m_vPos - m_vRotCenter + m_cLeg.m_vVel * t; }
@@ -131,10 +137,14 @@ private:
   }
 
   // Smallest h > 0 with f + f' h - K h^2/2 = 0, for f > 0.
-  static double SafeStep(const CFollowed& f, double K, double end) {
-    const double root = std::sqrt(f.m_fRate * f.m_fRate + 2.0 * K * f.m_fValue);
-    return f.m_fRate > 0.0 ? Quotient(f.m_fRate + root, K, end)
-                           : Quotient(2.0 * f.m_fValue, root - f.m_fRate, end);
+  static double SafeStep(const CFollowed& f, double end) {
+    const double value = std::max(f.m_fValue, 0.0), slope = f.m_fRate, K = f.m_fBend;
+    const double root = std::sqrt(slope * slope + 2.0 * K * value);
+    return slope > 0.0 ? Quotient(slope + root, K, end) : Quotient(2.0 * value, root - slope, end);
+  }
+  // The h with f' - K h = 0.
+  static double SlowStep(const CFollowed& f, double end) {
+    return Quotient(std::max(f.m_fRate, 0.0), f.m_fBend, end);
   }
 
   CLeg m_cLeg;

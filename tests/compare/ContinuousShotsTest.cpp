@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <stdexcept>
 
 namespace Shapes::Compare {
 namespace {
@@ -130,7 +131,8 @@ protected:
   struct CResult {
     int m_nHits = 0;     // that the reference sees, and that are not ambiguous
     int m_nTunneled = 0; // of them without a response, or with one on the wrong side
-    int m_nGhosts = 0;   // responses where the reference sees nothing
+    int m_nUndecided = 0;
+    int m_nGhosts = 0; // responses where the reference sees nothing
     // Errors of the outgoing direction where there was one impact, by the decade of v dt / r.
     std::array<std::vector<double>, 6> m_stdErrors;
   };
@@ -170,7 +172,12 @@ protected:
       CExact exact = Make(shapes, balls);
       if (BeginsWithOverlap(exact)) continue;
       CEvents events;
-      exact.Step(g_fDt, events);
+      try {
+        exact.Step(g_fDt, events);
+      } catch (const std::runtime_error&) { // the reference cannot decide
+        ++result.m_nUndecided;
+        continue;
+      }
 
       CWorldDesc desc;
       desc.m_fTimeStep = g_fDt;
@@ -187,11 +194,11 @@ protected:
         continue;
       }
       const CExactEvent<double>& first = events[0];
-      // What is touched within the roundings of floats may be answered a step later.
+      // What is touched within the roundings of floats may be answered a step later; a factor of 2.
       const double size = GetSize(exact);
       const double approach = (first.m_vSurface - first.m_vVelBefore).dot(first.m_vNorm);
       if (first.m_bGraze || first.m_bOverlapped || first.m_bSimultaneous ||
-          approach * (static_cast<double>(g_fDt) - first.m_fTime) < g_fTouchRounding * size)
+          approach * (static_cast<double>(g_fDt) - first.m_fTime) < 2.0 * g_fTouchRounding * size)
         continue;
       ++result.m_nHits;
       if (contacts.empty() || contacts[0].m_vNorm.cast<double>().dot(first.m_vNorm) <= 0.0) {
@@ -214,10 +221,12 @@ TEST_P(ContinuousShotsTest, NoneTunnelsAtAnySpeed) {
   CResult result = Shoot(g_cContinuous, shots, seed);
   SCOPED_TRACE(testing::Message() << "seed " << seed);
   std::cout << GetParam().m_sName << ": " << shots << " shots, " << result.m_nHits << " hits, "
-            << result.m_nTunneled << " tunneled, " << result.m_nGhosts << " ghosts, p95 by decade";
+            << result.m_nTunneled << " tunneled, " << result.m_nGhosts << " ghosts, " << result.m_nUndecided
+            << " undecided, p95 by decade";
   EXPECT_GT(result.m_nHits, shots / 4);
   EXPECT_EQ(result.m_nTunneled, 0);
   EXPECT_EQ(result.m_nGhosts, 0);
+  EXPECT_LE(result.m_nUndecided, shots / 5000);
   for (std::size_t decade = 0; decade < result.m_stdErrors.size(); ++decade) {
     std::vector<double>& errors = result.m_stdErrors[decade];
     if (errors.size() < 20) continue;

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: MIT
+// The native world with Continuous: what happens between impacts, and after many of them. Shots at each kind
+// of shape are in tests/compare/ContinuousShotsTest.cpp.
+#include "Random.h"
+
+#include <Shapes/Shapes.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace Shapes {
+namespace {
+
+using Tests::CRandom;
+
+constexpr float g_fDt = 1.0f / 60.0f;
+constexpr float g_fUlp = 1.1920929e-7f;
+
+std::unique_ptr<CWorld> MakeContinuous(const Vector2& g = Vector2::Zero(),
+                                       const CEffectChoice& choice = g_cContinuous) {
+  CWorldDesc desc;
+  desc.m_fTimeStep = g_fDt;
+  desc.m_vGravity = g;
+  desc.m_cEffects = choice;
+  return GetBackend(eBackend::Native)->MakeWorld(desc);
+}
+
+template <class TDesc>
+TDesc Turning(TDesc desc, const Vector2& center, float revs) {
+  desc.m_eMotionType = eMotion::Kinematic;
+  desc.m_vRotCenter = center;
+  desc.m_fRotSpeed = revs;
+  return desc;
+}
+
+void AddBox(CWorld& world, float half, float e = 1.0f) {
+  world.Add(CLineSegDesc({-half, -half}, {half, -half}, e));
+  world.Add(CLineSegDesc({-half, half}, {half, half}, e));
+  world.Add(CLineSegDesc({-half, -half}, {-half, half}, e));
+  world.Add(CLineSegDesc({half, -half}, {half, half}, e));
+}
+
+double KineticEnergy(const CWorld& world) {
+  double energy = 0.0;
+  for (const CShapeId id : world.GetBallIds())
+    energy += 0.5 * static_cast<double>(world.GetMass(id)) * world.GetVel(id).cast<double>().squaredNorm();
+  return energy;
+}
+
+TEST(ContinuousTest, ABallBetweenTwoWallsIsNeverLost) {
+  // 26 impacts a step. The control is the same without Continuous.
+  for (const bool continuous : {true, false}) {
+    auto pWorld = MakeContinuous(Vector2::Zero(), continuous ? g_cContinuous : g_cApproximate);
+    pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+    pWorld->Add(CLineSegDesc({-1, 0.25f}, {1, 0.25f}));
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, 80}));
+    while (pWorld->GetStats().m_nContacts < 100000 && pWorld->GetStats().m_nSteps < 10000) {
+      pWorld->Step();
+      const float y = pWorld->GetPos(ball).y();
+      if (!(y > 0.0f && y < 0.25f)) break;
+    }
+    EXPECT_EQ(pWorld->GetStats().m_nContacts >= 100000, continuous);
+    if (!continuous) continue;
+    EXPECT_EQ(pWorld->GetVel(ball).norm(), 80.0f);
+    EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u);
+  }
+}
+
+TEST(ContinuousTest, TravelsTheRestOfTheStepAfterAnImpact) {
+  auto pWorld = MakeContinuous();
+  pWorld->Add(CLineSegDesc({-5, 0}, {5, 0}));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.6f}, 0.1f, {30, -60}));
+  pWorld->Step(); // .5 down, and .5 up again
+  EXPECT_NEAR(pWorld->GetPos(ball).x(), 0.5f, 4 * g_fUlp);
+  EXPECT_NEAR(pWorld->GetPos(ball).y(), 0.6f, 8 * g_fUlp);
+  EXPECT_EQ(pWorld->GetVel(ball), Vector2(30, 60));
+}
+
+TEST(ContinuousTest, AnEventHasThePlaceAndSpeedOfItsImpact) {
+  auto pWorld = MakeContinuous();
+  const CShapeId point = pWorld->Add(CPointDesc({1, 0}));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.25f, {240, 0}));
+  pWorld->Step();
+  ASSERT_EQ(pWorld->GetContacts().size(), 1u);
+  const CContactEvent& event = pWorld->GetContacts()[0];
+  EXPECT_EQ(event.m_cShape, point);
+  EXPECT_EQ(event.m_cBall, ball);
+  EXPECT_EQ(event.m_vPOI, Vector2(1, 0));
+  EXPECT_EQ(event.m_vNorm, Vector2(-1, 0));
+  EXPECT_EQ(event.m_fSpeed, 240.0f);
+  EXPECT_EQ(event.m_fSetback, 0.0f);
+}
+
+TEST(ContinuousTest, ACornerTurnsABallBack) {
+  auto pWorld = MakeContinuous();
+  AddBox(*pWorld, 1);
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.125f, {120, 120}));
+  pWorld->Step(); // right into the corner: 2 of both ways, .875 of it until there
+  EXPECT_NEAR(pWorld->GetPos(ball).x(), -0.25f, 8 * g_fUlp);
+  EXPECT_NEAR(pWorld->GetPos(ball).y(), -0.25f, 8 * g_fUlp);
+  EXPECT_EQ(pWorld->GetVel(ball), Vector2(-120, -120));
+  EXPECT_EQ(pWorld->GetContacts().size(), 2u);
+}
+
+TEST(ContinuousTest, ACradleOfTouchingBallsPassesThePushOn) {
+  for (const unsigned pushed : {1u, 2u, 3u}) {
+    auto pWorld = MakeContinuous();
+    constexpr float r = 0.125f;
+    std::vector<CShapeId> ids;
+    for (unsigned i = 0; i < 5; ++i) {
+      const float gap = i < pushed ? 0.5f : 0.0f;
+      ids.push_back(pWorld->Add(
+          CDynamicCircleDesc({2 * r * static_cast<float>(i) - gap, 0}, r, {i < pushed ? 60.0f : 0.0f, 0})));
+    }
+    pWorld->Step();
+    for (unsigned i = 0; i < 5; ++i)
+      EXPECT_EQ(pWorld->GetVel(ids[i]), Vector2(i >= 5 - pushed ? 60.0f : 0.0f, 0)) << i << " of " << pushed;
+  }
+}
+
+TEST(ContinuousTest, MomentumAndEnergyOfManyBallsAreKept) {
+  CRandom random(3);
+  SCOPED_TRACE(random.GetSeed());
+  auto pWorld = MakeContinuous();
+  AddBox(*pWorld, 4);
+  for (int i = 0; i < 40; ++i) {
+    const Vector2 p(-3.5f + 0.9f * static_cast<float>(i % 8), -3.5f + 1.2f * static_cast<float>(i / 8));
+    const float r = random.Uniform(0.1f, 0.4f);
+    pWorld->Add(CDynamicCircleDesc(p, r, random.VectorOfLength(0, 200), random.Uniform(0.1f, 5)));
+  }
+  const double before = KineticEnergy(*pWorld);
+  for (int step = 0; step < 2000; ++step)
+    pWorld->Step();
+  // Velocities are rounded to floats in each step: a walk of 2000 half ulps, with a factor of 4.
+  EXPECT_NEAR(KineticEnergy(*pWorld) / before, 1.0,
+              4 * std::sqrt(2000.0) * 0.5 * static_cast<double>(g_fUlp));
+  EXPECT_GT(pWorld->GetStats().m_nContacts, 100000u);
+  EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u);
+  for (const Vector2& p : pWorld->GetBallPositions())
+    EXPECT_LT(p.cwiseAbs().maxCoeff(), 4.0f);
+}
+
+// Balls of every speed in a closed table with everything in it that they may hit: none gets out, none gets
+// into anything. It ends the fastest by the limit of impacts.
+TEST(ContinuousTest, NoneLeavesAClosedTableAtAnySpeed) {
+  for (int exponent = 0; exponent <= 59; exponent += 4) {
+    CRandom random(7 + static_cast<std::uint64_t>(exponent));
+    SCOPED_TRACE(testing::Message() << "speed 2^" << exponent << ", seed " << random.GetSeed());
+    auto pWorld = MakeContinuous({0, -10});
+    AddBox(*pWorld, 4);
+    pWorld->Add(CPointDesc({1, 1}));
+    const CShapeId post = pWorld->Add(CCircleDesc({-2, 2}, 0.5f));
+    pWorld->Add(CArcDesc({2, -2}, 0.75f, 0.5f, 4.0f));
+    pWorld->Add(Turning(CLineSegDesc({-1, -2}, {1, -2}), {0, -2}, 3));
+    pWorld->Add(Turning(CArcDesc({-2.5f, -2.5f}, 0.5f, 0, 2), {-2.5f, -2}, -2));
+    for (int i = 0; i < 5; ++i) {
+      const Vector2 v = std::ldexp(1.0f, exponent) * random.Direction();
+      pWorld->Add(CDynamicCircleDesc({-3.0f + 1.25f * static_cast<float>(i), 3.25f}, 0.2f, v));
+    }
+    for (int step = 0; step < 40; ++step) {
+      pWorld->Step();
+      for (std::size_t i = 0; i < 5; ++i) {
+        const Vector2& p = pWorld->GetBallPositions()[i];
+        ASSERT_LT(p.cwiseAbs().maxCoeff(), 3.8f + 32 * g_fUlp) << "ball " << i << " in step " << step;
+        ASSERT_GT((p - pWorld->GetPos(post)).norm(), 0.7f - 32 * g_fUlp);
+      }
+    }
+    if (exponent <= 12) { EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u); }
+    if (exponent >= 20) { EXPECT_GT(pWorld->GetStats().m_nBallsHalted, 0u); }
+  }
+}
+
+TEST(ContinuousTest, AHaltedBallIsReportedAndGoesOnInTheNextStep) {
+  auto pWorld = MakeContinuous();
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  pWorld->Add(CLineSegDesc({-1, 0.25f}, {1, 0.25f}));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, 8000}));
+  for (int i = 0; i < 10; ++i) {
+    pWorld->Step();
+    EXPECT_EQ(pWorld->GetContacts().size(), g_nMaxImpacts);
+    EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, static_cast<std::uint64_t>(i) + 1);
+    EXPECT_GE(pWorld->GetPos(ball).y(), 0.1f - g_fUlp);
+    EXPECT_LE(pWorld->GetPos(ball).y(), 0.15f + g_fUlp);
+    EXPECT_EQ(pWorld->GetVel(ball).norm(), 8000.0f);
+  }
+}
+
+TEST(ContinuousTest, OthersBounceOffAHaltedBall) {
+  auto pWorld = MakeContinuous();
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  pWorld->Add(CLineSegDesc({-1, 0.25f}, {1, 0.25f}));
+  pWorld->Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, 80000}));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-0.5f, 0.125f}, 0.1f, {60, 0}));
+  pWorld->Step();
+  EXPECT_LT(pWorld->GetPos(ball).x(), -0.2f + g_fUlp);
+  EXPECT_LT(pWorld->GetVel(ball).x(), 0.0f);
+}
+
+TEST(ContinuousTest, ABallRollsOverTheJointsOfAFloor) {
+  // No elasticity: it stays on the floor, and nothing of the joints is felt.
+  auto pWorld = MakeContinuous({0, -10});
+  for (int i = 0; i < 20; ++i)
+    pWorld->Add(CLineSegDesc({0.37f * static_cast<float>(i), 0}, {0.37f * static_cast<float>(i + 1), 0}, 0));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.2f, 0.1f}, 0.1f, {1, 0}));
+  for (int step = 0; step < 360; ++step) {
+    pWorld->Step();
+    ASSERT_NEAR(pWorld->GetPos(ball).y(), 0.1f, 2 * g_fUlp) << step;
+    ASSERT_NEAR(pWorld->GetVel(ball).x(), 1.0f, 1e-5f) << step;
+  }
+  EXPECT_NEAR(pWorld->GetPos(ball).x(), 6.2f, 1e-3f);
+}
+
+TEST(ContinuousTest, ABallSlidesAlongTheInsideOfABowl) {
+  // No elasticity and no gravity: it keeps to the wall and its speed, but for what g_nHops says.
+  auto pWorld = MakeContinuous();
+  pWorld->Add(CArcDesc({0, 0}, 1, 0, 0, 0.0f));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.8f, 0}, 0.2f, {0, 6}));
+  for (int step = 0; step < 60; ++step) {
+    pWorld->Step();
+    ASSERT_LT(pWorld->GetPos(ball).norm(), 0.8f + 4 * g_fUlp);
+    // Sagitta of the hop of a substep's g_nHops-th part, with a factor of 2.
+    ASSERT_GT(pWorld->GetPos(ball).norm(), 0.8f - 2 * (0.1f / g_nHops) * (0.1f / g_nHops) / (8 * 0.8f));
+  }
+  // Each hop loses 1 - cos of its angle, v dt / (2 g_nHops R): 60 g_nHops of them, with a factor of 2.
+  const float angle = 0.1f / (2 * g_nHops * 0.8f);
+  EXPECT_NEAR(pWorld->GetVel(ball).norm() / 6, 1, 2 * 60 * g_nHops * angle * angle / 2);
+  EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u);
+}
+
+TEST(ContinuousTest, ATurningBarCarriesABallAlong) {
+  // No elasticity: the bar pushes the ball before it, never through it.
+  auto pWorld = MakeContinuous();
+  pWorld->Add(Turning(CLineSegDesc({0.5f, 0}, {3, 0}, 0.0f), {0, 0}, 1));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({1, 0.3f}, 0.1f));
+  for (int step = 0; step < 10; ++step) {
+    pWorld->Step();
+    const Vector2 p = pWorld->GetPos(ball);
+    const float angle = g_fTwoPi * g_fDt * static_cast<float>(step + 1);
+    const Vector2 n = perp(AngleToVector(angle));
+    ASSERT_GT(p.dot(n), 0.1f - 1e-5f) << step;
+  }
+  EXPECT_GT(pWorld->GetVel(ball).norm(), 6.0f);
+  EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u);
+}
+
+TEST(ContinuousTest, AOneSidedShapeLetsPassFromItsOpenSide) {
+  for (const bool fromFront : {true, false}) {
+    auto pWorld = MakeContinuous();
+    CLineSegDesc gate({-1, 0}, {1, 0});
+    gate.m_eSides = eSides::Front;
+    pWorld->Add(gate);
+    const float side = fromFront ? 1.0f : -1.0f;
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.3f, 0.52f * side}, 0.1f, {0, -7 * side}));
+    for (int step = 0; step < 20; ++step)
+      pWorld->Step();
+    EXPECT_EQ(pWorld->GetVel(ball).y() > 0, true);
+    EXPECT_EQ(pWorld->GetStats().m_nContacts, fromFront ? 1u : 0u);
+  }
+}
+
+TEST(ContinuousTest, ABallThatWasPutIntoAWallIsSetBack) {
+  auto pWorld = MakeContinuous();
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.04f}, 0.1f, {0, 1}));
+  pWorld->Step();
+  EXPECT_NEAR(pWorld->GetPos(ball).y(), 0.1f + g_fDt, 4 * g_fUlp);
+}
+
+TEST(ContinuousTest, ASetbackGoesThroughNothing) {
+  // Two balls in one place between two walls: apart as far as there is room, not out of the walls.
+  auto pWorld = MakeContinuous();
+  AddBox(*pWorld, 0.25f);
+  pWorld->Add(CDynamicCircleDesc({0, 0}, 0.2f, {1, 0}));
+  pWorld->Add(CDynamicCircleDesc({0.01f, 0}, 0.2f, {-1, 0}));
+  for (int step = 0; step < 100; ++step) {
+    pWorld->Step();
+    for (const Vector2& p : pWorld->GetBallPositions())
+      ASSERT_LT(p.cwiseAbs().maxCoeff(), 0.05f + 4 * g_fUlp) << step;
+  }
+}
+
+TEST(ContinuousTest, SensorsSeeWhatABallCrossesBetweenItsImpacts) {
+  for (int phase = 0; phase < 100; ++phase) {
+    auto pWorld = MakeContinuous();
+    pWorld->Add(CLineSegDesc({2, -1}, {2, 1}));
+    CLineSegDesc gate({1, -1}, {1, 1});
+    gate.m_bIsSensor = true;
+    const CShapeId sensor = pWorld->Add(gate);
+    pWorld->Add(CDynamicCircleDesc({0.03f * static_cast<float>(phase % 20), 0}, 0.1f, {300, 0}));
+    pWorld->Step(); // there and back
+    std::size_t events = 0;
+    for (const CSensorEvent& event : pWorld->GetSensorEvents())
+      events += event.m_cShape == sensor;
+    EXPECT_EQ(events, 2u);
+  }
+}
+
+TEST(ContinuousTest, WhatMeetsNothingHasTheBitsOfTheApproximateWay) {
+  CRandom random(11);
+  SCOPED_TRACE(random.GetSeed());
+  auto pSwept = MakeContinuous({0, -10}), pApproximate = MakeContinuous({0, -10}, g_cApproximate);
+  for (CWorld* pWorld : {pSwept.get(), pApproximate.get()})
+    pWorld->Add(CLineSegDesc({-1000, -10000}, {1000, -10000}));
+  for (int i = 0; i < 50; ++i) {
+    const CDynamicCircleDesc ball({3.0f * static_cast<float>(i), 0}, 0.1f,
+                                  {random.Uniform(-0.1f, 0.1f), random.Uniform(-100, 100)});
+    pSwept->Add(ball);
+    pApproximate->Add(ball);
+  }
+  for (int step = 0; step < 300; ++step) {
+    pSwept->Step();
+    pApproximate->Step();
+  }
+  for (std::size_t i = 0; i < 50; ++i) {
+    EXPECT_EQ(pSwept->GetBallPositions()[i], pApproximate->GetBallPositions()[i]);
+    EXPECT_EQ(pSwept->GetBallVelocities()[i], pApproximate->GetBallVelocities()[i]);
+  }
+}
+
+TEST(ContinuousTest, DoesNotDependOnTheOrderOfShapes) {
+  CRandom random(5);
+  SCOPED_TRACE(random.GetSeed());
+  std::vector<CLineSegDesc> walls;
+  for (int i = 0; i < 30; ++i)
+    walls.emplace_back(random.InSquare(4), random.InSquare(4));
+  const auto play = [&] {
+    auto pWorld = MakeContinuous();
+    for (const CLineSegDesc& wall : walls)
+      pWorld->Add(wall);
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 1e-3f, {50, 31}));
+    for (int step = 0; step < 50; ++step)
+      pWorld->Step();
+    return pWorld->GetPos(ball);
+  };
+  const Vector2 p = play();
+  std::reverse(walls.begin(), walls.end());
+  EXPECT_EQ(play(), p);
+}
+
+} // namespace
+} // namespace Shapes
