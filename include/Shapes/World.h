@@ -245,7 +245,7 @@ protected:
   void ContentChanged() { m_bContentChanged = true; }
 
   /// Whether it runs in this substep; of Continuous only if it runs in any case.
-  bool Runs(eEffect e) const;
+  bool Runs(eEffect e) const { return m_cRunning.Has(e); }
   /// For GetContacts, if Events runs; whoever responds to a contact counts it, too.
   void Report(const CContactEvent& event);
   /// For Substep of an engine that answers contacts on the way: ball (its index) was at p when the share t of

@@ -11,14 +11,6 @@
 
 namespace Shapes {
 
-/// Effects that are compiled in. All, but for builds that measure what an effect costs where it does not run.
-#ifdef SHAPES_WITHOUT_EFFECTS
-inline constexpr CEffects g_cBuilt = CEffects::All() - CEffects{SHAPES_WITHOUT_EFFECTS};
-#else
-inline constexpr CEffects g_cBuilt = CEffects::All();
-#endif
-constexpr bool IsBuilt(eEffect e) { return g_cBuilt.Has(e); }
-
 /// What of a world calls for effects and changes only when it is told to.
 struct CContent {
   std::size_t m_nBalls = 0;

@@ -14,6 +14,14 @@
 namespace Shapes {
 namespace {
 
+// Effects that are compiled in. All, but for builds that measure what an effect costs where it does not run.
+#ifdef SHAPES_WITHOUT_EFFECTS
+constexpr CEffects g_cBuilt = CEffects::All() - CEffects{SHAPES_WITHOUT_EFFECTS};
+#else
+constexpr CEffects g_cBuilt = CEffects::All();
+#endif
+constexpr bool IsBuilt(eEffect e) { return g_cBuilt.Has(e); }
+
 void RequireCount(const char* field, unsigned value, unsigned most) {
   if (value < 1 || value > most)
     Refuse(field, std::to_string(value), "a whole number from 1 to " + std::to_string(most));
@@ -257,12 +265,12 @@ void CWorld::BeginStep() {
   if (m_bContentChanged) PlanSubsteps();
   m_stdContacts.clear();
   m_stdSensorEvents.clear();
-  if (Runs(eEffect::Sensors)) m_pSensors->Begin(*m_pState, m_stdSensorEvents);
+  if (IsBuilt(eEffect::Sensors) && Runs(eEffect::Sensors)) m_pSensors->Begin(*m_pState, m_stdSensorEvents);
 }
 
 void CWorld::EndSubstep(float dt) {
   ++m_cStats.m_nSubsteps;
-  if (Runs(eEffect::Sensors)) Sense(dt);
+  if (IsBuilt(eEffect::Sensors) && Runs(eEffect::Sensors)) Sense(dt);
 }
 
 void CWorld::Sense(float dt) {
@@ -296,8 +304,6 @@ void CWorld::Report(const CContactEvent& event) {
   m_stdContacts.push_back(event);
   ++m_cStats.m_nReported;
 }
-
-bool CWorld::Runs(eEffect e) const { return IsBuilt(e) && m_cRunning.Has(e); }
 
 void CWorld::Bend(std::size_t ball, const Vector2& p, float t) {
   if (Runs(eEffect::Sensors)) m_pSensors->Bend(ball, p, t);
