@@ -98,8 +98,9 @@ struct CWorldStats {
   std::uint64_t m_nBallsSwept = 0; ///< Native: balls that had something on their way, once for each substep.
   std::uint64_t m_nBallsHalted =
       0; ///< Native: balls that had more than g_nMaxImpacts in a substep, and stayed where they were then.
-  std::uint64_t m_nSensorTests = 0;  ///< Ways of balls that were looked at for a sensor.
-  std::uint64_t m_nContacts = 0;     ///< Contacts that were responded to.
+  std::uint64_t m_nSensorTests = 0; ///< Ways of balls that were looked at for a sensor.
+  /// Contacts that were responded to. Box2D: only where Events or Sensors runs; else nobody hears of them.
+  std::uint64_t m_nContacts = 0;
   std::uint64_t m_nSensorHits = 0;   ///< Contacts of sensors.
   std::uint64_t m_nReported = 0;     ///< Contacts of both kinds that GetContacts told.
   std::uint64_t m_nSpeedsCapped = 0; ///< Responses after which a ball had to be cut to g_fMaxSpeed.
@@ -239,13 +240,19 @@ protected:
   std::uint64_t GetContentVersion() const { return m_nContentVersion; }
   /// @param kick  what is still to be added to the velocities in the substep that begins
   bool MovesFast(const Vector2& kick = Vector2::Zero()) const;
+  /// What gravity adds to the velocities in a substep, if it runs.
+  Vector2 GetKick() const;
   /// Continuous runs in this substep; to be called where it was decided.
   void CountContinuous() { ++m_nContinuous; }
+  /// Whether Continuous runs is for somebody else to say, who says so.
+  void ContinuousIsGiven(bool runs);
   /// What Sensors, GetContacts and the like have to be told of is different from what it was.
   void ContentChanged() { m_bContentChanged = true; }
 
   /// Whether it runs in this substep; of Continuous only if it runs in any case.
   bool Runs(eEffect e) const { return m_cRunning.Has(e); }
+  /// All that run.
+  CEffects GetRunning() const { return m_cRunning; }
   /// For GetContacts, if Events runs; whoever responds to a contact counts it, too.
   void Report(const CContactEvent& event);
   /// For Substep of an engine that answers contacts on the way: ball (its index) was at p when the share t of
@@ -279,7 +286,6 @@ private:
   CShape& FindShape(CShapeId id) const;
   CShape& FindKinematic(CShapeId id, const char* what) const;
   CEffects FindRunning() const;
-  Vector2 GetKick() const;
   void CountEffects();
   void Sense(float dt);
   void PlanSubsteps();
@@ -290,6 +296,7 @@ private:
   CWorldDesc m_cDesc;
   CWorldLimits m_cLimits;
   CEffects m_cNeeds;
+  CEffects m_cGiven; // those that somebody else decides: they run if they are among the needs
   CEffects m_cRunning;
   bool m_bIsContinuousOpen = false;
   bool m_bContentChanged = true;

@@ -142,8 +142,8 @@ CLongestMoves FindLongestMoves(const CWorldState& state, const Vector2& kick, fl
   return moves;
 }
 
-std::string Explain(CEffects running, const CEffectChoice& choice, CEffects engineNeeds, const CContent& c,
-                    const CWorldState& state, const CLongestMoves& moves) {
+std::string Explain(CEffects running, const CEffectChoice& choice, CEffects engineNeeds, CEffects given,
+                    const CContent& c, const CWorldState& state, const CLongestMoves& moves) {
   std::string text;
   for (int i = 0; i < static_cast<int>(eEffect::Size); ++i) {
     const auto e = static_cast<eEffect>(i);
@@ -153,6 +153,8 @@ std::string Explain(CEffects running, const CEffectChoice& choice, CEffects engi
       text += ", forced by the description";
     else if (choice.m_cForbidden.Has(e))
       text += ", forbidden by the description";
+    else if (given.Has(e))
+      text += ", decided by the world around";
     else if (engineNeeds.Has(e))
       text += ", as always in this engine";
     text += "; " + Why(e, c, state, moves) + "\n";

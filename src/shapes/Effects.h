@@ -64,7 +64,8 @@ double GetReach(const CShape& shape);
 
 /// A line for each effect: its name, whether it runs, and why.
 /// @param engineNeeds  run in this engine wherever they are not forbidden
-std::string Explain(CEffects running, const CEffectChoice& choice, CEffects engineNeeds,
+/// @param given        are for somebody else to say
+std::string Explain(CEffects running, const CEffectChoice& choice, CEffects engineNeeds, CEffects given,
                     const CContent& content, const CWorldState& state, const CLongestMoves& moves);
 
 } // namespace Shapes

@@ -117,10 +117,17 @@ void CWorld::PlanSubsteps() {
   *m_pContent = CountContent(*m_pState);
   m_cRunning = FindRunning();
   const eEffect e = eEffect::Continuous;
-  m_bIsContinuousOpen =
-      IsBuilt(e) && !m_cRunning.Has(e) && !m_cDesc.m_cEffects.m_cForbidden.Has(e) && m_pContent->CanMeet();
+  const bool isOpen = !m_cRunning.Has(e) && !m_cDesc.m_cEffects.m_cForbidden.Has(e) && !m_cGiven.Has(e);
+  m_bIsContinuousOpen = IsBuilt(e) && isOpen && m_pContent->CanMeet();
   if (m_bIsContinuousOpen) m_pFastMoves->Set(*m_pState, GetSubstep(m_cDesc));
   ++m_nContentVersion;
+}
+
+void CWorld::ContinuousIsGiven(bool runs) {
+  if (m_cGiven.Has(eEffect::Continuous) && m_cNeeds.Has(eEffect::Continuous) == runs) return;
+  m_cGiven.Set(eEffect::Continuous);
+  m_cNeeds.Set(eEffect::Continuous, runs);
+  ContentChanged();
 }
 
 bool CWorld::MovesFast(const Vector2& kick) const {
@@ -138,7 +145,7 @@ CEffects CWorld::GetEffects() const {
 
 std::string CWorld::ExplainEffects() const {
   const CEffects running = GetEffects();
-  return Explain(running, m_cDesc.m_cEffects, m_cNeeds, *m_pContent, *m_pState,
+  return Explain(running, m_cDesc.m_cEffects, m_cNeeds, m_cGiven, *m_pContent, *m_pState,
                  FindLongestMoves(*m_pState, GetKick(), GetSubstep(m_cDesc)));
 }
 
