@@ -23,6 +23,8 @@ namespace Shapes {
 /// other worlds:
 /// - Step, SaveState and LoadState throw std::logic_error. The time step, the substeps, the iterations and
 ///   the gravity of the description are not used; the b2World has the gravity.
+/// - Gravity and Continuous run as the b2World has them (SetGravity, SetContinuousPhysics), and can be
+///   neither forced nor forbidden. Events always runs unless forbidden: a ball may meet the game's bodies.
 /// - Changes throw std::logic_error between PreStep and PostStep, and in callbacks of Box2D. (What cannot be
 ///   seen is a b2DestructionListener at work on a body that the game destroys: change nothing from there.)
 /// - Tuned worlds leave the scale of the b2World as it is and cut no steps: m_nMovesClamped and
@@ -34,6 +36,7 @@ namespace Shapes {
 /// - Fixtures have no friction and no restitution threshold; those of balls have the elasticity of the ball
 ///   as their restitution, those of other shapes 0. This is mixed with the game's fixtures as the game does
 ///   it. Two of Shapes' own meet by the product of their elasticities.
+/// - Where BallPairs is forbidden, the fixtures of balls have the group index -32768.
 /// - The user data of a fixture is the user pointer of its shape, that of a body 0.
 /// - It listens to contacts before the game's listener and passes all of them on, those of Shapes' bodies
 ///   included. A listener that the game installs later is noticed in PreStep, and passed on to from then on.
@@ -71,7 +74,7 @@ protected:
 /// An empty world in the b2World of a game.
 /// @param desc  the length unit is in user units per metre of the b2World
 /// @throws std::invalid_argument naming the field of the description that is not valid; the gravity has to be
-/// (0, 0)
+/// (0, 0), and Gravity and Continuous neither forced nor forbidden
 /// @throws std::logic_error during b2World::Step
 std::unique_ptr<CBox2DWorld> MakeWorld(b2World& world, const CWorldDesc& desc);
 

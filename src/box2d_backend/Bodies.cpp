@@ -68,8 +68,8 @@ void CBodies::Create(const CWorldState& state, CShapeId id, const CJoints& joint
     CreateShape(*state.m_stdShapes[state.FindShape(id)].m_pShape, joints, body);
   m_stdByBody[body.m_pBody] = &body;
   if (body.m_bIsBall) m_stdBalls.insert(FindIn(m_stdBalls, id), &body);
-  if (body.m_pBody->GetType() == b2_kinematicBody) m_stdKinematics.insert(FindIn(m_stdKinematics, id), &body);
   SetProperties(state, id);
+  if (body.m_pBody->GetType() == b2_kinematicBody) SetTurning(state, id);
 }
 
 template <class TShape, class F>
@@ -80,6 +80,7 @@ void CBodies::AddFixture(CBody& body, F fill) {
     def.shape = &shape;
     def.friction = 0.0f;
     def.restitutionThreshold = 0.0f;
+    if (body.m_bIsBall && !m_bPairs) def.filter.groupIndex = g_nApart;
     return body.m_pBody->CreateFixture(&def)->GetShape();
   };
   if (m_pTies == nullptr)
@@ -95,7 +96,7 @@ void CBodies::CreateBall(const CBallArrays& b, std::size_t i, CBody& body) {
   def.linearVelocity = m_cScale.ToMetres(b.m_stdVel[i]);
   def.fixedRotation = true;
   def.allowSleep = false;
-  def.bullet = m_cTuning.m_bBullets;
+  def.bullet = m_bBullets;
   if (m_cTuning.m_bParabolas) def.gravityScale = 0.0f; // what bends the way of a ball then is CFlight
   body.m_pBody = m_pWorld->CreateBody(&def);
   body.m_bIsBall = true;
@@ -154,7 +155,7 @@ void CBodies::Forget(CShapeId id) {
   const auto it = m_stdBodies.find(id);
   m_nArcPieces -= static_cast<std::uint64_t>(it->second.m_nArcPieces);
   m_stdByBody.erase(it->second.m_pBody);
-  for (auto* pBodies : {&m_stdBalls, &m_stdKinematics})
+  for (auto* pBodies : {&m_stdBalls, &m_stdTurning})
     if (const auto at = FindIn(*pBodies, id); at != pBodies->end() && *at == &it->second) pBodies->erase(at);
   m_stdBodies.erase(it);
 }
@@ -188,7 +189,9 @@ void CBodies::SetProperties(const CWorldState& state, CShapeId id) {
   }
   b2Filter filter; // sensors are not Box2D's: its own do not see a ball that flies through within a step
   if (!isSolid) filter.categoryBits = filter.maskBits = 0;
-  const bool changed = body.m_pBody->GetFixtureList()->GetFilterData().maskBits != filter.maskBits;
+  const b2Filter before = body.m_pBody->GetFixtureList()->GetFilterData();
+  filter.groupIndex = before.groupIndex;
+  const bool changed = before.maskBits != filter.maskBits;
   for (b2Fixture* p = body.m_pBody->GetFixtureList(); p != nullptr; p = p->GetNext()) {
     p->GetUserData().pointer = reinterpret_cast<uintptr_t>(pUser);
     // What is met is answered by the product of both elasticities; Box2D's own rule, the larger of both,
@@ -200,6 +203,35 @@ void CBodies::SetProperties(const CWorldState& state, CShapeId id) {
   // Box2D would look for what touches already at the end of the next step only; this makes it look before.
   body.m_pBody->SetEnabled(false);
   body.m_pBody->SetEnabled(true);
+}
+
+void CBodies::SetTurning(const CWorldState& state, CShapeId id) {
+  CBody& body = Get(id);
+  const CShape& shape = *state.m_stdShapes[state.FindShape(id)].m_pShape;
+  body.m_fTurnSpeed = shape.GetRotating() ? g_fTwoPi * shape.GetRotSpeed() : 0.0f;
+  body.m_pBody->SetAngularVelocity(body.m_fTurnSpeed);
+  body.m_cStart = body.m_pBody->GetTransform(); // nobody looks there again as long as it does not turn
+  const auto at = FindIn(m_stdTurning, id);
+  const bool isIn = at != m_stdTurning.end() && *at == &body;
+  if (shape.GetRotating() && !isIn)
+    m_stdTurning.insert(at, &body);
+  else if (!shape.GetRotating() && isIn)
+    m_stdTurning.erase(at);
+}
+
+void CBodies::SetBullets(bool b) {
+  if (b == m_bBullets) return;
+  m_bBullets = b;
+  for (CBody* pBall : m_stdBalls)
+    pBall->m_pBody->SetBullet(b);
+}
+
+void CBodies::SetRestitutions(const CMixing& mixing) {
+  for (auto& [id, body] : m_stdBodies)
+    for (b2Fixture* p = body.m_pBody->GetFixtureList(); p != nullptr; p = p->GetNext())
+      p->SetRestitution(body.m_fElasticity * (body.m_bIsBall ? mixing.m_fOfBalls : mixing.m_fOfShapes));
+  for (b2Contact* p = m_pWorld->GetContactList(); p != nullptr; p = p->GetNext())
+    p->ResetRestitution(); // it has that of the time when they came near each other, or what a listener set
 }
 
 } // namespace Shapes::Box2D

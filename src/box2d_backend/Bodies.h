@@ -6,6 +6,7 @@
 
 #include <box2d/box2d.h>
 
+#include <limits>
 #include <map>
 #include <unordered_map>
 #include <vector>
@@ -13,22 +14,28 @@
 #include "Convert.h"
 #include "Flight.h"
 #include "Joints.h"
+#include "Mixing.h"
 #include "Ties.h"
 #include "TrueContact.h"
 #include "Tuning.h"
 
 namespace Shapes::Box2D {
 
+/// The collision group of balls that are not to meet each other. A game's own fixtures are unlikely to have
+/// it, and do not meet them if they do.
+inline constexpr int16 g_nApart = std::numeric_limits<int16>::min();
+
 struct CBody {
   b2Body* m_pBody = nullptr;
   CShapeId m_cId;
   float m_fElasticity = 1.0f;
-  b2Transform m_cStart; ///< at the beginning of the step, of what moves
+  b2Transform m_cStart; ///< at the beginning of the step, of what moves or may turn
   COutline m_cOutline;
 
   CFlight m_cFlight;               ///< of a ball
   float m_fRadius = 0.0f;          ///< of a ball, without skin
   float m_fBaseOrientation = 0.0f; ///< of a shape when its fixtures were made
+  float m_fTurnSpeed = 0.0f;       ///< of a shape, radians per second
   int m_nArcPieces = 0;
   bool m_bIsBall = false;
   bool m_bIsSupported = false;  ///< the ball lies on something in this step
@@ -42,8 +49,14 @@ class CBodies {
 public:
   /// @param sagitta  in the metres of Box2D
   /// @param pTies    to which all fixtures are tied; nullptr where nobody else destroys any
-  CBodies(b2World& world, const CScale& scale, const CTuning& tuning, float sagitta, CTies* pTies)
-      : m_pWorld(&world), m_cScale(scale), m_cTuning(tuning), m_fSagitta(sagitta), m_pTies(pTies) {}
+  /// @param pairs    whether balls may meet balls
+  CBodies(b2World& world, const CScale& scale, const CTuning& tuning, float sagitta, CTies* pTies, bool pairs)
+      : m_pWorld(&world),
+        m_cScale(scale),
+        m_cTuning(tuning),
+        m_fSagitta(sagitta),
+        m_pTies(pTies),
+        m_bPairs(pairs) {}
 
   void Create(const CWorldState& state, CShapeId id, const CJoints& joints = {});
   void Remove(CShapeId id);
@@ -53,6 +66,11 @@ public:
   void Forget(CShapeId id);
   /// Elasticity, sensor, can-collide and user pointer as they are now.
   void SetProperties(const CWorldState& state, CShapeId id);
+  /// How fast a shape turns, as it is now.
+  void SetTurning(const CWorldState& state, CShapeId id);
+  void SetBullets(bool b);
+  /// What Box2D mixes by itself: for worlds in which nobody sets the restitution of contacts.
+  void SetRestitutions(const CMixing& mixing);
 
   CBody& Get(CShapeId id) { return m_stdBodies.at(id); }
   /// The shape that a body is of; nullptr for a body of somebody else.
@@ -61,7 +79,8 @@ public:
   const std::vector<CBody*>& GetBalls() const { return m_stdBalls; }
   /// Whether the ball may be touching a body of somebody else.
   bool IsNearOthers(const CBody& ball);
-  const std::vector<CBody*>& GetKinematics() const { return m_stdKinematics; }
+  /// Shapes that turn, sensors too.
+  const std::vector<CBody*>& GetTurning() const { return m_stdTurning; }
   std::uint64_t GetArcPieces() const { return m_nArcPieces; }
 
 private:
@@ -77,7 +96,9 @@ private:
   CTies* m_pTies;
   std::map<CShapeId, CBody> m_stdBodies;
   std::unordered_map<const b2Body*, CBody*> m_stdByBody;
-  std::vector<CBody*> m_stdBalls, m_stdKinematics;
+  std::vector<CBody*> m_stdBalls, m_stdTurning;
+  bool m_bPairs;
+  bool m_bBullets = false;
   std::uint64_t m_nArcPieces = 0;
 };
 

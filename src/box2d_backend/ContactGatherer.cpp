@@ -12,12 +12,13 @@ void CContactGatherer::BeginStep(const b2Vec2& g, float h) {
   m_fStep = h;
   m_cAnswers.BeginStep(g, h);
   m_stdBends.clear();
+  if (!Follows()) return;
   for (CBody* pBall : m_cBodies.GetBalls()) {
     pBall->m_cStart = pBall->m_pBody->GetTransform();
     pBall->m_cFlight.Begin(ToDouble(g), static_cast<double>(h));
     pBall->m_bWasSupported = std::exchange(pBall->m_bIsSupported, false);
   }
-  for (CBody* pBody : m_cBodies.GetKinematics())
+  for (CBody* pBody : m_cBodies.GetTurning())
     pBody->m_cStart = pBody->m_pBody->GetTransform();
 }
 
@@ -39,15 +40,19 @@ bool CContactGatherer::CanWait(const CBody& shape, const CBody& ball) {
 }
 
 float CContactGatherer::RestitutionOf(const CBody& shape, const CBody& ball) const {
-  // Box2D takes the larger restitution; here it is the product of both elasticities. Beyond what any ball may
-  // leave with it is cut, because masses times speeds and squares of speeds would be infinite in Box2D.
+  // Box2D takes the larger restitution; here it is the product of both elasticities. Above 1, beyond what any
+  // ball may leave with it is cut, because masses times speeds and squares of speeds would be infinite in
+  // Box2D.
+  const float e = shape.m_fElasticity * ball.m_fElasticity;
+  if (e <= 1.0f) return e;
   const b2Body &a = *shape.m_pBody, &b = *ball.m_pBody;
   const b2Vec2 v = b.GetLinearVelocity() - a.GetLinearVelocityFromWorldPoint(b.GetPosition());
   const float fall = m_fStep * (m_vGravity.Length() + b.GetWorld()->GetGravity().Length());
-  return std::min(shape.m_fElasticity * ball.m_fElasticity, g_fMaxBox2DKick / (v.Length() + fall));
+  return std::min(e, g_fMaxBox2DKick / (v.Length() + fall));
 }
 
 void CContactGatherer::PostSolve(b2Contact* pContact, const b2ContactImpulse*) {
+  if (!Follows()) return;
   for (const b2Fixture* pFixture : {pContact->GetFixtureA(), pContact->GetFixtureB()})
     if (CBody* pBody = m_cBodies.Find(*pFixture->GetBody()); pBody != nullptr && pBody->m_bIsBall)
       pBody->m_cFlight.LegEnds(*pBody->m_pBody);
@@ -68,6 +73,7 @@ void CContactGatherer::MeetOther(b2Contact& contact) {
 }
 
 void CContactGatherer::ReportAsIs(b2Contact& contact, const CBody& shape, const CBody& ball) {
+  if (!m_bContacts) return;
   b2WorldManifold manifold;
   contact.GetWorldManifold(&manifold);
   const bool ballIsB = contact.GetFixtureB()->GetBody() == ball.m_pBody;
@@ -79,6 +85,7 @@ void CContactGatherer::ReportAsIs(b2Contact& contact, const CBody& shape, const 
 }
 
 void CContactGatherer::Report(const CBody& shape, const CBody& ball, const CTrueAnswers::CAnswer& answer) {
+  if (!m_bContacts) return;
   const b2Vec2 &poi = answer.m_vPOI, &n = answer.m_vNorm;
   CContactEvent event;
   event.m_cShape = shape.m_cId;
@@ -87,6 +94,7 @@ void CContactGatherer::Report(const CBody& shape, const CBody& ball, const CTrue
   event.m_vNorm = Vector2(n.x, n.y);
   event.m_fSpeed = m_cScale.FromMetres(std::max(0.0f, answer.m_fSpeed));
   m_stdEvents.push_back(event);
+  if (!m_bBends) return;
   const double part = m_cAnswers.PartAt(shape, ball);
   m_stdBends.push_back({ball.m_cId, poi + ball.m_fRadius * n, part});
   if (shape.m_bIsBall) m_stdBends.push_back({shape.m_cId, poi - shape.m_fRadius * n, part});

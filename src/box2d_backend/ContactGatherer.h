@@ -19,6 +19,13 @@ public:
   CContactGatherer(CBodies& bodies, const CScale& scale, const CTuning& tuning)
       : m_cBodies(bodies), m_cScale(scale), m_cTuning(tuning) {}
 
+  /// Collects contacts for Events and Sensors, and where balls bend their ways for Sensors, if they run.
+  void Collect(CEffects running) {
+    m_bBends = running.Has(eEffect::Sensors);
+    m_bContacts = m_bBends || running.Has(eEffect::Events);
+  }
+  bool Collects() const { return m_bContacts; }
+
   /// To be called before each b2World::Step.
   /// @param g  gravity in metres; of worlds that follow parabolas, else 0
   /// @param h  length of the step, seconds
@@ -44,6 +51,8 @@ public:
 
 private:
   bool CanWait(const CBody& shape, const CBody& ball);
+  /// Whether it follows balls on their way through a step.
+  bool Follows() const { return m_bBends || m_cTuning.m_bTrueContacts || m_cTuning.m_bParabolas; }
   float RestitutionOf(const CBody& shape, const CBody& ball) const;
   void ReportAsIs(b2Contact& contact, const CBody& shape, const CBody& ball);
   void Report(const CBody& shape, const CBody& ball, const CTrueAnswers::CAnswer& answer);
@@ -54,6 +63,7 @@ private:
   b2Vec2 m_vGravity{0.0f, 0.0f};
   float m_fStep = 0.0f;
   CTrueAnswers m_cAnswers;
+  bool m_bContacts = true, m_bBends = true;
   std::vector<CContactEvent> m_stdEvents;
   std::vector<CBend> m_stdBends;
 };

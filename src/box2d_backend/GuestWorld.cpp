@@ -31,17 +31,23 @@ private:
 } // namespace
 
 CGuestWorld::CGuestWorld(b2World& world, const CWorldDesc& desc)
-    : CBox2DWorld(desc, CStepper::GetLimits(desc, GetGuestTuning(desc.m_eProfile))),
+    // A ball may meet what is in the game only.
+    : CBox2DWorld(desc, CStepper::GetLimits(desc, GetGuestTuning(desc.m_eProfile)), {eEffect::Events}),
       m_pWorld(&world),
       m_cTies([this](CShapeId id) { OnLost(id); }) {
   if (desc.m_vGravity != Vector2::Zero())
     Refuse("m_vGravity", "not zero", "(0, 0): the b2World has the gravity");
+  for (const eEffect e : {eEffect::Gravity, eEffect::Continuous})
+    if ((desc.m_cEffects.m_cForced | desc.m_cEffects.m_cForbidden).Has(e))
+      Refuse("m_cEffects", std::string(GetName(e)) + " forced or forbidden",
+             "neither: it belongs to the b2World, by SetGravity and SetContinuousPhysics");
   if (world.IsLocked())
     throw std::logic_error("MakeWorld was called during b2World::Step: call it before or after");
   m_pStepper = std::make_unique<CStepper>(world, State(), Stats(), GetDesc(), GetGuestTuning(desc.m_eProfile),
                                           &m_cTies);
   m_pChain = CListenerChain::Install(world);
   Watch();
+  LookAround();
 }
 
 CGuestWorld::~CGuestWorld() {
@@ -65,9 +71,10 @@ void CGuestWorld::PreStep(float dt) {
     m_pChain = m_pChain->InstallAgain(*m_pWorld);
     ++Stats().m_nListenersReplaced;
   }
+  LookAround();
   BeginStep();
+  if (std::exchange(m_nPlanned, GetContentVersion()) != GetContentVersion()) m_pStepper->Plan(GetRunning());
   m_fStep = dt;
-  m_pStepper->SetGravity(m_pWorld->GetGravity());
   m_pStepper->TakeBalls(); // the game may have moved or kicked them
   m_pStepper->BeginSubstep();
   m_pStepper->BeforeStep(dt);
@@ -108,6 +115,7 @@ void CGuestWorld::OnAccess(eAccess access) {
   }
   if (!IsAlive() || IsBox2DAtWork()) return;
   RemoveLost();
+  if (m_fStep == 0.0f) LookAround();
   if (access == eAccess::Change) Watch();
 }
 
@@ -150,6 +158,11 @@ void CGuestWorld::RemoveLost() {
   for (const CShapeId id : m_stdLost)
     Stats().m_nBodiesLost += Forget(id);
   m_stdLost.clear();
+}
+
+void CGuestWorld::LookAround() {
+  if (m_pStepper->SetGravity(m_pWorld->GetGravity())) ContentChanged();
+  ContinuousIsGiven(m_pWorld->GetContinuousPhysics());
 }
 
 void CGuestWorld::Watch() {

@@ -38,12 +38,15 @@ private:
   void RequireIdle() const;
   void OnLost(CShapeId id);
   void RemoveLost();
+  /// Gravity and continuous physics are the game's.
+  void LookAround();
   void Watch();
 
   b2World* m_pWorld;
   std::unique_ptr<CStepper> m_pStepper;
   CListenerChain* m_pChain = nullptr;
   b2Body* m_pSentinel = nullptr; ///< there even if nothing else is, so that the end of the b2World is noticed
+  std::uint64_t m_nPlanned = 0;  ///< version of the content
   float m_fStep = 0.0f;          ///< between PreStep and PostStep, else 0
   bool m_bIsBusy = false;        ///< calls Box2D, which may call the game
   std::vector<CShapeId> m_stdLost;

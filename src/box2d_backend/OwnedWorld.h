@@ -29,8 +29,12 @@ private:
   void OnSaved() override { Rebuild(); }
   void OnLoaded() override { Rebuild(); }
   void Rebuild();
+  void Plan();
+  /// Whether Continuous runs in the substep that begins; counts it.
+  bool IsContinuous();
 
   CTuning m_cTuning;
+  std::uint64_t m_nPlanned = 0; // version of the content
   std::unique_ptr<b2World> m_pWorld;
   std::unique_ptr<CStepper> m_pStepper;
 };

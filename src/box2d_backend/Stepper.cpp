@@ -39,7 +39,8 @@ CStepper::CStepper(b2World& world, CWorldState& state, CWorldStats& stats, const
       m_cStats(stats),
       m_cTuning(tuning),
       m_cScale(UnitOf(desc, tuning)),
-      m_cBodies(world, m_cScale, m_cTuning, desc.m_fSagittaTolerance * m_cTuning.m_fScale, pTies),
+      m_cBodies(world, m_cScale, m_cTuning, desc.m_fSagittaTolerance * m_cTuning.m_fScale, pTies,
+                !desc.m_cEffects.m_cForbidden.Has(eEffect::BallPairs)),
       m_cGatherer(m_cBodies, m_cScale, m_cTuning) {
   std::map<CShapeId, CJoints> joints;
   if (m_cTuning.m_bJoints) joints = FindJoints(m_cState, m_cScale.FromMetres(b2_linearSlop));
@@ -80,7 +81,8 @@ void CStepper::OnChanged(CShapeId id, CWorld::eChange what) {
   } else if (what == CWorld::eChange::Pose) {
     OnRemoved(id);
     OnAdded(id);
-  } else { // the rotation speed is handed over at the next substep
+  } else {
+    m_cBodies.SetTurning(m_cState, id);
     NoteJoints(id);
   }
 }
@@ -109,12 +111,27 @@ void CStepper::JoinShapes() {
   m_bJointsChanged = false;
 }
 
+void CStepper::Plan(CEffects running) {
+  m_cRunning = running;
+  m_cGatherer.Collect(running);
+  // Without continuous physics Box2D asks for no bullets.
+  m_cBodies.SetBullets(m_cTuning.m_bBullets && running.Has(eEffect::BallPairs));
+}
+
+bool CStepper::NeedsNoListener() {
+  FailIf(m_cTuning.m_bTrueContacts || m_cTuning.m_bParabolas || m_cGatherer.Collects());
+  const auto mixing = FindMixing(m_cState, m_cRunning.Has(eEffect::BallPairs));
+  FailIf(!mixing);
+  m_cBodies.SetRestitutions(*mixing);
+  return true;
+}
+
 void CStepper::BeginSubstep() {
   if (m_bJointsChanged) JoinShapes();
-  for (const CShapeEntry& entry : m_cState.m_stdShapes)
-    if (entry.m_pShape->GetMotionType() == eMotion::Kinematic)
-      m_cBodies.Get(entry.m_cId).m_pBody->SetAngularVelocity(g_fTwoPi * entry.m_pShape->GetRotSpeed());
+  for (const CBody* pBody : m_cBodies.GetTurning()) // Box2D may have cut it
+    pBody->m_pBody->SetAngularVelocity(pBody->m_fTurnSpeed);
   m_cState.m_cBalls.m_stdPrevPos = m_cState.m_cBalls.m_stdPos;
+  if (m_cRunning.Has(eEffect::Gravity)) m_cStats.m_nBallsAccelerated += m_cState.m_cBalls.Size();
 }
 
 unsigned CStepper::CountCuts(float dt) const {
@@ -145,7 +162,7 @@ unsigned CStepper::CountCuts(float dt) const {
   }
   // Two balls have the energy of both: that is the most that one of them can leave with.
   if (b.Size() > 1) most *= std::min(std::sqrt(1.0f + heaviest / lightest), 3.0f);
-  const float way = (fastest + Length(m_cState.m_vGravity) * dt) * dt * most + 2.0f * kick;
+  const float way = (fastest + Length(m_cScale.FromMetres(GetGravity())) * dt) * dt * most + 2.0f * kick;
   parts = std::max(parts, m_cScale.ToMetres(way) / (g_fSafeMove * b2_maxTranslation));
   return static_cast<unsigned>(std::min(std::ceil(parts), static_cast<float>(g_nMaxCuts)));
 }
@@ -186,10 +203,8 @@ void CStepper::CountClamped(float h) {
   for (const CBody* pBall : m_cBodies.GetBalls())
     if (h * (pBall->m_pBody->GetLinearVelocity() + kick).Length() > b2_maxTranslation)
       ++m_cStats.m_nMovesClamped;
-  for (const CShapeEntry& entry : m_cState.m_stdShapes)
-    if (entry.m_pShape->GetRotating() &&
-        std::abs(g_fTwoPi * entry.m_pShape->GetRotSpeed() * h) > b2_maxRotation)
-      ++m_cStats.m_nTurnsClamped;
+  for (const CBody* pBody : m_cBodies.GetTurning())
+    if (std::abs(pBody->m_fTurnSpeed * h) > b2_maxRotation) ++m_cStats.m_nTurnsClamped;
 }
 
 void CStepper::TakeBalls() {
@@ -205,14 +220,14 @@ void CStepper::TakeBalls() {
 }
 
 void CStepper::TurnShapes(float dt) {
-  for (CShapeEntry& entry : m_cState.m_stdShapes) {
-    if (!entry.m_pShape->GetRotating()) continue;
-    entry.m_pShape->Advance(dt);
+  for (const CBody* pBody : m_cBodies.GetTurning()) {
+    CShape& shape = *m_cState.m_stdShapes[m_cState.FindShape(pBody->m_cId)].m_pShape;
+    shape.Advance(dt);
     // Box2D adds up the angle in its own way; from here on both have the same one, reduced to one turn.
-    const CBody& body = m_cBodies.Get(entry.m_cId);
-    body.m_pBody->SetTransform(body.m_pBody->GetPosition(),
-                               entry.m_pShape->GetOrientation() - body.m_fBaseOrientation);
+    pBody->m_pBody->SetTransform(pBody->m_pBody->GetPosition(),
+                                 shape.GetOrientation() - pBody->m_fBaseOrientation);
   }
+  m_cStats.m_nShapesTurned += m_cBodies.GetTurning().size();
 }
 
 } // namespace Shapes::Box2D

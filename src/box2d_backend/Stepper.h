@@ -5,6 +5,7 @@
 
 #include <box2d/box2d.h>
 
+#include <utility>
 #include <vector>
 
 #include "Bodies.h"
@@ -28,9 +29,16 @@ public:
 
   /// To be told of what happens in the b2World.
   CContactGatherer& GetListener() { return m_cGatherer; }
-  /// In metres.
-  b2Vec2 GetGravity() const { return m_cScale.ToMetres(m_cState.m_vGravity); }
-  void SetGravity(const b2Vec2& g) { m_cState.m_vGravity = m_cScale.FromMetres(g); }
+  /// In metres; 0 if it does not run.
+  b2Vec2 GetGravity() const {
+    return m_cRunning.Has(eEffect::Gravity) ? m_cScale.ToMetres(m_cState.m_vGravity) : b2Vec2_zero;
+  }
+
+  /// @return whether it was another one before
+  bool SetGravity(const b2Vec2& g) {
+    const Vector2 before = std::exchange(m_cState.m_vGravity, m_cScale.FromMetres(g));
+    return before != m_cState.m_vGravity;
+  }
 
   // As a world is told of its changes.
   void OnAdded(CShapeId id);
@@ -40,6 +48,13 @@ public:
   /// A fixture of that shape was destroyed by somebody else: what is left of its body is no concern of ours.
   /// @return false if that was known
   bool OnLost(CShapeId id);
+
+  /// To be told before the first substep, and whenever the content has changed.
+  /// @param running  the effects that run
+  void Plan(CEffects running);
+  /// Makes Box2D's own mixing of restitutions give what the listener gives.
+  /// @return false where there is no way to do so, or where the listener is needed anyway
+  bool NeedsNoListener();
 
   void BeginSubstep();
   /// Parts into which dt seconds have to be cut so that Box2D slows nothing down.
@@ -72,6 +87,7 @@ private:
   CScale m_cScale;
   CBodies m_cBodies;
   CContactGatherer m_cGatherer;
+  CEffects m_cRunning;
   bool m_bJointsChanged = false;
 };
 
