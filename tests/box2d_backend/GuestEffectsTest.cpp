@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// Effects of a world in a game's b2World: some are the game's, and the world says what is true.
+#include "box2d_backend/GuestTesting.h"
+
+#include <gtest/gtest.h>
+
+namespace Shapes::Tests {
+namespace {
+
+class CGuestEffects : public testing::TestWithParam<eProfile> {
+protected:
+  CBox2DWorld& Join(const CEffectChoice& choice = g_cAutomatic) {
+    CWorldDesc desc;
+    desc.m_eProfile = GetParam();
+    desc.m_cEffects = choice;
+    m_pGuest = MakeWorld(m_cGame, desc);
+    return *m_pGuest;
+  }
+  void Steps(int n) { Tests::Steps(m_cGame, *m_pGuest, n); }
+  bool Has(eEffect e) const { return m_pGuest->GetEffects().Has(e); }
+  std::uint64_t CountSubstepsWith(eEffect e) const { return m_pGuest->GetStats().GetSubstepsWith(e); }
+
+  b2World m_cGame{{0, 0}};
+  std::unique_ptr<CBox2DWorld> m_pGuest;
+};
+INSTANTIATE_TEST_SUITE_P(, CGuestEffects, testing::Values(eProfile::Shipped, eProfile::Tuned),
+                         [](const auto& test) {
+                           return test.param == eProfile::Tuned ? "tuned" : "shipped";
+                         });
+
+TEST_P(CGuestEffects, GravityIsThatOfTheGame) {
+  auto& guest = Join();
+  const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0}, 0.1f));
+  EXPECT_FALSE(Has(eEffect::Gravity));
+  Steps(2);
+  EXPECT_EQ(guest.GetVel(ball), Vector2::Zero());
+  m_cGame.SetGravity({0, -6});
+  EXPECT_TRUE(Has(eEffect::Gravity));
+  Steps(3);
+  EXPECT_NEAR(guest.GetVel(ball).y(), -0.3f, 1e-6f);
+  m_cGame.SetGravity({0, 0});
+  EXPECT_FALSE(Has(eEffect::Gravity));
+  Steps(2);
+  EXPECT_NEAR(guest.GetVel(ball).y(), -0.3f, 1e-6f);
+  EXPECT_EQ(CountSubstepsWith(eEffect::Gravity), 3u);
+  EXPECT_EQ(guest.GetStats().m_nBallsAccelerated, 3u);
+}
+
+TEST_P(CGuestEffects, ContinuousIsThatOfTheGameHoweverFastBallsAre) {
+  auto& guest = Join();
+  guest.Add(CLineSegDesc({0, -1}, {0, 1}));
+  const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0}, 0.1f));
+  for (const float speed : {1.0f, 100.0f})
+    for (const bool runs : {true, false}) {
+      m_cGame.SetContinuousPhysics(runs);
+      EXPECT_EQ(Has(eEffect::Continuous), runs);
+      const std::uint64_t ran = CountSubstepsWith(eEffect::Continuous);
+      guest.SetPos(ball, {-0.8f, 0});
+      guest.SetVel(ball, {speed, 0});
+      Steps(3);
+      EXPECT_EQ(CountSubstepsWith(eEffect::Continuous), ran + (runs ? 3 : 0));
+      EXPECT_EQ(guest.GetPos(ball).x() > 0, speed > 1 && !runs);
+    }
+  EXPECT_NE(guest.ExplainEffects().find("Continuous: does not run, decided by the world around; "),
+            std::string::npos)
+      << guest.ExplainEffects();
+}
+
+TEST_P(CGuestEffects, WhatIsTheGamesCanBeNeitherForcedNorForbidden) {
+  for (const eEffect e : {eEffect::Gravity, eEffect::Continuous})
+    for (const CEffectChoice& choice : {CEffectChoice{{e}, {}}, CEffectChoice{{}, {e}}}) {
+      const std::string refusal = Thrown([&] { Join(choice); });
+      for (const std::string_view word : {std::string_view("m_cEffects"), GetName(e), {"b2World"}})
+        EXPECT_NE(refusal.find(word), std::string::npos) << refusal;
+      EXPECT_EQ(m_cGame.GetBodyCount(), 0); // nothing is half done
+    }
+  EXPECT_EQ(Thrown([&] { Join({{eEffect::Kinematics}, {eEffect::BallPairs, eEffect::Events}}); }), "");
+}
+
+TEST_P(CGuestEffects, EventsAreToldOfTheBodiesOfTheGameAlone) {
+  for (const bool forbidden : {false, true}) {
+    auto& guest = Join(forbidden ? CEffectChoice{{}, {eEffect::Events}} : g_cAutomatic);
+    b2Body* pGround = AddGround(m_cGame);
+    const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -3}));
+    std::size_t told = 0;
+    for (int i = 0; i < 10; ++i) {
+      Steps(1);
+      told += guest.GetContacts().size();
+    }
+    EXPECT_NEAR(guest.GetVel(ball).y(), 3, 1e-4f);
+    EXPECT_EQ(told > 0, !forbidden);
+    EXPECT_EQ(guest.GetStats().m_nContacts, told);
+    m_cGame.DestroyBody(pGround);
+    m_pGuest.reset();
+  }
+}
+
+TEST_P(CGuestEffects, WithoutEventsTheProductOfElasticitiesStays) {
+  CCounting listener;
+  m_cGame.SetContactListener(&listener);
+  auto& guest = Join({{}, {eEffect::Events}});
+  guest.Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
+  const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -3}, 1, 0.8f));
+  Steps(12);
+  EXPECT_NEAR(guest.GetVel(ball).y(), 1.2f, 1e-4f); // Box2D's larger one is .8
+  EXPECT_GT(listener.m_nPre, 0);                    // the game listens as before
+  m_pGuest.reset();
+}
+
+TEST_P(CGuestEffects, WithoutBallPairsBallsPassThroughEachOtherAndMeetTheGame) {
+  for (const bool forbidden : {false, true}) {
+    auto& guest = Join(forbidden ? CEffectChoice{{}, {eEffect::BallPairs}} : g_cAutomatic);
+    const CShapeId left = guest.Add(CDynamicCircleDesc({-0.5f, 3}, 0.1f, {2, 0}));
+    guest.Add(CDynamicCircleDesc({0.5f, 3}, 0.1f, {-2, 0}));
+    b2Body* pBox = AddBox(m_cGame, {2, 3}, b2_staticBody);
+    Steps(25);
+    EXPECT_NEAR(guest.GetVel(left).x(), forbidden ? 2 : -2, 1e-3f);
+    // Turned off and on it is in the group still.
+    guest.SetCanCollide(left, false);
+    guest.SetCanCollide(left, true);
+    guest.SetPos(left, {0, 3});
+    guest.SetVel(left, {2, 0});
+    Steps(60);
+    EXPECT_LT(guest.GetPos(left).x(), 1.45f); // the box
+    m_cGame.DestroyBody(pBox);
+    m_pGuest.reset();
+  }
+}
+
+TEST_P(CGuestEffects, WhatIsHeldDoesNotTurnItsBody) {
+  for (const bool forbidden : {false, true}) {
+    auto& guest = Join(forbidden ? CEffectChoice{{}, {eEffect::Kinematics}} : g_cAutomatic);
+    CLineSegDesc desc({0, 0}, {1, 0});
+    desc.m_eMotionType = eMotion::Kinematic;
+    desc.m_fRotSpeed = 0.5f;
+    const CShapeId flipper = guest.Add(desc);
+    int mine = 0;
+    guest.SetUserPtr(flipper, &mine);
+    Steps(3);
+    const b2Body* pBody = FindBody(m_cGame, &mine);
+    EXPECT_NEAR(pBody->GetAngularVelocity(), forbidden ? 0 : g_fPi, 1e-6f);
+    EXPECT_NEAR(pBody->GetAngle(), forbidden ? 0 : g_fPi * 3 * g_fDt, 1e-5f);
+    EXPECT_EQ(guest.GetOrientation(flipper) == 0.0f, forbidden);
+    guest.SetRotSpeed(flipper, 0);
+    const float angle = pBody->GetAngle();
+    Steps(3);
+    EXPECT_EQ(pBody->GetAngularVelocity(), 0);
+    EXPECT_EQ(pBody->GetAngle(), angle);
+    EXPECT_EQ(guest.GetStats().m_nShapesTurned, forbidden ? 0u : 3u);
+    m_pGuest.reset();
+  }
+}
+
+TEST_P(CGuestEffects, AShapeThatTurnsMayBeLostInTheMiddleOfAStep) {
+  auto& guest = Join();
+  CPointDesc desc(Vector2(1, 0));
+  desc.m_eMotionType = eMotion::Kinematic;
+  desc.m_fRotSpeed = 0.5f;
+  const CShapeId lost = guest.Add(desc), stays = guest.Add(desc);
+  int mine = 0;
+  guest.SetUserPtr(lost, &mine);
+  Steps(1);
+  const float angle = guest.GetOrientation(stays);
+  guest.PreStep(g_fDt);
+  m_cGame.DestroyBody(FindBody(m_cGame, &mine));
+  m_cGame.Step(g_fDt, 8, 3);
+  guest.PostStep();
+  EXPECT_FALSE(guest.Contains(lost));
+  EXPECT_NEAR(guest.GetOrientation(stays), 2 * angle, 1e-6f);
+  EXPECT_EQ(guest.GetStats().m_nShapesTurned, 3u);
+}
+
+TEST_P(CGuestEffects, BulletsAreThereForPairsOnly) {
+  const bool tuned = GetParam() == eProfile::Tuned;
+  for (const bool forbidden : {false, true}) {
+    auto& guest = Join(forbidden ? CEffectChoice{{}, {eEffect::BallPairs}} : g_cAutomatic);
+    int mine = 0;
+    guest.SetUserPtr(guest.Add(CDynamicCircleDesc({0, 0}, 0.1f)), &mine);
+    const b2Body* pBody = FindBody(m_cGame, &mine);
+    Steps(1);
+    EXPECT_FALSE(pBody->IsBullet());
+    const CShapeId other = guest.Add(CDynamicCircleDesc({1, 0}, 0.1f));
+    Steps(1);
+    EXPECT_EQ(pBody->IsBullet(), tuned && !forbidden);
+    guest.Remove(other);
+    Steps(1);
+    EXPECT_FALSE(pBody->IsBullet());
+    m_pGuest.reset();
+  }
+}
+
+} // namespace
+} // namespace Shapes::Tests

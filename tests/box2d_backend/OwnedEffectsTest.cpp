@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// What runs of Box2D in a world of its own.
+#include <Shapes/Shapes.h>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "box2d_backend/OwnedWorld.h"
+
+namespace Shapes {
+namespace {
+
+constexpr float g_fDt = 1.0f / 60.0f;
+
+std::unique_ptr<CWorld> Make(eProfile profile, const CEffectChoice& choice = g_cAutomatic) {
+  CWorldDesc desc;
+  desc.m_fTimeStep = g_fDt;
+  desc.m_eProfile = profile;
+  desc.m_cEffects = choice;
+  return GetBackend(eBackend::Box2D)->MakeWorld(desc);
+}
+
+/// Whether a ball that is thrown at a wall gets through it, and the steps in which Continuous ran.
+struct CThrow {
+  bool m_bIsThrough;
+  std::uint64_t m_nContinuous;
+};
+CThrow Throw(eProfile profile, const CEffectChoice& choice, float speed, float kick = 0) {
+  auto pWorld = Make(profile, choice);
+  pWorld->Add(CLineSegDesc({0, -1}, {0, 1}));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-1, 0}, 0.1f, {speed, 0}));
+  pWorld->SetGravity({kick, 0});
+  const int n = kick > 0 ? 1 : speed > 50 ? 2 : 30; // without a wall it would be well behind it then
+  for (int i = 0; i < n; ++i)
+    pWorld->Step();
+  return {pWorld->GetPos(ball).x() > 0, pWorld->GetStats().GetSubstepsWith(eEffect::Continuous)};
+}
+
+TEST(OwnedEffectsTest, AFastBallGetsThroughNoWallUnlessContinuousIsForbidden) {
+  for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned}) {
+    SCOPED_TRACE(profile == eProfile::Tuned ? "tuned" : "shipped");
+    EXPECT_FALSE(Throw(profile, g_cAutomatic, 70).m_bIsThrough);
+    EXPECT_EQ(Throw(profile, g_cAutomatic, 70).m_nContinuous, 2u);
+    EXPECT_TRUE(Throw(profile, g_cApproximate, 70).m_bIsThrough);
+    EXPECT_EQ(Throw(profile, g_cApproximate, 70).m_nContinuous, 0u);
+    EXPECT_FALSE(Throw(profile, g_cContinuous, 70).m_bIsThrough);
+  }
+}
+
+TEST(OwnedEffectsTest, ASlowBallNeedsNoContinuousPhysicsWhenShipped) {
+  // The fastest that is slow: half a radius in a step.
+  EXPECT_FALSE(Throw(eProfile::Shipped, g_cAutomatic, 2.999f).m_bIsThrough);
+  EXPECT_EQ(Throw(eProfile::Shipped, g_cAutomatic, 2.999f).m_nContinuous, 0u);
+  EXPECT_EQ(Throw(eProfile::Shipped, g_cContinuous, 2.999f).m_nContinuous, 30u);
+  EXPECT_EQ(Throw(eProfile::Tuned, g_cAutomatic, 2.999f).m_nContinuous, 30u); // always
+  EXPECT_EQ(Throw(eProfile::Tuned, g_cApproximate, 2.999f).m_nContinuous, 0u);
+}
+
+TEST(OwnedEffectsTest, WhatGravityAddsInASubstepCountsAsSpeed) {
+  // Box2D moves the ball by its speed after the kick: 6,000 / 60 = 100, which is 1.67 in the first step.
+  const CThrow thrown = Throw(eProfile::Shipped, g_cAutomatic, 0, 6000);
+  EXPECT_EQ(thrown.m_nContinuous, 1u);
+  EXPECT_FALSE(thrown.m_bIsThrough);
+  EXPECT_TRUE(Throw(eProfile::Shipped, g_cApproximate, 0, 6000).m_bIsThrough);
+}
+
+TEST(OwnedEffectsTest, TheTunedProfileSaysThatItAlwaysLooksAhead) {
+  auto pWorld = Make(eProfile::Tuned);
+  EXPECT_NE(pWorld->ExplainEffects().find("Continuous: runs, as always in this engine; "), std::string::npos)
+      << pWorld->ExplainEffects();
+}
+
+TEST(OwnedEffectsTest, ContactsCountWhereSomebodyHearsOfThem) {
+  for (const bool sensor : {true, false}) {
+    auto pWorld = Make(eProfile::Shipped, {{}, {eEffect::Events}});
+    pWorld->Add(CLineSegDesc({0, -1}, {0, 1}));
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-0.5f, 0}, 0.1f, {2, 0}));
+    CCircleDesc zone({5, 5}, 0.1f);
+    zone.m_bIsSensor = sensor;
+    pWorld->Add(zone);
+    for (int i = 0; i < 20; ++i)
+      pWorld->Step();
+    EXPECT_LT(pWorld->GetVel(ball).x(), 0);
+    EXPECT_EQ(pWorld->GetStats().m_nContacts > 0, sensor);
+  }
+}
+
+TEST(OwnedEffectsTest, SensorsSeeTheWayBackWithoutEvents) {
+  // To the wall and back within a substep: seen only if the world knows where the ball turned.
+  for (const bool wall : {true, false}) {
+    auto pWorld = Make(eProfile::Shipped, {{}, {eEffect::Events}});
+    CLineSegDesc desc({0, -1}, {0, 1});
+    desc.m_bIsSensor = !wall;
+    pWorld->Add(desc);
+    CLineSegDesc gate({-0.3f, -1}, {-0.3f, 1});
+    gate.m_bIsSensor = true;
+    const CShapeId id = pWorld->Add(gate);
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-0.6f, 0}, 0.1f, {60, 0}));
+    pWorld->Step();
+    EXPECT_EQ(pWorld->GetPos(ball).x() < -0.4f, wall); // 1 a step: .5 to the wall, .5 back
+    std::size_t seen = 0;
+    for (const CSensorEvent& event : pWorld->GetSensorEvents())
+      seen += event.m_cShape == id;
+    EXPECT_EQ(seen, 2u);
+    pWorld->Step();
+  }
+}
+
+} // namespace
+} // namespace Shapes

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+// Effects: what calls for them, what the description says of them, and what the world does then, the same on
+// every engine.
+#include "Backends.h"
+
+#include <functional>
+#include <stdexcept>
+
+namespace Shapes {
+namespace {
+
+constexpr float g_fDt = 1.0f / 60.0f;
+
+std::vector<eEffect> AllEffects() {
+  std::vector<eEffect> all;
+  for (int i = 0; i < static_cast<int>(eEffect::Size); ++i)
+    all.push_back(static_cast<eEffect>(i));
+  return all;
+}
+
+CEffectChoice Forced(eEffect e) { return {{e}, {}}; }
+CEffectChoice Forbidden(eEffect e) { return {{}, {e}}; }
+
+CLineSegDesc Flipper(float revsPerSecond) { // a blade of length 1 about the origin, to the right
+  CLineSegDesc desc({0, 0}, {1, 0});
+  desc.m_eMotionType = eMotion::Kinematic;
+  desc.m_fRotSpeed = revsPerSecond;
+  return desc;
+}
+
+CCircleDesc Zone(const Vector2& p, float r) {
+  CCircleDesc desc(p, r);
+  desc.m_bIsSensor = true;
+  return desc;
+}
+
+class CEffectContract : public CEveryBackend {
+protected:
+  std::unique_ptr<CWorld> Make(const CEffectChoice& choice = g_cAutomatic,
+                               const Vector2& gravity = Vector2::Zero()) const {
+    CWorldDesc desc;
+    desc.m_vGravity = gravity;
+    desc.m_fTimeStep = g_fDt;
+    desc.m_nSubsteps = 2;
+    desc.m_cEffects = choice;
+    return Backend().MakeWorld(desc);
+  }
+  static CShapeId AddBall(CWorld& world, const Vector2& p, const Vector2& v = Vector2::Zero(), float e = 1) {
+    return world.Add(CDynamicCircleDesc(p, 0.1f, v, 1, e));
+  }
+  static void Steps(CWorld& world, int n) {
+    for (int i = 0; i < n; ++i)
+      world.Step();
+  }
+};
+SHAPES_ON_EVERY_BACKEND(CEffectContract);
+
+// What is in the world says what runs, from the next step on, and the statistics count it.
+void ExpectFollows(CWorld& world, eEffect e, const std::function<void()>& add,
+                   const std::function<void()>& remove) {
+  SCOPED_TRACE(GetName(e));
+  for (int i = 0; i < 2; ++i) {
+    add();
+    EXPECT_TRUE(world.GetEffects().Has(e));
+    std::uint64_t ran = world.GetStats().GetSubstepsWith(e);
+    world.Step();
+    EXPECT_EQ(world.GetStats().GetSubstepsWith(e), ran + 2);
+    remove();
+    EXPECT_FALSE(world.GetEffects().Has(e));
+    ran = world.GetStats().GetSubstepsWith(e);
+    world.Step();
+    EXPECT_EQ(world.GetStats().GetSubstepsWith(e), ran);
+  }
+}
+
+TEST_P(CEffectContract, ContentCallsForEffects) {
+  auto pWorld = Make();
+  const CShapeId ball = AddBall(*pWorld, {0, 5});
+  CShapeId id;
+  const auto take = [&] { pWorld->Remove(id); };
+  ExpectFollows(
+      *pWorld, eEffect::Events,
+      [&] {
+        id = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+      },
+      take);
+  ExpectFollows(
+      *pWorld, eEffect::Gravity,
+      [&] {
+        pWorld->SetGravity({0, -1});
+      },
+      [&] {
+        pWorld->SetGravity({0, 0});
+      });
+  ExpectFollows(
+      *pWorld, eEffect::Kinematics, [&] { id = pWorld->Add(Flipper(1)); }, take);
+  ExpectFollows(
+      *pWorld, eEffect::BallPairs,
+      [&] {
+        id = AddBall(*pWorld, {3, 3});
+      },
+      take);
+  ExpectFollows(
+      *pWorld, eEffect::Sensors,
+      [&] {
+        id = pWorld->Add(Zone({-3, 0}, 1));
+      },
+      take);
+
+  const CShapeId flipper = pWorld->Add(Flipper(0)), other = AddBall(*pWorld, {3, 3});
+  ExpectFollows(
+      *pWorld, eEffect::Kinematics, [&] { pWorld->SetRotSpeed(flipper, 0.01f); },
+      [&] { pWorld->SetRotSpeed(flipper, 0); });
+  ExpectFollows(
+      *pWorld, eEffect::BallPairs, [&] { pWorld->SetCanCollide(other, true); },
+      [&] { pWorld->SetCanCollide(other, false); });
+  ExpectFollows(
+      *pWorld, eEffect::Sensors, [&] { pWorld->SetSensor(flipper, true); },
+      [&] { pWorld->SetSensor(flipper, false); });
+  // .05 in a substep are 6 a second; a surface likewise.
+  ExpectFollows(
+      *pWorld, eEffect::Continuous,
+      [&] {
+        pWorld->SetVel(ball, {6.01f, 0});
+      },
+      [&] {
+        pWorld->SetVel(ball, {5.99f, 0});
+      });
+  ExpectFollows(
+      *pWorld, eEffect::Continuous, [&] { pWorld->SetRotSpeed(flipper, 6.01f / g_fTwoPi); },
+      [&] { pWorld->SetRotSpeed(flipper, 5.99f / g_fTwoPi); });
+}
+
+TEST_P(CEffectContract, WhatCallsForAnEffectFeelsItInTheNextStep) {
+  auto pWorld = Make();
+  const CShapeId ball = AddBall(*pWorld, {0, 5});
+  Steps(*pWorld, 3);
+  EXPECT_EQ(pWorld->GetVel(ball), Vector2::Zero());
+  pWorld->SetGravity({0, -6});
+  Steps(*pWorld, 1);
+  EXPECT_NEAR(pWorld->GetVel(ball).y(), -0.1f, 1e-6f);
+  pWorld->SetGravity({0, 0});
+  Steps(*pWorld, 1);
+  EXPECT_NEAR(pWorld->GetVel(ball).y(), -0.1f, 1e-6f);
+
+  const CShapeId flipper = pWorld->Add(Flipper(0));
+  Steps(*pWorld, 1);
+  EXPECT_EQ(pWorld->GetOrientation(flipper), 0);
+  pWorld->SetRotSpeed(flipper, 0.3f);
+  Steps(*pWorld, 1);
+  EXPECT_NEAR(pWorld->GetOrientation(flipper), g_fTwoPi * 0.3f * g_fDt, 1e-6f);
+  pWorld->SetRotSpeed(flipper, 0);
+  Steps(*pWorld, 1);
+  EXPECT_NEAR(pWorld->GetOrientation(flipper), g_fTwoPi * 0.3f * g_fDt, 1e-6f);
+
+  const CShapeId zone = pWorld->Add(Zone(pWorld->GetPos(ball), 1));
+  Steps(*pWorld, 1);
+  ASSERT_EQ(pWorld->GetSensorEvents().size(), 1u);
+  EXPECT_EQ(pWorld->GetSensorEvents()[0], (CSensorEvent{zone, ball, true}));
+  pWorld->Remove(zone);
+  Steps(*pWorld, 1); // what is left to tell calls for it, too
+  ASSERT_EQ(pWorld->GetSensorEvents().size(), 1u);
+  EXPECT_EQ(pWorld->GetSensorEvents()[0], (CSensorEvent{zone, ball, false}));
+  EXPECT_FALSE(pWorld->GetEffects().Has(eEffect::Sensors));
+
+  pWorld->SetVel(ball, {0, 0});
+  const CShapeId other = AddBall(*pWorld, pWorld->GetPos(ball) + Vector2(0.25f, 0), {-4, 0});
+  Steps(*pWorld, 2);
+  EXPECT_NEAR(pWorld->GetVel(ball).x(), -4, 1e-4f); // it has got all of it
+  EXPECT_NEAR(pWorld->GetVel(other).x(), 0, 1e-4f);
+}
+
+TEST_P(CEffectContract, WithoutGravityABallFliesStraight) {
+  for (const bool forbidden : {true, false}) {
+    auto pWorld = Make(forbidden ? Forbidden(eEffect::Gravity) : g_cAutomatic, {0, -10});
+    const CShapeId ball = AddBall(*pWorld, {0, 0}, {3, 4});
+    Steps(*pWorld, 60);
+    EXPECT_EQ(pWorld->GetVel(ball) == Vector2(3, 4), forbidden);
+    EXPECT_EQ(pWorld->GetStats().m_nBallsAccelerated, forbidden ? 0u : 120u);
+    EXPECT_EQ(pWorld->GetStats().GetSubstepsWith(eEffect::Gravity), forbidden ? 0u : 120u);
+    EXPECT_EQ(pWorld->GetDesc().m_vGravity, Vector2(0, -10));
+  }
+}
+
+TEST_P(CEffectContract, WithoutKinematicsShapesNeitherTurnNorKick) {
+  for (const bool forbidden : {true, false}) {
+    auto pWorld = Make(forbidden ? Forbidden(eEffect::Kinematics) : g_cAutomatic);
+    const CShapeId flipper = pWorld->Add(Flipper(0.2f));
+    const CShapeId ball = AddBall(*pWorld, {0.5f, 0.2f}, {0, -2});
+    Steps(*pWorld, 10);
+    EXPECT_EQ(pWorld->GetRotSpeed(flipper), 0.2f);
+    EXPECT_EQ(pWorld->GetOrientation(flipper) == 0.0f, forbidden);
+    EXPECT_EQ(pWorld->GetStats().m_nShapesTurned, forbidden ? 0u : 20u);
+    EXPECT_EQ(pWorld->GetEffects().Has(eEffect::Kinematics), !forbidden);
+    if (forbidden)
+      EXPECT_NEAR(pWorld->GetVel(ball).y(), 2, 1e-5f);
+    else
+      EXPECT_GT(pWorld->GetVel(ball).y(), 2.8f); // 2 + twice the .63 of the surface, a bit oblique
+  }
+}
+
+TEST_P(CEffectContract, WithoutBallPairsBallsPassThroughEachOther) {
+  for (const bool forbidden : {true, false}) {
+    auto pWorld = Make(forbidden ? Forbidden(eEffect::BallPairs) : g_cAutomatic);
+    pWorld->Add(CLineSegDesc({1, -1}, {1, 1}));
+    const CShapeId left = AddBall(*pWorld, {-0.5f, 0}, {2, 0}), right = AddBall(*pWorld, {0.5f, 0}, {-2, 0});
+    Steps(*pWorld, 25);
+    EXPECT_NEAR(pWorld->GetVel(left).x(), forbidden ? 2 : -2, 1e-4f);
+    EXPECT_NEAR(pWorld->GetVel(right).x(), forbidden ? -2 : 2, 1e-4f);
+    EXPECT_EQ(pWorld->GetStats().m_nContacts > 0, !forbidden);
+    if (forbidden) {
+      EXPECT_EQ(pWorld->GetStats().m_nBallTests, 0u);
+    }
+    // They meet walls all the same.
+    Steps(*pWorld, 25);
+    EXPECT_GT(pWorld->GetStats().m_nContacts, 0u);
+    EXPECT_LT(pWorld->GetVel(left).x(), 0);
+  }
+}
+
+TEST_P(CEffectContract, WithoutSensorsNothingIsTold) {
+  for (const bool forbidden : {true, false}) {
+    auto pWorld = Make(forbidden ? Forbidden(eEffect::Sensors) : g_cAutomatic);
+    pWorld->Add(Zone({0, 0}, 1));
+    AddBall(*pWorld, {-2, 0}, {6, 0});
+    std::size_t told = 0;
+    for (int i = 0; i < 60; ++i) {
+      pWorld->Step();
+      told += pWorld->GetSensorEvents().size() + pWorld->GetContacts().size();
+    }
+    EXPECT_EQ(told > 0, !forbidden);
+    EXPECT_EQ(pWorld->GetStats().m_nSensorTests > 0, !forbidden);
+    EXPECT_EQ(pWorld->GetBallVelocities()[0], Vector2(6, 0)); // a sensor is not solid, watched or not
+  }
+}
+
+TEST_P(CEffectContract, WithoutEventsBallsBounceUntold) {
+  // The last two on Box2D by listening to contacts, which would take the larger one and stop at 1.
+  for (const auto& [wall, ball, other] :
+       {std::array{1.0f, 1.0f, 1.0f}, {0.5f, 0.8f, 0.8f}, {0.5f, 0.8f, 0.9f}, {1.5f, 1.0f, 1.0f}})
+    for (const bool forbidden : {true, false}) {
+      auto pWorld = Make(forbidden ? Forbidden(eEffect::Events) : g_cAutomatic);
+      pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, wall));
+      pWorld->Add(CLineSegDesc({4, 0}, {5, 0}, 0.7f));
+      const CShapeId id = AddBall(*pWorld, {0, 0.3f}, {0, -2}, ball);
+      AddBall(*pWorld, {4.5f, 3}, {0, 0}, other);
+      std::size_t told = 0;
+      for (int i = 0; i < 15; ++i) {
+        pWorld->Step();
+        told += pWorld->GetContacts().size();
+      }
+      EXPECT_NEAR(pWorld->GetVel(id).y(), 2 * wall * ball, 1e-4f);
+      EXPECT_EQ(told > 0, !forbidden);
+      EXPECT_EQ(pWorld->GetStats().m_nReported, told);
+    }
+}
+
+TEST_P(CEffectContract, SensorEventsNeedNoContactEvents) {
+  auto pWorld = Make(Forbidden(eEffect::Events));
+  pWorld->Add(CLineSegDesc({1, -1}, {1, 1}));
+  const CShapeId zone = pWorld->Add(Zone({0, 0}, 0.5f)), ball = AddBall(*pWorld, {-1, 0}, {3, 0});
+  std::vector<CSensorEvent> seen;
+  for (int i = 0; i < 80; ++i) {
+    pWorld->Step();
+    EXPECT_TRUE(pWorld->GetContacts().empty());
+    seen.insert(seen.end(), pWorld->GetSensorEvents().begin(), pWorld->GetSensorEvents().end());
+  }
+  EXPECT_EQ(seen, (std::vector<CSensorEvent>{
+                      {zone, ball, true}, {zone, ball, false}, {zone, ball, true}, {zone, ball, false}}));
+}
+
+TEST_P(CEffectContract, WhatIsNotCalledForCountsNothing) {
+  auto pWorld = Make();
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  pWorld->Add(Flipper(0)); // kinematic, but it stands still
+  const CShapeId ball = AddBall(*pWorld, {0, 0.5f}, {0, -1});
+  Steps(*pWorld, 60);
+  const CWorldStats before = pWorld->GetStats();
+  for (const std::uint64_t n :
+       {before.m_nBallsAccelerated, before.m_nShapesTurned, before.m_nBallTests, before.m_nSweeps,
+        before.m_nBallsSwept, before.m_nBallsHalted, before.m_nSensorTests, before.m_nSensorHits})
+    EXPECT_EQ(n, 0u);
+  for (const eEffect e : AllEffects())
+    EXPECT_EQ(before.GetSubstepsWith(e), e == eEffect::Events ? 120u : 0u) << GetName(e);
+  EXPECT_GT(before.m_nContacts, 0u);
+
+  pWorld->SetGravity({0, -1}); // the control: each is counted where it is called for
+  pWorld->Add(Flipper(0.1f));
+  pWorld->Add(Zone({0, 0}, 0.5f));
+  AddBall(*pWorld, {0, 3}, {20, 0});
+  pWorld->SetPos(ball, {0, 0.5f});
+  Steps(*pWorld, 60);
+  const CWorldStats& after = pWorld->GetStats();
+  EXPECT_EQ(after.m_nBallsAccelerated, 240u);
+  EXPECT_EQ(after.m_nShapesTurned, 120u);
+  EXPECT_GT(after.m_nSensorTests, 0u);
+  EXPECT_GT(after.m_nSensorHits, 0u);
+  for (const eEffect e : AllEffects())
+    EXPECT_EQ(after.GetSubstepsWith(e), e == eEffect::Events ? 240u : 120u) << GetName(e);
+}
+
+TEST_P(CEffectContract, ForcedRunsAndForbiddenDoesNotWhateverIsThere) {
+  for (const eEffect e : AllEffects()) {
+    SCOPED_TRACE(GetName(e));
+    auto pForced = Make(Forced(e));
+    EXPECT_EQ(pForced->GetEffects(), CEffects{e}); // nothing is there
+    pForced->Step();
+    EXPECT_EQ(pForced->GetStats().GetSubstepsWith(e), 2u);
+
+    auto pForbidden = Make(Forbidden(e), {0, -1});
+    pForbidden->Add(Flipper(0.1f));
+    pForbidden->Add(Zone({0, 0}, 0.5f));
+    AddBall(*pForbidden, {0, 3}, {20, 0});
+    AddBall(*pForbidden, {0, 5});
+    EXPECT_EQ(pForbidden->GetEffects(), CEffects::All() - CEffects{e});
+    pForbidden->Step();
+    EXPECT_EQ(pForbidden->GetStats().GetSubstepsWith(e), 0u);
+  }
+}
+
+TEST_P(CEffectContract, WhatIsBothForcedAndForbiddenIsRefused) {
+  for (const eEffect e : AllEffects()) {
+    try {
+      Make({{e}, {e}});
+      ADD_FAILURE() << GetName(e) << " was taken";
+    } catch (const std::invalid_argument& refusal) {
+      EXPECT_NE(std::string(refusal.what()).find("m_cEffects"), std::string::npos);
+      EXPECT_NE(std::string(refusal.what()).find(GetName(e)), std::string::npos);
+    }
+  }
+}
+
+TEST_P(CEffectContract, TheWorldSaysWhatRunsAndWhy) {
+  auto pWorld = Make({{eEffect::Sensors}, {eEffect::BallPairs}}, {0, -10});
+  pWorld->Add(Flipper(0.25f));
+  AddBall(*pWorld, {0, 3}, {3, 0});
+  AddBall(*pWorld, {0, 5}, {0, 12});
+  EXPECT_EQ(pWorld->ExplainEffects(), "Gravity: runs; gravity is (0, -10), 2 balls\n"
+                                      "Kinematics: runs; 1 shape rotates\n"
+                                      "BallPairs: does not run, forbidden by the description; 2 solid balls\n"
+                                      "Sensors: runs, forced by the description; 0 sensors\n"
+                                      "Events: runs; 2 solid balls, 1 solid shape, 0 sensors\n"
+                                      "Continuous: runs; the fastest ball moves 0.993 radii a substep, "
+                                      "the fastest surface 0.131 of the smallest ball\n");
+}
+
+} // namespace
+} // namespace Shapes
