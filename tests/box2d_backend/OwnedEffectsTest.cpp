@@ -71,6 +71,36 @@ TEST(OwnedEffectsTest, TheTunedProfileSaysThatItAlwaysLooksAhead) {
       << pWorld->ExplainEffects();
 }
 
+TEST(OwnedEffectsTest, WhatStandsStillIsMetLikeAStaticShape) {
+  // Also where it did not always do so.
+  for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned}) {
+    std::vector<Vector2> paths[3];
+    for (const int k : {0, 1, 2}) {
+      auto pWorld = Make(profile);
+      pWorld->SetGravity({0, -10});
+      CArcDesc desc({0, -1}, 1, 0, g_fPi);
+      desc.m_eMotionType = k == 0 ? eMotion::Static : eMotion::Kinematic;
+      desc.m_vRotCenter = {0, -1};
+      const CShapeId arc = pWorld->Add(desc);
+      if (k == 2) {
+        pWorld->SetRotSpeed(arc, 1);
+        pWorld->Step();
+        pWorld->SetRotSpeed(arc, 0);
+        pWorld->Step();
+        pWorld->Reset(arc);
+      }
+      const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.2f, 0.4f}, 0.1f, {0, 0}, 1, 0.9f));
+      for (int i = 0; i < 100; ++i) {
+        pWorld->Step();
+        paths[k].push_back(pWorld->GetPos(ball));
+      }
+    }
+    EXPECT_EQ(paths[0], paths[1]);
+    EXPECT_EQ(paths[0], paths[2]);
+    EXPECT_GT(paths[0].back().x(), 0.5f); // it has been met
+  }
+}
+
 TEST(OwnedEffectsTest, ContactsCountWhereSomebodyHearsOfThem) {
   for (const bool sensor : {true, false}) {
     auto pWorld = Make(eProfile::Shipped, {{}, {eEffect::Events}});

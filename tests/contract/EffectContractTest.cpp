@@ -204,6 +204,8 @@ TEST_P(CEffectContract, WithoutBallPairsBallsPassThroughEachOther) {
     auto pWorld = Make(forbidden ? Forbidden(eEffect::BallPairs) : g_cAutomatic);
     pWorld->Add(CLineSegDesc({1, -1}, {1, 1}));
     const CShapeId left = AddBall(*pWorld, {-0.5f, 0}, {2, 0}), right = AddBall(*pWorld, {0.5f, 0}, {-2, 0});
+    pWorld->SetCanCollide(left, false); // turned off and on again it is what it was
+    pWorld->SetCanCollide(left, true);
     Steps(*pWorld, 25);
     EXPECT_NEAR(pWorld->GetVel(left).x(), forbidden ? 2 : -2, 1e-4f);
     EXPECT_NEAR(pWorld->GetVel(right).x(), forbidden ? -2 : 2, 1e-4f);
