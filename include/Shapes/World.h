@@ -31,7 +31,7 @@ struct CContent;
 /// How Box2D is used; the native engine reads none of it. docs/box2d_differences.md has the figures.
 enum class eProfile {
   Shipped, ///< As Box2D ships: only elasticity (the product of both), friction (none), spin of balls (none)
-           ///< and sleep (never) are the library's.
+           ///< and sleep (never) are the library's; and what no effect calls for is off.
   Tuned    ///< As accurate as Box2D can be made, for more time.
 };
 
