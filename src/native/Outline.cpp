@@ -42,14 +42,14 @@ double Largest(const Vector2d& v) { return v.cwiseAbs().maxCoeff(); }
 
 } // namespace
 
-double Length(const Vector2d& v) {
+double Norm(const Vector2d& v) {
   constexpr double tiny = 0x1p-900, scale = 0x1p500;
   const double square = v.squaredNorm();
   return square > tiny ? std::sqrt(square) : std::sqrt((scale * v).squaredNorm()) / scale;
 }
 
 Vector2d Unit(const Vector2d& v, const Vector2d& fallback) {
-  const double d = Length(v);
+  const double d = Norm(v);
   return d > 0.0 ? Vector2d(v / d) : fallback;
 }
 
@@ -73,7 +73,7 @@ COutline MakeOutline(const CShape& shape, double turnSpeed) {
   o.m_fTurnSpeed = isRound && o.m_vCenter == c ? 0.0 : turnSpeed;
   const double turning = o.m_fTurnSpeed == 0.0 ? 0.0 : 1.0;
   for (const Vector2d& p : {o.m_vCenter, o.m_vPt0, o.m_vPt1})
-    o.m_fSize = std::max({o.m_fSize, Largest(p), turning * (Largest(c) + Length(p - c))});
+    o.m_fSize = std::max({o.m_fSize, Largest(p), turning * (Largest(c) + Norm(p - c))});
   o.m_fSize += o.m_fRadius;
   return o;
 }
@@ -91,7 +91,7 @@ COutline TurnedFor(const COutline& shape, double time) {
 bool InSector(const COutline& arc, const Vector2d& x, double slack) {
   if (arc.m_bFull) return true;
   const Vector2d e0 = arc.m_vPt0 - arc.m_vCenter, e1 = arc.m_vPt1 - arc.m_vCenter;
-  const double least = -slack * Length(x) * arc.m_fRadius;
+  const double least = -slack * Norm(x) * arc.m_fRadius;
   const bool in0 = Cross(e0, x) >= least, in1 = Cross(x, e1) >= least;
   if (arc.m_bWide) return in0 || in1;
   // The ray opposite to a very short arc is on both end lines too.

@@ -15,7 +15,7 @@ inline double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y()
 /// Counterclockwise perpendicular.
 inline Vector2d Perp(const Vector2d& v) { return {-v.y(), v.x()}; }
 /// Length, also where the squares underflow. Coordinates up to 1e150.
-double Length(const Vector2d& v);
+double Norm(const Vector2d& v);
 /// Unit vector along v; `fallback` for the zero vector.
 Vector2d Unit(const Vector2d& v, const Vector2d& fallback);
 /// v turned counterclockwise by `angle` radians.

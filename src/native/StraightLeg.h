@@ -46,12 +46,12 @@ public:
     const Vector2d d = m_cLeg.m_vPos - part.m_vCenter;
     const double R = part.m_fRadius + m_cLeg.m_fRadius, b = d.dot(m_cLeg.m_vVel);
     if (!(b < 0.0)) return eSweep::None;
-    const double reach = R * Length(m_cLeg.m_vVel), aside = std::abs(Cross(d, m_cLeg.m_vVel));
+    const double reach = R * Norm(m_cLeg.m_vVel), aside = std::abs(Cross(d, m_cLeg.m_vVel));
     // A tangent does not approach; a point meets a point only head on.
     if (reach < aside || (reach == aside && R > 0.0)) return eSweep::None;
     // One by one, because the product of four lengths may underflow.
     const double root = std::sqrt(reach - aside) * std::sqrt(reach + aside);
-    return Then(spot.m_fGap * (Length(d) + R), root - b, counts, t);
+    return Then(spot.m_fGap * (Norm(d) + R), root - b, counts, t);
   }
 
   /// The later root, R being the difference of the radii. The approach may be as slow as nothing, where the
@@ -62,8 +62,8 @@ public:
     const double gap = spot.m_fGap;
     if (gap <= GetTouch() && Approaches(spot)) return AtOnce(spot, deepest, counts, t);
     const Vector2d d = m_cLeg.m_vPos - part.m_vCenter;
-    const double R = part.m_fRadius - m_cLeg.m_fRadius, b = d.dot(m_cLeg.m_vVel), dist = Length(d);
-    const double speed = Length(m_cLeg.m_vVel), reach = R * speed;
+    const double R = part.m_fRadius - m_cLeg.m_fRadius, b = d.dot(m_cLeg.m_vVel), dist = Norm(d);
+    const double speed = Norm(m_cLeg.m_vVel), reach = R * speed;
     double aside = std::abs(Cross(d, m_cLeg.m_vVel));
     if (reach < aside) {
       // The way does not enter the circle in which the centre is clear. A ball that overlaps from the start

@@ -7,7 +7,7 @@ namespace {
 CRoundings Roundings(const COutline& shape, const CLeg& leg) {
   const double size =
       std::max(shape.m_fSize, leg.m_vPos.cwiseAbs().maxCoeff() + shape.m_fRadius) + leg.m_fRadius;
-  return {size, Length(leg.m_vVel) + std::abs(shape.m_fTurnSpeed) * size};
+  return {size, Norm(leg.m_vVel) + std::abs(shape.m_fTurnSpeed) * size};
 }
 
 // A ball that is smaller than what is touching would not be seen on the right side of what it has met.

@@ -9,9 +9,10 @@
 // centre on its solid side; one that comes from the open side passes, ends included.
 //
 // A ball that touches or overlaps at the beginning is met at once if it approaches. Otherwise it is let go,
-// and met when it begins to approach: never on a straight way from a convex part. The ends of one-sided
-// shapes let go whatever overlaps them. Gaps up to g_nSweepRoundings roundings of the coordinates are
-// touching, and approach speeds up to as many roundings of the speeds are none.
+// and met when it begins to approach: never on a straight way from a convex part; at a turning shape before
+// it is deeper by a ten-thousandth of the overlap. The ends of one-sided shapes let go whatever overlaps
+// them. Gaps up to g_nSweepRoundings roundings of the coordinates are touching, and approach speeds up to as
+// many roundings of the speeds are none.
 //
 // Coordinates and speeds may be whatever the library accepts and what follows from it (up to 1e28, durations
 // up to 1e6 seconds): nothing overflows or is NaN.

@@ -9,7 +9,7 @@ namespace {
 CStraightLeg Relative(const CLeg& other, const CLeg& ball) {
   const double size = std::max(other.m_vPos.cwiseAbs().maxCoeff(), ball.m_vPos.cwiseAbs().maxCoeff()) +
                       (other.m_fRadius + ball.m_fRadius);
-  const CRoundings roundings(size, Length(other.m_vVel) + Length(ball.m_vVel));
+  const CRoundings roundings(size, Norm(other.m_vVel) + Norm(ball.m_vVel));
   const double r = std::max(ball.m_fRadius, 0.5 * roundings.m_fTouch - other.m_fRadius);
   return {{ball.m_vPos - other.m_vPos, ball.m_vVel - other.m_vVel, r,
            std::min(other.m_fDuration, ball.m_fDuration)},

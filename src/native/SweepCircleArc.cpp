@@ -23,8 +23,7 @@ void SweepCircleArc(CSearch<TLeg>& search) {
                 [&](const Vector2d& p) {
                   if (InSector(arc, p - c, -slack)) return false;
                   // On its way through it may reach the second end while it still overlaps the first.
-                  return !oneSided ||
-                         (side * (Length(p - c) - R) >= -touch && Length(p - other) >= r - touch);
+                  return !oneSided || (side * (Norm(p - c) - R) >= -touch && Norm(p - other) >= r - touch);
                 });
   }
 }

@@ -9,7 +9,7 @@ void SweepCircleCircle(CSearch<TLeg>& search) {
   const double R = search.GetShape().m_fRadius;
   const CSeenBall ball = search.GetLeg().At(0.0);
   const Vector2d d = ball.m_vPos - c;
-  const double dist = Length(d);
+  const double dist = Norm(d);
   // Exactly on the ring, the side from which it came.
   const bool within = dist < R || (dist == R && d.dot(ball.m_vVel) > 0.0);
   if (within && search.GetBallRadius() < R)

@@ -25,7 +25,7 @@ struct CSpot {
 
 /// Direction of d, which is from a part to the ball. From exactly on the spot it is back where it came from.
 inline Vector2d Away(const Vector2d& d, const CSeenBall& ball) {
-  const double length = Length(d);
+  const double length = Norm(d);
   return length > 0.0 ? Vector2d(d / length) : Unit(-ball.m_vVel, Vector2d::UnitY());
 }
 
@@ -36,7 +36,7 @@ struct CRoundPart {
 
   CSpot At(const CSeenBall& ball) const {
     const Vector2d d = ball.m_vPos - m_vCenter, n = Away(d, ball);
-    return {Length(d) - (m_fRadius + ball.m_fRadius), n, m_vCenter + m_fRadius * n};
+    return {Norm(d) - (m_fRadius + ball.m_fRadius), n, m_vCenter + m_fRadius * n};
   }
 };
 
@@ -49,7 +49,7 @@ struct CInsidePart {
     const Vector2d d = ball.m_vPos - m_vCenter, out = Away(d, ball);
     // Right in the middle it is met where it goes.
     const Vector2d n = d.isZero(0.0) ? out : Vector2d(-out);
-    return {m_fRadius - ball.m_fRadius - Length(d), n, m_vCenter - m_fRadius * n};
+    return {m_fRadius - ball.m_fRadius - Norm(d), n, m_vCenter - m_fRadius * n};
   }
 };
 

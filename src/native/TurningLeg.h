@@ -23,8 +23,8 @@ public:
         m_cRoundings(roundings),
         m_vRotCenter(shape.m_vRotCenter),
         m_fTurn(shape.m_fTurnSpeed),
-        m_fSpeed(Length(leg.m_vVel)) {
-    m_fReach = std::max(Length(FromCenter(0.0)), Length(FromCenter(leg.m_fDuration)));
+        m_fSpeed(Norm(leg.m_vVel)) {
+    m_fReach = std::max(Norm(FromCenter(0.0)), Norm(FromCenter(leg.m_fDuration)));
   }
 
   const CLeg& GetLeg() const { return m_cLeg; }
@@ -42,8 +42,10 @@ public:
   template <class TPart, class F>
   eSweep When(const TPart& part, double deepest, const F& counts, double& t) const {
     const double touch = m_cRoundings.m_fTouch, slow = m_cRoundings.m_fSlow, end = t;
-    // A step in which the gap bends by no more than what is touching.
-    const double least = Quotient(std::sqrt(2.0 * touch), std::sqrt(GetCurve(part)), end);
+    // A step in which the gap bends by no more than this.
+    const double root = std::sqrt(GetCurve(part));
+    const auto bendStep = [&](double bend) { return Quotient(std::sqrt(2.0 * bend), root, end); };
+    const double least = bendStep(touch);
     bool armed = true; // not while the ball is let through
     double now = 0.0;
     for (int i = 0; i < g_nMaxMarchSteps; ++i) {
@@ -57,7 +59,7 @@ public:
       if (gap > touch)
         step = SafeStep(Nearing(part, gap, rate), end);
       else if (armed) // let go: until it begins to approach
-        step = std::max(SlowStep(Nearing(part, gap, rate), end), least);
+        step = std::max(SlowStep(Nearing(part, gap, rate), end), bendStep(std::max(touch, -g_fDeeper * gap)));
       else
         step = std::max(SafeStep(Leaving(part, gap, rate), end), least);
 
@@ -85,6 +87,8 @@ public:
 private:
   static constexpr double g_fEps = std::numeric_limits<double>::epsilon();
   static constexpr double g_fTiny = std::numeric_limits<double>::min();
+  // A ball that is let go may get deeper by this share of its overlap until it is seen to approach.
+  static constexpr double g_fDeeper = 1e-4;
 
   template <class TPart>
   double GetCurve(const TPart& part) const {
@@ -118,7 +122,7 @@ private:
   }
   CFollowed Leaving(const CInsidePart& part, double gap, double rate) const {
     const CFollowed f = Nearing(part, gap, rate);
-    const double reach = m_fReach + Length(part.m_vCenter - m_vRotCenter);
+    const double reach = m_fReach + Norm(part.m_vCenter - m_vRotCenter);
     return {-f.m_fValue, -f.m_fRate, reach * Acceleration(part.m_vCenter)};
   }
   template <class TPart>
@@ -128,8 +132,8 @@ private:
 
   Vector2d FromCenter(double t) const { return m_cLeg.m_vPos - m_vRotCenter + m_cLeg.m_vVel * t; }
   // Of a point of the shape, and of the ball relative to it.
-  double Acceleration(const Vector2d& p) const { return m_fTurn * m_fTurn * Length(p - m_vRotCenter); }
-  double Speed(const Vector2d& p) const { return m_fSpeed + std::abs(m_fTurn) * Length(p - m_vRotCenter); }
+  double Acceleration(const Vector2d& p) const { return m_fTurn * m_fTurn * Norm(p - m_vRotCenter); }
+  double Speed(const Vector2d& p) const { return m_fSpeed + std::abs(m_fTurn) * Norm(p - m_vRotCenter); }
 
   // above / below, of what is not negative; infinite instead of more than `most`.
   static double Quotient(double above, double below, double most) {
