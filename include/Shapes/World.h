@@ -239,7 +239,8 @@ protected:
   /// have: whatever is not a velocity.
   std::uint64_t GetContentVersion() const { return m_nContentVersion; }
   /// @param kick  what is still to be added to the velocities in the substep that begins
-  bool MovesFast(const Vector2& kick = Vector2::Zero()) const;
+  bool MovesFast(const Vector2& kick) const;
+  bool MovesFast() const;
   /// What gravity adds to the velocities in a substep, if it runs.
   Vector2 GetKick() const;
   /// Continuous runs in this substep; to be called where it was decided.

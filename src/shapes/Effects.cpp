@@ -112,7 +112,8 @@ void CFastMoves::Set(const CWorldState& state, float dt) {
   m_stdLimits.clear();
   for (std::size_t i = 0; i < b.Size(); ++i) {
     const double limit = IsSolid(b, i) ? s * b.m_stdRadius[i] : std::numeric_limits<double>::infinity();
-    m_stdLimits.push_back(limit * limit);
+    const double square = limit * limit, most = std::numeric_limits<float>::max();
+    m_stdLimits.push_back(square < 1e-30 ? 0.0f : static_cast<float>(std::min(square, most)));
     smallest = std::min(smallest, limit);
   }
   m_bIsSurfaceFast = FindLongestSurfaceMove(state, dt) > smallest * dt;

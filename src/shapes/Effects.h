@@ -34,17 +34,26 @@ public:
   /// @param dt  seconds of a substep
   void Set(const CWorldState& state, float dt);
   /// @param kick  what is still to be added to the velocities
-  bool IsAny(const std::vector<Vector2>& velocities, const Vector2& kick = Vector2::Zero()) const {
-    bool fast = m_bIsSurfaceFast;
-    for (std::size_t i = 0; i < m_stdLimits.size(); ++i) {
-      const Eigen::Vector2d v = (velocities[i] + kick).cast<double>();
-      fast |= v.x() * v.x() + v.y() * v.y() > m_stdLimits[i];
-    }
-    return fast;
+  bool IsAny(const std::vector<Vector2>& velocities, const Vector2& kick) const {
+    return IsAny(velocities, [&](const Vector2& v) { return Vector2(v + kick); });
+  }
+  bool IsAny(const std::vector<Vector2>& velocities) const {
+    return IsAny(velocities, [](const Vector2& v) -> const Vector2& { return v; });
   }
 
 private:
-  std::vector<double> m_stdLimits; // square of the speed of each ball
+  template <class F>
+  bool IsAny(const std::vector<Vector2>& velocities, const F& kicked) const {
+    for (std::size_t i = 0; i < velocities.size(); ++i) {
+      const Vector2& v = kicked(velocities[i]);
+      if (v.x() * v.x() + v.y() * v.y() > m_stdLimits[i]) return true;
+    }
+    return m_bIsSurfaceFast;
+  }
+
+  // Square of the speed of each ball. In float, because nothing else is looked at for each ball in each
+  // substep; balls so small that it would underflow are fast whenever they move.
+  std::vector<float> m_stdLimits;
   bool m_bIsSurfaceFast = false;
 };
 
