@@ -13,6 +13,9 @@ namespace {
 // A leg so short that nothing turns meanwhile, seconds.
 constexpr double g_fInstant = 0x1p-80;
 
+// Turns in which a ball that overlaps several shapes is set back from all of them.
+constexpr int g_nSetBacks = 8;
+
 double SizeOf(const Vector2d& p, double r) { return p.cwiseAbs().maxCoeff() + r; }
 
 // An overlap that rounding explains, where these are the coordinates.
@@ -46,8 +49,10 @@ void CContinuous::Step(CBallArrays& balls, CSolids& shapes, bool pairs, float dt
   const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
   for (std::uint32_t i = 0; i < n; ++i)
     SetBackFromBalls(i);
+  // Out of one shape may be into another: a ball in a wedge is set back in turns.
   for (std::uint32_t i = 0; i < n; ++i)
-    SetBackFromShapes(i);
+    for (int turn = 0; turn < g_nSetBacks && SetBackFromShapes(i); ++turn)
+      ;
   for (std::uint32_t i = 0; i < n; ++i)
     FindNext(i);
 
@@ -123,10 +128,11 @@ void CContinuous::SetBackFromBalls(std::uint32_t i) {
   }
 }
 
-void CContinuous::SetBackFromShapes(std::uint32_t i) {
+// Whether it had to.
+bool CContinuous::SetBackFromShapes(std::uint32_t i) {
+  bool had = false;
   m_stdShapesFound.clear();
   m_pShapes->Query(m_stdBoxes[i], m_stdShapesFound);
-  m_pStats->m_nBallsSwept += !m_stdShapesFound.empty();
   std::sort(m_stdShapesFound.begin(), m_stdShapesFound.end());
   for (const std::uint32_t rank : m_stdShapesFound) {
     if (!m_pShapes->Get(rank).m_pShape->GetCanCollide()) continue;
@@ -136,15 +142,17 @@ void CContinuous::SetBackFromShapes(std::uint32_t i) {
     double depth;
     if (!Overlap(outline, GetLeg(ball), 0.0, impact, depth)) continue;
     const bool isRounding = depth <= Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + outline.m_fSize);
-    if (isRounding || outline.m_eSides == eSides::Both) Push(i, impact.m_vNorm, depth);
+    if (!isRounding && outline.m_eSides != eSides::Both) continue;
+    Push(i, impact.m_vNorm, depth);
+    had = true;
   }
+  return had;
 }
 
-// Moves a ball along n, up to what is in the way.
+// Moves a ball along n; if it could get through something by that, only up to what is in the way.
 void CContinuous::Push(std::uint32_t i, const Vector2d& n, double depth) {
   CMoving& ball = m_stdBalls[i];
-  const double size = SizeOf(ball.m_vPos, ball.m_fRadius);
-  if (depth > Rounding(size)) {
+  if (depth > 0.25 * ball.m_fRadius) {
     CMoving pushed = ball;
     pushed.m_vVel = depth / m_fStep * n;
     const CAabb2D box = GetBox(pushed);
@@ -182,6 +190,7 @@ void CContinuous::MeetShapes(std::uint32_t i, CNext& next) {
   const CMoving& ball = m_stdBalls[i];
   m_stdShapesFound.clear();
   m_pShapes->Query(m_stdBoxes[i], m_stdShapesFound);
+  m_pStats->m_nBallsSwept += !m_stdShapesFound.empty() && ball.m_nStamp == 0;
   for (const std::uint32_t rank : m_stdShapesFound) {
     if (!m_pShapes->Get(rank).m_pShape->GetCanCollide()) continue;
     ++m_pStats->m_nSweeps;

@@ -82,7 +82,7 @@ private:
   CLeg GetLeg(const CMoving& ball) const;
   CAabb2D GetBox(const CMoving& ball) const;
   void SetBack();
-  void SetBackFromShapes(std::uint32_t i);
+  bool SetBackFromShapes(std::uint32_t i);
   void SetBackFromBalls(std::uint32_t i);
   void Push(std::uint32_t i, const Vector2d& n, double depth);
   void FindNext(std::uint32_t i);
