@@ -39,10 +39,19 @@ private:
   Vector2 m_vBottomRt;
 };
 
-// In the header: the broad phase calls it for every node it visits.
+// In the header: the broad phase calls them for every node it visits.
 inline bool operator&&(const CAabb2D& a, const CAabb2D& b) {
   return a.m_vBottomRt.x() >= b.m_vTopLeft.x() && a.m_vTopLeft.x() <= b.m_vBottomRt.x() &&
          a.m_vBottomRt.y() <= b.m_vTopLeft.y() && a.m_vTopLeft.y() >= b.m_vBottomRt.y();
+}
+
+inline CAabb2D& CAabb2D::operator+=(const Vector2& p) {
+  // Least and greatest of two, except that a NaN stays a NaN whichever side it came in on.
+  const auto least = [](float a, float b) { return b < a || b != b ? b : a; };
+  const auto greatest = [](float a, float b) { return b > a || b != b ? b : a; };
+  m_vTopLeft = {least(m_vTopLeft.x(), p.x()), greatest(m_vTopLeft.y(), p.y())};
+  m_vBottomRt = {greatest(m_vBottomRt.x(), p.x()), least(m_vBottomRt.y(), p.y())};
+  return *this;
 }
 
 } // namespace Shapes

@@ -43,7 +43,7 @@ void CBoxTree::BuildNode(std::span<const CAabb2D> boxes, std::span<std::uint32_t
   for (const std::uint32_t i : items.subspan(1))
     box = Union(box, boxes[i]);
   const auto node = static_cast<std::uint32_t>(m_stdNodes.size());
-  m_stdNodes.push_back({box, 0, items[0]});
+  m_stdNodes.push_back({box, node + 1, items[0]});
   m_stdParents.push_back(parent);
   if (items.size() == 1) {
     m_stdLeaves[items[0]] = node;
@@ -58,15 +58,15 @@ void CBoxTree::BuildNode(std::span<const CAabb2D> boxes, std::span<std::uint32_t
   std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return centre(a) < centre(b); });
   BuildNode(boxes, items.first(half), node);
-  m_stdNodes[node].m_nRight = static_cast<std::uint32_t>(m_stdNodes.size());
   BuildNode(boxes, items.subspan(half), node);
+  m_stdNodes[node].m_nEnd = static_cast<std::uint32_t>(m_stdNodes.size());
 }
 
 void CBoxTree::Refit(std::span<const CAabb2D> boxes) {
   for (std::size_t i = m_stdNodes.size(); i-- > 0;) {
     CNode& node = m_stdNodes[i];
-    node.m_cBox = node.m_nRight == 0 ? boxes[node.m_nItem]
-                                     : Union(m_stdNodes[i + 1].m_cBox, m_stdNodes[node.m_nRight].m_cBox);
+    node.m_cBox = IsLeaf(i) ? boxes[node.m_nItem]
+                            : Union(m_stdNodes[i + 1].m_cBox, m_stdNodes[m_stdNodes[i + 1].m_nEnd].m_cBox);
   }
 }
 
@@ -79,19 +79,14 @@ void CBoxTree::Grow(std::uint32_t item, const CAabb2D& box) {
 }
 
 void CBoxTree::Query(const CAabb2D& box, std::vector<std::uint32_t>& found) const {
-  if (m_stdNodes.empty()) return;
-  m_stdStack.assign(1, 0);
-  while (!m_stdStack.empty()) {
-    const std::uint32_t i = m_stdStack.back();
-    m_stdStack.pop_back();
+  for (std::uint32_t i = 0; i < m_stdNodes.size();) {
     const CNode& node = m_stdNodes[i];
-    if (!(node.m_cBox && box)) continue;
-    if (node.m_nRight == 0) {
-      found.push_back(node.m_nItem);
-    } else {
-      m_stdStack.push_back(node.m_nRight);
-      m_stdStack.push_back(i + 1);
+    if (!(node.m_cBox && box)) {
+      i = node.m_nEnd;
+      continue;
     }
+    if (IsLeaf(i)) found.push_back(node.m_nItem);
+    ++i;
   }
 }
 

@@ -17,6 +17,8 @@ class CBoxTree {
 public:
   /// Builds the tree over these boxes by halving the longer axis.
   void Build(std::span<const CAabb2D> boxes);
+  /// Items in it.
+  std::size_t Size() const { return m_stdLeaves.size(); }
   /// Takes new boxes for the same items and keeps the tree: O(n), for shapes that turn a little.
   void Refit(std::span<const CAabb2D> boxes);
   /// Lets the box of an item reach as far as this one, too: O(log n). An empty tree stays empty.
@@ -25,18 +27,18 @@ public:
   void Query(const CAabb2D& box, std::vector<std::uint32_t>& found) const;
 
 private:
-  // Depth first: the left child of a node is the next one.
+  // Depth first: the left child of a node is the next one, the right one comes where the left one ends.
   struct CNode {
     CAabb2D m_cBox;
-    std::uint32_t m_nRight; // index of the right child; 0 for a leaf
-    std::uint32_t m_nItem;  // leaf only
+    std::uint32_t m_nEnd;  // index behind all that is below the node
+    std::uint32_t m_nItem; // leaf only
   };
+  bool IsLeaf(std::size_t node) const { return m_stdNodes[node].m_nEnd == node + 1; }
   void BuildNode(std::span<const CAabb2D> boxes, std::span<std::uint32_t> items, std::uint32_t parent);
 
   std::vector<CNode> m_stdNodes;
   std::vector<std::uint32_t> m_stdParents; // of each node; of the root itself
   std::vector<std::uint32_t> m_stdLeaves;  // of each item
-  mutable std::vector<std::uint32_t> m_stdStack;
 };
 
 } // namespace Shapes::Native

@@ -13,6 +13,9 @@ namespace {
 // A leg so short that nothing turns meanwhile, seconds.
 constexpr double g_fInstant = 0x1p-80;
 
+// Substeps for which the tree of the balls is kept.
+constexpr int g_nMaxRefits = 16;
+
 // Turns in which a ball that overlaps several shapes is set back from all of them.
 constexpr int g_nSetBacks = 8;
 
@@ -45,16 +48,22 @@ void CContinuous::Step(CBallArrays& balls, CSolids& shapes, bool pairs, float dt
   shapes.MakeOutlines(dt);
 
   TakeBalls(balls);
-  m_cBallTree.Build(pairs ? std::span<const CAabb2D>(m_stdBoxes) : std::span<const CAabb2D>());
+  SortBalls(pairs);
   const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
   for (std::uint32_t i = 0; i < n; ++i)
     SetBackFromBalls(i);
-  // Out of one shape may be into another: a ball in a wedge is set back in turns.
-  for (std::uint32_t i = 0; i < n; ++i)
+  for (std::uint32_t i = 0; i < n; ++i) {
+    // Out of one shape may be into another: a ball in a wedge is set back in turns.
+    FindShapes(i);
     for (int turn = 0; turn < g_nSetBacks && SetBackFromShapes(i); ++turn)
-      ;
-  for (std::uint32_t i = 0; i < n; ++i)
-    FindNext(i);
+      FindShapes(i);
+    m_pStats->m_nBallsSwept += !m_stdShapesFound.empty();
+    MeetShapes(m_stdBalls[i]);
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    MeetBalls(i);
+    Queue(i);
+  }
 
   while (!m_stdQueue.empty()) {
     std::pop_heap(m_stdQueue.begin(), m_stdQueue.end());
@@ -85,6 +94,14 @@ void CContinuous::TakeBalls(const CBallArrays& b) {
     m_stdBoxes.push_back(GetBox(ball));
     m_stdBalls.push_back(ball);
   }
+}
+
+// The tree does not matter to what comes out, so it may be an old one whose boxes have moved on.
+void CContinuous::SortBalls(bool pairs) {
+  const std::size_t n = pairs ? m_stdBoxes.size() : 0;
+  if (n == m_cBallTree.Size() && ++m_nRefits < g_nMaxRefits) return m_cBallTree.Refit(m_stdBoxes);
+  m_cBallTree.Build(std::span<const CAabb2D>(m_stdBoxes).first(n));
+  m_nRefits = 0;
 }
 
 void CContinuous::PutBalls(CBallArrays& b) const {
@@ -128,12 +145,16 @@ void CContinuous::SetBackFromBalls(std::uint32_t i) {
   }
 }
 
-// Whether it had to.
-bool CContinuous::SetBackFromShapes(std::uint32_t i) {
-  bool had = false;
+// The shapes on the way of the leg, by rank.
+void CContinuous::FindShapes(std::uint32_t i) {
   m_stdShapesFound.clear();
   m_pShapes->Query(m_stdBoxes[i], m_stdShapesFound);
   std::sort(m_stdShapesFound.begin(), m_stdShapesFound.end());
+}
+
+// From those that were found. Whether it had to.
+bool CContinuous::SetBackFromShapes(std::uint32_t i) {
+  bool had = false;
   for (const std::uint32_t rank : m_stdShapesFound) {
     if (!m_pShapes->Get(rank).m_pShape->GetCanCollide()) continue;
     const CMoving& ball = m_stdBalls[i];
@@ -177,20 +198,25 @@ void CContinuous::Push(std::uint32_t i, const Vector2d& n, double depth) {
 
 void CContinuous::FindNext(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
-  CNext next;
-  if (!ball.m_bIsHalted) MeetShapes(i, next);
-  MeetBalls(i, next);
-  ball.m_cNext = next;
-  if (next.m_eSweep == eSweep::None) return;
-  m_stdQueue.push_back({std::min(ball.m_fTime + next.m_cImpact.m_fTime, m_fStep), i, ball.m_nStamp});
+  ball.m_cNext = CNext();
+  if (!ball.m_bIsHalted) {
+    FindShapes(i);
+    MeetShapes(ball);
+  }
+  MeetBalls(i);
+  Queue(i);
+}
+
+void CContinuous::Queue(std::uint32_t i) {
+  const CMoving& ball = m_stdBalls[i];
+  if (ball.m_cNext.m_eSweep == eSweep::None) return;
+  const double time = std::min(ball.m_fTime + ball.m_cNext.m_cImpact.m_fTime, m_fStep);
+  m_stdQueue.push_back({time, i, ball.m_nStamp});
   std::push_heap(m_stdQueue.begin(), m_stdQueue.end());
 }
 
-void CContinuous::MeetShapes(std::uint32_t i, CNext& next) {
-  const CMoving& ball = m_stdBalls[i];
-  m_stdShapesFound.clear();
-  m_pShapes->Query(m_stdBoxes[i], m_stdShapesFound);
-  m_pStats->m_nBallsSwept += !m_stdShapesFound.empty() && ball.m_nStamp == 0;
+// Of those that were found.
+void CContinuous::MeetShapes(CMoving& ball) {
   for (const std::uint32_t rank : m_stdShapesFound) {
     if (!m_pShapes->Get(rank).m_pShape->GetCanCollide()) continue;
     ++m_pStats->m_nSweeps;
@@ -198,12 +224,12 @@ void CContinuous::MeetShapes(std::uint32_t i, CNext& next) {
     CNext found;
     found.m_nOther = rank;
     found.m_eSweep = Sweep(outline, GetLeg(ball), ball.m_fTime, found.m_cImpact);
-    Offer(ball, found, outline.m_fSize, next);
+    Offer(found, outline.m_fSize, ball);
   }
 }
 
-void CContinuous::MeetBalls(std::uint32_t i, CNext& next) {
-  const CMoving& ball = m_stdBalls[i];
+void CContinuous::MeetBalls(std::uint32_t i) {
+  CMoving& ball = m_stdBalls[i];
   m_stdBallsFound.clear();
   m_cBallTree.Query(m_stdBoxes[i], m_stdBallsFound);
   for (const std::uint32_t j : m_stdBallsFound) {
@@ -228,12 +254,12 @@ void CContinuous::MeetBalls(std::uint32_t i, CNext& next) {
     if (found.m_eSweep == eSweep::None) continue;
     found.m_fOtherTime = otherSince + found.m_cImpact.m_fTime;
     found.m_cImpact.m_fTime += since;
-    Offer(ball, found, other.m_fRadius, next);
+    Offer(found, other.m_fRadius, ball);
   }
 }
 
-// Takes what was found for next if it comes first.
-void CContinuous::Offer(const CMoving& ball, const CNext& found, double size, CNext& next) const {
+// Takes what was found as the next of the ball if it comes first.
+void CContinuous::Offer(const CNext& found, double size, CMoving& ball) const {
   if (found.m_eSweep == eSweep::None) return;
   const CImpact& impact = found.m_cImpact;
   if (found.m_eSweep == eSweep::Impact && impact.m_fCurve == 0.0) {
@@ -244,7 +270,7 @@ void CContinuous::Offer(const CMoving& ball, const CNext& found, double size, CN
     if (approach * left <= Rounding(size + SizeOf(impact.m_vPOI, ball.m_fRadius))) return;
   }
   const auto order = [](const CNext& n) { return std::tuple(n.m_cImpact.m_fTime, n.m_bIsBall, n.m_nOther); };
-  if (next.m_eSweep == eSweep::None || order(found) < order(next)) next = found;
+  if (ball.m_cNext.m_eSweep == eSweep::None || order(found) < order(ball.m_cNext)) ball.m_cNext = found;
 }
 
 void CContinuous::Answer(std::uint32_t i) {

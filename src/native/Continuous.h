@@ -78,17 +78,19 @@ private:
   };
 
   void TakeBalls(const CBallArrays& balls);
+  void SortBalls(bool pairs);
   void PutBalls(CBallArrays& balls) const;
   CLeg GetLeg(const CMoving& ball) const;
   CAabb2D GetBox(const CMoving& ball) const;
-  void SetBack();
+  void FindShapes(std::uint32_t i);
   bool SetBackFromShapes(std::uint32_t i);
   void SetBackFromBalls(std::uint32_t i);
   void Push(std::uint32_t i, const Vector2d& n, double depth);
   void FindNext(std::uint32_t i);
-  void MeetShapes(std::uint32_t i, CNext& next);
-  void MeetBalls(std::uint32_t i, CNext& next);
-  void Offer(const CMoving& ball, const CNext& found, double size, CNext& next) const;
+  void MeetShapes(CMoving& ball);
+  void MeetBalls(std::uint32_t i);
+  void Offer(const CNext& found, double size, CMoving& ball) const;
+  void Queue(std::uint32_t i);
   void Advance(CMoving& ball, double leg);
   void Answer(std::uint32_t i);
   void AnswerShape(CMoving& ball);
@@ -110,6 +112,7 @@ private:
   std::vector<CMoving> m_stdBalls; // that are solid
   std::vector<CAabb2D> m_stdBoxes; // of their legs
   CBoxTree m_cBallTree;
+  int m_nRefits = 0;              // since it was built
   std::vector<CEvent> m_stdQueue; // a heap
   std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound;
 };

@@ -10,10 +10,6 @@ namespace {
 
 constexpr float g_fInf = std::numeric_limits<float>::infinity();
 
-// Least and greatest of two, except that a NaN stays a NaN whichever side it came in on.
-float Least(float a, float b) { return b < a || b != b ? b : a; }
-float Greatest(float a, float b) { return b > a || b != b ? b : a; }
-
 } // namespace
 
 CAabb2D::CAabb2D() : m_vTopLeft(g_fInf, -g_fInf), m_vBottomRt(-g_fInf, g_fInf) {}
@@ -26,12 +22,6 @@ CAabb2D::CAabb2D(const Vector2& topleft, const Vector2& bottomright)
 
 CAabb2D& CAabb2D::operator=(const Vector2& p) {
   m_vTopLeft = m_vBottomRt = p;
-  return *this;
-}
-
-CAabb2D& CAabb2D::operator+=(const Vector2& p) {
-  m_vTopLeft = {Least(m_vTopLeft.x(), p.x()), Greatest(m_vTopLeft.y(), p.y())};
-  m_vBottomRt = {Greatest(m_vBottomRt.x(), p.x()), Least(m_vBottomRt.y(), p.y())};
   return *this;
 }
 
