@@ -42,17 +42,6 @@ double Largest(const Vector2d& v) { return v.cwiseAbs().maxCoeff(); }
 
 } // namespace
 
-double Norm(const Vector2d& v) {
-  constexpr double tiny = 0x1p-900, scale = 0x1p500;
-  const double square = v.squaredNorm();
-  return square > tiny ? std::sqrt(square) : std::sqrt((scale * v).squaredNorm()) / scale;
-}
-
-Vector2d Unit(const Vector2d& v, const Vector2d& fallback) {
-  const double d = Norm(v);
-  return d > 0.0 ? Vector2d(v / d) : fallback;
-}
-
 Vector2d Turned(const Vector2d& v, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};

@@ -13,8 +13,6 @@ namespace Shapes::Native {
 template <class TLeg>
 class CStanding {
 public:
-  static constexpr bool g_bTurns = TLeg::g_bTurns;
-
   explicit CStanding(const TLeg& leg) : m_cLeg(leg) {}
 
   const CLeg& GetLeg() const { return m_cLeg.GetLeg(); }

@@ -26,8 +26,6 @@ private:
 /// A ball that overlaps by more than `deepest` is let go.
 class CStraightLeg {
 public:
-  static constexpr bool g_bTurns = false;
-
   CStraightLeg(const CLeg& leg, const CRoundings& roundings) : m_cLeg(leg), m_cRoundings(roundings) {}
 
   const CLeg& GetLeg() const { return m_cLeg; }
@@ -129,9 +127,8 @@ private:
   // At the time above / below, if that is a number up to t.
   template <class F>
   eSweep Then(double above, double below, const F& counts, double& t) const {
-    if (!(below > 0.0) || above > t * below) return eSweep::None;
-    const double time = std::min(above / below, t);
-    if (!counts(At(time).m_vPos)) return eSweep::None;
+    const double quotient = Quotient(above, below, t), time = std::min(quotient, t);
+    if (!std::isfinite(quotient) || !counts(At(time).m_vPos)) return eSweep::None;
     t = time;
     return eSweep::Impact;
   }

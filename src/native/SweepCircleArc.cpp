@@ -8,7 +8,7 @@ void SweepCircleArc(CSearch<TLeg>& search) {
   const COutline& arc = search.GetShape();
   const Vector2d& c = arc.m_vCenter;
   const double R = arc.m_fRadius, r = search.GetBallRadius(), touch = search.GetLeg().GetTouch();
-  const double slack = R > touch ? touch / R : 1.0;
+  const double slack = std::min(touch / (R > 0.0 ? R : 1.0), 1.0);
   const auto inSector = [&](const Vector2d& p) { return InSector(arc, p - c, slack); };
   // Overlapping by r the centre is on the circle: on the other side it is not on the solid one.
   if (arc.m_eSides != eSides::Back) search.Meet(CRoundPart{c, R}, r, inSector);

@@ -12,19 +12,14 @@ void SweepLineSegCircle(CSearch<TLeg>& search) {
   if (seg.m_eSides == eSides::Both) return search.Meet(whole);
 
   // Of one solid side: its face where the foot of the perpendicular is between the ends, ...
-  const TLeg& leg = search.GetLeg();
-  const double touch = leg.GetTouch(), r = search.GetBallRadius();
+  const double touch = search.GetLeg().GetTouch();
   const CFacePart face{p0, seg.m_eSides == eSides::Front ? seg.m_vFront : Vector2d(-seg.m_vFront)};
   const auto beyond0 = [&, t = whole.Along()](const Vector2d& p) { return t.dot(p0 - p); };
   const auto beyond1 = [&, t = whole.Along()](const Vector2d& p) { return t.dot(p - p1); };
   const auto between = [&](const Vector2d& p) { return beyond0(p) <= touch && beyond1(p) <= touch; };
-  search.Meet(face, r, between);
-  if constexpr (!TLeg::g_bTurns) { // whoever leaves the face does not come closer to the ends
-    const CSeenBall ball = leg.At(0.0);
-    const double gap = face.At(ball).m_fGap;
-    if (gap <= touch && gap >= -r && between(ball.m_vPos)) return;
-  }
-  // ... and the ends elsewhere. These let go whatever overlaps them.
+  search.Meet(face, search.GetBallRadius(), between);
+  // ... and the ends elsewhere. These let go whatever overlaps them; what slides off the face is not beyond
+  // them where it would touch them.
   const auto solid = [&](const Vector2d& p) { return face.m_vNorm.dot(p - p0) >= -touch; };
   search.Meet(CRoundPart{p0, 0.0}, touch,
               [&](const Vector2d& p) { return beyond0(p) >= -touch && solid(p); });

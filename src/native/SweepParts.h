@@ -25,8 +25,8 @@ struct CSpot {
 
 /// Direction of d, which is from a part to the ball. From exactly on the spot it is back where it came from.
 inline Vector2d Away(const Vector2d& d, const CSeenBall& ball) {
-  const double length = Norm(d);
-  return length > 0.0 ? Vector2d(d / length) : Unit(-ball.m_vVel, Vector2d::UnitY());
+  if (!(Norm(d) > 0.0)) return Unit(-ball.m_vVel, Vector2d::UnitY());
+  return Unit(d, Vector2d::UnitY());
 }
 
 /// A disc from outside; a point if it has no radius.

@@ -16,8 +16,6 @@ namespace Shapes::Native {
 /// circle it is (rho^2 - |x|^2)/2 that is followed, where rho = R - r.
 class CTurningLeg {
 public:
-  static constexpr bool g_bTurns = true;
-
   CTurningLeg(const COutline& shape, const CLeg& leg, const CRoundings& roundings)
       : m_cLeg(leg),
         m_cRoundings(roundings),
@@ -134,11 +132,6 @@ private:
   // Of a point of the shape, and of the ball relative to it.
   double Acceleration(const Vector2d& p) const { return m_fTurn * m_fTurn * Norm(p - m_vRotCenter); }
   double Speed(const Vector2d& p) const { return m_fSpeed + std::abs(m_fTurn) * Norm(p - m_vRotCenter); }
-
-  // above / below, of what is not negative; infinite instead of more than `most`.
-  static double Quotient(double above, double below, double most) {
-    return above <= most * below && below > 0.0 ? above / below : std::numeric_limits<double>::infinity();
-  }
 
   // Smallest h > 0 with f + f' h - K h^2/2 = 0, for f > 0.
   static double SafeStep(const CFollowed& f, double end) {

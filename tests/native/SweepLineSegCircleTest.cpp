@@ -69,6 +69,22 @@ TEST(SweepLineSegCircle, ABallWithoutRadiusStaysOnItsSide) {
   }
 }
 
+// A ball that lies on a face slides off over the end, with no impact there whatever the rounding.
+TEST(SweepLineSegCircle, ABallSlidesOffOverTheEnd) {
+  CRandom random(25);
+  for (int i = 0; i < 5000; ++i) {
+    SCOPED_TRACE("seed 25 trial " + std::to_string(i));
+    COutline seg = RandomOutline(random, eShape::LineSeg, eSides::Both, false);
+    const double r = 0.05 + random.Unit(), share = random.Unit();
+    const Vector2d along = seg.m_vPt1 - seg.m_vPt0;
+    const CLeg leg{seg.m_vPt0 + share * along + r * seg.m_vFront, 3.0 * along, r, 1.0};
+    CImpact impact;
+    EXPECT_EQ(Sweep(seg, leg, 0.0, impact), eSweep::None);
+    seg.m_eSides = eSides::Front;
+    ASSERT_EQ(Sweep(seg, leg, 0.0, impact), eSweep::None);
+  }
+}
+
 // Swapped ends, and a mirror: the same bits, or those of the mirror.
 TEST(SweepLineSegCircle, EndsMayBeSwappedAndAllMirrored) {
   CRandom random(24);
