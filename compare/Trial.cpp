@@ -32,6 +32,7 @@ private:
 CWorldDesc CEngine::MakeWorldDesc(const CScene& scene) const {
   CWorldDesc desc = scene.m_cWorld;
   desc.m_nSubsteps = m_nSubsteps;
+  desc.m_cEffects = m_cEffects;
   desc.m_eProfile = m_eProfile;
   desc.m_nVelocityIterations = m_nVelocityIterations;
   desc.m_nPositionIterations = m_nPositionIterations;
@@ -62,9 +63,13 @@ std::vector<CEngine> GetEngines() {
   const CBackend* pBox2D = GetBackend(eBackend::Box2D);
   if (pBox2D == nullptr)
     throw std::runtime_error("this build has no Box2D engine: configure with -DSHAPES_WITH_BOX2D=ON");
-  CEngine tuned{"box2d-tuned", pBox2D};
+  const CBackend* pNative = GetBackend(eBackend::Native);
+  CEngine native{g_sNative, pNative}, continuous{g_sNativeContinuous, pNative}, box2d{g_sBox2D, pBox2D},
+      tuned{"box2d-tuned", pBox2D};
+  native.m_cEffects = g_cApproximate;
+  continuous.m_cEffects = box2d.m_cEffects = g_cContinuous;
   tuned.m_eProfile = eProfile::Tuned;
-  return {{"native", GetBackend(eBackend::Native)}, {"box2d", pBox2D}, tuned};
+  return {native, continuous, box2d, tuned};
 }
 
 std::optional<std::size_t> FindOther(const std::vector<CEngine>& engines) {
@@ -91,6 +96,11 @@ CStart MakeStart(const CScene& scene, std::uint64_t seed, std::uint64_t trial) {
     start.m_stdBalls.push_back(desc);
   }
   return start;
+}
+
+std::size_t GetStepsPerTrial(const CScene& scene) {
+  return static_cast<std::size_t>(
+      std::ceil(static_cast<double>(scene.m_fDuration) / static_cast<double>(scene.m_cWorld.m_fTimeStep)));
 }
 
 float OrientationAt(const CSceneShape& shape, double time) {

@@ -5,6 +5,7 @@
 #include "Scene.h"
 
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,9 +16,11 @@ namespace Shapes::Compare {
 
 /// An engine with the settings under which a scene is run.
 struct CEngine {
-  std::string m_sName; ///< "native", "box2d" or "box2d-tuned"; several settings of one engine share it.
+  /// "native", "native-continuous", "box2d" or "box2d-tuned"; several settings of one engine share it.
+  std::string m_sName;
   const CBackend* m_pBackend;
   unsigned m_nSubsteps = 1;
+  CEffectChoice m_cEffects = g_cAutomatic;
   // Read by Box2D only.
   eProfile m_eProfile = eProfile::Shipped;
   unsigned m_nVelocityIterations = 8;
@@ -35,13 +38,24 @@ struct CEngine {
 /// "shipped" or "tuned".
 const char* GetName(eProfile profile);
 
-/// What is compared: native, and Box2D in each profile, as they come.
+/// The balls that cost almost nothing, and the same engine with its balls always swept.
+inline constexpr const char *g_sNative = "native", *g_sNativeContinuous = "native-continuous";
+/// Box2D as it ships.
+inline constexpr const char* g_sBox2D = "box2d";
+
+/// What is compared: native without and with Continuous, and Box2D in each profile, as they come.
 /// @throws std::runtime_error if the Box2D engine was not built
 std::vector<CEngine> GetEngines();
 
 /// The first engine that has another backend than the first of all; none if there is no such. Settings of one
-/// backend share their CollisionDetected, so these two are held against each other.
+/// backend share their CollisionDetected, whatever effects and profile they have, so these two are held
+/// against each other.
 std::optional<std::size_t> FindOther(const std::vector<CEngine>& engines);
+
+/// All effects, in their order.
+inline constexpr eEffect g_stdEffects[] = {eEffect::Gravity, eEffect::Kinematics, eEffect::BallPairs,
+                                           eEffect::Sensors, eEffect::Events,     eEffect::Continuous};
+static_assert(std::size(g_stdEffects) == static_cast<std::size_t>(eEffect::Size));
 
 /// Where a trial begins.
 struct CStart {
@@ -53,6 +67,9 @@ struct CStart {
 /// the same random part of a step, so that impacts fall anywhere within a step, and turning shapes at a
 /// random angle. The same arguments give the same start on every machine.
 CStart MakeStart(const CScene& scene, std::uint64_t seed, std::uint64_t trial);
+
+/// Steps that a trial takes, at least one.
+std::size_t GetStepsPerTrial(const CScene& scene);
 
 /// Revolutions per second of a shape in the step that begins at `time`, and its orientation then: its own
 /// speed, or that which brings a flipper to where it belongs at the end of the step.

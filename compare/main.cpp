@@ -71,7 +71,8 @@ int Run(const std::vector<CScene>& scenes, const COptions& options, const std::s
 
 void AddRunOptions(CLI::App& app, COptions& options) {
   app.add_option("--engines", options.m_stdEngines,
-                 "Only these engines, separated by commas: native, box2d, box2d-tuned (default: all)")
+                 "Only these engines, separated by commas: native, native-continuous, box2d, box2d-tuned "
+                 "(default: all)")
       ->delimiter(',');
   app.add_option("--out", options.m_cOut, "Folder for report.html, run.json and contacts.csv")
       ->capture_default_str();

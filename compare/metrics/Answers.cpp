@@ -41,6 +41,13 @@ const CRung* FindCheapest(const std::vector<CRung>& rungs, const std::string& en
   return pBest;
 }
 
+// Whether native without Continuous does it too, and for less: then sweeping its balls is no answer.
+bool IsBeatenByNative(const std::vector<CRung>& rungs, const CRung& rung, const CTest& passes) {
+  if (rung.m_cEngine.m_sName != g_sNativeContinuous) return false;
+  const CRung* pNative = FindCheapest(rungs, g_sNative, passes);
+  return pNative != nullptr && GetCost(*pNative) <= GetCost(rung);
+}
+
 // How close one comes: the setting whose error, or share of lost balls, whichever is larger, is the smallest.
 std::string Best(const std::vector<CRung>& rungs) {
   const CRung* pBest = nullptr;
@@ -61,16 +68,19 @@ std::string Answer(const std::vector<CRung>& rungs, const std::string& what, con
   std::string text =
       fmt::format("{}: {}, {} per ball and second", what, Setting(*pBest), Time(GetCost(*pBest)));
   std::vector<std::string> seen{pBest->m_cEngine.m_sName, g_sExact};
+  std::vector<std::string> without;
   for (const CRung& rung : rungs) {
     const std::string& engine = rung.m_cEngine.m_sName;
     if (std::find(seen.begin(), seen.end(), engine) != seen.end()) continue;
     seen.push_back(engine);
-    if (const CRung* pOther = FindCheapest(rungs, engine, passes))
+    const CRung* pOther = FindCheapest(rungs, engine, passes);
+    if (pOther == nullptr)
+      without.push_back(engine);
+    else if (!IsBeatenByNative(rungs, *pOther, passes))
       text += fmt::format("; {} takes {:.1f} times as long", Setting(*pOther),
                           GetCost(*pOther) / GetCost(*pBest));
-    else
-      text += fmt::format("; no setting of {} that was tried", engine);
   }
+  if (!without.empty()) text += fmt::format("; no setting of {} that was tried", fmt::join(without, " or "));
   return text + ".";
 }
 

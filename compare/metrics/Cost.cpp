@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <stdexcept>
 
 namespace Shapes::Compare {
@@ -66,11 +65,13 @@ std::vector<CCost> MeasureCost(const CScene& scene, const std::vector<CEngine>& 
                                int repeats, std::size_t ballSteps,
                                const std::function<void(double)>& progress) {
   const double dt = scene.m_cWorld.m_fTimeStep;
-  const auto stepsPerTrial = static_cast<std::size_t>(std::ceil(static_cast<double>(scene.m_fDuration) / dt));
+  const std::size_t stepsPerTrial = GetStepsPerTrial(scene);
   const std::size_t balls = scene.m_stdBalls.size();
   std::vector<CCost> costs(engines.size());
   for (int repeat = 0; repeat < repeats; ++repeat)
-    for (std::size_t e = 0; e < engines.size(); ++e) {
+    for (std::size_t turn = 0; turn < engines.size(); ++turn) {
+      // Another one begins each time: the first of a kind finds nothing in the caches.
+      const std::size_t e = (turn + static_cast<std::size_t>(repeat)) % engines.size();
       // The same starts for every engine in this repeat, others in the next.
       CClock::duration elapsed{};
       std::size_t done = 0;
@@ -90,7 +91,7 @@ std::vector<CCost> MeasureCost(const CScene& scene, const std::vector<CEngine>& 
       costs[e].m_stdRepeats.push_back(std::chrono::duration<double, std::nano>(elapsed).count() /
                                       static_cast<double>(done));
       if (progress)
-        progress((repeat + static_cast<double>(e + 1) / static_cast<double>(engines.size())) / repeats);
+        progress((repeat + static_cast<double>(turn + 1) / static_cast<double>(engines.size())) / repeats);
     }
   for (CCost& cost : costs)
     cost.m_cNsPerBallStep = MedianWithInterval(cost.m_stdRepeats);

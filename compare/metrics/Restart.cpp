@@ -66,8 +66,7 @@ public:
         m_cOptions(options),
         m_cJudge(scene, engines, options.m_bAsk),
         m_cGhosts(scene, engines),
-        m_nSteps(static_cast<std::size_t>(std::ceil(static_cast<double>(scene.m_fDuration) /
-                                                    static_cast<double>(scene.m_cWorld.m_fTimeStep)))),
+        m_nSteps(GetStepsPerTrial(scene)),
         // Gravity alone gives a ball that lies still half of this in every step.
         m_cSelector(2.0 * static_cast<double>(scene.m_cWorld.m_vGravity.norm()) *
                         static_cast<double>(scene.m_cWorld.m_fTimeStep),

@@ -25,7 +25,7 @@ std::vector<CEngine> GetLadder() {
       return engine;
     };
   };
-  auto native = settings(0), box2d = settings(1), tuned = settings(2);
+  auto native = settings(0), continuous = settings(1), box2d = settings(2), tuned = settings(3);
   // A substep of Box2D is a whole step of it at a higher rate. Iterations matter where contacts act on each
   // other; the scale shrinks its skin and slop, the sagitta the error of arcs.
   return {
@@ -36,6 +36,10 @@ std::vector<CEngine> GetLadder() {
       native(16),
       native(32),
       native(64),
+      continuous(1),
+      continuous(2),
+      continuous(4),
+      continuous(8),
       box2d(1),
       box2d(1, 1, 1),
       box2d(1, 30, 10),

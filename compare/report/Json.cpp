@@ -36,12 +36,31 @@ ordered_json Rate(std::size_t hits, std::size_t n) {
       {"high", i.m_fHigh}};
 }
 
+// "BallPairs" as "ball_pairs".
+std::string GetKey(eEffect e) {
+  std::string key;
+  for (const char c : GetName(e)) {
+    if (c >= 'A' && c <= 'Z' && !key.empty()) key += '_';
+    key += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return key;
+}
+
+ordered_json ToJson(CEffects effects) {
+  ordered_json json = ordered_json::array();
+  for (const eEffect e : g_stdEffects)
+    if (effects.Has(e)) json.push_back(GetKey(e));
+  return json;
+}
+
 ordered_json Settings(const CEngine& engine, const CScene& scene) {
   ordered_json settings = ordered_json::object();
   if (engine.m_pBackend == nullptr) return settings;
   const CWorldDesc desc = engine.MakeWorldDesc(scene);
   settings["time_step"] = desc.m_fTimeStep;
   settings["substeps"] = desc.m_nSubsteps;
+  settings["forced"] = ToJson(desc.m_cEffects.m_cForced);
+  settings["forbidden"] = ToJson(desc.m_cEffects.m_cForbidden);
   if (engine.m_pBackend == GetBackend(eBackend::Box2D)) {
     settings["profile"] = GetName(desc.m_eProfile);
     settings["length_unit"] = desc.m_fLengthUnit;
@@ -68,10 +87,11 @@ ordered_json Features(const CScene& scene) {
   return features;
 }
 
-// Every engine runs what the scene calls for; Box2D sweeps the balls too, wherever they are.
+// Every engine runs what the scene calls for; some sweep the balls too, wherever they are.
 ordered_json Features(const CEngine& engine, const CScene& scene) {
   ordered_json features = Features(scene);
-  if (engine.m_pBackend == GetBackend(eBackend::Box2D)) features.push_back("continuous");
+  if (engine.m_cEffects.m_cForced.Has(eEffect::Continuous) || engine.m_eProfile == eProfile::Tuned)
+    features.push_back("continuous");
   return features;
 }
 

@@ -2,59 +2,28 @@
 #include "Machine.h"
 #include "Numbers.h"
 #include "Report.h"
+#include "Terminal.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <string_view>
+#include <string>
 
 namespace Shapes::Compare {
 namespace {
 
-constexpr std::size_t g_nWidth = 80;
-
-// Breaks a text between words, or within one that is longer than a line. The first line is indented by
-// `first`, those after it by `rest`.
-std::string Wrap(std::string_view text, std::size_t first, std::size_t rest) {
-  std::string wrapped(first, ' ');
-  std::size_t column = first;
-  bool atStart = true;
-  while (!text.empty()) {
-    const std::size_t end = std::min({text.find(' '), text.size(), g_nWidth - rest});
-    if (!atStart && column + 1 + end > g_nWidth) {
-      wrapped += '\n' + std::string(rest, ' ');
-      column = rest;
-    } else if (!atStart) {
-      wrapped += ' ';
-      ++column;
-    }
-    atStart = false;
-    wrapped += text.substr(0, end);
-    column += end;
-    text.remove_prefix(end);
-    if (text.starts_with(' ')) text.remove_prefix(1);
-  }
-  return wrapped + '\n';
-}
-
-// Names that a user gives may hold anything; a terminal gets what can be printed.
-std::string Ascii(std::string text) {
-  for (char& c : text)
-    if (c < ' ' || c > '~') c = '?';
-  return text;
-}
-
 std::string P95(const CSummary& s) { return s.m_nCount == 0 ? "-" : SizeText(s.m_fP95); }
 
-// Of any length in seven characters.
+// Of any length in five characters: "12345", "123k", "1e+07".
 std::string TimeText(double ns) {
-  return ns < 999999.5 ? fmt::format("{:.0f}", ns) : fmt::format("{:.1e}", ns);
+  return ns < 99999.5   ? fmt::format("{:.0f}", ns)
+         : ns < 9999500 ? fmt::format("{:.0f}k", ns / 1000)
+                        : fmt::format("{:.0e}", ns);
 }
 
-constexpr const char* g_sColumns = "{:<14}{:>8}{:>17}{:>8}{:>9}{:>9}{:>8}{:>7}\n";
+constexpr const char* g_sColumns = "{:<18}{:>8}{:>17}{:>8}{:>8}{:>7}{:>8}{:>6}\n";
 
 std::string Header() {
-  return fmt::format("{:<14}{:>8}{:>17}{:>8}{:>9}{:>9}\n", "", "", "", "", "setback", "dir.") +
+  return fmt::format("{:<18}{:>8}{:>17}{:>8}{:>8}{:>7}\n", "", "", "", "", "setback", "dir.") +
          fmt::format(g_sColumns, "", "missed", "tunneled", "late", "p95", "p95", "ghosts", "ns");
 }
 
@@ -66,7 +35,7 @@ std::string Rows(const CRunReport& report, const CSceneReport& scene) {
     const CEngineReport& engine = scene.m_stdEngines[e];
     const CTotals& t = engine.m_cTotals;
     const std::size_t n = t.m_nContacts;
-    text += fmt::format(g_sColumns, "  " + report.m_stdEngines[e].m_sName, RateText(t.m_nMissed, n),
+    text += fmt::format(g_sColumns, " " + report.m_stdEngines[e].m_sName, RateText(t.m_nMissed, n),
                         RateTextWithError(t.GetTunneled(), n), RateText(t.m_nLate, n), P95(t.m_cSetbackError),
                         P95(t.m_cDirectionError), RateText(engine.m_nGhosts, scene.m_cRestart.m_nQuietSteps),
                         TimeText(engine.m_cCost.m_cNsPerBallStep.m_fMedian));
@@ -79,6 +48,7 @@ std::string Engines(const CRunReport& report) {
   std::string text = "Engines:";
   for (const CEngine& engine : report.m_stdEngines) {
     text += fmt::format("{} {}", &engine == &report.m_stdEngines.front() ? "" : ",", engine.m_sName);
+    if (engine.m_sName == g_sNativeContinuous) text += " (native, whose balls are swept)";
     if (engine.m_pBackend == GetBackend(eBackend::Box2D))
       text += fmt::format(" (Box2D, profile {})", GetName(engine.m_eProfile));
   }
@@ -113,7 +83,8 @@ std::string MakeTable(const CRunReport& report) {
       Wrap("At each impact of an exact reference the engines take that one step anew, from the exact state. "
            "missed: no response. tunneled: missed, or pushed to the far side. late: turned back one or two "
            "steps later. setback: by how many ball radii CollisionDetected is off the exact place of the "
-           "impact; the same in every profile. dir.: error of the direction after it, radians. ghosts: "
+           "impact; the same for both of native and both of Box2D. dir.: error of the direction after it, "
+           "radians. ghosts: "
            "responses to what was not touched, of the steps in which a ball passes close by. ns: time for "
            "one step of one ball. p95: 95th percentile. +-: half the 95% interval; < 3/n where none was "
            "seen in n. " +

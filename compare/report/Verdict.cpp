@@ -8,7 +8,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
+#include <optional>
+#include <string_view>
 
 namespace Shapes::Compare {
 namespace {
@@ -30,12 +31,16 @@ constexpr double g_fGhostsToTell = 0.001, g_fLateToTell = 0.02, g_fChangeToTell 
 
 class CVerdict {
 public:
-  CVerdict(const CRunReport& report, const CSceneReport& scene) : m_cReport(report), m_cScene(scene) {}
+  CVerdict(const CRunReport& report, const CSceneReport& scene) : m_cReport(report), m_cScene(scene) {
+    for (std::size_t e = 0; e < m_cScene.m_stdEngines.size(); ++e)
+      if (IsWorthNaming(e)) m_stdNamed.push_back(e);
+  }
 
   std::vector<std::string> Make() const {
     if (m_cScene.m_stdEngines.empty()) return {};
     if (m_cScene.m_cRestart.m_stdContacts.empty()) return {Nothing()};
     std::vector<std::string> sentences;
+    if (const std::string text = Cheap(); !text.empty()) sentences.push_back(text);
     if (Count() > 1) sentences.push_back(Winners());
     for (const std::string& text : {Losses(), Time(), Direction()})
       sentences.push_back(text);
@@ -47,15 +52,28 @@ public:
   }
 
 private:
-  std::size_t Count() const { return m_cScene.m_stdEngines.size(); }
+  std::size_t Count() const { return m_stdNamed.size(); }
   const std::string& Name(std::size_t e) const { return m_cReport.m_stdEngines[e].m_sName; }
   const CTotals& Totals(std::size_t e) const { return m_cScene.m_stdEngines[e].m_cTotals; }
   const CCost& Cost(std::size_t e) const { return m_cScene.m_stdEngines[e].m_cCost; }
 
-  // The numbers of all engines, the least by `key` first.
+  std::optional<std::size_t> Find(std::string_view name) const {
+    for (std::size_t e = 0; e < m_cScene.m_stdEngines.size(); ++e)
+      if (Name(e) == name) return e;
+    return std::nullopt;
+  }
+
+  // native-continuous is named where it tells something that native does not.
+  bool IsWorthNaming(std::size_t e) const {
+    const auto native = Find(g_sNative);
+    if (Name(e) != g_sNativeContinuous || !native) return true;
+    return AreLossesApart(e, *native) || DirectionText(e) != DirectionText(*native) ||
+           GetAlarms(e) != GetAlarms(*native);
+  }
+
+  // The numbers of the engines, the least by `key` first.
   std::vector<std::size_t> SortedBy(const std::function<double(std::size_t)>& key) const {
-    std::vector<std::size_t> order(Count());
-    std::iota(order.begin(), order.end(), 0u);
+    std::vector<std::size_t> order = m_stdNamed;
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
     return order;
@@ -64,14 +82,14 @@ private:
   // "native <text>, box2d <text>", in the order of the engines.
   std::string Each(const std::function<std::string(std::size_t)>& text) const {
     std::string all;
-    for (std::size_t e = 0; e < Count(); ++e)
+    for (const std::size_t e : m_stdNamed)
       all += fmt::format("{}{} {}", all.empty() ? "" : ", ", Name(e), text(e));
     return all;
   }
 
   std::vector<std::string> NamesOf(const std::function<bool(std::size_t)>& test) const {
     std::vector<std::string> names;
-    for (std::size_t e = 0; e < Count(); ++e)
+    for (const std::size_t e : m_stdNamed)
       if (test(e)) names.push_back(Name(e));
     return names;
   }
@@ -103,6 +121,38 @@ private:
     return summary.m_nCount == 0 ? std::numeric_limits<double>::infinity() : summary.m_fP95;
   }
 
+  // What is worse on one engine than on another; empty if nothing is.
+  std::string Flaws(std::size_t e, std::size_t than) const {
+    std::vector<const char*> flaws;
+    if (Lost(e) > Lost(than) && AreLossesApart(e, than)) flaws.push_back("loses more");
+    if (DirectionError(e) > DirectionError(than) && DirectionText(e) != DirectionText(than))
+      flaws.push_back("has worse directions");
+    return fmt::format("{}", fmt::join(flaws, " and "));
+  }
+
+  // "in 1/47 of the time".
+  std::string TimeAgainst(std::size_t e, std::size_t other) const {
+    const double ratio = CompareCosts(Cost(other), Cost(e)).m_fMedian;
+    return ratio > 1.5 ? fmt::format("in 1/{:.0f} of the time", ratio)
+                       : fmt::format("in {:.1f} times the time", 1.0 / ratio);
+  }
+
+  // What somebody who has balls of Box2D wants to know; the measure is what these do at the same impacts.
+  std::string Cheap() const {
+    const auto native = Find(g_sNative), box2d = Find(g_sBox2D);
+    if (!native || !box2d) return {};
+    const std::string question = "Are cheap balls as good as box2d's? ", flaws = Flaws(*native, *box2d);
+    if (flaws.empty()) return fmt::format("{}Yes, native's are, {}", question, TimeAgainst(*native, *box2d));
+    const auto continuous = Find(g_sNativeContinuous);
+    if (!continuous || !IsWorthNaming(*continuous)) return fmt::format("{}No: native {}", question, flaws);
+    const std::string left = Flaws(*continuous, *box2d);
+    if (left.empty())
+      return fmt::format("{}Not native's, which {}; native-continuous's are, {}", question, flaws,
+                         TimeAgainst(*continuous, *box2d));
+    return fmt::format("{}No: native {}, native-continuous {}", question, flaws,
+                       left == flaws ? "too" : left);
+  }
+
   // Who is the best in what, or no worse than the best as far as can be told.
   std::string Winners() const {
     const std::size_t lost = SortedBy([&](std::size_t e) { return Lost(e); })[0];
@@ -126,7 +176,7 @@ private:
     const std::vector<std::size_t> order = SortedBy([&](std::size_t e) { return -Lost(e); });
     if (Lost(order.front()) == 0.0)
       return fmt::format("{} a ball in {} impacts",
-                         Count() == 1   ? Name(0) + " does not lose"
+                         Count() == 1   ? Name(order.front()) + " does not lose"
                          : Count() == 2 ? "Neither loses"
                                         : "None loses",
                          CountText(n));
@@ -177,7 +227,7 @@ private:
   std::string Direction() const {
     std::string text = "Where the ball is turned back, 95% of its directions are ";
     std::vector<std::string> seen;
-    for (std::size_t e = 0; e < Count(); ++e) {
+    for (const std::size_t e : m_stdNamed) {
       const std::string error = DirectionText(e);
       if (std::find(seen.begin(), seen.end(), error) != seen.end()) continue;
       const std::vector<std::string> names =
@@ -192,25 +242,37 @@ private:
     return text;
   }
 
+  // What else may be wrong with an engine.
+  struct CAlarms {
+    bool m_bNotFinite, m_bLate, m_bGhosts, m_bEnergy;
+    friend bool operator==(const CAlarms&, const CAlarms&) = default;
+  };
+  CAlarms GetAlarms(std::size_t e) const {
+    const CEngineReport& engine = m_cScene.m_stdEngines[e];
+    return {Cost(e).m_nNotFinite > 0, Wilson(Totals(e).m_nLate, Totals(e).m_nContacts).m_fLow > g_fLateToTell,
+            Wilson(engine.m_nGhosts, m_cScene.m_cRestart.m_nQuietSteps).m_fLow > g_fGhostsToTell,
+            std::abs(EnergyChange(engine.m_cLongRun)) >= g_fChangeToTell};
+  }
+
   // What else there is to tell.
   std::vector<std::string> Asides() const {
     std::vector<std::string> parts;
-    const auto any = [&](const std::function<bool(std::size_t)>& test) { return !NamesOf(test).empty(); };
+    const auto any = [&](bool CAlarms::*pAlarm) {
+      return !NamesOf([&](std::size_t e) { return GetAlarms(e).*pAlarm; }).empty();
+    };
     const auto& engines = m_cScene.m_stdEngines;
-    if (any([&](std::size_t e) { return Cost(e).m_nNotFinite > 0; }))
+    if (any(&CAlarms::m_bNotFinite))
       parts.push_back("Balls became NaN or infinite: " +
                       Each([&](std::size_t e) { return CountText(Cost(e).m_nNotFinite); }));
-    if (any([&](std::size_t e) {
-          return Wilson(Totals(e).m_nLate, Totals(e).m_nContacts).m_fLow > g_fLateToTell;
-        }))
+    if (any(&CAlarms::m_bLate))
       parts.push_back("Turned back one or two steps late: " + Each([&](std::size_t e) {
                         return RateText(Totals(e).m_nLate, Totals(e).m_nContacts);
                       }));
     const std::size_t quiet = m_cScene.m_cRestart.m_nQuietSteps;
-    if (any([&](std::size_t e) { return Wilson(engines[e].m_nGhosts, quiet).m_fLow > g_fGhostsToTell; }))
+    if (any(&CAlarms::m_bGhosts))
       parts.push_back("Of the steps in which a ball only passes by, it is turned all the same in " +
                       Each([&](std::size_t e) { return RateText(engines[e].m_nGhosts, quiet); }));
-    if (any([&](std::size_t e) { return std::abs(EnergyChange(engines[e].m_cLongRun)) >= g_fChangeToTell; }))
+    if (any(&CAlarms::m_bEnergy))
       parts.push_back("Energy over many bounces: " +
                       Each([&](std::size_t e) { return EnergyText(engines[e].m_cLongRun); }));
     return parts;
@@ -231,6 +293,7 @@ private:
 
   const CRunReport& m_cReport;
   const CSceneReport& m_cScene;
+  std::vector<std::size_t> m_stdNamed; // the engines that there is something to say about
 };
 
 } // namespace

@@ -81,10 +81,11 @@ TEST_F(CommandTest, RunWritesTheTableAndThreeFiles) {
   EXPECT_EQ(json.at("command"),
             "shapes-compare run --scenes corner,bowl --quick --contacts 50 --out " + m_cFolder.string());
   for (const auto& scene : json.at("scenes")) {
-    ASSERT_EQ(scene.at("engines").size(), 3u);
+    ASSERT_EQ(scene.at("engines").size(), 4u);
     EXPECT_EQ(scene.at("engines")[0].at("name"), "native");
-    EXPECT_EQ(scene.at("engines")[1].at("name"), "box2d");
-    EXPECT_EQ(scene.at("engines")[2].at("name"), "box2d-tuned");
+    EXPECT_EQ(scene.at("engines")[1].at("name"), "native-continuous");
+    EXPECT_EQ(scene.at("engines")[2].at("name"), "box2d");
+    EXPECT_EQ(scene.at("engines")[3].at("name"), "box2d-tuned");
     for (const auto& engine : scene.at("engines"))
       EXPECT_EQ(engine.at("contacts"), 50);
   }
@@ -126,6 +127,7 @@ TEST_F(CommandTest, EnginesAreChosen) {
   EXPECT_EQ(engines("box2d"), "box2d ");
   EXPECT_EQ(engines("native"), "native ");
   EXPECT_EQ(engines("box2d,native"), "native box2d ");
+  EXPECT_EQ(engines("native-continuous,native"), "native native-continuous ");
   EXPECT_EQ(engines("box2d-tuned"), "box2d-tuned ");
 }
 
@@ -217,7 +219,7 @@ TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
                  "there is no scene 'pinbal': did you mean 'pinball'? Known: ball_on_ball, ");
   ExpectBadInput("run --scenes bowl,nothing_like_it" + out, "there is no scene 'nothing_like_it'. Known: ");
   ExpectBadInput("run --engines bux2d" + out,
-                 "there is no engine 'bux2d': did you mean 'box2d'? Known: native, box2d");
+                 "there is no engine 'bux2d': did you mean 'box2d'? Known: native, native-continuous, box2d");
   ExpectBadInput("run --fail-above tunnelled=0" + out,
                  "there is no metric 'tunnelled': did you mean 'tunneled'?");
   ExpectBadInput("run --fail-above missed=-1" + out,

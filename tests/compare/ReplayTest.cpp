@@ -36,13 +36,14 @@ TEST(Replay, AllTracksStartTogetherAndHaveTheSameLength) {
     SCOPED_TRACE(name);
     const CReplay replay = Make(name);
     const std::size_t balls = replay.m_cScene.m_stdBalls.size();
-    ASSERT_EQ(replay.m_stdClips.size(), 4u);
+    ASSERT_EQ(replay.m_stdClips.size(), 5u);
     EXPECT_EQ(replay.m_stdClips[0].m_sName, "start");
     EXPECT_EQ(replay.m_stdClips[1].m_sName, "worst native");
-    EXPECT_EQ(replay.m_stdClips[2].m_sName, "worst box2d");
-    EXPECT_EQ(replay.m_stdClips[3].m_sName, "worst box2d-tuned");
+    EXPECT_EQ(replay.m_stdClips[2].m_sName, "worst native-continuous");
+    EXPECT_EQ(replay.m_stdClips[3].m_sName, "worst box2d");
+    EXPECT_EQ(replay.m_stdClips[4].m_sName, "worst box2d-tuned");
     for (const CClip& clip : replay.m_stdClips) {
-      ASSERT_EQ(clip.m_stdTracks.size(), 4u);
+      ASSERT_EQ(clip.m_stdTracks.size(), 5u);
       for (const auto& track : clip.m_stdTracks) {
         EXPECT_EQ(track.size(), clip.m_stdTracks[0].size());
         EXPECT_TRUE(std::equal(track.begin(), track.begin() + static_cast<std::ptrdiff_t>(balls),

@@ -147,7 +147,7 @@ protected:
       EXPECT_GE(worst.at("ring").get<int>(), g_nPixelsOfALine);
       EXPECT_EQ(worst.at("ringBefore"), 0);
       int engines = 0;
-      for (const char* pEngine : {"native", "box2d", "box2d-tuned"})
+      for (const char* pEngine : {"native", "native-continuous", "box2d", "box2d-tuned"})
         engines += worst.at("middle").at(pEngine).get<int>();
       EXPECT_GT(engines, 0);
     }
@@ -165,12 +165,16 @@ protected:
   // What the made-up scenes hold beyond that.
   static void ExpectFull(const json& scene) {
     SCOPED_TRACE(scene.at("name"));
-    ExpectDrawn(scene.at("plots").at("error"), {"native", "box2d", "box2d-tuned", "exact"});
-    ExpectDrawn(scene.at("plots").at("tunneled"), {"native", "box2d", "box2d-tuned", "exact"});
-    ExpectDrawn(scene.at("plots").at("setback_error_histogram"), {"native", "box2d", "box2d-tuned"});
-    ExpectDrawn(scene.at("plots").at("penetration_histogram"), {"native", "box2d", "box2d-tuned"});
-    EXPECT_EQ(scene.at("heatMaps"), 3);
-    EXPECT_EQ(scene.at("outcomes"), 3);
+    ExpectDrawn(scene.at("plots").at("error"),
+                {"native", "native-continuous", "box2d", "box2d-tuned", "exact"});
+    ExpectDrawn(scene.at("plots").at("tunneled"),
+                {"native", "native-continuous", "box2d", "box2d-tuned", "exact"});
+    ExpectDrawn(scene.at("plots").at("setback_error_histogram"),
+                {"native", "native-continuous", "box2d", "box2d-tuned"});
+    ExpectDrawn(scene.at("plots").at("penetration_histogram"),
+                {"native", "native-continuous", "box2d", "box2d-tuned"});
+    EXPECT_EQ(scene.at("heatMaps"), 4);
+    EXPECT_EQ(scene.at("outcomes"), 4);
     EXPECT_GT(scene.at("metrics").get<int>(), 30);
     EXPECT_GT(scene.at("bins").get<int>(), 10);
     for (const json& axes : scene.at("axes"))
@@ -184,7 +188,7 @@ protected:
     // Nothing of what comes is drawn: at the beginning there is no way yet.
     EXPECT_GT(scene.at("end").get<int>(), 2 * scene.at("start").get<int>());
     ASSERT_TRUE(scene.contains("replay"));
-    for (const char* pEngine : {"native", "box2d", "box2d-tuned"}) {
+    for (const char* pEngine : {"native", "native-continuous", "box2d", "box2d-tuned"}) {
       const json& worst = scene.at("worst").at(pEngine);
       EXPECT_EQ(worst.at("clip"), std::string("worst ") + pEngine);
       EXPECT_EQ(worst.at("frame"), g_nWorstContact);
@@ -208,10 +212,10 @@ TEST_F(ReportPageTest, AFullReportInTheLight) {
   EXPECT_FALSE(result.at("isDark").get<bool>());
   EXPECT_FALSE(result.at("isInterrupted").get<bool>());
   EXPECT_EQ(result.at("cards"), 3);
-  EXPECT_EQ(result.at("rows"), 9);
+  EXPECT_EQ(result.at("rows"), 12);
   EXPECT_EQ(result.at("small").size(), 3u);
   for (const json& small : result.at("small"))
-    ExpectDrawn(small, {"native", "box2d", "box2d-tuned", "exact"});
+    ExpectDrawn(small, {"native", "native-continuous", "box2d", "box2d-tuned", "exact"});
   for (const json& axes : result.at("smallAxes")) {
     ExpectReadable(axes);
     EXPECT_EQ(axes.at("span"), result.at("smallAxes")[0].at("span"));
@@ -253,7 +257,7 @@ TEST_F(ReportPageTest, WhatARunMayLeaveOut) {
   const json result = Exercise(ToPage(MakeSparsePageDocuments()));
   ExpectSound(result);
   EXPECT_TRUE(result.at("isInterrupted").get<bool>());
-  EXPECT_EQ(result.at("rows"), 13);
+  EXPECT_EQ(result.at("rows"), 17);
   ASSERT_EQ(result.at("scenes").size(), 5u);
   ExpectFull(result.at("scenes")[0]);
   const auto find = [&](const std::string& name) -> const json& {
@@ -294,7 +298,8 @@ TEST_F(ReportPageTest, WhatTheProgramWrites) {
   ASSERT_EQ(result.at("scenes").size(), 2u);
   for (const json& scene : result.at("scenes")) {
     SCOPED_TRACE(scene.at("name"));
-    ExpectDrawn(scene.at("plots").at("error"), {"native", "box2d", "box2d-tuned", "exact"});
+    ExpectDrawn(scene.at("plots").at("error"),
+                {"native", "native-continuous", "box2d", "box2d-tuned", "exact"});
     ASSERT_TRUE(scene.contains("replay"));
     EXPECT_EQ(scene.at("worst").size(), 3u);
     for (const json& worst : scene.at("worst"))

@@ -82,18 +82,19 @@ TEST(TableTest, ShowsTheEnginesBelowEachOther) {
   const std::vector<std::string> lines = Lines(table);
   const auto scene = std::find(lines.begin(), lines.end(),
                                "spinner, 1,000 impacts"); // one line for each engine comes after it
-  ASSERT_LT(scene - lines.begin() + 3, static_cast<std::ptrdiff_t>(lines.size()));
+  ASSERT_LT(scene - lines.begin() + 4, static_cast<std::ptrdiff_t>(lines.size()));
   const std::vector<std::vector<const char*>> expected{
-      {"  native ", " 10.1%", "20.3% +-2.5", "0.50%", "0.750", "1e-4", "0.25%", " 50"},
-      {"  box2d ", " 0.30%", "0.60% +-0.51", "0.50%", "0.750", "0.020", " 500"},
-      {"  box2d-tuned ", " <0.3%", "0.50%", "0.750", "2e-6", " 800"}};
+      {" native ", " 10.1%", "20.3% +-2.5", "0.50%", "0.750", "1e-4", "0.25%", " 50"},
+      {" native-continuous ", " 0.60%", "1.2% +-0.7", "0.50%", "0.750", "2e-4", " 70"},
+      {" box2d ", " 0.30%", "0.60% +-0.51", "0.50%", "0.750", "0.020", " 500"},
+      {" box2d-tuned ", " <0.3%", "0.50%", "0.750", "2e-6", " 800"}};
   for (std::size_t e = 0; e < expected.size(); ++e)
     for (const char* pText : expected[e])
       EXPECT_TRUE(Contains(scene[static_cast<std::ptrdiff_t>(e) + 1], pText))
           << pText << " in " << scene[static_cast<std::ptrdiff_t>(e) + 1];
   EXPECT_TRUE(Contains(Unwrapped(table),
-                       "Engines: native, box2d (Box2D, profile shipped), box2d-tuned (Box2D, "
-                       "profile tuned)."));
+                       "Engines: native, native-continuous (native, whose balls are swept), box2d (Box2D, "
+                       "profile shipped), box2d-tuned (Box2D, profile tuned)."));
   // The verdict comes after the table.
   EXPECT_TRUE(Contains(table, "\n  " + MakeVerdict(MakeSampleReport(), MakeSampleScene())[0].substr(0, 40)));
 }
@@ -143,8 +144,8 @@ TEST(TableTest, SaysWhereNothingCouldBeJudged) {
       << table;
   const std::vector<std::string> lines = Lines(table);
   const auto scene = std::find(lines.begin(), lines.end(), "hopeless, 0 impacts");
-  ASSERT_LT(scene - lines.begin() + 3, static_cast<std::ptrdiff_t>(lines.size()));
-  for (auto line = scene + 1; line <= scene + 3; ++line) {
+  ASSERT_LT(scene - lines.begin() + 4, static_cast<std::ptrdiff_t>(lines.size()));
+  for (auto line = scene + 1; line <= scene + 4; ++line) {
     EXPECT_FALSE(Contains(*line, "%")) << *line; // no rate, not even of zero
     EXPECT_TRUE(Contains(*line, " - ")) << *line;
   }
@@ -161,7 +162,7 @@ TEST(CsvTest, HasAColumnForEveryFieldAndLeavesEmptyWhatWasNotMeasured) {
   const std::vector<std::string> lines = Lines(MakeCsv(MakeSampleReport()));
   ASSERT_EQ(lines.size(), 2u);
   const std::vector<std::string> names = Fields(lines[0]), values = Fields(lines[1]);
-  ASSERT_EQ(names.size(), 11u + 3u * 12u);
+  ASSERT_EQ(names.size(), 11u + 4u * 12u);
   ASSERT_EQ(values.size(), names.size());
   const auto value = [&](const std::string& name) {
     const auto it = std::find(names.begin(), names.end(), name);
@@ -216,7 +217,8 @@ TEST(ReplayJsonTest, HoldsShapesAndTracks) {
   scene.m_stdShapes.push_back({CCircleDesc(Vector2(-1, 0), 0.5f), "", std::nullopt, false});
   scene.m_stdShapes.push_back({CArcDesc(Vector2(0, 0), 1, 0, 0), "", std::nullopt, false});
   const auto json = nlohmann::json::parse(MakeReplayJson(report));
-  EXPECT_EQ(json.at("engines"), nlohmann::json({"native", "box2d", "box2d-tuned", "exact"}));
+  EXPECT_EQ(json.at("engines"),
+            nlohmann::json({"native", "native-continuous", "box2d", "box2d-tuned", "exact"}));
   const auto& s = json.at("scenes").at(0);
   EXPECT_EQ(s.at("name"), "spinner");
   EXPECT_EQ(s.at("bounds"), nlohmann::json({{"left", -45}, {"bottom", -45}, {"right", 45}, {"top", 45}}));
@@ -245,9 +247,9 @@ TEST(ReplayJsonTest, HoldsShapesAndTracks) {
   EXPECT_EQ(clip.at("frames"), 2);
   EXPECT_EQ(clip.at("contact"), 1);
   EXPECT_EQ(clip.at("ball"), 0);
-  ASSERT_EQ(clip.at("tracks").size(), 4u);
+  ASSERT_EQ(clip.at("tracks").size(), 5u);
   // 90 units wide, five digits: three decimals.
-  EXPECT_EQ(clip.at("tracks")[3], nlohmann::json({1, 2, 1.123, 3}));
+  EXPECT_EQ(clip.at("tracks")[4], nlohmann::json({1, 2, 1.123, 3}));
   // The three shapes of the compound turn, twice a second.
   ASSERT_EQ(clip.at("orientations").size(), 3u);
   const double turn = 2 * 2 * 3.14159265358979 / 60;
@@ -259,14 +261,14 @@ TEST(ReplayJsonTest, WhatIsNotFiniteIsNull) {
   CRunReport report = MakeSampleReport();
   report.m_stdScenes[0].m_stdClips[0].m_stdTracks[1][1].x() = std::numeric_limits<float>::quiet_NaN();
   const auto json = nlohmann::json::parse(MakeReplayJson(report));
-  EXPECT_EQ(json.at("/scenes/0/clips/0/tracks/1"_json_pointer), nlohmann::json({1, 2, nullptr, 2.5}));
+  EXPECT_EQ(json.at("/scenes/0/clips/0/tracks/1"_json_pointer), nlohmann::json({1, 2, nullptr, 2.375}));
 }
 
 TEST(ReplayJsonTest, SmallBallsKeepTwoDigits) {
   CRunReport report = MakeSampleReport();
   report.m_stdScenes[0].m_cScene.m_stdBalls[0].m_cDesc.m_fRadius = 0.0005f;
   const auto json = nlohmann::json::parse(MakeReplayJson(report));
-  EXPECT_EQ(json.at("/scenes/0/clips/0/tracks/3/2"_json_pointer), 1.12346);
+  EXPECT_EQ(json.at("/scenes/0/clips/0/tracks/4/2"_json_pointer), 1.12346);
 }
 
 class CWriteTest : public testing::Test {

@@ -73,7 +73,7 @@ TEST(RunJsonTest, ARealRunFitsTheSchema) {
   const json doc = json::parse(MakeJson(RealRun()));
   EXPECT_EQ(FindFault(doc), "");
   ASSERT_EQ(doc.at("scenes").size(), 2u);
-  EXPECT_EQ(doc.at("/scenes/1/engines/1/settings/velocity_iterations"_json_pointer), 8);
+  EXPECT_EQ(doc.at("/scenes/1/engines/2/settings/velocity_iterations"_json_pointer), 8);
   // What is written is what was meant: nothing is lost on the way through the text.
   EXPECT_EQ(json::parse(doc.dump()), doc);
 }
@@ -128,8 +128,9 @@ TEST(RunJsonTest, OneEngineAloneFitsTheSchema) {
 
 TEST(RunJsonTest, ProfilesOfOneEngineAreNotApart) {
   CRunReport report = MakeSampleReport();
-  report.m_stdEngines.erase(report.m_stdEngines.begin());
-  report.m_stdScenes[0].m_stdEngines.erase(report.m_stdScenes[0].m_stdEngines.begin());
+  const auto dropNative = [](auto& engines) { engines.erase(engines.begin(), engines.begin() + 2); };
+  dropNative(report.m_stdEngines);
+  dropNative(report.m_stdScenes[0].m_stdEngines);
   const json doc = json::parse(MakeJson(report));
   EXPECT_EQ(FindFault(doc), "");
   EXPECT_TRUE(doc.at("/scenes/0/apart"_json_pointer).is_null());
@@ -159,19 +160,25 @@ TEST(RunJsonTest, FiguresAreWhereTheyBelong) {
   EXPECT_EQ(at("/scenes/0/engines/0/ghost/rate"), 0.0025);
   EXPECT_EQ(at("/scenes/0/engines/0/features"), json({"kinematics"}));
   EXPECT_EQ(at("/scenes/0/engines/1/features"), json({"kinematics", "continuous"}));
+  EXPECT_EQ(at("/scenes/0/engines/3/features"), json({"kinematics", "continuous"}));
+  EXPECT_EQ(at("/scenes/0/engines/0/settings/forced"), json::array());
+  EXPECT_EQ(at("/scenes/0/engines/0/settings/forbidden"), json({"continuous"}));
+  EXPECT_EQ(at("/scenes/0/engines/1/settings/forced"), json({"continuous"}));
+  EXPECT_EQ(at("/scenes/0/engines/2/settings/forced"), json({"continuous"}));
+  EXPECT_EQ(at("/scenes/0/engines/3/settings/forced"), json::array());
   EXPECT_EQ(at("/scenes/0/engines/0/ns_per_contact"), 5000.0);
   EXPECT_EQ(at("/scenes/0/engines/0/energy_drift"), -0.03);
   EXPECT_TRUE(at("/scenes/0/engines/0/free_path_error").is_null());
   EXPECT_EQ(at("/scenes/0/engines/0/setback_error_histogram/31"), 28);
-  EXPECT_EQ(at("/scenes/0/heat_map/cells/0/tunneled"), json({1, 2, 0}));
+  EXPECT_EQ(at("/scenes/0/heat_map/cells/0/tunneled"), json({1, 3, 2, 0}));
   EXPECT_EQ(at("/work_precision/0/tunneled_rate/rate"), 0.2);
   EXPECT_TRUE(at("/work_precision/0/direction_error_p95").is_null());
   EXPECT_EQ(at("/work_precision/3/engine"), "exact");
   EXPECT_EQ(at("/work_precision/3/settings"), json::object());
   EXPECT_EQ(at("/work_precision/4/scene"), "hopeless");
   EXPECT_FALSE(at("/scenes/0/engines/0/settings").contains("profile")); // native has none
-  EXPECT_EQ(at("/scenes/0/engines/1/settings/profile"), "shipped");
-  EXPECT_EQ(at("/scenes/0/engines/2/settings/profile"), "tuned");
+  EXPECT_EQ(at("/scenes/0/engines/2/settings/profile"), "shipped");
+  EXPECT_EQ(at("/scenes/0/engines/3/settings/profile"), "tuned");
   EXPECT_EQ(at("/work_precision/2/settings/profile"), "tuned");
 }
 

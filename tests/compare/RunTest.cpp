@@ -45,8 +45,8 @@ TEST(RunTest, EverythingIsMeasuredOnEachScene) {
     EXPECT_EQ(scene.m_cWork.m_stdRungs.size(), GetLadder().size() + 1);
     EXPECT_FALSE(scene.m_cWork.m_stdAnswers.empty());
     EXPECT_EQ(scene.m_cHeatMap.m_stdCells.empty(), scene.m_cScene.m_stdBalls.size() != 1);
-    EXPECT_EQ(scene.m_stdClips.size(), 4u);
-    ASSERT_EQ(scene.m_stdEngines.size(), 3u);
+    EXPECT_EQ(scene.m_stdClips.size(), 5u);
+    ASSERT_EQ(scene.m_stdEngines.size(), 4u);
     for (const CEngineReport& engine : scene.m_stdEngines) {
       EXPECT_EQ(engine.m_cTotals.m_nContacts, g_nContacts);
       EXPECT_FALSE(engine.m_stdBins.empty());
@@ -59,7 +59,7 @@ TEST(RunTest, EverythingIsMeasuredOnEachScene) {
 
 TEST(RunTest, OneEngineHasNoOtherToBeApartFrom) {
   CProgress progress(1, false);
-  const CRunReport report = RunScenes({LoadBundled("bowl")}, {GetEngines()[1]},
+  const CRunReport report = RunScenes({LoadBundled("bowl")}, {GetEngines()[Tests::g_nBox2D]},
                                       g_cQuickSizes.ForContacts(g_nContacts), 1, progress, [] {});
   ASSERT_EQ(report.m_stdScenes.at(0).m_stdEngines.size(), 1u);
   EXPECT_EQ(report.m_stdScenes[0].m_cDifference.m_nCount, 0u);

@@ -5,6 +5,7 @@
 #include "MadeScenes.h"
 #include "report/Report.h"
 
+#include <optional>
 #include <string>
 
 namespace Shapes::Compare {
@@ -43,7 +44,7 @@ inline CContact MakeSampleContact() {
   CEngineContact late = right;
   late.m_eOutcome = eOutcome::Late;
   late.m_fDirectionError = 0.0f;
-  contact.m_stdEngines = {right, missed, late};
+  contact.m_stdEngines = {right, late, missed, late};
   return contact;
 }
 
@@ -94,26 +95,26 @@ inline CSceneReport MakeSampleScene() {
   CSceneReport report;
   report.m_cScene = LoadBundled("spinner");
   report.m_cRestart.m_stdContacts = {MakeSampleContact()};
-  report.m_cRestart.m_stdGhosts = {2, 2, 2};
+  report.m_cRestart.m_stdGhosts = {2, 2, 2, 2};
   report.m_cRestart.m_nQuietSteps = 800;
   report.m_cRestart.m_nTrials = 1200;
   report.m_cRestart.m_cSetAside = {1, 2, 3, 4, 0, ""};
   report.m_cDifference = {850, 0.06, 0.5, 1.25};
-  report.m_stdEngines = {MakeSampleEngine(203, 50.0, 0.0001), MakeSampleEngine(6, 500.0, 0.02),
-                         MakeSampleEngine(0, 800.0, 2e-6)};
+  report.m_stdEngines = {MakeSampleEngine(203, 50.0, 0.0001), MakeSampleEngine(12, 70.0, 0.0002),
+                         MakeSampleEngine(6, 500.0, 0.02), MakeSampleEngine(0, 800.0, 2e-6)};
   report.m_cWork.m_stdAnswers = {"Direction within .01 rad: box2d."};
   const std::vector<CEngine> engines = GetEngines();
   CRung native, box2d, tuned, exact;
-  native.m_cEngine = engines[0];
+  native.m_cEngine = engines[Tests::g_nNative];
   native.m_cNsPerBallSecond = {3000.0, {2900.0, 3100.0}};
   native.m_nContacts = 100;
   native.m_nMissed = 10;
   native.m_nTunneled = 20;
   box2d = native;
-  box2d.m_cEngine = engines[1];
+  box2d.m_cEngine = engines[Tests::g_nBox2D];
   box2d.m_fDirectionErrorP95 = 0.02;
   tuned = native;
-  tuned.m_cEngine = engines[2];
+  tuned.m_cEngine = engines[Tests::g_nTuned];
   tuned.m_fDirectionErrorP95 = 2e-6;
   exact = native;
   exact.m_cEngine = {g_sExact, nullptr};
@@ -128,6 +129,7 @@ inline CSceneReport MakeSampleScene() {
   clip.m_nContact = 1;
   clip.m_sWhat = "native with segment: missed";
   clip.m_stdTracks = {{{1.0f, 2.0f}, {1.5f, 2.25f}},
+                      {{1.0f, 2.0f}, {1.5f, 2.375f}},
                       {{1.0f, 2.0f}, {1.5f, 2.5f}},
                       {{1.0f, 2.0f}, {1.25f, 2.75f}},
                       {{1.0f, 2.0f}, {1.123456f, 3.0f}}};
@@ -151,7 +153,7 @@ inline CSceneReport MakeUndecidedScene() {
   CSceneReport report = MakeSampleScene();
   report.m_cScene.m_sName = "hopeless";
   report.m_cRestart = {};
-  report.m_cRestart.m_stdGhosts = {0, 0, 0};
+  report.m_cRestart.m_stdGhosts = {0, 0, 0, 0};
   report.m_cRestart.m_nTrials = 40;
   report.m_cRestart.m_cSetAside.m_nUndecided = 40;
   report.m_cRestart.m_cSetAside.m_sUndecided = "trial 0, step 2: ball 0 is jammed at (1, 2)";

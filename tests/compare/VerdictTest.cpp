@@ -20,16 +20,25 @@ void ExpectSays(const CRunReport& report, const std::string& part, bool expected
   EXPECT_EQ(Text(report).find(part) != std::string::npos, expected) << part << "\nin\n" << Text(report);
 }
 
-// The sample with its first two engines only.
-CRunReport OfTwo(const CEngineReport& native, const CEngineReport& box2d) {
+// The sample without native-continuous.
+CRunReport OfThree() {
   CRunReport report = MakeSampleReport();
+  report.m_stdEngines.erase(report.m_stdEngines.begin() + Tests::g_nContinuous);
+  auto& engines = report.m_stdScenes[0].m_stdEngines;
+  engines.erase(engines.begin() + Tests::g_nContinuous);
+  return report;
+}
+
+// The sample with native and box2d only.
+CRunReport OfTwo(const CEngineReport& native, const CEngineReport& box2d) {
+  CRunReport report = OfThree();
   report.m_stdEngines.resize(2);
   report.m_stdScenes[0].m_stdEngines = {native, box2d};
   return report;
 }
 
 TEST(VerdictTest, TheOneThatLosesMoreComesFirstAndTheFastest) {
-  CRunReport report = MakeSampleReport();
+  CRunReport report = OfThree();
   ExpectSays(report, "native loses 20.3% +-2.5 of the balls, box2d 0.60% +-0.51, box2d-tuned none of 1,000.");
   ExpectSays(report, "A step of a ball takes 50 ns on native, 500 ns on box2d (10 times as long), 800 ns on "
                      "box2d-tuned (16 times as long).");
@@ -39,9 +48,9 @@ TEST(VerdictTest, TheOneThatLosesMoreComesFirstAndTheFastest) {
   ExpectSays(report, "A step of a ball takes 50 ns on box2d, 500 ns on native (10 times as long), 800");
 }
 
-TEST(VerdictTest, WhoWinsIsSaidFirst) {
-  CRunReport report = MakeSampleReport();
-  const auto first = [&] { return MakeVerdict(report, report.m_stdScenes[0])[0]; };
+TEST(VerdictTest, WhoWinsIsSaid) {
+  CRunReport report = OfThree();
+  const auto first = [&] { return MakeVerdict(report, report.m_stdScenes[0])[1]; };
   EXPECT_EQ(first(), "Fewest lost: box2d-tuned; best directions: box2d-tuned; fastest: native.");
   auto& engines = report.m_stdScenes[0].m_stdEngines;
   engines[1] = MakeSampleEngine(2, 51.0, 2.4e-6); // 0 and 2, and 2.0e-6 and 2.4e-6, cannot be told apart
@@ -54,8 +63,52 @@ TEST(VerdictTest, WhoWinsIsSaidFirst) {
   EXPECT_EQ(first(), "Fewest lost: no difference; best directions: not known; fastest: no difference.");
 }
 
-TEST(VerdictTest, DisturbedTimesAreSaidToBe) {
+TEST(VerdictTest, WhetherCheapBallsWillDoIsSaidFirst) {
   CRunReport report = MakeSampleReport();
+  auto& engines = report.m_stdScenes[0].m_stdEngines;
+  const auto expectFirst = [&](const std::string& answer) {
+    EXPECT_EQ(MakeVerdict(report, report.m_stdScenes[0])[0],
+              "Are cheap balls as good as box2d's? " + answer + ".");
+  };
+  expectFirst("Not native's, which loses more; native-continuous's are, in 1/7 of the time");
+  engines[Tests::g_nContinuous] = MakeSampleEngine(14, 650.0, 0.02);
+  expectFirst("Not native's, which loses more; native-continuous's are, in 1.3 times the time");
+  engines[Tests::g_nContinuous] = MakeSampleEngine(12, 70.0, 0.03);
+  expectFirst("No: native loses more, native-continuous has worse directions");
+  engines[Tests::g_nNative] = MakeSampleEngine(203, 50.0, 0.04);
+  expectFirst("No: native loses more and has worse directions, native-continuous has worse directions");
+  engines[Tests::g_nNative] = MakeSampleEngine(12, 50.0, 0.04);
+  expectFirst("No: native has worse directions, native-continuous too");
+  engines[Tests::g_nNative] = MakeSampleEngine(12, 50.0, 0.02);
+  expectFirst("Yes, native's are, in 1/10 of the time");
+}
+
+TEST(VerdictTest, ContinuousIsNamedOnlyWhereItTellsSomething) {
+  CRunReport report = MakeSampleReport();
+  auto& engines = report.m_stdScenes[0].m_stdEngines;
+  const auto expectNamed = [&](bool expected) { ExpectSays(report, "native-continuous", expected); };
+  expectNamed(true);
+  ExpectSays(report,
+             "native loses 20.3% +-2.5 of the balls, native-continuous 1.2% +-0.7, box2d 0.60% +-0.51, "
+             "box2d-tuned none of 1,000; native-continuous and box2d cannot be told apart.");
+  ExpectSays(report,
+             "takes 50 ns on native, 70 ns on native-continuous (1.4 times as long), 500 ns on box2d");
+  engines[Tests::g_nContinuous] = MakeSampleEngine(201, 90.0, 0.0001); // only slower, by what the tables say
+  expectNamed(false);
+  ExpectSays(report, "native loses 20.3% +-2.5 of the balls, box2d 0.60% +-0.51, box2d-tuned none of 1,000.");
+  engines[Tests::g_nContinuous].m_cTotals.m_cDirectionError.m_fP95 = 0.0002;
+  expectNamed(true);
+  engines[Tests::g_nContinuous] = MakeSampleEngine(201, 90.0, 0.0001);
+  engines[Tests::g_nContinuous].m_cLongRun.m_fEnergyDrift = 0.0; // native's is told of
+  expectNamed(true);
+  engines.erase(engines.begin()); // without native it is an engine like any other
+  report.m_stdEngines.erase(report.m_stdEngines.begin());
+  engines[0] = engines[1];
+  expectNamed(true);
+}
+
+TEST(VerdictTest, DisturbedTimesAreSaidToBe) {
+  CRunReport report = OfThree();
   ExpectSays(report, "disturbed", false);
   CCost& cost = report.m_stdScenes[0].m_stdEngines[1].m_cCost;
   cost.m_cNsPerBallStep.m_cInterval = {300.0, 600.0};
@@ -80,8 +133,8 @@ TEST(VerdictTest, WhatCannotBeToldApartIsNotCompared) {
   ExpectSays(OfTwo(MakeSampleEngine(15, 60.0, 0.03), box2d), "cannot be told from");
 }
 
-TEST(VerdictTest, OfThreeEnginesThoseThatCannotBeToldApartAreNamed) {
-  CRunReport report = MakeSampleReport();
+TEST(VerdictTest, OfSeveralEnginesThoseThatCannotBeToldApartAreNamed) {
+  CRunReport report = OfThree();
   auto& engines = report.m_stdScenes[0].m_stdEngines;
   engines[2] = MakeSampleEngine(4, 800.0, 0.02);
   ExpectSays(report, "native loses 20.3% +-2.5 of the balls, box2d 0.60% +-0.51, box2d-tuned 0.40% +-0.43; "
@@ -113,8 +166,8 @@ TEST(VerdictTest, NoneIsOfHowMany) {
 }
 
 TEST(VerdictTest, OneEngineAloneIsNotCompared) {
-  CRunReport report = MakeSampleReport();
-  report.m_stdEngines = {GetEngines()[1]};
+  CRunReport report = OfThree();
+  report.m_stdEngines = {GetEngines()[Tests::g_nBox2D]};
   report.m_stdScenes[0].m_stdEngines = {MakeSampleEngine(0, 500.0, 0.02)};
   ExpectSays(report, "box2d does not lose a ball in 1,000 impacts.\nA step of a ball takes 500 ns on box2d.");
   report.m_stdScenes[0].m_stdEngines = {MakeSampleEngine(10, 500.0, 0.02)};
@@ -125,13 +178,13 @@ TEST(VerdictTest, OneEngineAloneIsNotCompared) {
 }
 
 TEST(VerdictTest, TellsOfWhatElseIsWrongAndOnlyThen) {
-  CRunReport report = MakeSampleReport();
+  CRunReport report = OfThree();
   CSceneReport& scene = report.m_stdScenes[0];
   for (CEngineReport& engine : scene.m_stdEngines) {
     engine.m_nGhosts = 0;
     engine.m_cLongRun.m_fEnergyDrift = 0.0005; // too little to tell
   }
-  EXPECT_EQ(MakeVerdict(report, scene).size(), 4u);
+  EXPECT_EQ(MakeVerdict(report, scene).size(), 5u);
   scene.m_stdEngines[0].m_cLongRun.m_fEnergyDrift = 0.0321;
   scene.m_stdEngines[1].m_cLongRun.m_fEnergyDrift = -0.5;
   ExpectSays(report,
@@ -145,11 +198,11 @@ TEST(VerdictTest, TellsOfWhatElseIsWrongAndOnlyThen) {
   ExpectSays(report, "native <0.38%, box2d 10.0%, box2d-tuned <0.38%.");
   scene.m_stdEngines[0].m_cCost.m_nNotFinite = 3;
   ExpectSays(report, "NaN or infinite: native 3, box2d 0, box2d-tuned 0.");
-  EXPECT_EQ(MakeVerdict(report, scene).size(), 8u);
+  EXPECT_EQ(MakeVerdict(report, scene).size(), 9u);
 }
 
 TEST(VerdictTest, WhatWasNotMeasuredIsNotJudged) {
-  CRunReport report = MakeSampleReport();
+  CRunReport report = OfThree();
   report.m_stdScenes = {MakeUndecidedScene()};
   ExpectSays(
       report,

@@ -7,6 +7,8 @@
 #include <set>
 #include <string>
 
+#include "MadeScenes.h"
+
 namespace Shapes::Compare {
 namespace {
 
@@ -32,9 +34,15 @@ TEST(WorkPrecision, TheLadderHasEachSettingOnceAndBeginsWithTheEnginesAsTheyCome
   EXPECT_TRUE(labels.count("box2d: 4 substeps, 10x scale, 1+1 iterations"));
   EXPECT_TRUE(labels.count("box2d-tuned: as it comes"));
   EXPECT_TRUE(labels.count("box2d-tuned: arcs 4x finer"));
-  EXPECT_EQ(labels.size(), 36u);
-  for (const CEngine& engine : GetLadder())
+  for (const char* pSubsteps : {"as it comes", "2 substeps", "4 substeps", "8 substeps"})
+    EXPECT_TRUE(labels.count(std::string("native-continuous: ") + pSubsteps));
+  EXPECT_EQ(labels.size(), 40u);
+  for (const CEngine& engine : GetLadder()) {
     EXPECT_EQ(engine.m_eProfile, engine.m_sName == "box2d-tuned" ? eProfile::Tuned : eProfile::Shipped);
+    EXPECT_EQ(engine.m_cEffects, engine.m_sName == "native"        ? g_cApproximate
+                                 : engine.m_sName == "box2d-tuned" ? g_cAutomatic
+                                                                   : g_cContinuous);
+  }
 }
 
 TEST(WorkPrecision, TheFrontIsWhatNothingBeats) {
@@ -75,6 +83,23 @@ TEST(WorkPrecision, AnswersNameTheCheapestAndWhatTheOtherEngineNeeds) {
       "comes) with 0.5 rad and 50% lost.");
 }
 
+TEST(WorkPrecision, ContinuousIsAnAnswerWhereItIsCheaperOrTheOnlyOneOfNative) {
+  std::vector<CRung> rungs{Rung("native", 1, 1000, .5, 1000, 500), Rung("native", 8, 8000, .009, 1000, 0),
+                           Rung("native-continuous", 1, 2000, .008, 1000, 0),
+                           Rung("box2d", 1, 40000, .002, 1000, 0)};
+  const auto first = [&] { return MakeAnswers(rungs, 1000)[0]; };
+  const std::string what = "Direction within .01 rad and less than 1% lost: ";
+  EXPECT_EQ(first(), what +
+                         "native-continuous (as it comes), 2.0 us per ball and second; native (8 substeps) "
+                         "takes 4.0 times as long; box2d (as it comes) takes 20.0 times as long.");
+  rungs[2].m_cNsPerBallSecond.m_fMedian = 9000; // native does it for less
+  EXPECT_EQ(first(), what + "native (8 substeps), 8.0 us per ball and second; box2d (as it comes) takes 5.0 "
+                            "times as long.");
+  rungs[1].m_nTunneled = rungs[2].m_nTunneled = 500;
+  EXPECT_EQ(first(), what + "box2d (as it comes), 40 us per ball and second; no setting of native or "
+                            "native-continuous that was tried.");
+}
+
 TEST(WorkPrecision, SmallErrorsAloneDoNotMakeASettingGood) { // it loses every second ball
   const auto answers = MakeAnswers({Rung("native", 1, 1000, 1e-6, 1000, 500)}, 10);
   EXPECT_NE(answers[1].find("no setting"), std::string::npos) << answers[1];
@@ -100,9 +125,9 @@ TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
   };
   const CWorkPrecision work = MeasureWorkPrecision(scene, ladder, options);
   EXPECT_EQ(last, 1.0);
-  ASSERT_EQ(work.m_stdRungs.size(), 5u);
-  const CRung &one = work.m_stdRungs[0], &box2d = work.m_stdRungs[1], &eight = work.m_stdRungs[3];
-  const CRung& exact = work.m_stdRungs[4];
+  ASSERT_EQ(work.m_stdRungs.size(), 6u);
+  const CRung &one = work.m_stdRungs[Tests::g_nNative], &box2d = work.m_stdRungs[Tests::g_nBox2D];
+  const CRung &eight = work.m_stdRungs[4], &exact = work.m_stdRungs[5];
   EXPECT_GT(one.m_nTunneled, one.m_nContacts / 3);
   EXPECT_EQ(eight.m_nTunneled, 0u);
   EXPECT_EQ(box2d.m_nTunneled, 0u);

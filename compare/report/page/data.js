@@ -7,7 +7,7 @@ const Data = (() => {
   const run = read('run');
   const replay = read('replay');
   const scenes = list(run.scenes);
-  const ownColours = ['native', 'box2d', 'box2d-tuned', 'exact'];
+  const ownColours = ['native', 'native-continuous', 'box2d', 'box2d-tuned', 'exact'];
 
   const engineNames =
       [...new Set(scenes.flatMap((scene) => list(scene.engines).map((engine) => engine.name)))];

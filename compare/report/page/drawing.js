@@ -5,9 +5,10 @@ const Drawing = (() => {
   // each in the gaps of the others: all have the same period.
   const lines = {
     exact: {dash: [], offset: 0, width: 6},
-    native: {dash: [7, 13], offset: 0, width: 3},
-    box2d: {dash: [2.5, 1.5, 2.5, 13.5], offset: -8, width: 3},
-    'box2d-tuned': {dash: [4, 16], offset: -15.5, width: 3},
+    native: {dash: [6, 20], offset: 0, width: 3},
+    'native-continuous': {dash: [1.2, 1, 1.2, 1, 1.2, 20.4], offset: -7, width: 3},
+    box2d: {dash: [2.5, 1.5, 2.5, 19.5], offset: -13.5, width: 3},
+    'box2d-tuned': {dash: [4, 22], offset: -21, width: 3},
   };
   const lineOf = (name) => lines[name] ?? {dash: [12, 4, 2, 6], offset: 0, width: 2};
 

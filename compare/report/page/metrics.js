@@ -93,7 +93,10 @@ const Metrics = (() => {
 
   function settingRows(engines) {
     const names = [...new Set(engines.flatMap((e) => Object.keys(e.settings ?? {})))];
-    const text = (value) => (typeof value === 'string' ? value : plain(value));
+    const words = (value) => value.join(', ').replaceAll('_', ' ') || 'none';
+    const text = (value) => (Array.isArray(value)        ? words(value)
+                             : typeof value === 'string' ? value
+                                                         : plain(value));
     const rows = names.map((name) => [name.replaceAll('_', ' '), '', (e) => text(e.settings?.[name])]);
     return [
       ['Settings', [...rows, ['runs', '', (e) => list(e.features).join(', ').replaceAll('_', ' ') || dash]]]

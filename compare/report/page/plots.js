@@ -20,6 +20,8 @@ const Plots = (() => {
   const parts = PlotParts;
 
   const isExact = (row) => row.engine === 'exact';
+  /** Of which only the substeps vary: its points are a line. */
+  const isNative = (row) => ['native', 'native-continuous'].includes(row.engine);
 
   /** The tunneled rate with the further impacts of the proof; the interval is known without them only. */
   function tunneledOf(row) {
@@ -65,7 +67,7 @@ const Plots = (() => {
 
   function shortName(row) {
     const steps = row.settings?.substeps;
-    return row.engine === 'native' && isNumber(steps) ? `\u00d7${steps}` : row.label;
+    return isNative(row) && isNumber(steps) ? `\u00d7${steps}` : row.label;
   }
 
   function toPoint(question, row, floor) {
@@ -81,11 +83,12 @@ const Plots = (() => {
       isUpperBound: question.isUpperBound(row),
       xs: Array.isArray(times) && isNumber(times[0]) && isNumber(times[1]) ? times : null,
       ys: range && range.every(isNumber) ? range : null,
-      name: isFront || row.engine === 'native' ? shortName(row) : null,
+      name: isFront || isNative(row) ? shortName(row) : null,
     };
   }
 
-  const pointStyles = {native: 'circle', box2d: 'rect', 'box2d-tuned': 'rectRot'};
+  const pointStyles =
+      {native: 'circle', 'native-continuous': 'rectRounded', box2d: 'rect', 'box2d-tuned': 'rectRot'};
 
   function series(engine, points, isSmall) {
     const colour = Data.colour(engine);
@@ -105,7 +108,7 @@ const Plots = (() => {
                                           : p.isUpperBound ? 6
                                                            : 4.5)),
       pointHoverRadius: 8,
-      showLine: engine === 'native',
+      showLine: isNative({engine}),
       // An upper bound is no figure to draw a line to: it would rise where nothing was lost.
       segment: {
         borderColor: ({p0, p1}) => (p0.raw.isUpperBound || p1.raw.isUpperBound ? 'transparent' : undefined)

@@ -25,7 +25,7 @@ const Report = (() => {
             el('p', {class: 'note'},
                'Filled points are on the Pareto front, the broken line: nothing that was tried is both cheaper ' +
                    'and better. ' +
-                   'Native\u2019s points are joined in the order of its substeps.'),
+                   'The points of native, and of native-continuous, are joined in the order of their substeps.'),
             el('p', {class: 'note'},
                'The exact reference is timed too; it has no broad phase, so it is no engine for a game with many ' +
                    'balls.'))),

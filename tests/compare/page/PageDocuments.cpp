@@ -73,8 +73,8 @@ json Bins(CFigures& figures, double lost) {
 }
 
 json Engine(const std::string& name, CFigures& figures, int n) {
-  const bool isNative = name == "native", isTuned = name == "box2d-tuned";
-  const double lost = isNative ? std::pow(figures(0, 0.6), 3) : std::max(0.0, figures(-0.003, 0.004));
+  const bool isNative = name.starts_with("native"), isTuned = name == "box2d-tuned";
+  const double lost = name == "native" ? std::pow(figures(0, 0.6), 3) : std::max(0.0, figures(-0.003, 0.004));
   const int missed = int(n * lost * 0.4), wrong = int(n * lost * 0.6), late = isNative ? 0 : int(n * 0.002);
   const double error = isNative ? figures(0.05, 0.5) : figures(0.01, 0.1);
   const double ns = isNative ? figures(35, 220) : figures(400, 2100) * (isTuned ? 1.5 : 1.0);
@@ -127,7 +127,7 @@ json HeatMap(CFigures& figures) {
       const int n = size == 2 && speed == 0.25 ? 0 : 2000;
       map["cells"].push_back(
           {{"contacts", n},
-           {"tunneled", {int(n * std::max(0.0, 1 - 1 / way)), int(map["cells"].size()) * n / 23, 0}}});
+           {"tunneled", {int(n * std::max(0.0, 1 - 1 / way)), 0, int(map["cells"].size()) * n / 23, 0}}});
     }
   return map;
 }
@@ -164,6 +164,10 @@ json Work(const std::string& scene, CFigures& figures) {
     rows.push_back(WorkRow(scene, "native", steps == 1 ? "as it comes" : std::to_string(steps) + " substeps",
                            {{"time_step", 1.0 / 60}, {"substeps", steps}}, base * (0.3 + 0.7 * steps),
                            error / steps, steps > 4 ? 0 : lost / steps / steps));
+  for (const int steps : {1, 2, 4, 8})
+    rows.push_back(WorkRow(
+        scene, "native-continuous", steps == 1 ? "as it comes" : std::to_string(steps) + " substeps",
+        {{"time_step", 1.0 / 60}, {"substeps", steps}}, base * (0.5 + 0.9 * steps), error / steps / 4, 0));
   const std::array<const char*, 5> labels{"as it comes", "2 substeps", "4 substeps", "20 velocity iterations",
                                           "2 substeps, 10 units to a metre"};
   for (std::size_t i = 0; i < labels.size(); ++i)
@@ -274,7 +278,8 @@ json Clip(const std::string& name, const std::string& title, const std::string& 
           {"ball", g_nWorstBall},
           {"frames", frames},
           {"tracks",
-           {Track(frames, 0.08, 1.5), Track(frames, -0.02, 0.3), Track(frames, 0, 0.1), Track(frames, 0, 0)}},
+           {Track(frames, 0.08, 1.5), Track(frames, 0.04, 0.8), Track(frames, -0.02, 0.3),
+            Track(frames, 0, 0.1), Track(frames, 0, 0)}},
           {"orientations", {angles}}};
 }
 
@@ -297,7 +302,8 @@ CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
            {"work_precision", json::array()}};
   for (std::size_t i = 0; i <= g_nHistogramBins; ++i)
     run["histogram_edges"].push_back(std::pow(10, double(i) / 4 - 6));
-  json replay{{"engines", {"native", "box2d", "box2d-tuned", "exact"}}, {"scenes", json::array()}};
+  json replay{{"engines", {"native", "native-continuous", "box2d", "box2d-tuned", "exact"}},
+              {"scenes", json::array()}};
   std::uint64_t seed = 0;
   for (const std::string& name : scenes) {
     CFigures figures(++seed);
@@ -313,6 +319,8 @@ CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
          {"clips",
           {Clip("start", "First trial", "", 0),
            Clip("worst native", "Worst contact of native", "sent off 0.61 rad from the exact direction",
+                g_nWorstContact),
+           Clip("worst native-continuous", "Worst contact of native-continuous", "sent off a bit",
                 g_nWorstContact),
            Clip("worst box2d", "Worst contact of box2d", "set back 0.1 radii too far", g_nWorstContact),
            Clip("worst box2d-tuned", "Worst contact of box2d-tuned", "sent off a little",

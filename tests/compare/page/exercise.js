@@ -2,7 +2,7 @@
 // After everything else on the page: does what a reader does, looks at what is then to be seen, and leaves it
 // as JSON.
 (async () => {
-  const engines = ['native', 'box2d', 'box2d-tuned', 'exact'];
+  const engines = ['native', 'native-continuous', 'box2d', 'box2d-tuned', 'exact'];
   const $ = (selector, root = document) => root.querySelector(selector);
   const $$ = (selector, root = document) => [...root.querySelectorAll(selector)];
   const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
