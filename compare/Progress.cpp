@@ -16,8 +16,9 @@ struct CPartTime {
 };
 
 // In the order of eStage.
-constexpr CPartTime g_stdParts[] = {{"restarts", 0.2}, {"settings", 0.5},  {"timing", 0.05},
-                                    {"heat map", 0.1}, {"long runs", 0.1}, {"replay", 0.05}};
+constexpr CPartTime g_stdParts[] = {{"restarts", 0.2}, {"settings", 0.45}, {"timing", 0.05},
+                                    {"heat map", 0.1}, {"effects", 0.1},   {"long runs", 0.05},
+                                    {"replay", 0.05}};
 
 constexpr std::chrono::milliseconds g_cPause(100); // between two lines
 constexpr double g_fFirstGuess = 3.0;              // seconds after which the rest is guessed

@@ -49,6 +49,9 @@ CRunSizes CRunSizes::ForContacts(std::size_t contacts) const {
   shrink(sizes.m_nBounces, 100);
   shrink(sizes.m_nLongSteps, 5000);
   shrink(sizes.m_nFrames, 60);
+  shrink(sizes.m_nEffectContacts, 10);
+  shrink(sizes.m_nEffectBallSteps, 100);
+  shrink(sizes.m_nCountedSteps, 20);
   return sizes;
 }
 
@@ -80,6 +83,17 @@ CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, 
   const std::vector<CCost> costs =
       MeasureCost(scene, engines, seed, sizes.m_nRepeats, sizes.m_nBallSteps, during(eStage::Timing));
   report.m_cHeatMap = MeasureHeatMap(scene, engines, seed, sizes.m_nHeatContacts, during(eStage::HeatMap));
+  CEffectOptions effects;
+  effects.m_nSeed = seed;
+  effects.m_nContacts = sizes.m_nEffectContacts;
+  effects.m_nMostTrials = g_nTrialsPerContact * sizes.m_nEffectContacts;
+  effects.m_nRepeats = sizes.m_nEffectRepeats;
+  effects.m_nBallSteps = sizes.m_nEffectBallSteps;
+  effects.m_nCountedSteps = sizes.m_nCountedSteps;
+  effects.m_sProgram = std::filesystem::read_symlink("/proc/self/exe").string();
+  effects.m_stdProgress = during(eStage::Effects);
+  report.m_cEffects = MeasureEffects(scene, engines, effects);
+
   progress(eStage::LongRuns, 0.0);
   const std::vector<CLongRun> longRuns =
       MeasureLongRuns(scene, engines, seed, sizes.m_nBounces, sizes.m_nLongSteps);

@@ -24,14 +24,20 @@ struct CRunSizes {
   std::size_t m_nBounces;         ///< of the long run
   std::size_t m_nLongSteps;       ///< most steps of the long run
   std::size_t m_nFrames;          ///< of the replay from the start
+  std::size_t m_nEffectContacts;  ///< impacts for each effect
+  int m_nEffectRepeats;           ///< of each timing with an effect, and without
+  std::size_t m_nEffectBallSteps; ///< least length of one of them
+  std::size_t m_nCountedSteps;    ///< whose instructions are counted with each effect, and without; 0: none
 
   /// The same with another number of contacts. Fewer make everything else smaller in proportion, but not so
   /// small that nothing comes out; more leave it as it is.
   CRunSizes ForContacts(std::size_t contacts) const;
 };
 
-inline constexpr CRunSizes g_cFullSizes{20000, 11, 50000, 5000, 100000, 11, 7000, 500, 10000, 1000000, 300};
-inline constexpr CRunSizes g_cQuickSizes{2000, 11, 2500, 300, 2000, 5, 600, 40, 1000, 50000, 200};
+inline constexpr CRunSizes g_cFullSizes{20000, 11,      50000, 5000, 100000, 11,   7000, 500,
+                                        10000, 1000000, 300,   500,  15,     7000, 300};
+inline constexpr CRunSizes g_cQuickSizes{2000, 11,    2500, 300, 2000, 5,   600, 40,
+                                         1000, 50000, 200,  60,  7,    400, 0};
 
 /// Trials that are played for each impact that is wanted, before a scene in which little happens is given up.
 inline constexpr std::uint64_t g_nTrialsPerContact = 20;

@@ -4,6 +4,7 @@
 #include "Interrupt.h"
 #include "Options.h"
 #include "Run.h"
+#include "metrics/Instructions.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -30,6 +31,8 @@ struct COptions {
   std::uint64_t m_nSeed = 1;
   std::size_t m_nContacts = g_cFullSizes.m_nContacts;
   bool m_bQuick = false;
+  std::size_t m_nSteps = 0;             // of `step-cost`
+  std::vector<std::string> m_stdWorlds; // the same
 
   CRunSizes GetSizes() const {
     const CRunSizes& sizes = m_bQuick ? g_cQuickSizes : g_cFullSizes;
@@ -121,6 +124,12 @@ int Main(int argc, char** argv) {
   AddRunOptions(*pScene, options);
   CLI::App* pList = app.add_subcommand("list", "Say which scenes are bundled");
   pList->add_option("--folder", options.m_cFolder, "Folder of scene files")->capture_default_str();
+  // What the program is called with by itself to have its instructions counted; not for users.
+  CLI::App* pStepCost = app.add_subcommand("step-cost")->group("");
+  pStepCost->add_option("file", options.m_cFile)->required();
+  pStepCost->add_option("seed", options.m_nSeed)->required();
+  pStepCost->add_option("steps", options.m_nSteps)->required();
+  pStepCost->add_option("worlds", options.m_stdWorlds)->required();
 
   try {
     app.parse(argc, argv);
@@ -136,6 +145,10 @@ int Main(int argc, char** argv) {
   try {
     if (pList->parsed()) {
       List(options.m_cFolder);
+      return 0;
+    }
+    if (pStepCost->parsed()) {
+      PlayStepCost(LoadScene(options.m_cFile), options.m_stdWorlds, options.m_nSeed, options.m_nSteps);
       return 0;
     }
     return Run(pScene->parsed() ? std::vector<CScene>{LoadScene(options.m_cFile)}

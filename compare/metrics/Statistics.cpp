@@ -58,4 +58,10 @@ CMedian MedianWithInterval(std::vector<double> values) {
   return {NearestRank(values, 0.5), {values[low], values[n - 1 - low]}};
 }
 
+bool CanBeToldApart(std::size_t a, std::size_t b) {
+  const double both = static_cast<double>(a) + static_cast<double>(b);
+  const double apart = std::abs(static_cast<double>(a) - static_cast<double>(b));
+  return apart - 1.0 > 1.959964 * std::sqrt(both);
+}
+
 } // namespace Shapes::Compare

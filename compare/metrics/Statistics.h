@@ -31,6 +31,11 @@ struct CInterval {
 /// no hits its upper end is about z^2 / trials.
 CInterval Wilson(std::size_t hits, std::size_t trials, double z = 1.959964);
 
+/// Whether two counts of losses at the same impacts differ by more than chance: of two engines that are asked
+/// at the same impacts what counts are those that only one of them lost (Q. McNemar, Psychometrika 12, 1947,
+/// with correction for continuity, 95%). That none was lost by both is taken, which is on the safe side.
+bool CanBeToldApart(std::size_t a, std::size_t b);
+
 /// Median of a sample with the interval between order statistics that holds the true median with at least 95%
 /// (binomial); the whole range for fewer than 6 values.
 struct CMedian {

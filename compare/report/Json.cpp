@@ -191,7 +191,10 @@ ordered_json SceneToJson(const CRunReport& report, const CSceneReport& scene) {
       {"verdict", MakeVerdict(report, scene)},
       {"answers", scene.m_cWork.m_stdAnswers},
       {"engines", ordered_json::array()},
-      {"heat_map", ToJson(scene.m_cHeatMap)}};
+      {"heat_map", ToJson(scene.m_cHeatMap)},
+      {"sensor_touches", scene.m_cEffects.m_nTouches},
+      {"not_counted", scene.m_cEffects.m_sNotCounted.empty() ? ordered_json(nullptr)
+                                                             : ordered_json(scene.m_cEffects.m_sNotCounted)}};
   for (std::size_t e = 0; e < scene.m_stdEngines.size(); ++e)
     json["engines"].push_back(EngineToJson(report.m_stdEngines[e], scene, scene.m_stdEngines[e]));
   return json;
@@ -214,6 +217,33 @@ ordered_json ToJson(const CRung& rung, const CScene& scene) {
           {"proof", std::move(proof)},
           {"front_by_error", rung.m_bFrontByError},
           {"front_by_misses", rung.m_bFrontByMisses}};
+}
+
+ordered_json ToJson(const CEffectWorld& world, std::size_t touches) {
+  const CTotals& t = world.m_cTotals;
+  return {{"ns_per_ball_step", Number(world.m_cCost.m_cNsPerBallStep.m_fMedian)},
+          {"ns_per_ball_step_interval", ToJson(world.m_cCost.m_cNsPerBallStep.m_cInterval)},
+          {"instructions_per_ball_step", Number(world.m_fInstructions)},
+          {"contacts", t.m_nContacts},
+          {"tunneled", Rate(t.GetTunneled(), t.m_nContacts)},
+          {"direction_error", ToJson(t.m_cDirectionError)},
+          {"speed_error", ToJson(t.m_cSpeedError)},
+          {"flight_error", ToJson(world.m_cFlightError)},
+          {"touches_missed", Rate(world.m_nTouchesMissed, touches)}};
+}
+
+ordered_json ToJson(const CEffectCost& cost, const CSceneReport& scene) {
+  const CMedian ratio = cost.GetRatio();
+  const std::size_t touches = scene.m_cEffects.m_nTouches;
+  return {{"scene", scene.m_cScene.m_sName},
+          {"engine", cost.m_sEngine},
+          {"effect", GetKey(cost.m_eEffect)},
+          {"runs", cost.m_fRuns},
+          {"why", cost.m_sWhy},
+          {"ns_ratio", Number(ratio.m_fMedian)},
+          {"ns_ratio_interval", ToJson(ratio.m_cInterval)},
+          {"with", ToJson(cost.m_cWith, touches)},
+          {"without", ToJson(cost.m_cWithout, touches)}};
 }
 
 ordered_json HistogramEdges() {
@@ -240,11 +270,14 @@ std::string MakeJson(const CRunReport& report) {
                       {"cores", machine.m_nCores}}},
                     {"histogram_edges", HistogramEdges()},
                     {"scenes", ordered_json::array()},
-                    {"work_precision", ordered_json::array()}};
+                    {"work_precision", ordered_json::array()},
+                    {"effects", ordered_json::array()}};
   for (const CSceneReport& scene : report.m_stdScenes) {
     json["scenes"].push_back(SceneToJson(report, scene));
     for (const CRung& rung : scene.m_cWork.m_stdRungs)
       json["work_precision"].push_back(ToJson(rung, scene.m_cScene));
+    for (const CEffectCost& cost : scene.m_cEffects.m_stdCosts)
+      json["effects"].push_back(ToJson(cost, scene));
   }
   // Bytes of a command line or a scene's name that are no UTF-8 are replaced, not refused at the very end.
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../metrics/Cost.h"
+#include "../metrics/Effects.h"
 #include "../metrics/HeatMap.h"
 #include "../metrics/LongRun.h"
 #include "../metrics/Restart.h"
@@ -34,6 +35,7 @@ struct CSceneReport {
   std::vector<CEngineReport> m_stdEngines;
   CWorkPrecision m_cWork;
   CHeatMap m_cHeatMap;
+  CEffectCosts m_cEffects;
   std::vector<CClip> m_stdClips;
 };
 
@@ -46,8 +48,16 @@ struct CRunReport {
   std::vector<CSceneReport> m_stdScenes;
 };
 
-/// The table for a terminal, ASCII, at most 80 columns.
+/// The table for a terminal, ASCII, at most 80 columns; MakeEffectTable is part of it.
 std::string MakeTable(const CRunReport& report);
+
+/// What each effect costs in each scene, and what changes in the result where it is forced or forbidden.
+/// Empty if none was measured.
+std::string MakeEffectTable(const CRunReport& report);
+
+/// What changes for the balls of a scene where an effect is forced or forbidden, a sentence each; of what can
+/// be told.
+std::vector<std::string> MakeEffectChanges(const CSceneReport& scene);
 
 /// What a reader wants to know of one scene first, a sentence each; losses of an engine as plainly as wins.
 std::vector<std::string> MakeVerdict(const CRunReport& report, const CSceneReport& scene);

@@ -92,6 +92,7 @@ std::string MakeTable(const CRunReport& report) {
            0, 0);
   for (const CSceneReport& scene : report.m_stdScenes)
     text += '\n' + Verdict(report, scene);
+  text += MakeEffectTable(report);
   if (report.m_bInterrupted)
     text += report.m_stdScenes.empty()
                 ? "\nInterrupted before any scene was finished.\n"

@@ -14,15 +14,6 @@
 namespace Shapes::Compare {
 namespace {
 
-// All engines are asked at the same impacts, so what counts of two are those that only one of them lost (Q.
-// McNemar, Psychometrika 12, 1947, with correction for continuity, 95%). That none was lost by both is on the
-// safe side.
-bool CanBeToldApart(std::size_t a, std::size_t b) {
-  const double both = static_cast<double>(a) + static_cast<double>(b);
-  const double apart = std::abs(static_cast<double>(a) - static_cast<double>(b));
-  return apart - 1.0 > 1.959964 * std::sqrt(both);
-}
-
 // The upper end of the interval of a time against the lower one, above which something else was running.
 constexpr double g_fDisturbed = 1.5;
 

@@ -10,8 +10,8 @@
 namespace Shapes::Compare {
 namespace {
 
-constexpr eStage g_stdAllParts[] = {eStage::Restarts, eStage::Ladder,   eStage::Timing,
-                                    eStage::HeatMap,  eStage::LongRuns, eStage::Replay};
+constexpr eStage g_stdAllParts[] = {eStage::Restarts, eStage::Ladder,   eStage::Timing, eStage::HeatMap,
+                                    eStage::Effects,  eStage::LongRuns, eStage::Replay};
 
 TEST(ProgressTest, PartsFillTheTimeOfASceneInTheirOrder) {
   double last = 0.0;

@@ -176,6 +176,21 @@ TEST(RunJsonTest, FiguresAreWhereTheyBelong) {
   EXPECT_EQ(at("/work_precision/3/engine"), "exact");
   EXPECT_EQ(at("/work_precision/3/settings"), json::object());
   EXPECT_EQ(at("/work_precision/4/scene"), "hopeless");
+  EXPECT_EQ(at("/effects/1/scene"), "spinner");
+  EXPECT_EQ(at("/effects/1/engine"), "native");
+  EXPECT_EQ(at("/effects/1/effect"), "kinematics");
+  EXPECT_EQ(at("/effects/2/effect"), "ball_pairs");
+  EXPECT_EQ(at("/effects/1/runs"), 0.25);
+  EXPECT_EQ(at("/effects/1/why"), "3 shapes rotate");
+  EXPECT_NEAR(at("/effects/1/ns_ratio").get<double>(), 1.5, 1e-9);
+  EXPECT_EQ(at("/effects/1/with/instructions_per_ball_step"), 1000);
+  EXPECT_EQ(at("/effects/1/without/instructions_per_ball_step"), 700);
+  EXPECT_EQ(at("/effects/5/without/tunneled/rate"), 0.5);
+  EXPECT_EQ(at("/effects/5/with/flight_error/p95"), 0.5);
+  EXPECT_TRUE(at("/effects/4/without/tunneled/rate").is_null()); // nobody tells of impacts
+  EXPECT_TRUE(at("/effects/4/with/touches_missed/rate").is_null());
+  EXPECT_TRUE(at("/scenes/0/not_counted").is_null());
+  EXPECT_EQ(at("/effects/6/scene"), "hopeless");
   EXPECT_FALSE(at("/scenes/0/engines/0/settings").contains("profile")); // native has none
   EXPECT_EQ(at("/scenes/0/engines/2/settings/profile"), "shipped");
   EXPECT_EQ(at("/scenes/0/engines/3/settings/profile"), "tuned");

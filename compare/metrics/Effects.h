@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// What each effect costs in a scene and what it is good for: the world as the scene calls for it, against the
+// same world with one effect forced or forbidden.
+#pragma once
+
+#include "Cost.h"
+#include "Totals.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Shapes::Compare {
+
+/// A world with an effect, or without it.
+struct CEffectWorld {
+  CCost m_cCost;
+  std::optional<double> m_fInstructions; ///< For a step of a ball; absent where they were not counted.
+  /// What it makes of the impacts. Nothing where Events are forbidden: it tells of none then.
+  CTotals m_cTotals;
+  /// How far its balls are off at the beginning of the step in which the exact game has its first impact, in
+  /// radii: that of the ball that is farthest off, in each trial.
+  CSummary m_cFlightError;
+  std::size_t m_nTouchesMissed = 0; ///< Of CEffectCosts::m_nTouches, no begin was told of so many.
+};
+
+/// One effect on one engine. One of both worlds is the one that the scene calls for.
+struct CEffectCost {
+  std::string m_sEngine;
+  eEffect m_eEffect;
+  double m_fRuns = 0.0; ///< Share of the substeps in which it runs where nothing is forced or forbidden.
+  std::string m_sWhy;   ///< CWorld::ExplainEffects, when it first runs, or at the start if it does not.
+  CEffectWorld m_cWith, m_cWithout;
+
+  bool IsCalledFor() const { return m_fRuns > 0.0; }
+  /// How many times the time of a step without it a step with it takes.
+  CMedian GetRatio() const { return CompareCosts(m_cWith.m_cCost, m_cWithout.m_cCost); }
+};
+
+struct CEffectCosts {
+  std::vector<CEffectCost> m_stdCosts; ///< Engine by engine, each with all effects in their order.
+  std::size_t m_nTouches = 0;          ///< Of sensors by balls of the reference.
+  std::string m_sNotCounted;           ///< Why no instructions were counted; empty if they were.
+};
+
+struct CEffectOptions {
+  std::uint64_t m_nSeed = 1;
+  std::size_t m_nContacts = 0;     ///< impacts, and as many touches of sensors
+  std::uint64_t m_nMostTrials = 0; ///< gives up after so many trials
+  int m_nRepeats = 1;              ///< of each timing
+  std::size_t m_nBallSteps = 0;    ///< least length of one timing
+  std::size_t m_nCountedSteps = 0; ///< whose instructions are counted; 0: none
+  std::string m_sProgram;          ///< what can be called as in Instructions.h
+  /// Called with the share that is done; what it throws ends the measurement.
+  std::function<void(double)> m_stdProgress;
+};
+
+/// The engine with one effect forced, or forbidden, and nothing said of the others.
+CEngine WithEffect(CEngine engine, eEffect e, bool forced);
+
+/// Measures native and Box2D as it ships, as far as they are among `engines`; their own choice of effects
+/// does not matter.
+CEffectCosts MeasureEffects(const CScene& scene, const std::vector<CEngine>& engines,
+                            const CEffectOptions& options);
+
+} // namespace Shapes::Compare
