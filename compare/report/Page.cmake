@@ -11,7 +11,7 @@ endif()
 
 set(page_files ${SHAPES_CHART_JS})
 foreach(part report.html report.css failure.js format.js data.js overview.js plotparts.js plots.js histograms.js
-             tables.js metrics.js camera.js drawing.js replay.js report.js)
+             tables.js effects.js metrics.js camera.js drawing.js replay.js report.js)
   list(APPEND page_files ${CMAKE_CURRENT_SOURCE_DIR}/report/page/${part})
 endforeach()
 add_custom_command(

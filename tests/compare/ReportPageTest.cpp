@@ -162,6 +162,22 @@ protected:
     EXPECT_EQ(keys.at("hidden"), 0);
   }
 
+  // A group for each of two engines, and a row for each of six effects.
+  static void ExpectEffects(const json& scene) {
+    const json& rows = scene.at("effects");
+    ASSERT_EQ(rows.size(), 14u);
+    EXPECT_EQ(scene.at("uncalled"), 4);
+    EXPECT_TRUE(Contains(rows[1], "gravityalways"));
+    EXPECT_TRUE(Contains(rows[1], "+15.0% (+13.0% to +18.0%)"));
+    EXPECT_TRUE(Contains(rows[1], "+15.0% (920 / 800)"));
+    EXPECT_TRUE(Contains(rows[2], "kinematicsin 35.0% of the substeps"));
+    EXPECT_TRUE(Contains(rows[3], "ball pairsno"));
+    EXPECT_TRUE(Contains(rows[4], "none (\u22121.00% to +4.00%)")); // cannot be told
+    EXPECT_TRUE(Contains(rows[5], "\u221210.0%"));
+    EXPECT_TRUE(Contains(rows[6], "< 0.600 / 50.0"));
+    EXPECT_EQ(scene.at("differing").size(), 2u * (4u + 1u)); // flights without what is called for, and losses
+  }
+
   // What the made-up scenes hold beyond that.
   static void ExpectFull(const json& scene) {
     SCOPED_TRACE(scene.at("name"));
@@ -177,6 +193,7 @@ protected:
     EXPECT_EQ(scene.at("outcomes"), 4);
     EXPECT_GT(scene.at("metrics").get<int>(), 30);
     EXPECT_GT(scene.at("bins").get<int>(), 10);
+    ExpectEffects(scene);
     for (const json& axes : scene.at("axes"))
       ExpectReadable(axes);
     EXPECT_TRUE(Contains(scene.at("work"), "A ball that is lost counts as \u03c0"));
@@ -272,6 +289,8 @@ TEST_F(ReportPageTest, WhatARunMayLeaveOut) {
   EXPECT_TRUE(find("nulls").at("plots").empty());
   EXPECT_TRUE(find("nulls").contains("replay"));
   EXPECT_FALSE(find("no_clips").contains("replay"));
+  EXPECT_TRUE(find("one_engine").at("effects").empty());
+  EXPECT_EQ(find("nulls").at("effects").size(), 14u);
 
   // How far the ball goes in a step says little where the shapes move.
   const auto isFarSaid = [&](const json& scene) {
@@ -301,7 +320,8 @@ TEST_F(ReportPageTest, WhatTheProgramWrites) {
     ExpectDrawn(scene.at("plots").at("error"),
                 {"native", "native-continuous", "box2d", "box2d-tuned", "exact"});
     ASSERT_TRUE(scene.contains("replay"));
-    EXPECT_EQ(scene.at("worst").size(), 3u);
+    EXPECT_EQ(scene.at("worst").size(), 4u);
+    EXPECT_EQ(scene.at("effects").size(), 14u);
     for (const json& worst : scene.at("worst"))
       EXPECT_GT(worst.at("frame").get<int>(), 0);
   }

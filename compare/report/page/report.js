@@ -57,6 +57,7 @@ const Report = (() => {
       Tables.facts(scene),
       Format.sentences(scene.verdict),
       work(scene),
+      Effects.table(scene),
       replay(scene),
       el('h3', null, 'Contacts'),
       Tables.outcomeFigure(scene),

@@ -189,6 +189,43 @@ json Work(const std::string& scene, CFigures& figures) {
   return judged;
 }
 
+json EffectWorld(double ns, double instructions, int lost, double flight) {
+  return {{"ns_per_ball_step", ns},
+          {"ns_per_ball_step_interval", {0.98 * ns, 1.03 * ns}},
+          {"instructions_per_ball_step", instructions},
+          {"contacts", 500},
+          {"tunneled", Rate(lost, 500)},
+          {"direction_error", Summary(0.02, 480)},
+          {"speed_error", Summary(0.003, 480)},
+          {"flight_error", Summary(flight, 100)},
+          {"touches_missed", Rate(0, 0)}};
+}
+
+json EffectRow(const char* pScene, const char* pEngine, const char* pEffect, double runs, double ratio) {
+  const bool isLost = runs > 0 && std::string(pEffect) == "continuous";
+  return {{"scene", pScene},
+          {"engine", pEngine},
+          {"effect", pEffect},
+          {"runs", runs},
+          {"why", "the fastest ball moves 2 radii a substep, </script><b>1 < 2</b>"},
+          {"ns_ratio", ratio},
+          {"ns_ratio_interval", {ratio - 0.02, ratio + 0.03}},
+          {"with", EffectWorld(100 * ratio, 800 * ratio, 0, 0.01)},
+          {"without", EffectWorld(100, 800, isLost ? 250 : 0, runs > 0 ? 20 : 0.01)}};
+}
+
+// Of two engines, each with all effects: one of each kind.
+void AddEffects(const std::string& scene, json& rows) {
+  for (const char* pEngine : {"native", "box2d"}) {
+    rows.push_back(EffectRow(scene.c_str(), pEngine, "gravity", 1, 1.15));
+    rows.push_back(EffectRow(scene.c_str(), pEngine, "kinematics", 0.35, 5.5));
+    rows.push_back(EffectRow(scene.c_str(), pEngine, "ball_pairs", 0, 1.4));
+    rows.push_back(EffectRow(scene.c_str(), pEngine, "sensors", 0, 1.01));
+    rows.push_back(EffectRow(scene.c_str(), pEngine, "events", 1, 0.9));
+    rows.push_back(EffectRow(scene.c_str(), pEngine, "continuous", 1, 1.3));
+  }
+}
+
 json Scene(const std::string& name, CFigures& figures) {
   const int n = 20000;
   return {{"name", name},
@@ -221,8 +258,11 @@ json Scene(const std::string& name, CFigures& figures) {
             "Error below .1%: box2d (4 substeps), 160 us per ball and second; native never.",
             "No ball lost in 5000 impacts: native (8 substeps), 21 us per ball and second."}},
           {"engines",
-           {Engine("native", figures, n), Engine("box2d", figures, n), Engine("box2d-tuned", figures, n)}},
-          {"heat_map", HeatMap(figures)}};
+           {Engine("native", figures, n), Engine("native-continuous", figures, n),
+            Engine("box2d", figures, n), Engine("box2d-tuned", figures, n)}},
+          {"heat_map", HeatMap(figures)},
+          {"sensor_touches", 0},
+          {"not_counted", nullptr}};
 }
 
 json Shapes() {
@@ -299,7 +339,8 @@ CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
              {"cores", 8}}},
            {"histogram_edges", json::array()},
            {"scenes", json::array()},
-           {"work_precision", json::array()}};
+           {"work_precision", json::array()},
+           {"effects", json::array()}};
   for (std::size_t i = 0; i <= g_nHistogramBins; ++i)
     run["histogram_edges"].push_back(std::pow(10, double(i) / 4 - 6));
   json replay{{"engines", {"native", "native-continuous", "box2d", "box2d-tuned", "exact"}},
@@ -310,6 +351,7 @@ CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
     run["scenes"].push_back(Scene(name, figures));
     for (json& row : Work(name, figures))
       run["work_precision"].push_back(std::move(row));
+    AddEffects(name, run["effects"]);
     replay["scenes"].push_back(
         {{"name", name},
          {"time_step", 1.0 / 60},
@@ -373,6 +415,18 @@ CPageDocuments MakeSparsePageDocuments() {
     for (auto& [key, value] : engine.items())
       if (key != "name") value = nullptr;
   dropWork("nulls");
+
+  json& effects = report.m_cRun["effects"];
+  effects.erase(std::remove_if(effects.begin(), effects.end(),
+                               [](const json& row) { return row["scene"] == "one_engine"; }),
+                effects.end());
+  for (json& row : effects)
+    if (row["scene"] == "nulls") {
+      row["with"]["instructions_per_ball_step"] = row["without"]["instructions_per_ball_step"] = nullptr;
+      row["runs"] = row["why"] = row["ns_ratio"] = row["ns_ratio_interval"] = nullptr;
+      row["with"]["direction_error"] = Summary(0, 0);
+    }
+  nulls["not_counted"] = "valgrind is not there";
 
   // A ball that left the numbers, and a scene that was not recorded at all.
   json& clips = report.m_cReplay["scenes"][3]["clips"];

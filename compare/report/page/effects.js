@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What each effect costs in a scene, and what changes where it is forced or forbidden.
+const Effects = (() => {
+  const {el, num, angle, rate, percent, dash, isNumber} = Format;
+  const {list} = Data;
+
+  const nameOf = (effect) => String(effect ?? dash).replaceAll('_', ' ');
+  const isCalledFor = (row) => row.runs > 0;
+
+  function runs(row) {
+    if (!isNumber(row.runs)) return dash;
+    if (!isCalledFor(row)) return 'no';
+    return row.runs > 0.9995 ? 'always' : `in ${percent(row.runs)}% of the substeps`;
+  }
+
+  /** "+12%", "-3%": by how much more there is with it than without it. */
+  const more = (ratio) =>
+      (isNumber(ratio) ? `${ratio < 1 ? '\u2212' : '+'}${num(100 * Math.abs(ratio - 1))}%` : dash);
+  function time(row) {
+    const [low, high] = list(row.ns_ratio_interval);
+    if (!isNumber(low) || !isNumber(high)) return more(row.ns_ratio);
+    const isTold = low > 1 || high < 1;
+    return [
+      isTold ? more(row.ns_ratio) : 'none', ' ',
+      el('span', {class: 'interval'}, `(${more(low)} to ${more(high)})`)
+    ];
+  }
+  function instructions(row) {
+    const a = row.with?.instructions_per_ball_step, b = row.without?.instructions_per_ball_step;
+    if (!isNumber(a) || !isNumber(b)) return dash;
+    return [a === b ? 'none' : more(a / b), ' ', el('span', {class: 'interval'}, `(${num(a)} / ${num(b)})`)];
+  }
+
+  // Head, unit, and what is said of a world.
+  const figures = [
+    ['lost', '%', (world) => rate(world.tunneled, world.contacts)],
+    ['flight error', 'radii, p95', (world) => num(world.flight_error?.p95)],
+    ['direction error', 'rad, p95', (world) => angle(world.direction_error?.p95)],
+    ['speed error', '%, p95', (world) => percent(world.speed_error?.p95)],
+    ['touches missed', '%', (world, scene) => rate(world.touches_missed, scene.sensor_touches)],
+  ];
+  /** One value where both worlds have the same. */
+  function figure(row, scene, of) {
+    const [a, b] = [row.with, row.without].map((world) => (world ? of(world, scene) : dash));
+    return el('td', {class: a === b ? null : 'differs'}, a === b ? a : `${a} / ${b}`);
+  }
+
+  const tableRow = (row, scene) =>
+      el('tr', {class: isCalledFor(row) ? null : 'uncalled', 'data-effect': row.effect},
+         el('th', {scope: 'row'}, nameOf(row.effect)), el('td', {class: 'name'}, runs(row)),
+         el('td', {class: 'name'}, row.why ?? ''), el('td', null, time(row)),
+         el('td', null, instructions(row)), figures.map(([, , of]) => figure(row, scene, of)));
+
+  function table(scene) {
+    const rows = list(Data.run.effects).filter((row) => row.scene === scene.name);
+    if (rows.length === 0) return null;
+    const heads = [
+      ['time', 'more with it (95% interval)'],
+      ['instructions', 'more with it (of a ball-step, with / without)'],
+      ...figures.map(([head, unit]) => [head, `${unit}, with / without`])
+    ];
+    const names = ['effect', 'runs', 'because'].map((name) => el('th', {scope: 'col', class: 'name'}, name));
+    const engines = [...new Set(rows.map((row) => row.engine))];
+    const group =
+        (engine) => [el('tr', {class: 'group'},
+                        el('th', {colspan: names.length + heads.length, scope: 'rowgroup'},
+                           Data.tag(engine))),
+                     ...rows.filter((row) => row.engine === engine).map((row) => tableRow(row, scene))];
+    return el(
+        'div', null, el('h3', null, 'Cost of effects'),
+        el('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'Cost of effects'},
+           el('table', {'data-effects': ''},
+              el('thead', null,
+                 el('tr', null, names,
+                    heads.map(([head, unit]) => el('th', {scope: 'col'}, head, el('small', null, unit))))),
+              el('tbody', null, engines.map(group)))),
+        el('p', {class: 'note'},
+           'A world runs only the effects that its content calls for. Those in grey it does not run: what they ' +
+               'cost, they cost only if they are forced. The others can be forbidden, which saves their time; what ' +
+               'the balls do then is in the columns on the right: impacts lost, how far off they fly until their ' +
+               'first impact, direction and speed after an impact. "none": cannot be told from nothing. A world ' +
+               'without events tells of no impact to judge it by; its balls fly the same ways.',
+           scene.not_counted ? ` Instructions were not counted: ${scene.not_counted}.` : ''));
+  }
+
+  return {table};
+})();
