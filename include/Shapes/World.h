@@ -240,7 +240,7 @@ protected:
   std::uint64_t GetContentVersion() const { return m_nContentVersion; }
   /// @param kick  what is still to be added to the velocities in the substep that begins
   bool MovesFast(const Vector2& kick) const;
-  bool MovesFast() const;
+  const CFastMoves& GetFastMoves() const { return *m_pFastMoves; }
   /// What gravity adds to the velocities in a substep, if it runs.
   Vector2 GetKick() const;
   /// Continuous runs in this substep; to be called where it was decided.

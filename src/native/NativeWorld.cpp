@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "NativeWorld.h"
 
+#include "../shapes/Effects.h"
 #include "../shapes/Response.h"
 #include "../shapes/WorldState.h"
 
@@ -28,7 +29,7 @@ void CNativeWorld::Substep(float dt) {
   for (const CStage stage : m_stdFirst)
     (this->*stage)(dt);
   bool swept = Runs(eEffect::Continuous);
-  if (IsContinuousOpen() && MovesFast()) {
+  if (IsContinuousOpen() && GetFastMoves().IsAny(State().m_cBalls.m_stdVel)) {
     swept = true;
     CountContinuous();
   }

@@ -134,8 +134,6 @@ bool CWorld::MovesFast(const Vector2& kick) const {
   return m_pFastMoves->IsAny(m_pState->m_cBalls.m_stdVel, kick);
 }
 
-bool CWorld::MovesFast() const { return m_pFastMoves->IsAny(m_pState->m_cBalls.m_stdVel); }
-
 CEffects CWorld::GetEffects() const {
   Look();
   // What is worked out now would be in the next step.
