@@ -36,7 +36,7 @@ struct CRunSizes {
 
 inline constexpr CRunSizes g_cFullSizes{20000, 11,      50000, 5000, 100000, 11,   7000, 500,
                                         10000, 1000000, 300,   500,  15,     7000, 300};
-inline constexpr CRunSizes g_cQuickSizes{2000, 11,    2500, 300, 2000, 5,   600, 40,
+inline constexpr CRunSizes g_cQuickSizes{2000, 11,    2500, 250, 2000, 5,   500, 30,
                                          1000, 50000, 200,  60,  7,    400, 0};
 
 /// Trials that are played for each impact that is wanted, before a scene in which little happens is given up.

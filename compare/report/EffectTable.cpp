@@ -65,10 +65,11 @@ public:
   std::string Join() const { return fmt::format("{}", fmt::join(m_stdTexts, ", ")); }
 
 private:
+  static std::string Share(std::size_t hits, std::size_t n) { return hits == 0 ? "none" : RateText(hits, n); }
   bool IsToldOf(double other, double called) const { return other > called || !m_bWorseOnly; }
   void AddCount(const char* pFormat, std::size_t other, std::size_t called, std::size_t n) {
     if (CanBeToldApart(other, called) && IsToldOf(static_cast<double>(other), static_cast<double>(called)))
-      m_stdTexts.push_back(fmt::format(fmt::runtime(pFormat), RateText(other, n), RateText(called, n)));
+      m_stdTexts.push_back(fmt::format(fmt::runtime(pFormat), Share(other, n), Share(called, n)));
   }
   void AddError(const char* pFormat, const CSummary& other, const CSummary& called, double factor,
                 double least) {

@@ -20,6 +20,13 @@ constexpr double g_fDisturbed = 1.5;
 // What is too little to speak of: a rate of ghosts, of late responses, a relative change of the energy.
 constexpr double g_fGhostsToTell = 0.001, g_fLateToTell = 0.02, g_fChangeToTell = 0.001;
 
+// "a", "a and b", "a, b and c".
+std::string JoinNames(const std::vector<std::string>& names) {
+  if (names.empty()) return {};
+  const auto last = names.end() - 1;
+  return names.size() == 1 ? *last : fmt::format("{} and {}", fmt::join(names.begin(), last, ", "), *last);
+}
+
 class CVerdict {
 public:
   CVerdict(const CRunReport& report, const CSceneReport& scene) : m_cReport(report), m_cScene(scene) {
@@ -151,7 +158,7 @@ private:
     const std::size_t fast = SortedBy([&](std::size_t e) { return Ns(e); })[0];
     const auto best = [&](const std::function<bool(std::size_t)>& test) {
       const std::vector<std::string> names = NamesOf(test);
-      return names.size() == Count() ? "no difference" : fmt::format("{}", fmt::join(names, " and "));
+      return names.size() == Count() ? "no difference" : JoinNames(names);
     };
     return fmt::format("Fewest lost: {}; best directions: {}; fastest: {}",
                        best([&](std::size_t e) { return !AreLossesApart(e, lost); }),
@@ -173,14 +180,24 @@ private:
                          CountText(n));
     const bool open = Count() > 1 && !AreLossesApart(order.front(), order.back());
     std::string text, ties;
+    std::vector<std::string> without; // they come last
     for (std::size_t i = 0; i < Count(); ++i) {
       const std::size_t e = order[i], lost = Totals(e).GetTunneled();
-      const std::string rate =
-          lost == 0 ? fmt::format("none of {}", CountText(n)) : RateTextWithError(lost, n);
+      if (lost == 0) {
+        without.push_back(Name(e));
+        continue;
+      }
+      const std::string rate = RateTextWithError(lost, n);
       text += i == 0 ? fmt::format("{} loses {} of the balls", Name(e), rate)
                      : fmt::format(", {} {}", Name(e), rate);
-      if (i > 0 && !open && Lost(order[i - 1]) > 0.0 && !AreLossesApart(order[i - 1], e))
+      if (i > 0 && !open && !AreLossesApart(order[i - 1], e))
         ties += fmt::format("; {} and {} cannot be told apart", Name(order[i - 1]), Name(e));
+    }
+    if (!without.empty()) {
+      const std::size_t last = order[Count() - without.size() - 1];
+      if (!open && !AreLossesApart(last, order.back()))
+        ties += fmt::format("; {} and {} cannot be told apart", Name(last), without.front());
+      text += fmt::format(", {} none of {}", JoinNames(without), CountText(n));
     }
     return open ? fmt::format("Which one loses more cannot be told from {} impacts: {}", CountText(n), text)
                 : text + ties;
@@ -225,7 +242,7 @@ private:
           NamesOf([&](std::size_t other) { return DirectionText(other) == error; });
       const bool all = Count() > 1 && names.size() == Count();
       text += fmt::format("{}{} on {}", seen.empty() ? "" : ", ", error,
-                          !all           ? fmt::format("{}", fmt::join(names, " and "))
+                          !all           ? JoinNames(names)
                           : Count() == 2 ? "both"
                                          : "all");
       seen.push_back(error);

@@ -67,7 +67,7 @@ TEST(EffectTableTest, TellsOfTouchesThatAreMissed) {
   Get(report, eEffect::Kinematics).m_cWithout.m_nTouchesMissed = 50;
   EXPECT_EQ(MakeEffectChanges(report.m_stdScenes[0]),
             std::vector<std::string>{
-                "native without Kinematics: misses 100% of the touches of sensors instead of <6%."});
+                "native without Kinematics: misses 100% of the touches of sensors instead of none."});
 }
 
 TEST(EffectTableTest, FitsATerminalAndIsEmptyWhereNothingWasMeasured) {

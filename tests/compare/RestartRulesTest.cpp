@@ -67,7 +67,7 @@ TEST(RestartRulesTest, LateResponsesAreComparedWhenTheyCome) {
       RunRestarts(LoadBundled("ball_on_ball"), GetEngines(), MakeOptions(500, 2000));
   std::size_t late = 0;
   for (const CContact& contact : result.m_stdContacts) {
-    const CEngineContact& c = contact.m_stdEngines.at(1);
+    const CEngineContact& c = contact.m_stdEngines.at(g_nBox2D);
     if (c.m_eOutcome != eOutcome::Late || !c.m_bCompared) continue;
     ++late;
     EXPECT_LT(c.m_fDirectionError, 1.0f) << contact.m_nTrial;

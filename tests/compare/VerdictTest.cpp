@@ -161,6 +161,9 @@ TEST(VerdictTest, DirectionsAreExactOrWithinWhatTheDigitsShow) {
 TEST(VerdictTest, NoneIsOfHowMany) {
   CRunReport report = OfTwo(MakeSampleEngine(203, 50.0, 0.02), MakeSampleEngine(0, 500.0, 0.02));
   ExpectSays(report, "box2d none of 1,000");
+  CRunReport three = OfThree();
+  three.m_stdScenes[0].m_stdEngines[1] = MakeSampleEngine(0, 500.0, 0.02);
+  ExpectSays(three, "native loses 20.3% +-2.5 of the balls, box2d and box2d-tuned none of 1,000.");
   report.m_stdScenes[0].m_stdEngines[0] = MakeSampleEngine(0, 50.0, 0.02);
   ExpectSays(report, "Neither loses a ball in 1,000 impacts.");
 }

@@ -31,55 +31,81 @@ const Effects = (() => {
     return [a === b ? 'none' : more(a / b), ' ', el('span', {class: 'interval'}, `(${num(a)} / ${num(b)})`)];
   }
 
-  // Head, unit, and what is said of a world.
-  const figures = [
-    ['lost', '%', (world) => rate(world.tunneled, world.contacts)],
-    ['flight error', 'radii, p95', (world) => num(world.flight_error?.p95)],
-    ['direction error', 'rad, p95', (world) => angle(world.direction_error?.p95)],
-    ['speed error', '%, p95', (world) => percent(world.speed_error?.p95)],
-    ['touches missed', '%', (world, scene) => rate(world.touches_missed, scene.sensor_touches)],
-  ];
-  /** One value where both worlds have the same. */
+  /** What is said of a world; one value where both have the same. */
   function figure(row, scene, of) {
     const [a, b] = [row.with, row.without].map((world) => (world ? of(world, scene) : dash));
     return el('td', {class: a === b ? null : 'differs'}, a === b ? a : `${a} / ${b}`);
   }
 
-  const tableRow = (row, scene) =>
+  const isCounted = (row) => isNumber(row.with?.instructions_per_ball_step);
+  // Head, unit, cell, and where there is anything to be shown.
+  const columns = [
+    {head: 'time', unit: 'more with it (interval)', cell: (row) => el('td', null, time(row))},
+    {
+      head: 'instructions',
+      unit: 'more with it (per ball-step)',
+      cell: (row) => el('td', null, instructions(row)),
+      isThere: (rows) => rows.some(isCounted)
+    },
+    {
+      head: 'lost',
+      unit: '%',
+      cell: (row, scene) => figure(row, scene, (world) => rate(world.tunneled, world.contacts))
+    },
+    {
+      head: 'flight error',
+      unit: 'radii, p95',
+      cell: (row, scene) => figure(row, scene, (world) => num(world.flight_error?.p95))
+    },
+    {
+      head: 'direction error',
+      unit: 'rad, p95',
+      cell: (row, scene) => figure(row, scene, (world) => angle(world.direction_error?.p95))
+    },
+    {
+      head: 'speed error',
+      unit: '%, p95',
+      cell: (row, scene) => figure(row, scene, (world) => percent(world.speed_error?.p95))
+    },
+    {
+      head: 'touches missed',
+      unit: '%',
+      cell: (row, scene) => figure(row, scene, (world) => rate(world.touches_missed, scene.sensor_touches)),
+      isThere: (rows, scene) => scene.sensor_touches > 0
+    },
+  ];
+
+  const tableRow = (row, scene, shown) =>
       el('tr', {class: isCalledFor(row) ? null : 'uncalled', 'data-effect': row.effect},
-         el('th', {scope: 'row'}, nameOf(row.effect)), el('td', {class: 'name'}, runs(row)),
-         el('td', {class: 'name'}, row.why ?? ''), el('td', null, time(row)),
-         el('td', null, instructions(row)), figures.map(([, , of]) => figure(row, scene, of)));
+         el('th', {scope: 'row'}, nameOf(row.effect)),
+         el('td', {class: 'why'}, runs(row), el('small', null, row.why ?? '')),
+         shown.map((column) => column.cell(row, scene)));
 
   function table(scene) {
     const rows = list(Data.run.effects).filter((row) => row.scene === scene.name);
     if (rows.length === 0) return null;
-    const heads = [
-      ['time', 'more with it (95% interval)'],
-      ['instructions', 'more with it (of a ball-step, with / without)'],
-      ...figures.map(([head, unit]) => [head, `${unit}, with / without`])
-    ];
-    const names = ['effect', 'runs', 'because'].map((name) => el('th', {scope: 'col', class: 'name'}, name));
+    const shown = columns.filter((column) => column.isThere?.(rows, scene) ?? true);
     const engines = [...new Set(rows.map((row) => row.engine))];
-    const group =
-        (engine) => [el('tr', {class: 'group'},
-                        el('th', {colspan: names.length + heads.length, scope: 'rowgroup'},
-                           Data.tag(engine))),
-                     ...rows.filter((row) => row.engine === engine).map((row) => tableRow(row, scene))];
+    const group = (engine) => [el('tr', {class: 'group'},
+                                  el('th', {colspan: 2 + shown.length, scope: 'rowgroup'}, Data.tag(engine))),
+                               ...rows.filter((row) => row.engine === engine)
+                                   .map((row) => tableRow(row, scene, shown))];
     return el(
         'div', null, el('h3', null, 'Cost of effects'),
         el('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'Cost of effects'},
-           el('table', {'data-effects': ''},
+           el('table', {class: 'overview', 'data-effects': ''},
               el('thead', null,
-                 el('tr', null, names,
-                    heads.map(([head, unit]) => el('th', {scope: 'col'}, head, el('small', null, unit))))),
+                 el('tr', null,
+                    ['effect', 'runs'].map((name) => el('th', {scope: 'col', class: 'name'}, name)),
+                    shown.map(({head, unit}) => el('th', {scope: 'col'}, head, el('small', null, unit))))),
               el('tbody', null, engines.map(group)))),
         el('p', {class: 'note'},
            'A world runs only the effects that its content calls for. Those in grey it does not run: what they ' +
                'cost, they cost only if they are forced. The others can be forbidden, which saves their time; what ' +
-               'the balls do then is in the columns on the right: impacts lost, how far off they fly until their ' +
-               'first impact, direction and speed after an impact. "none": cannot be told from nothing. A world ' +
-               'without events tells of no impact to judge it by; its balls fly the same ways.',
+               'the balls do then is on the right, with the effect / without it where that differs: impacts ' +
+               'lost, how far off they fly until their first impact, direction and speed after an impact. ' +
+               '"none": cannot be told from nothing. Without events nobody tells of impacts to judge; the balls ' +
+               'fly the same ways.',
            scene.not_counted ? ` Instructions were not counted: ${scene.not_counted}.` : ''));
   }
 
