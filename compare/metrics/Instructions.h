@@ -18,7 +18,9 @@ struct CInstructions {
 };
 
 /// Counts the instructions of `steps` steps of each world, those that change the balls and what they meet and
-/// not those that make the world. `program` is called again under valgrind's callgrind, as
+/// not those that make the world. The same worlds in the same order give the same counts; in another order
+/// they differ by about a tenth of a percent, because memory is looked for where there is some. `program` is
+/// called again under valgrind's callgrind, as
 ///   program step-cost SCENE.json SEED STEPS WORLD...
 /// and has to hand that over to PlayStepCost.
 /// @param worlds  differ from GetEngines by one effect that is forced or forbidden, or nothing
@@ -32,7 +34,7 @@ std::string ToWord(const CEngine& world);
 /// @throws std::invalid_argument if it is none
 CEngine FromWord(const std::string& word);
 
-/// Plays the steps of each world, for somebody who counts.
+/// Plays the steps of each world, for somebody who counts; those of the first one once more before.
 void PlayStepCost(const CScene& scene, std::span<const std::string> words, std::uint64_t seed,
                   std::size_t steps);
 /// One of them. Callgrind knows its end by its name.
