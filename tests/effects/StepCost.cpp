@@ -62,5 +62,6 @@ int main(int argc, char** argv) {
   const CWorldStats& stats = pWorld->GetStats();
   for (const auto n : stats.m_stdSubstepsWith)
     std::printf("%llu ", static_cast<unsigned long long>(n));
-  std::printf("substeps with each effect, %llu contacts\n", static_cast<unsigned long long>(stats.m_nContacts));
+  std::printf("substeps with each effect, %llu contacts\n",
+              static_cast<unsigned long long>(stats.m_nContacts));
 }

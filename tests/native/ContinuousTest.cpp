@@ -171,8 +171,12 @@ TEST(ContinuousTest, NoneLeavesAClosedTableAtAnySpeed) {
         ASSERT_GT((p - pWorld->GetPos(post)).norm(), 0.7f - 32 * g_fUlp);
       }
     }
-    if (exponent <= 12) { EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u); }
-    if (exponent >= 20) { EXPECT_GT(pWorld->GetStats().m_nBallsHalted, 0u); }
+    if (exponent <= 12) {
+      EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u);
+    }
+    if (exponent >= 20) {
+      EXPECT_GT(pWorld->GetStats().m_nBallsHalted, 0u);
+    }
   }
 }
 
