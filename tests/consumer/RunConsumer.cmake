@@ -40,9 +40,9 @@ set(configure ${CMAKE_COMMAND} -S ${SOURCE_DIR}/tests/consumer -B ${WORK_DIR}/bu
               -DCMAKE_BUILD_TYPE=${CONFIG} ${CXX_ARGS})
 
 if(MODE STREQUAL "add_subdirectory")
-  # Not optimised, because it is compiled once more for this.
+  # All flags are those of this build, so that a compiler cache has the objects already.
   build_and_run(-DSHAPES_SOURCE_DIR=${SOURCE_DIR} -DSHAPES_BACKEND=${BACKEND} -DSHAPES_WITH_BOX2D=${WITH_BOX2D}
-                -DBUILD_SHARED_LIBS=${SHARED} -DCMAKE_BUILD_TYPE=)
+                -DBUILD_SHARED_LIBS=${SHARED})
   return()
 endif()
 
