@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// A hard case: an input at which collision code is known to fail, the right answer, what each engine makes of
+// it, and the formula that fails. docs/hard_cases.md is written from these.
+#pragma once
+
+#include <Shapes/Shapes.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace Shapes::HardCases {
+
+/// Who is asked. Native is its approximate mode, Continuous its continuous one; Box2D is as it ships, Tuned
+/// its tuned profile; Reference is the exact reference in double.
+enum class eColumn { Native, Continuous, Box2D, Tuned, Reference, Size };
+inline constexpr std::size_t g_nColumns = static_cast<std::size_t>(eColumn::Size);
+/// "native", "continuous", "box2d", "tuned", "reference".
+const char* GetName(eColumn column);
+
+/// What one of them is expected to make of a case.
+struct CExpect {
+  enum class eKind {
+    Right,    ///< Its error is at most the bound of the case, or m_fMost if that is not 0.
+    Deviates, ///< Its error is in [m_fLeast, m_fMost], above the bound: if it becomes right, the test fails.
+    Refused,  ///< std::invalid_argument, whose text contains m_sText.
+    NotAsked  ///< It has no such question; m_sText says why.
+  };
+  eKind m_eKind;
+  double m_fLeast;
+  double m_fMost;
+  /// What the table says: of what deviates the figure and the reason, of a wider bound its derivation.
+  std::string m_sText;
+};
+
+CExpect Right();
+/// A bound of its own, wider than that of the case: `derivation` says why it has to be.
+CExpect RightWithin(double bound, const std::string& derivation);
+CExpect Deviates(double least, double most, const std::string& figureAndReason);
+CExpect Refused(const std::string& words);
+CExpect NotAsked(const std::string& why);
+
+struct CHardCase {
+  std::string m_sGroup; ///< A heading of the table.
+  std::string m_sName;  ///< CamelCase, unique: the name of its tests.
+  std::string m_sInput; ///< In words and numbers, for the table. r is a ball's radius, v its velocity.
+  std::string m_sRight; ///< The right answer.
+  /// Largest error that is right, in the unit of m_fnError: for the reference, and for the engines, whose
+  /// numbers are floats. The right answer is that to the input rounded to float.
+  double m_fBound;
+  double m_fFloatBound;
+  std::string m_sBound; ///< Both bounds and where they come from, for the table: "8 roundings of t".
+  std::array<CExpect, g_nColumns> m_stdExpect;
+  /// The error of one of them, at least 0; infinity where nothing was found that had to be, or the other way
+  /// round. Exceptions of the library pass through.
+  std::function<double(eColumn)> m_fnError;
+  std::string m_sControl; ///< What fails, and how: "quadratic equation in v^2: 0 / 0".
+  /// The error of that, in the same unit; NaN counts as infinite.
+  std::function<double()> m_fnControl;
+};
+
+/// How GoogleTest prints one.
+inline void PrintTo(const CHardCase& c, std::ostream* pOut) { *pOut << c.m_sName; }
+
+/// All of them, in the order of the table. Each group has a file.
+std::vector<CHardCase> AllCases();
+std::vector<CHardCase> ValidationCases();
+// (further groups are declared here)
+
+/// What a world of that column is made of; not for Reference.
+CWorldDesc Desc(eColumn column, const Vector2& gravity = Vector2::Zero(), float dt = 1.0f / 60.0f);
+std::unique_ptr<CWorld> MakeWorld(eColumn column, const CWorldDesc& desc);
+
+/// docs/hard_cases.md, from the cases alone.
+std::string MakeTable(const std::vector<CHardCase>& cases);
+
+} // namespace Shapes::HardCases

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Every hard case, on everybody who can be asked.
+#include "HardCase.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
+namespace Shapes::HardCases {
+
+namespace {
+
+class CEveryColumn : public testing::TestWithParam<std::tuple<CHardCase, eColumn>> {};
+
+TEST_P(CEveryColumn, MakesOfItWhatTheTableSays) {
+  const auto& [hard, column] = GetParam();
+  const CExpect& expect = hard.m_stdExpect[static_cast<std::size_t>(column)];
+  const double bound = column == eColumn::Reference ? hard.m_fBound : hard.m_fFloatBound;
+  if (expect.m_eKind == CExpect::eKind::Refused) {
+    try {
+      const double error = hard.m_fnError(column);
+      FAIL() << "not refused; its error is " << error;
+    } catch (const std::invalid_argument& e) {
+      EXPECT_NE(std::string(e.what()).find(expect.m_sText), std::string::npos) << e.what();
+    }
+    return;
+  }
+  const double error = hard.m_fnError(column);
+  if (expect.m_eKind == CExpect::eKind::Right) {
+    EXPECT_GE(expect.m_fMost == 0.0 ? bound : expect.m_fMost, bound) << "a wider bound is wider";
+    EXPECT_LE(error, expect.m_fMost == 0.0 ? bound : expect.m_fMost);
+  } else {
+    EXPECT_GT(expect.m_fLeast, bound) << "what is within the bound does not deviate";
+    EXPECT_GE(error, expect.m_fLeast);
+    EXPECT_LE(error, expect.m_fMost);
+  }
+}
+
+/// All but those who have no such question.
+std::vector<std::tuple<CHardCase, eColumn>> Asked() {
+  std::vector<std::tuple<CHardCase, eColumn>> asked;
+  for (const CHardCase& hard : AllCases())
+    for (std::size_t i = 0; i < g_nColumns; ++i)
+      if (hard.m_stdExpect[i].m_eKind != CExpect::eKind::NotAsked)
+        asked.emplace_back(hard, static_cast<eColumn>(i));
+  return asked;
+}
+
+INSTANTIATE_TEST_SUITE_P(HardCases, CEveryColumn, testing::ValuesIn(Asked()), [](const auto& info) {
+  return std::get<0>(info.param).m_sName + "_" + GetName(std::get<1>(info.param));
+});
+
+class CEveryControl : public testing::TestWithParam<CHardCase> {};
+
+TEST_P(CEveryControl, TheNaiveWayFails) {
+  const double error = GetParam().m_fnControl();
+  EXPECT_FALSE(error <= std::max(GetParam().m_fBound, GetParam().m_fFloatBound)) << error;
+}
+
+INSTANTIATE_TEST_SUITE_P(HardCases, CEveryControl, testing::ValuesIn(AllCases()),
+                         [](const auto& info) { return info.param.m_sName; });
+
+TEST(HardCasesTest, NamesAreUnique) {
+  std::set<std::string> names;
+  for (const CHardCase& hard : AllCases())
+    EXPECT_TRUE(names.insert(hard.m_sName).second) << hard.m_sName;
+}
+
+// SHAPES_WRITE_TABLE=1 writes the file instead.
+TEST(HardCasesTest, DocumentIsWhatTheTestsSay) {
+  const std::string path = SHAPES_SOURCE_DIR "/docs/hard_cases.md", table = MakeTable(AllCases());
+  if (std::getenv("SHAPES_WRITE_TABLE") != nullptr) {
+    std::ofstream(path, std::ios::binary) << table;
+    return;
+  }
+  std::ifstream file(path, std::ios::binary);
+  const std::string document{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(document, table) << "run this test with SHAPES_WRITE_TABLE=1 in the environment to write it anew";
+}
+
+} // namespace
+
+} // namespace Shapes::HardCases
