@@ -52,8 +52,8 @@ std::vector<std::tuple<CHardCase, eColumn>> Asked() {
   return asked;
 }
 
-INSTANTIATE_TEST_SUITE_P(HardCases, CEveryColumn, testing::ValuesIn(Asked()), [](const auto& info) {
-  return std::get<0>(info.param).m_sName + "_" + GetName(std::get<1>(info.param));
+INSTANTIATE_TEST_SUITE_P(HardCases, CEveryColumn, testing::ValuesIn(Asked()), [](const auto& test) {
+  return std::get<0>(test.param).m_sName + "_" + GetName(std::get<1>(test.param));
 });
 
 class CEveryControl : public testing::TestWithParam<CHardCase> {};
@@ -64,7 +64,7 @@ TEST_P(CEveryControl, TheNaiveWayFails) {
 }
 
 INSTANTIATE_TEST_SUITE_P(HardCases, CEveryControl, testing::ValuesIn(AllCases()),
-                         [](const auto& info) { return info.param.m_sName; });
+                         [](const auto& test) { return test.param.m_sName; });
 
 TEST(HardCasesTest, NamesAreUnique) {
   std::set<std::string> names;
