@@ -37,6 +37,7 @@ float NormalizeAngle(float angle) {
   constexpr double rest = 2.44929359829470641e-16; // 2 pi - twoPi
   double a = std::fmod(static_cast<double>(angle), twoPi);
   a -= std::round((static_cast<double>(angle) - a) / twoPi) * rest;
+  a = std::fmod(a, twoPi); // of huge angles the rests alone are many turns
   if (a < 0.0) a += twoPi;
   const float f = static_cast<float>(a);
   return f >= g_fTwoPi ? 0.0f : f + 0.0f; // + 0 turns -0 into 0

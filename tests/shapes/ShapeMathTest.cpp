@@ -172,7 +172,7 @@ TEST(ShapeMath, NormalizeAngleStaysBelowTwoPiInFloat) {
   EXPECT_FALSE(std::signbit(NormalizeAngle(-0.0f)));
   CRandom random(17);
   for (int i = 0; i < 100000; ++i) {
-    const float a = random.SignedScale(-149, 40);
+    const float a = random.SignedScale(-149, 127);
     const float n = NormalizeAngle(a);
     EXPECT_GE(n, 0.0f) << a;
     EXPECT_LT(Wide(n), 2 * EIGEN_PI) << a << " seed " << random.GetSeed();
