@@ -48,7 +48,8 @@ float CContactGatherer::RestitutionOf(const CBody& shape, const CBody& ball) con
   const b2Body &a = *shape.m_pBody, &b = *ball.m_pBody;
   const b2Vec2 v = b.GetLinearVelocity() - a.GetLinearVelocityFromWorldPoint(b.GetPosition());
   const float fall = m_fStep * (m_vGravity.Length() + b.GetWorld()->GetGravity().Length());
-  return std::min(e, g_fMaxBox2DKick / (v.Length() + fall));
+  const float speed = v.Length() + fall;
+  return speed > 0.0f ? std::min(e, g_fMaxBox2DKick / speed) : e;
 }
 
 void CContactGatherer::PostSolve(b2Contact* pContact, const b2ContactImpulse*) {

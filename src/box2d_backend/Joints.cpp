@@ -41,7 +41,7 @@ void AddEnds(const CShapeEntry& entry, std::vector<CEnd>& ends) {
     if (seg.GetEndPt0() != seg.GetEndPt1()) AddEnds(seg, entry.m_cId, seg.GetNormal(), 0.0f, ends);
   } else if (shape.GetShapeType() == eShape::Arc) {
     const auto& arc = static_cast<const CArc&>(shape);
-    if (!arc.IsFullCircle())
+    if (!arc.IsFullCircle() && arc.GetRadius() > 0.0f)
       AddEnds(arc, entry.m_cId, arc.GetEndPt0() - arc.GetPos(), 1.0f / arc.GetRadius(), ends);
   }
 }

@@ -124,8 +124,13 @@ void MakeTurnedWay(CWay way, const Vector2d& center, double turn, double r, std:
     const double angle = std::abs(turn) * (p1.m_fTime - p0.m_fTime);
     const double D = std::max((p0.m_vPos - center).norm(), (p1.m_vPos - center).norm());
     const double L = (p1.m_vPos - p0.m_vPos).norm();
-    const double parts = std::sqrt(angle * (angle * D + 2.0 * L) / (8.0 * g_fTurnedWayError * r));
-    const int n = parts < g_nMaxTurnParts ? std::max(1, static_cast<int>(std::ceil(parts))) : g_nMaxTurnParts;
+    const double bend = angle * (angle * D + 2.0 * L), allowed = 8.0 * g_fTurnedWayError * r;
+    int n = 1;
+    if (bend > 0.0) {
+      // Not so for a ball without a radius, of which nothing would be near enough.
+      const bool isFew = bend < static_cast<double>(g_nMaxTurnParts) * g_nMaxTurnParts * allowed;
+      n = isFew ? static_cast<int>(std::ceil(std::sqrt(bend / allowed))) : g_nMaxTurnParts;
+    }
     for (int k = 1; k <= n; ++k) {
       const double share = static_cast<double>(k) / n;
       add(k == n ? p1.m_fTime : p0.m_fTime + share * (p1.m_fTime - p0.m_fTime),
