@@ -272,6 +272,11 @@ CScene LoadScene(const std::filesystem::path& file) {
   return CSceneReader(file, doc).Read();
 }
 
+CScene ParseScene(const std::filesystem::path& file, const std::string& text) {
+  const json doc = ParseSceneDocument(file.string(), text);
+  return CSceneReader(file, doc).Read();
+}
+
 std::vector<CScene> LoadScenes(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code error;

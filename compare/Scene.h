@@ -39,8 +39,8 @@ struct CSceneBall {
   float m_fSpeedSpread = 0.0f;
 };
 
-/// A scene that was loaded is valid: every engine's world takes its descriptors, its balls start in its
-/// bounds.
+/// A scene that was loaded is valid: a native world takes its descriptors, its balls start in its bounds. A
+/// world on Box2D may refuse one whose lengths, speeds or masses are beyond its limits (Tolerances.h).
 struct CScene {
   std::string m_sName, m_sDescription;
   std::filesystem::path m_cPath;
@@ -67,6 +67,9 @@ public:
 
 /// @throws CSceneError if the file is missing, unreadable or no scene
 CScene LoadScene(const std::filesystem::path& file);
+/// The scene that the file would be if this were its text.
+/// @throws CSceneError if it is no scene
+CScene ParseScene(const std::filesystem::path& file, const std::string& text);
 
 /// All files *.json of the folder, sorted by file name.
 /// @throws CSceneError if the folder cannot be read or has none, one of its files is no scene, or two scenes

@@ -251,8 +251,12 @@ void CheckSchema(const std::string& file, const json& doc) {
 } // namespace
 
 json ReadSceneDocument(const std::filesystem::path& file) {
-  json doc = ParseText(file.string(), ReadText(file));
-  CheckSchema(file.string(), doc);
+  return ParseSceneDocument(file.string(), ReadText(file));
+}
+
+json ParseSceneDocument(const std::string& file, const std::string& text) {
+  json doc = ParseText(file, text);
+  CheckSchema(file, doc);
   return doc;
 }
 

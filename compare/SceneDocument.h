@@ -12,6 +12,8 @@ namespace Shapes::Compare {
 /// sign.
 /// @throws CSceneError if the file is missing, unreadable, no JSON or does not fit the schema
 nlohmann::json ReadSceneDocument(const std::filesystem::path& file);
+/// The same of the text of such a file.
+nlohmann::json ParseSceneDocument(const std::string& file, const std::string& text);
 
 /// @throws CSceneError "<file>: <path>: expected <expected>, got <got>"
 [[noreturn]] void RefuseField(const std::string& file, const nlohmann::json::json_pointer& path,

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: MIT
+#include "Bytes.h"
+#include "Fuzz.h"
+#include "Sound.h"
+
+#include <Shapes/Shapes.h>
+
+#include "native/Detect.h"
+#include "native/Sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+namespace Shapes::Fuzz {
+namespace {
+
+using namespace Native;
+
+/// Sets what CShape::move uses, as a game does it.
+struct CGameClock : CShapeCommon {
+  static void Set(float dt, float gravity) {
+    m_fTimeStep = dt;
+    m_fGravity = gravity;
+  }
+};
+
+Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
+double Wide(float f) { return static_cast<double>(f); }
+double Largest(const Vector2d& v) { return v.cwiseAbs().maxCoeff(); }
+
+// ---- The pair --------------------------------------------------------------------------------------------
+
+template <class TStatic, class TKinematic, class TDesc>
+std::unique_ptr<CShape> Make(CBytes& bytes, TDesc desc) {
+  if (!bytes.Flag()) return std::make_unique<TStatic>(desc);
+  desc.m_fRotSpeed = bytes.Number();
+  desc.m_vRotCenter = bytes.Vector();
+  auto pShape = std::make_unique<TKinematic>(desc);
+  pShape->SetOrientation(bytes.Number());
+  return pShape;
+}
+
+std::unique_ptr<CShape> MakeShape(CBytes& bytes) {
+  const eSides sides = bytes.OneOf({eSides::Both, eSides::Front, eSides::Back});
+  const unsigned type = bytes.Byte() % 4;
+  const Vector2 p = bytes.Vector();
+  if (type == 0) return Make<CPoint, CKinematicPoint>(bytes, CPointDesc(p));
+  if (type == 1) {
+    CLineSegDesc desc(p, bytes.Vector());
+    desc.m_eSides = sides;
+    return Make<CLineSeg, CKinematicLineSeg>(bytes, desc);
+  }
+  const float r = bytes.Number();
+  if (type == 2) return Make<CCircle, CKinematicCircle>(bytes, CCircleDesc(p, r));
+  const float a0 = bytes.Number(), a1 = bytes.Number();
+  CArcDesc desc(p, r, a0, a1);
+  desc.m_eSides = sides;
+  return Make<CArc, CKinematicArc>(bytes, desc);
+}
+
+std::unique_ptr<CDynamicCircle> MakeBall(CBytes& bytes) {
+  const Vector2 p = bytes.Vector(), v = bytes.Vector();
+  const float r = bytes.Number();
+  return std::make_unique<CDynamicCircle>(CDynamicCircleDesc(p, r, v));
+}
+
+CBall ToBall(const CDynamicCircle& ball) {
+  return {ball.GetPos(), ball.GetPrevPos(), ball.GetVel(), ball.GetRadius()};
+}
+
+// ---- The kernels of the approximate way ------------------------------------------------------------------
+
+/// Of a shape, and of another ball.
+struct CExtent {
+  double m_fSize;         // largest coordinate
+  double m_fRadius = 0.0; // of what is round
+  bool m_bOneSided = false;
+};
+
+CExtent ExtentOf(const CShape& shape) {
+  const CAabb2D& box = shape.GetAABB();
+  CExtent extent{std::max(Largest(Wide(box.GetTopLeft())), Largest(Wide(box.GetBottomRt())))};
+  // The centre of an arc may be far out of its box.
+  extent.m_fSize = std::max(extent.m_fSize, Largest(Wide(shape.GetPos())));
+  if (const auto* pCircle = dynamic_cast<const CCircle*>(&shape))
+    extent.m_fRadius = Wide(pCircle->GetRadius());
+  if (const auto* pArc = dynamic_cast<const CArc*>(&shape))
+    extent.m_bOneSided = pArc->GetSides() != eSides::Both;
+  if (const auto* pSeg = dynamic_cast<const CLineSeg*>(&shape))
+    extent.m_bOneSided = pSeg->GetSides() != eSides::Both;
+  return extent;
+}
+
+/// An error of some roundings of everything involved; the last term is for denormal numbers.
+double Bound(const CExtent& extent, const CBall& ball) {
+  return 32.0 * 0x1p-23 *
+             (extent.m_fSize + extent.m_fRadius + Largest(Wide(ball.m_vPos)) + Wide(ball.m_fRadius)) +
+         1e-43;
+}
+
+/// How far p is from the curve of the shape.
+double DistanceTo(const CShape& shape, const Vector2d& p) {
+  if (const auto* pSeg = dynamic_cast<const CLineSeg*>(&shape)) {
+    const Vector2d p0 = Wide(pSeg->GetEndPt0()), p1 = Wide(pSeg->GetEndPt1()),
+                   t = Unit(p1 - p0, Vector2d::UnitX());
+    const double along = std::clamp((p - p0).dot(t), 0.0, Norm(p1 - p0));
+    return Norm(p - (p0 + along * t));
+  }
+  const double R = ExtentOf(shape).m_fRadius;
+  return std::abs(Norm(p - Wide(shape.GetPos())) - R);
+}
+
+void RequireHit(const CHit& hit, const CBall& ball, const CExtent& extent) {
+  const double bound = Bound(extent, ball), r = Wide(ball.m_fRadius);
+  Require(hit.m_vPOI.allFinite(), "a POI is finite", hit.m_vPOI.transpose());
+  Require(IsUnit(hit.m_vNorm), "a normal is a unit vector", hit.m_vNorm.transpose());
+  const double setback = Wide(hit.m_fSetback);
+  Require(setback >= 0.0, "a setback is at least 0", setback);
+  // Who comes through the solid side is set back across; who does not fit into a ring is outside, however
+  // deep.
+  const double most = extent.m_bOneSided ? 2.0 * r : r + extent.m_fRadius;
+  Require(setback <= most + bound, "a setback is no longer than the overlap", setback, most);
+  const Vector2d n = Wide(hit.m_vNorm), d = Wide(ball.m_vPos) - Wide(hit.m_vPOI);
+  Require(std::abs(d.dot(n) + setback - r) <= bound, "the setback leaves the ball touching", d.dot(n),
+          setback, r);
+  Require(std::abs(Cross(d, n)) <= bound, "the POI is along the normal", Cross(d, n), bound);
+}
+
+void TryDetect(const CShape& shape, const CBall& ball) {
+  CHit hit;
+  for (int i = 0; i < 3; ++i) {
+    CBall nowhere = ball;
+    (i == 0   ? nowhere.m_vPos.x()
+     : i == 1 ? nowhere.m_vPos.y()
+              : nowhere.m_fRadius) = std::numeric_limits<float>::quiet_NaN();
+    Require(!Detect(shape, nowhere, hit), "a place or a radius that is no number meets nothing", i);
+  }
+  if (!Detect(shape, ball, hit)) return;
+#ifdef SHAPES_PLANTED_FAULT
+  // As in a textbook: the direction from the POI to the centre, whatever it is where both are one.
+  if (shape.GetShapeType() == eShape::Point) hit.m_vNorm = (ball.m_vPos - hit.m_vPOI).normalized();
+#endif
+  const CExtent extent = ExtentOf(shape);
+  RequireHit(hit, ball, extent);
+  const double off = DistanceTo(shape, Wide(hit.m_vPOI));
+  Require(off <= Bound(extent, ball), "the POI is on the shape", off, Bound(extent, ball));
+}
+
+// ---- The sweeps ------------------------------------------------------------------------------------------
+
+/// The error bound of Sweep.h, as a gap; touching included.
+double SweepBound(double size, const CLeg& leg, double turn) {
+  const double way = Norm(leg.m_vVel) * leg.m_fDuration;
+  return (2.0 * g_nSweepRoundings + 16.0) * 0x1p-52 *
+         (size + Largest(leg.m_vPos) + 2.0 * leg.m_fRadius + way) * (1.0 + turn);
+}
+
+void RequireImpact(const CImpact& impact, double most) {
+  Require(impact.m_fTime >= 0.0 && impact.m_fTime <= most, "an impact is on the leg", impact.m_fTime, most);
+  Require(impact.m_vPOI.allFinite() && impact.m_vSurface.allFinite(), "an impact has a finite place",
+          impact.m_vPOI.transpose(), impact.m_vSurface.transpose());
+  Require(std::abs(impact.m_vNorm.norm() - 1.0) <= 64.0 * 0x1p-52, "the normal of an impact is a unit vector",
+          impact.m_vNorm.transpose());
+  Require(std::isfinite(impact.m_fCurve) && impact.m_fCurve >= 0.0, "a curve is at least 0", impact.m_fCurve);
+}
+
+void RequireTouching(const CImpact& impact, const CLeg& leg, bool overlapped, double bound) {
+  const Vector2d p = leg.m_vPos + leg.m_vVel * impact.m_fTime;
+  const double reach = (p - impact.m_vPOI).dot(impact.m_vNorm);
+  Require(reach <= leg.m_fRadius + bound, "at an impact the ball has come to the shape", reach,
+          leg.m_fRadius);
+  Require(overlapped || reach >= leg.m_fRadius - bound, "at an impact the ball overlaps by rounding only",
+          reach, leg.m_fRadius);
+}
+
+/// The end of the leg as the approximate way sees it.
+CBall AtEnd(const CBall& ball, const CLeg& leg) {
+  CBall end = ball;
+  end.m_vPos = (leg.m_vPos + leg.m_vVel * leg.m_fDuration).cast<float>();
+  return end;
+}
+
+void TrySweep(const CShape& shape, const CBall& ball, const CLeg& leg) {
+  const double turnSpeed = 2.0 * std::numbers::pi * Wide(shape.GetRotSpeed());
+  const COutline outline = MakeOutline(shape, turnSpeed);
+  CImpact impact;
+  double depth = 0.0;
+  const bool overlaps = Overlap(outline, leg, 0.0, impact, depth);
+  if (overlaps) {
+    RequireImpact(impact, 0.0);
+    Require(depth > 0.0 && std::isfinite(depth), "an overlap has a depth", depth);
+  }
+  const CImpact overlap = impact;
+  const eSweep found = Sweep(outline, leg, 0.0, impact);
+  const double bound = SweepBound(outline.m_fSize, leg, std::abs(outline.m_fTurnSpeed) * leg.m_fDuration);
+  if (found == eSweep::Unknown)
+    Require(impact.m_fTime >= 0.0 && impact.m_fTime <= leg.m_fDuration, "what is unknown is on the leg",
+            impact.m_fTime);
+  const CExtent extent = ExtentOf(shape);
+  const double detectBound = Bound(extent, ball) + bound, r = leg.m_fRadius;
+  // A ball that does not fit into an arc goes out of it, whatever it overlaps.
+  const double out = Norm(leg.m_vPos - outline.m_vCenter) - outline.m_fRadius;
+  const bool isUnfit = shape.GetShapeType() == eShape::Arc && r >= outline.m_fRadius && out <= detectBound;
+  if (found == eSweep::Impact) {
+    RequireImpact(impact, leg.m_fDuration);
+    // The ends of one-sided shapes let go whatever overlaps them, which the face meets later.
+    RequireTouching(impact, leg, overlaps || isUnfit || extent.m_bOneSided, bound);
+  }
+
+  // What the approximate way sees, with open ends, is a part of what the sweeps see.
+  if (extent.m_bOneSided) return;
+  CHit hit;
+  // Right on an arc rounding says on which side the ball is.
+  if (!(isUnfit && out >= -detectBound) && Detect(shape, ball, hit) && Wide(hit.m_fSetback) > detectBound) {
+    Require(overlaps, "who is detected overlaps", hit.m_fSetback, hit.m_vNorm.transpose());
+    Require(std::abs(depth - Wide(hit.m_fSetback)) <= detectBound, "setback and depth agree", hit.m_fSetback,
+            depth, overlap.m_vNorm.transpose());
+  }
+  const CBall end = AtEnd(ball, leg);
+  if (found != eSweep::None || overlaps || isUnfit || turnSpeed != 0.0 || !end.m_vPos.allFinite()) return;
+  if (Detect(shape, end, hit))
+    Require(Wide(hit.m_fSetback) <= Bound(extent, end) + bound,
+            "who meets nothing on the way is clear at its end", hit.m_fSetback, Bound(extent, end) + bound);
+}
+
+// ---- Two balls -------------------------------------------------------------------------------------------
+
+void TryBalls(const CBall& other, const CBall& ball, const CLeg& otherLeg, const CLeg& leg) {
+  const CExtent extent{Largest(Wide(other.m_vPos)), Wide(other.m_fRadius)};
+  CHit hit;
+  const bool detected = DetectBallBall(other, ball, hit);
+  if (detected) RequireHit(hit, ball, extent);
+
+  CImpact impact, swapped;
+  double depth = 0.0;
+  const bool overlaps = OverlapBallBall(otherLeg, leg, impact, depth);
+  if (overlaps) Require(depth > 0.0 && std::isfinite(depth), "an overlap has a depth", depth);
+  const double otherWay = Norm(otherLeg.m_vVel) * leg.m_fDuration;
+  const double bound = SweepBound(extent.m_fSize + 2.0 * extent.m_fRadius + otherWay, leg, 0.0);
+  const double detectBound = Bound(extent, ball) + bound;
+  if (detected && Wide(hit.m_fSetback) > detectBound) {
+    Require(overlaps, "who is detected overlaps", hit.m_fSetback);
+    Require(std::abs(depth - Wide(hit.m_fSetback)) <= detectBound, "setback and depth agree", hit.m_fSetback,
+            depth);
+  }
+  const eSweep found = SweepBallBall(otherLeg, leg, impact);
+  Require(found != eSweep::Unknown, "two balls are always known");
+  Require(SweepBallBall(leg, otherLeg, swapped) == found, "swapped balls meet where they met");
+  if (found == eSweep::Impact) {
+    RequireImpact(impact, leg.m_fDuration);
+    RequireTouching(impact, leg, overlaps, bound);
+    Require(swapped.m_fTime == impact.m_fTime, "swapped balls meet when they met", swapped.m_fTime,
+            impact.m_fTime);
+    const bool areApart =
+        leg.m_vPos + leg.m_vVel * impact.m_fTime != otherLeg.m_vPos + otherLeg.m_vVel * impact.m_fTime;
+    Require(!areApart || swapped.m_vNorm == -impact.m_vNorm, "swapping balls turns the normal",
+            swapped.m_vNorm.transpose(), impact.m_vNorm.transpose());
+    return;
+  }
+  const CBall end = AtEnd(ball, leg), otherEnd = AtEnd(other, otherLeg);
+  if (overlaps || !end.m_vPos.allFinite() || !otherEnd.m_vPos.allFinite()) return;
+  const CExtent endExtent{Largest(Wide(otherEnd.m_vPos)), extent.m_fRadius};
+  if (DetectBallBall(otherEnd, end, hit))
+    Require(Wide(hit.m_fSetback) <= Bound(endExtent, end) + bound,
+            "who meets nothing on the way is clear at its end", hit.m_fSetback,
+            Bound(endExtent, end) + bound);
+}
+
+// ---- Box2D -----------------------------------------------------------------------------------------------
+
+void TryBox2D(CShape& shape, CDynamicCircle& ball) {
+  const CBackend* pBox2D = GetBackend(eBackend::Box2D);
+  if (pBox2D == nullptr) return;
+  // Thousands of chords, each swept in dozens of parts, take seconds.
+  if (shape.GetShapeType() == eShape::Arc && static_cast<const CArc&>(shape).GetRadius() > 100.0f) return;
+  CContactDesc c(&shape, &ball);
+  if (!pBox2D->CollisionDetected(c)) return;
+  Require(c.m_vPOI.allFinite() && IsUnit(c.m_vNorm), "Box2D's POI and normal have numbers",
+          c.m_vPOI.transpose(), c.m_vNorm.transpose());
+  Require(std::isfinite(c.m_fSetback) && c.m_fSetback >= 0.0f && std::isfinite(c.m_fSpeed) &&
+              c.m_fSpeed >= 0.0f,
+          "Box2D's setback and speed are numbers", c.m_fSetback, c.m_fSpeed);
+  ball.CollisionResponse(c);
+  Require(ball.GetPos().allFinite() && ball.GetVel().allFinite(), "a response leaves numbers",
+          ball.GetPos().transpose(), ball.GetVel().transpose());
+}
+
+} // namespace
+
+void FuzzPairs(std::span<const std::uint8_t> data) {
+  CBytes bytes(data);
+  const bool isBall = bytes.Byte() % 5 == 4;
+  const float durations[] = {1.0f / 60.0f, 0.0f, 1.0f, 1e-30f, 1e6f};
+  const float dt = bytes.OneOf(durations);
+  std::unique_ptr<CShape> pShape;
+  std::unique_ptr<CDynamicCircle> pOther, pBall;
+  try {
+    pBall = MakeBall(bytes);
+    if (isBall)
+      pOther = MakeBall(bytes);
+    else
+      pShape = MakeShape(bytes);
+  } catch (const std::invalid_argument&) {
+    return; // there is no such pair
+  }
+  const auto toLeg = [&](const CDynamicCircle& ball) {
+    return CLeg{Wide(ball.GetPos()), Wide(ball.GetVel()), Wide(ball.GetRadius()), Wide(dt)};
+  };
+  // Where it was is somewhere else than now in half of the cases.
+  CGameClock::Set(dt, 0.0f);
+  if (bytes.Flag()) pBall->move();
+  if (pOther) {
+    TryBalls(ToBall(*pOther), ToBall(*pBall), toLeg(*pOther), toLeg(*pBall));
+  } else {
+    TryDetect(*pShape, ToBall(*pBall));
+    TrySweep(*pShape, ToBall(*pBall), toLeg(*pBall));
+    TryBox2D(*pShape, *pBall);
+  }
+  CGameClock::Set(1.0f / 60.0f, 0.0f);
+}
+
+} // namespace Shapes::Fuzz
