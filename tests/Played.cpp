@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "Played.h"
+
+#include "Random.h"
+
+#include <bit>
+
+namespace Shapes::Tests {
+
+using namespace Compare;
+
+void CHash::Add(std::uint32_t bits) {
+  for (int shift = 0; shift < 32; shift += 8)
+    m_nHash = (m_nHash ^ ((bits >> shift) & 0xFFu)) * 0x100000001B3u;
+}
+void CHash::Add(float f) { Add(std::bit_cast<std::uint32_t>(f)); }
+void CHash::Add(const Vector2& v) {
+  Add(v.x());
+  Add(v.y());
+}
+
+void AddTo(CHash& hash, const CWorld& world) {
+  for (const Vector2& p : world.GetBallPositions())
+    hash.Add(p);
+  for (const Vector2& v : world.GetBallVelocities())
+    hash.Add(v);
+  for (const CContactEvent& contact : world.GetContacts()) {
+    hash.Add(contact.m_cShape.m_nValue);
+    hash.Add(contact.m_cBall.m_nValue);
+    hash.Add(contact.m_vPOI);
+    hash.Add(contact.m_vNorm);
+    hash.Add(contact.m_fSetback);
+    hash.Add(contact.m_fSpeed);
+    hash.Add(static_cast<std::uint32_t>(contact.m_bIsSensor));
+  }
+}
+
+CScene LoadBundled(const std::string& name) {
+  return LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");
+}
+
+CScene MakeBoxOfBalls() {
+  constexpr float half = 7.0f, r = 0.25f;
+  CScene scene;
+  scene.m_sName = "box of balls";
+  scene.m_cBounds = CAabb2D(Vector2(-half, half), Vector2(half, -half));
+  scene.m_fDuration = 10.0f;
+  for (const float s : {-half, half}) {
+    scene.m_stdShapes.push_back({CLineSegDesc({-half, s}, {half, s}), "", std::nullopt, false});
+    scene.m_stdShapes.push_back({CLineSegDesc({s, -half}, {s, half}), "", std::nullopt, false});
+  }
+  CRandom random(1);
+  for (int i = 0; i < 100; ++i) {
+    const Vector2 p(1.25f * static_cast<float>(i % 10) - 5.625f, 1.25f * static_cast<float>(i / 10) - 5.625f);
+    scene.m_stdBalls.push_back({CDynamicCircleDesc(p, r, 2.5f * random.Direction()), Vector2::Zero(), 0.0f, 0.0f});
+  }
+  return scene;
+}
+
+CPlayed::CPlayed(const CScene& scene, const CEffectChoice& effects)
+    : m_cScene(scene),
+      m_cStart(MakeStart(scene, 1, 0)),
+      m_cWorld(scene, CEngine{"native", GetBackend(eBackend::Native), 1, effects}, m_cStart.m_stdBalls,
+               m_cStart.m_fTime),
+      m_fTime(m_cStart.m_fTime) {}
+
+void CPlayed::StartAgain(std::size_t ball) {
+  GetWorld().SetPos(GetBalls()[ball], m_cStart.m_stdBalls[ball].m_vPos);
+  GetWorld().SetVel(GetBalls()[ball], m_cStart.m_stdBalls[ball].m_vVel);
+}
+
+void CPlayed::Step() {
+  CWorld& world = GetWorld();
+  m_cWorld.Flip(m_cScene, m_fTime);
+  world.Step();
+  m_fTime += static_cast<double>(m_cScene.m_cWorld.m_fTimeStep);
+
+  const std::size_t shapes = GetShapes().size();
+  m_stdStartAgain.clear();
+  for (const CContactEvent& contact : world.GetContacts()) {
+    const std::size_t shape = contact.m_cShape.m_nValue - 1;
+    if (shape < shapes && m_cScene.m_stdShapes[shape].m_bIsDrain)
+      m_stdStartAgain.push_back(contact.m_cBall.m_nValue - 1 - shapes);
+  }
+  m_nDrained += m_stdStartAgain.size();
+  for (std::size_t i = 0; i < GetBalls().size(); ++i)
+    if (!(m_cScene.m_cBounds && world.GetBallPositions()[i])) {
+      ++m_nEscaped;
+      m_stdStartAgain.push_back(i);
+    }
+  for (const std::size_t ball : m_stdStartAgain)
+    StartAgain(ball);
+}
+
+CPlayed::CSaved CPlayed::Save() { return {GetWorld().SaveState(), m_fTime}; }
+
+void CPlayed::Load(const CSaved& saved) {
+  GetWorld().LoadState(saved.m_cWorld);
+  m_fTime = saved.m_fTime;
+}
+
+} // namespace Shapes::Tests

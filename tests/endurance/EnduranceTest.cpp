@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Games that are played for long: 10^5 steps, or as many as SHAPES_ENDURANCE_STEPS says (run.sh). What is
+// expected is in docs/testing.md.
+#include "Endurance.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace Shapes::Tests {
+namespace {
+
+using namespace Compare;
+
+constexpr std::size_t g_nControlSteps = 20000;
+// Vectors that are used for the first time after the first tenth.
+constexpr std::ptrdiff_t g_nLateVectors = 8;
+// Standard deviations: by chance in one of 10^6 runs.
+constexpr double g_fFarApart = 5.0;
+
+std::size_t GetSteps() {
+  const char* text = std::getenv("SHAPES_ENDURANCE_STEPS");
+  return text != nullptr ? static_cast<std::size_t>(std::atof(text)) : 100000u;
+}
+
+bool KeepsMemory(const CFigures& f) {
+  return f.m_nBlocksMore <= g_nLateVectors && f.m_nBytesMore <= static_cast<std::ptrdiff_t>(f.m_nBytes);
+}
+bool KeepsEnergy(const CFigures& f) { return std::abs(f.m_fEnergyDrift) <= f.m_fEnergyBound; }
+bool FliesAsItShould(const CFigures& f) { return std::abs(f.m_fFlightDrift) <= f.m_fFlightBound; }
+bool IsAsWarmAsBefore(const CFigures& f) { return f.m_fHalvesApart <= g_fFarApart; }
+
+std::string Text(const CFigures& f) {
+  std::string text(1000, '\0');
+  text.resize(static_cast<std::size_t>(std::snprintf(
+      text.data(), text.size(),
+      "%zu steps in %.1f s: %zu contacts (%zu of two balls), %zu drained, %zu escaped, fastest %.4g\n"
+      "  energy drift %.3g, bound %.3g; flight drift %.3g, bound %.3g; halves %.2f deviations apart\n"
+      "  %zu blocks and %zu bytes, %td and %td more; after load %s\n",
+      f.m_nSteps, f.m_fSeconds, f.m_nContacts, f.m_nPairContacts, f.m_nDrained, f.m_nEscaped,
+      static_cast<double>(f.m_fFastest), f.m_fEnergyDrift, f.m_fEnergyBound, f.m_fFlightDrift,
+      f.m_fFlightBound, f.m_fHalvesApart, f.m_nBlocks, f.m_nBytes, f.m_nBlocksMore, f.m_nBytesMore,
+      f.m_bSameAfterLoad ? "the same bits" : "other bits")));
+  return text;
+}
+
+struct CWay {
+  const char* m_sName;
+  CEffectChoice m_cEffects;
+};
+
+class EnduranceTest : public testing::TestWithParam<CWay> {
+protected:
+  CFigures Play(const CScene& scene) const {
+    const CFigures figures = Endure(scene, GetParam().m_cEffects, GetSteps());
+    std::printf("%s, %s: %s", scene.m_sName.c_str(), GetParam().m_sName, Text(figures).c_str());
+    return figures;
+  }
+  CFigures Control(const CScene& scene, const CMeddling& meddling = {}) const {
+    return Endure(scene, GetParam().m_cEffects, g_nControlSteps, meddling);
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Native, EnduranceTest,
+                         testing::Values(CWay{"approximate", g_cApproximate},
+                                         CWay{"continuous", g_cContinuous}),
+                         [](const auto& way) { return way.param.m_sName; });
+
+TEST_P(EnduranceTest, PinballGoesOnForever) {
+  const CFigures f = Play(LoadBundled("pinball"));
+  EXPECT_EQ(f.m_nEscaped, 0u);
+  EXPECT_GT(f.m_nDrained, f.m_nSteps / 4000); // it is played, not at rest
+  EXPECT_TRUE(FliesAsItShould(f)) << Text(f);
+  EXPECT_TRUE(IsAsWarmAsBefore(f)) << Text(f);
+  EXPECT_TRUE(KeepsMemory(f)) << Text(f);
+  EXPECT_TRUE(f.m_bSameAfterLoad);
+}
+
+TEST_P(EnduranceTest, BallsInABoxGoOnForever) {
+  const CFigures f = Play(MakeBoxOfBalls());
+  EXPECT_EQ(f.m_nEscaped, 0u);
+  EXPECT_GT(f.m_nPairContacts, f.m_nSteps / 2);
+  EXPECT_TRUE(KeepsEnergy(f)) << Text(f);
+  EXPECT_TRUE(FliesAsItShould(f)) << Text(f);
+  EXPECT_TRUE(KeepsMemory(f)) << Text(f);
+  EXPECT_TRUE(f.m_bSameAfterLoad);
+}
+
+// Controls: what each check is there for, it sees.
+
+TEST_P(EnduranceTest, ALeakIsSeen) {
+  std::vector<std::unique_ptr<int>> leaks;
+  leaks.reserve(g_nControlSteps);
+  const CFigures f = Control(LoadBundled("pinball"), {[&](CPlayed&, std::size_t i) {
+                                                        if (i % 1000 == 0)
+                                                          leaks.push_back(std::make_unique<int>());
+                                                      },
+                                                      {}});
+  EXPECT_FALSE(KeepsMemory(f)) << Text(f);
+}
+
+TEST_P(EnduranceTest, AMissingWallIsSeen) {
+  CScene pinball = LoadBundled("pinball"), box = MakeBoxOfBalls();
+  std::erase_if(pinball.m_stdShapes, [](const CSceneShape& s) { return s.m_sName == "chute arc"; });
+  box.m_stdShapes.pop_back();
+  EXPECT_GT(Control(pinball).m_nEscaped, 0u);
+  EXPECT_GT(Control(box).m_nEscaped, 0u);
+}
+
+TEST_P(EnduranceTest, AStateThatForgetsIsSeen) {
+  const CScene scene = LoadBundled("pinball");
+  const auto isSame = [&](const std::function<void(CPlayed&)>& forget) {
+    return Control(scene, {{}, forget}).m_bSameAfterLoad;
+  };
+  EXPECT_TRUE(isSame([](CPlayed&) {}));
+  EXPECT_FALSE(isSame([](CPlayed& p) { // one bit
+    const CShapeId ball = p.GetBalls()[0];
+    const Vector2 v = p.GetWorld().GetVel(ball);
+    p.GetWorld().SetVel(ball, {v.x(), std::nextafter(v.y(), 100.0f)});
+  }));
+  EXPECT_FALSE(isSame([](CPlayed& p) { // how a flipper stands
+    for (const CShapeId shape : p.GetShapes())
+      if (p.GetWorld().GetMotionType(shape) == eMotion::Kinematic) p.GetWorld().SetOrientation(shape, 0.5f);
+  }));
+}
+
+TEST_P(EnduranceTest, ElasticityThatIsNotQuiteOneIsSeen) {
+  CScene scene = MakeBoxOfBalls();
+  EXPECT_TRUE(KeepsEnergy(Control(scene)));
+  for (CSceneBall& ball : scene.m_stdBalls)
+    ball.m_cDesc.m_fElasticity = 1.00002f;
+  const CFigures f = Control(scene);
+  EXPECT_FALSE(KeepsEnergy(f)) << Text(f);
+}
+
+// From step `first` on.
+CMeddling Drag(float share, std::size_t first) {
+  return {[=](CPlayed& p, std::size_t i) {
+            for (const CShapeId ball : p.GetBalls())
+              if (i >= first) p.GetWorld().SetVel(ball, (1.0f - share) * p.GetWorld().GetVel(ball));
+          },
+          {}};
+}
+
+TEST_P(EnduranceTest, DragIsSeen) {
+  const CScene scene = LoadBundled("pinball");
+  const CFigures little = Control(scene, Drag(1e-5f, 0));
+  EXPECT_FALSE(FliesAsItShould(little)) << Text(little);
+  const CFigures late = Control(scene, Drag(0.03f, g_nControlSteps / 2));
+  EXPECT_FALSE(IsAsWarmAsBefore(late)) << Text(late);
+}
+
+} // namespace
+} // namespace Shapes::Tests
