@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// What comes out of a scene to the last bit, in one number: the same for every compiler and every build type.
+// Whoever changes a result on purpose puts the lines here that the tests print. docs/testing.md says more.
+#include "Played.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cinttypes>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+#ifdef SHAPES_GOLDEN_TRAPS
+#include <cfenv>
+#endif
+
+namespace Shapes::Tests {
+namespace {
+
+using namespace Compare;
+
+constexpr int g_nSteps = 600;
+
+struct CGolden {
+  const char* m_sScene;
+  std::uint64_t m_nApproximate, m_nContinuous;
+};
+
+constexpr CGolden g_stdGolden[] = {
+    {"ball_on_ball", 0xD913E710D1DCC096u, 0xB744C463BD0BDB16u},
+    {"bowl", 0xE080EFA1E202A5ACu, 0xD5CD72C961EDFCF3u},
+    {"corner", 0xE9BD87B65A11D820u, 0x7DE323C242CD4F7Du},
+    {"disc_in_square", 0x68480CF3FB8259ACu, 0x851C0BB51344BD0Bu},
+    {"elastic_drop", 0x8AADBD4EA7F4C98Eu, 0x79482E18CD5C817Au},
+    {"grazing_wall", 0x5F457A6652A7DF8Du, 0xE630CB39DB41E36Du},
+    {"guarded_ends", 0xF53901E7EF0291A7u, 0x902428F280880812u},
+    {"head_on_wall", 0x39ABA93BA7B69B39u, 0xBAAB3BD25A184343u},
+    {"naked_ends", 0x9CAD17C9E53BCF61u, 0xD58DFBD198CC696Eu},
+    {"open_arc_inside", 0x64EC58454D46B18Cu, 0x23681290D7246F88u},
+    {"open_arc_outside", 0x48A06C3E901AF299u, 0x8E4331ECDF797DD1u},
+    {"pinball", 0x3C42047497849EA7u, 0xDCD10FB12C96AD5Du},
+    {"point_off_centre", 0x124388FF97AE8863u, 0xD847742D4786AF3Au},
+    {"spinner", 0x4FB1B59698E283E1u, 0x61F8F96C6AEE4946u},
+    {"tangent_joint", 0xB399D01D85470B63u, 0x1160B11FC7451883u},
+    {"box_of_balls", 0x767C10CCB7C4E0A9u, 0x0498FC6E9D04C0E5u},
+};
+
+CScene Find(const std::string& name) { return name == "box_of_balls" ? MakeBoxOfBalls() : LoadBundled(name); }
+
+std::uint64_t Play(const CScene& scene, const CEffectChoice& effects) {
+#ifdef SHAPES_GOLDEN_TRAPS
+  std::feclearexcept(FE_ALL_EXCEPT);
+  feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+#endif
+  CPlayed played(scene, effects);
+  CHash hash;
+  for (int i = 0; i < g_nSteps; ++i) {
+    played.Step();
+    AddTo(hash, played.GetWorld());
+  }
+#ifdef SHAPES_GOLDEN_TRAPS
+  fedisableexcept(FE_ALL_EXCEPT);
+#endif
+  return hash.Get();
+}
+
+class GoldenTest : public testing::TestWithParam<CGolden> {};
+
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenTest, testing::ValuesIn(g_stdGolden),
+                         [](const auto& golden) { return golden.param.m_sScene; });
+
+TEST_P(GoldenTest, EveryBitIsTheSame) {
+  const CGolden& golden = GetParam();
+  const CScene scene = Find(golden.m_sScene);
+  const std::uint64_t approximate = Play(scene, g_cApproximate), continuous = Play(scene, g_cContinuous);
+  std::array<char, 120> line;
+  std::snprintf(line.data(), line.size(), "    {\"%s\", 0x%016" PRIX64 "u, 0x%016" PRIX64 "u},",
+                golden.m_sScene, approximate, continuous);
+  EXPECT_TRUE(approximate == golden.m_nApproximate && continuous == golden.m_nContinuous)
+      << line.data() << " is what came out";
+}
+
+// The controls: other bits, or bits in another order, give another number.
+TEST(GoldenHashTest, OneBitAndTheOrderOfAdditionsAreSeen) {
+  const auto hashOf = [](float f) {
+    CHash hash;
+    hash.Add(f);
+    return hash.Get();
+  };
+  const volatile float a = 1e8f, b = -1e8f, c = 1.0f;
+  EXPECT_NE(hashOf((a + b) + c), hashOf(a + (b + c)));
+  EXPECT_NE(hashOf(a), hashOf(std::nextafter(a, b)));
+  EXPECT_NE(hashOf(0.0f), hashOf(-0.0f));
+  CHash abcd;
+  abcd.Add(std::uint32_t{0x64636261});
+  EXPECT_EQ(abcd.Get(), 0xFC179F83EE0724DDu); // of the bytes "abcd"
+}
+
+} // namespace
+} // namespace Shapes::Tests
