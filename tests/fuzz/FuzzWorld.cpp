@@ -18,8 +18,8 @@ namespace {
 // Bounds of time. Thousands of chords that all touch one ball take Box2D seconds a step, and so do thousands
 // of sweeps where shapes turn hundreds of times in each.
 constexpr std::size_t g_nMostShapes = 24;
-constexpr std::uint64_t g_nMostPieces = 30, g_nMostEngineSteps = 300, g_nMostSweeps = 3000;
-constexpr int g_nMostSteps = 40;
+constexpr std::uint64_t g_nMostPieces = 30, g_nMostEngineSteps = 150, g_nMostSweeps = 3000;
+constexpr int g_nMostSteps = 24;
 
 /// Everything that can be asked of a world, bit by bit.
 class CPicture {

@@ -36,7 +36,7 @@ fuzz() { # TARGET
   local program=$build/fuzz-$target$control
   mkdir -p "$folder/corpus" "$folder/found"
   cp tests/fuzz/corpus/"$target"/* "$folder/corpus"
-  local args=(-max_total_time="$seconds" -rss_limit_mb=2048 -timeout=20 -print_final_stats=1)
+  local args=(-max_total_time="$seconds" -rss_limit_mb=2048 -timeout=60 -print_final_stats=1)
   # Entropic scheduling takes more time than these targets do.
   args+=(-entropic=0)
   if [[ "$target" == scene ]]; then args+=(-max_len=6000 -dict=tests/fuzz/json.dict); else args+=(-max_len=512 -len_control=0); fi
