@@ -69,6 +69,10 @@ inline void PrintTo(const CHardCase& c, std::ostream* pOut) { *pOut << c.m_sName
 /// All of them, in the order of the table. Each group has a file.
 std::vector<CHardCase> AllCases();
 std::vector<CHardCase> ValidationCases();
+std::vector<CHardCase> CoincidentCases();
+std::vector<CHardCase> LineCases();
+std::vector<CHardCase> ArcCases();
+std::vector<CHardCase> GrazingCases();
 // (further groups are declared here)
 
 /// What a world of that column is made of; not for Reference.

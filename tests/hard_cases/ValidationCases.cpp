@@ -1,12 +1,252 @@
 // SPDX-License-Identifier: MIT
 // Inputs that are no numbers, or of no extent.
-#include "HardCase.h"
+#include "ShotTesting.h"
+
+#include "reference/Reference.h"
+
+#include <bit>
+#include <cmath>
+#include <stdexcept>
 
 namespace Shapes::HardCases {
 
+namespace {
+
+const std::string g_sGroup = "Inputs that are no numbers, or of no extent";
+constexpr float g_fNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float g_fInfinite = std::numeric_limits<float>::infinity();
+
+using CBall = CDynamicCircleDesc;
+
+// A bounce between a segment and a point, another ball in the way.
+std::unique_ptr<CWorld> MakeBusyWorld(eColumn column) {
+  auto pWorld = MakeWorld(column, Desc(column, {0.0f, -9.8f}));
+  pWorld->Add(CLineSegDesc({-2.0f, 0.0f}, {2.0f, 0.0f}));
+  pWorld->Add(CPointDesc({0.0f, 0.0f}));
+  pWorld->Add(CBall({0.1f, 0.4f}, 0.1f, {0.0f, -1.0f}));
+  pWorld->Add(CBall({0.15f, 0.7f}, 0.1f));
+  return pWorld;
+}
+
+bool HaveSameBits(const CWorld& a, const CWorld& b) {
+  const auto same = [](std::span<const Vector2> u, std::span<const Vector2> v) {
+    return std::equal(u.begin(), u.end(), v.begin(), v.end(), [](const Vector2& p, const Vector2& q) {
+      return std::bit_cast<std::uint32_t>(p.x()) == std::bit_cast<std::uint32_t>(q.x()) &&
+             std::bit_cast<std::uint32_t>(p.y()) == std::bit_cast<std::uint32_t>(q.y());
+    });
+  };
+  return same(a.GetBallPositions(), b.GetBallPositions()) &&
+         same(a.GetBallVelocities(), b.GetBallVelocities());
+}
+
+// Lets the refusal of `add` through if nothing else has changed by it, in 60 steps before and after.
+template <class F>
+double Refusal(eColumn column, const F& add) {
+  const auto pWorld = MakeBusyWorld(column), pUntouched = MakeBusyWorld(column);
+  const auto run = [&] {
+    for (int i = 0; i < 60; ++i) {
+      pWorld->Step();
+      pUntouched->Step();
+    }
+    return HaveSameBits(*pWorld, *pUntouched);
+  };
+  if (!run()) return g_fInf;
+  try {
+    add(*pWorld);
+  } catch (const std::invalid_argument&) {
+    if (run()) throw;
+  }
+  return g_fInf;
+}
+
+double BallRefusal(eColumn column, const CBall& ball) {
+  if (column == eColumn::Reference) {
+    const std::vector<CAnyShapeDesc> shapes{CPointDesc({0.0f, 0.0f})};
+    const std::vector<CBall> balls{ball};
+    Compare::CReference<double>(shapes, balls, Vector2::Zero());
+    return g_fInf;
+  }
+  return Refusal(column, [&](CWorld& world) { world.Add(ball); });
+}
+
+CHardCase RefusedBall(const std::string& name, const std::string& input, const CBall& ball,
+                      const std::string& words) {
+  CHardCase c;
+  c.m_sGroup = g_sGroup;
+  c.m_sName = name;
+  c.m_sInput = input;
+  c.m_sRight = "refused; of all else no bit changes";
+  c.m_fBound = c.m_fFloatBound = 0.0;
+  c.m_sBound = "bits";
+  c.m_stdExpect.fill(Refused(words));
+  c.m_fnError = [ball](eColumn column) { return BallRefusal(column, ball); };
+  return c;
+}
+
+CHardCase PlaceThatIsNoNumber() {
+  const CBall ball({g_fNan, 0.0f}, 1.0f);
+  CHardCase c =
+      RefusedBall("BallAtAPlaceThatIsNoNumber", "ball r = 1 at (NaN, 0), point (0, 0); added, or put there",
+                  ball, "m_vPos is (nan, 0)");
+  c.m_fnError = [ball](eColumn column) {
+    // Added to the reference, and to worlds at the end; put there before.
+    if (column != eColumn::Reference) {
+      try {
+        return Refusal(column,
+                       [](CWorld& world) { world.SetPos(world.GetBallIds()[0], Vector2(g_fNan, 0.0f)); });
+      } catch (const std::invalid_argument&) {
+      }
+    }
+    return BallRefusal(column, ball);
+  };
+  c.m_sControl = "\"no contact if d >= r\": NaN is a contact, its normal is NaN";
+  c.m_fnControl = [] {
+    const double x = std::numeric_limits<double>::quiet_NaN(), d = std::hypot(x, 0.0);
+    return d >= 1.0 ? 0.0 : x / d;
+  };
+  return c;
+}
+
+CHardCase InfiniteVelocity() {
+  const CBall ball({-3.0f, 0.0f}, 1.0f, {g_fInfinite, 0.0f});
+  CHardCase c =
+      RefusedBall("BallOfInfiniteVelocity", "v = (Inf, 0); added, or set", ball, "m_vVel is (inf, 0)");
+  c.m_fnError = [ball](eColumn column) {
+    if (column != eColumn::Reference) {
+      try {
+        return Refusal(
+            column, [](CWorld& world) { world.SetVel(world.GetBallIds()[0], Vector2(g_fInfinite, 0.0f)); });
+      } catch (const std::invalid_argument&) {
+      }
+    }
+    return BallRefusal(column, ball);
+  };
+  c.m_sControl = "v - 2 (v.n) n: Inf - Inf";
+  c.m_fnControl = [] {
+    const double v = g_fInf, n = -1.0;
+    return v - 2.0 * (v * n) * n;
+  };
+  return c;
+}
+
+CHardCase NegativeRadius() {
+  CHardCase c = RefusedBall("BallOfNegativeRadius", "ball of r = -1", CBall({0.0f, 3.0f}, -1.0f),
+                            "m_fRadius is -1: expected a number from 0");
+  c.m_sControl = "d < r never holds: the ball is met by nothing";
+  c.m_fnControl = [] {
+    const double r = -1.0, d = 0.0; // right on a point
+    return d < r ? 0.0 : g_fInf;
+  };
+  return c;
+}
+
+// v' of a ball of mass m that runs into one of mass 1 at rest.
+double AfterImpulse(double m) { return 1.0 - 2.0 * m / (m + 1.0) / m; }
+
+CHardCase NoMass() {
+  CHardCase c = RefusedBall("BallWithoutMass", "ball of m = 0", CBall({0.0f, 3.0f}, 0.1f, {0.0f, 0.0f}, 0.0f),
+                            "m_fMass is 0: expected a number from 1e-36");
+  c.m_sControl = "impulse 2 m v / (m + 1), then divided by m: 0 / 0";
+  c.m_fnControl = [] { return AfterImpulse(0.0); };
+  return c;
+}
+
+CHardCase MassThatIsNoNumber() {
+  CHardCase c = RefusedBall("BallOfAMassThatIsNoNumber", "ball of m = NaN",
+                            CBall({0.0f, 3.0f}, 0.1f, {0.0f, 0.0f}, g_fNan), "m_fMass is nan");
+  c.m_sControl = "the impulse is NaN, for whatever it meets too";
+  c.m_fnControl = [] { return AfterImpulse(std::numeric_limits<double>::quiet_NaN()); };
+  return c;
+}
+
+CHardCase NegativeElasticity() {
+  CHardCase c = RefusedBall("BallOfNegativeElasticity", "ball of e = -1",
+                            CBall({0.0f, 3.0f}, 0.1f, {0.0f, 0.0f}, 1.0f, -1.0f),
+                            "m_fElasticity is -1: expected a number from 0");
+  c.m_sControl = "v - (1 + e) (v.n) n is v: it flies through the wall";
+  c.m_fnControl = [] {
+    const double e = -1.0, vn = -1.0, after = vn - (1.0 + e) * vn;
+    return std::abs(after - 1.0);
+  };
+  return c;
+}
+
+CHardCase NoRadius() {
+  const CBall ball({0.0f, 1.0f}, 0.0f, {0.0f, -1.0f});
+  CShot shot;
+  shot.m_stdShapes = {CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f})};
+  shot.m_stdBalls = {ball};
+  shot.m_fSeconds = 1.25f;
+  CHardCase c = ShotCase(shot, MeetFloor(ball));
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "BallWithoutRadiusMeetsASegment";
+  c.m_sInput = "ball r = 0 at (0, 1), v = (0, -1); segment (-1, 0)-(1, 0); one step of 1.25";
+  c.m_sRight = "t = 1, v' = (0, 1)";
+  c.m_sControl = "d < r with r = 0 never holds: missed";
+  c.m_fnControl = [] {
+    for (int i = 0; i <= 1000; ++i) // times up to 2, the right one among them
+      if (std::abs(1.0 - i * 0.002) < 0.0) return 0.0;
+    return g_fInf;
+  };
+  return c;
+}
+
+// The ball falls straight onto something at height y that acts as a point.
+CHardCase PointLike(const CAnyShapeDesc& shape, float x, float y) {
+  const CBall ball({x, y + 2.0f}, 0.5f, {0.0f, -1.0f});
+  CShot shot;
+  shot.m_stdShapes = {shape};
+  shot.m_stdBalls = {ball};
+  shot.m_fSeconds = 1.75f;
+  CHardCase c = ShotCase(shot, MeetFloor(CBall({x, 2.0f}, 0.5f, {0.0f, -1.0f})));
+  c.m_sGroup = g_sGroup;
+  c.m_sRight = "acts as a point: t = 1.5, v' = (0, 1)";
+  return c;
+}
+
+CHardCase SegmentWithoutLength() {
+  CHardCase c = PointLike(CLineSegDesc({1.0f, 1.0f}, {1.0f, 1.0f}), 1.0f, 1.0f);
+  c.m_sName = "SegmentWithoutLengthIsAPoint";
+  c.m_sInput = "segment (1, 1)-(1, 1); ball r = .5 at (1, 3), v = (0, -1); one step of 1.75";
+  c.m_sControl = "share of the length (q - p0).s / s.s: 0 / 0";
+  c.m_fnControl = [] {
+    const CVec2d q(0.0, 2.0), s(0.0, 0.0);
+    return q.dot(s) / s.dot(s);
+  };
+  return c;
+}
+
+CHardCase SegmentShorterThanItsSquare() {
+  CHardCase c = PointLike(CLineSegDesc({0.0f, 0.0f}, {1e-30f, 0.0f}), 0.0f, 0.0f);
+  c.m_sName = "SegmentWhoseLengthSquaredIsNothing";
+  c.m_sInput = "segment (0, 0)-(1e-30, 0); ball r = .5 at (0, 2), v = (0, -1); one step of 1.75";
+  c.m_sControl = "normal s / sqrt(s.s) in float: 1e-60 is 0, NaN";
+  c.m_fnControl = [] {
+    const volatile float s = 1e-30f, none = 0.0f; // as a processor without wider registers has it
+    const float square = s * s;
+    return static_cast<double>(none / std::sqrt(square));
+  };
+  return c;
+}
+
+CHardCase CircleWithoutRadius() {
+  CHardCase c = PointLike(CCircleDesc({0.0f, 0.0f}, 0.0f), 0.0f, 0.0f);
+  c.m_sName = "CircleWithoutRadiusIsAPoint";
+  c.m_sInput = "circle R = 0 at (0, 0); ball r = .5 at (0, 2), v = (0, -1); one step of 1.75";
+  c.m_sControl = "normal (POI - centre) / R: 0 / 0";
+  c.m_fnControl = [] {
+    const double R = 0.0, poi = R * 1.0;
+    return poi / R;
+  };
+  return c;
+}
+
+} // namespace
+
 std::vector<CHardCase> ValidationCases() {
-  std::vector<CHardCase> cases;
-  return cases;
+  return {PlaceThatIsNoNumber(),         InfiniteVelocity(),   NegativeRadius(), NoMass(),
+          MassThatIsNoNumber(),          NegativeElasticity(), NoRadius(),       SegmentWithoutLength(),
+          SegmentShorterThanItsSquare(), CircleWithoutRadius()};
 }
 
 } // namespace Shapes::HardCases

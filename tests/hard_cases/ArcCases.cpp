@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// Arcs: where they begin and end, and what is at their angles.
+#include "ShotTesting.h"
+
+#include "reference/Reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace Shapes::HardCases {
+
+namespace {
+
+const std::string g_sGroup = "Arcs";
+constexpr double g_fDegree = std::numbers::pi / 180.0;
+
+float Degrees(double degrees) { return static_cast<float>(degrees * g_fDegree); }
+
+// The ball r = .1 that comes from the right to the arc R = 1 about the origin; met at t = .9.
+CShot FromTheRight(float a0, float a1, const Vector2& direction = {1.0f, 0.0f}) {
+  CShot shot;
+  shot.m_stdShapes = {CArcDesc({0.0f, 0.0f}, 1.0f, a0, a1)};
+  shot.m_stdBalls = {CDynamicCircleDesc(2.0f * direction, 0.1f, -direction)};
+  shot.m_fSeconds = 0.925f;
+  return shot;
+}
+
+CHardCase ArcCase(const CShot& shot) {
+  CHardCase c = ShotCase(shot, MeetDisc(shot.m_stdBalls[0], 1.0f));
+  c.m_sGroup = g_sGroup;
+  c.m_sRight = "t = .9, n = (1, 0)";
+  return c;
+}
+
+// When angles decide: the time, or never.
+double TimeByAngles(bool isInside) { return isInside ? 0.0 : g_fInf; }
+
+CHardCase AcrossZero() {
+  CHardCase c = ArcCase(FromTheRight(Degrees(350.0), Degrees(10.0)));
+  c.m_sName = "ArcAcrossAngleZero";
+  c.m_sInput = "arc R = 1 from 350 to 10 degrees; ball r = .1 at (2, 0), v = (-1, 0); one step of .925";
+  c.m_sControl = "in the sector if a0 <= a <= a1: never";
+  c.m_fnControl = [] {
+    const double a0 = 350.0 * g_fDegree, a1 = 10.0 * g_fDegree, a = std::atan2(0.0, 1.0);
+    return TimeByAngles(a0 <= a && a <= a1);
+  };
+  return c;
+}
+
+CHardCase EqualAngles() {
+  CHardCase c = ArcCase(FromTheRight(0.0f, 0.0f));
+  c.m_sName = "ArcOfEqualAnglesIsTheFullCircle";
+  c.m_sInput = "arc R = 1 from 0 to 0; ball r = .1 from 16 directions, 1 unit away; one step of .925";
+  c.m_sRight = "the full circle: t = .9, n is the direction";
+  c.m_fnError = [](eColumn column) {
+    double error = 0.0;
+    for (int i = 0; i < 16; ++i) {
+      const CShot shot = FromTheRight(0.0f, 0.0f, AngleToVector(Degrees(22.5 * i)));
+      error = std::max(error, ErrorOf(Shoot(column, shot), MeetDisc(shot.m_stdBalls[0], 1.0f)));
+    }
+    return error;
+  };
+  c.m_sControl = "in the sector if a0 <= a <= a1: from one direction only";
+  c.m_fnControl = [] {
+    const double a0 = 0.0, a1 = 0.0, a = std::atan2(1.0, 1.0);
+    return TimeByAngles(a0 <= a && a <= a1);
+  };
+  return c;
+}
+
+// Largest distance from 0 of what becomes of a tiny negative angle.
+double ErrorOfTinyAngle(eColumn column) {
+  CPointDesc point({1.0f, 0.0f});
+  point.m_eMotionType = eMotion::Kinematic;
+  if (column == eColumn::Reference) {
+    const std::vector<CAnyShapeDesc> shapes{point};
+    Compare::CReference<double> reference(shapes, {}, Vector2::Zero());
+    reference.SetOrientation(0, -1e-17);
+    return std::abs(reference.GetOrientation(0));
+  }
+  const float angle = -1e-9f;
+  const auto pWorld = MakeWorld(column, Desc(column));
+  const CShapeId turned = pWorld->Add(point), arc = pWorld->Add(CArcDesc({0.0f, 0.0f}, 1.0f, angle, 1.0f));
+  pWorld->SetOrientation(turned, angle);
+  const auto& shape = static_cast<const CArc&>(pWorld->GetShape(arc));
+  const float largest = std::max(
+      {std::abs(NormalizeAngle(angle)), std::abs(shape.GetAngle0()), pWorld->GetOrientation(turned)});
+  return static_cast<double>(largest);
+}
+
+CHardCase TinyNegativeAngle() {
+  CHardCase c;
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "TinyNegativeAngleStaysBelowAFullTurn";
+  c.m_sInput = "angle -1e-9 in float (reference: -1e-17), of an arc and of an orientation";
+  c.m_sRight = "in [0, 2 pi): 0";
+  c.m_fBound = c.m_fFloatBound = 0.0;
+  c.m_sBound = "exact";
+  c.m_stdExpect.fill(Right());
+  c.m_fnError = ErrorOfTinyAngle;
+  c.m_sControl = "a + 2 pi in float: 6.2831855, above 2 pi";
+  c.m_fnControl = [] {
+    const volatile float a = -1e-9f;
+    const float turned = a + g_fTwoPi;
+    return static_cast<double>(turned);
+  };
+  return c;
+}
+
+CHardCase ShortArc() {
+  CHardCase c = ArcCase(FromTheRight(0.0f, 1e-7f));
+  c.m_sName = "ArcAlmostWithoutLength";
+  c.m_sInput = "arc R = 1 from 0 to 1e-7 radians; the same ball";
+  c.m_fBound = c.m_fFloatBound = 1e-7;
+  c.m_fFloatBound = 8.0 * g_fFloatEps;
+  c.m_sBound = "1e-7 of t, n and v'; engines 8 roundings";
+  c.m_sControl = "chords of 1 degree: int(span / step) is none";
+  c.m_fnControl = [] { return TimeByAngles(static_cast<int>(1e-7 / g_fDegree) > 0); };
+  return c;
+}
+
+CHardCase Slit() {
+  const double slit = 1e-6;
+  const auto a0 = static_cast<float>(slit), a1 = static_cast<float>(2.0 * std::numbers::pi - slit);
+  CHardCase c = ArcCase(FromTheRight(a0, a1));
+  c.m_sName = "ArcWithASlitThatIsTooNarrow";
+  c.m_sInput = "arc R = 1 from 1e-6 to 2 pi - 1e-6, a slit of 2e-6; the same ball";
+  c.m_sRight = "meets both ends: t = .9, n = (1, 0)";
+  c.m_fBound = c.m_fFloatBound = 1e-6;
+  c.m_fFloatBound = 8.0 * g_fFloatEps;
+  c.m_sBound = "1e-6 of t, n and v'";
+  c.m_sControl = "the circle's root counts where the centre is in the sector: never";
+  c.m_fnControl = [=] {
+    const double a = std::atan2(0.0, 1.1);
+    return TimeByAngles(static_cast<double>(a0) <= a && a <= static_cast<double>(a1));
+  };
+  return c;
+}
+
+CHardCase ThroughTheOpening() {
+  CShot shot = FromTheRight(Degrees(45.0), Degrees(315.0));
+  shot.m_stdBalls[0].m_vPos = {3.0f, 0.0f};
+  shot.m_fSeconds = 3.925f;
+  shot.m_nBox2DSteps = 2;
+  CHardCase c = ShotCase(shot, MeetRing(shot.m_stdBalls[0], 1.0f));
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "BallThroughTheOpeningOfAnArc";
+  c.m_sInput =
+      "arc R = 1 from 45 to 315 degrees; ball r = .1 at (3, 0), v = (-1, 0); one step of 3.925, on Box2D two";
+  c.m_sRight = "enters and meets the far side from inside: t = 3.9, n = (1, 0)";
+  c.m_sControl = "the first root of the full circle: t = 1.9";
+  c.m_fnControl = [] { return 3.9 - 1.9; };
+  return c;
+}
+
+CHardCase TooLargeInside() {
+  CHardCase c;
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "BallTooLargeInsideAFullArc";
+  c.m_sInput =
+      "full arc R = 1, ball r = 1.5 inside at (.25, 0), v = (.5, 0), (-.5, 0) and 0; one step of .25";
+  c.m_sRight = "it cannot touch the inside: ignored, it flies on";
+  c.m_fBound = 1e-12;
+  c.m_fFloatBound = 2.0 * g_fFloatEps;
+  c.m_sBound = "1e-12 of p and v; engines 2 roundings";
+  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_fnError = [](eColumn column) {
+    double error = 0.0;
+    for (const float v : {0.5f, -0.5f, 0.0f}) {
+      CShot shot;
+      shot.m_stdShapes = {CArcDesc({0.0f, 0.0f}, 1.0f, 0.0f, 0.0f)};
+      shot.m_stdBalls = {CDynamicCircleDesc({0.25f, 0.0f}, 1.5f, {v, 0.0f})};
+      shot.m_fSeconds = 0.25f;
+      error = std::max(error, ErrorOfFlight(Shoot(column, shot), shot));
+    }
+    return error;
+  };
+  c.m_sControl = "overlaps if R - |d| < r, put to R - r = -.5: to the other side and back in every step";
+  c.m_fnControl = [] {
+    const double d = 0.25, R = 1.0, r = 1.5;
+    return R - d < r ? std::abs((R - r) - d) : 0.0;
+  };
+  return c;
+}
+
+CHardCase BoxOfAShortArc() {
+  CHardCase c;
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "BoxOfAnArcAcrossItsTop";
+  c.m_sInput = "arc R = 1 from 80 to 100 degrees: its box";
+  c.m_sRight = "up to y = 1";
+  c.m_fBound = c.m_fFloatBound = g_fFloatEps;
+  c.m_sBound = "1 rounding of float";
+  c.m_stdExpect = {Right(), Right(), Right(), Right(), NotAsked("has no boxes of arcs")};
+  c.m_fnError = [](eColumn column) {
+    const auto pWorld = MakeWorld(column, Desc(column));
+    const CShapeId arc = pWorld->Add(CArcDesc({0.0f, 0.0f}, 1.0f, Degrees(80.0), Degrees(100.0)));
+    return std::abs(static_cast<double>(pWorld->GetShape(arc).GetAABB().GetTopLeft().y()) - 1.0);
+  };
+  c.m_sControl = "box of the ends: y = .98481";
+  c.m_fnControl = [] { return 1.0 - std::max(std::sin(80.0 * g_fDegree), std::sin(100.0 * g_fDegree)); };
+  return c;
+}
+
+CHardCase AtTheTopOfAShortArc() {
+  CShot shot;
+  shot.m_stdShapes = {CArcDesc({0.0f, 0.0f}, 1.0f, Degrees(80.0), Degrees(100.0))};
+  shot.m_stdBalls = {CDynamicCircleDesc({0.0f, 1.5f}, 0.1f, {0.0f, -1.0f})};
+  shot.m_fSeconds = 0.41f;
+  CHardCase c = ShotCase(shot, MeetDisc(shot.m_stdBalls[0], 1.0f));
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "BallAtTheTopOfAShortArc";
+  c.m_sInput =
+      "the same arc; ball r = .1 at (0, 1.5), v = (0, -1); one step of .41, so it is .01 too deep at most";
+  c.m_sRight = "t = .4, n = (0, 1)";
+  c.m_sControl = "box of the ends: the ball is .005 above it at the end";
+  c.m_fnControl = [] {
+    const double low = 1.5 - 0.41 - 0.1, top = std::sin(80.0 * g_fDegree);
+    return low <= top ? 0.0 : g_fInf;
+  };
+  return c;
+}
+
+} // namespace
+
+std::vector<CHardCase> ArcCases() {
+  return {AcrossZero(),        EqualAngles(),    TinyNegativeAngle(), ShortArc(),           Slit(),
+          ThroughTheOpening(), TooLargeInside(), BoxOfAShortArc(),    AtTheTopOfAShortArc()};
+}
+
+} // namespace Shapes::HardCases

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// Balls whose centre is where no direction leads from.
+#include "ShotTesting.h"
+
+#include "reference/Reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::HardCases {
+
+namespace {
+
+const std::string g_sGroup = "Centres that coincide";
+
+// The ball is put exactly onto the shape, and goes on for a quarter of a second. Native looks at the end of a
+// step, so there it begins one step back and is on the shape when it is looked at.
+struct COnTheSpot {
+  CAnyShapeDesc m_cShape;
+  Vector2 m_vVel;
+  CVec2d m_vNorm, m_vAfter; ///< What is right.
+};
+
+constexpr float g_fRadius = 0.5f;
+constexpr float g_fStep = 0.25f;
+
+// Largest error of the normal, of the velocity after, and of the setback, which is to be r.
+double ErrorOnTheSpot(eColumn column, const COnTheSpot& c) {
+  const bool native = column == eColumn::Native;
+  CShot shot;
+  shot.m_stdShapes = {c.m_cShape};
+  shot.m_stdBalls = {
+      CDynamicCircleDesc(native ? Vector2(-g_fStep * c.m_vVel) : Vector2::Zero(), g_fRadius, c.m_vVel)};
+  shot.m_fSeconds = g_fStep;
+  const CSeen seen = Shoot(column, shot);
+  // The reference leaves what overlaps where it is, and tells how deep it is; worlds put it back.
+  const double flown = native ? 0.0 : static_cast<double>(g_fStep);
+  const double setback =
+      column == eColumn::Reference ? seen.m_fSetback : (seen.m_vPos - flown * c.m_vAfter).dot(c.m_vNorm);
+  return std::max({Distance(seen.m_vNorm, c.m_vNorm), Distance(seen.m_vVel, c.m_vAfter),
+                   std::abs(setback - static_cast<double>(g_fRadius))});
+}
+
+CHardCase OnTheSpot(const COnTheSpot& onTheSpot) {
+  CHardCase c;
+  c.m_sGroup = g_sGroup;
+  c.m_fBound = 1e-12;
+  c.m_fFloatBound = 2.0 * g_fFloatEps;
+  c.m_sBound = "1e-12 of n, v' and setback; engines 2 roundings";
+  c.m_fnError = [onTheSpot](eColumn column) { return ErrorOnTheSpot(column, onTheSpot); };
+  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  return c;
+}
+
+CHardCase OnAPoint() {
+  CHardCase c = OnTheSpot({CPointDesc({0.0f, 0.0f}), {1.0f, 0.0f}, {-1.0, 0.0}, {-1.0, 0.0}});
+  c.m_sName = "CentreExactlyOnAPoint";
+  c.m_sInput = "ball r = .5, its centre on the point, v = (1, 0)";
+  c.m_sRight = "against v: n = (-1, 0), setback r, v' = (-1, 0)";
+  c.m_sControl = "n = p / |p|: 0 / 0";
+  c.m_fnControl = [] {
+    const CVec2d p(0.0, 0.0);
+    return p.x() / p.norm();
+  };
+  return c;
+}
+
+double NoDistance() {
+  const double s = 0.0; // the distance of the centre from the line
+  return s / std::abs(s);
+}
+
+CHardCase OnASegmentFromAbove() {
+  const CLineSegDesc seg({-1.0f, 0.0f}, {1.0f, 0.0f});
+  CHardCase c = OnTheSpot({seg, {1.0f, -1.0f}, {0.0, 1.0}, {1.0, 1.0}});
+  c.m_sName = "CentreExactlyOnASegmentFromAbove";
+  c.m_sInput = "ball r = .5, its centre on the segment (-1, 0)-(1, 0), v = (1, -1)";
+  c.m_sRight = "to where it came from: n = (0, 1), setback r, v' = (1, 1)";
+  c.m_sControl = "n = (q - foot) / |q - foot|: 0 / 0";
+  c.m_fnControl = NoDistance;
+  return c;
+}
+
+CHardCase OnASegmentFromBelow() {
+  const CLineSegDesc seg({-1.0f, 0.0f}, {1.0f, 0.0f});
+  CHardCase c = OnTheSpot({seg, {1.0f, 1.0f}, {0.0, -1.0}, {1.0, -1.0}});
+  c.m_sName = "CentreExactlyOnASegmentFromBelow";
+  c.m_sInput = "the same from below, v = (1, 1)";
+  c.m_sRight = "n = (0, -1), setback r, v' = (1, -1)";
+  c.m_sControl = "n = (q - foot) / |q - foot|: 0 / 0";
+  c.m_fnControl = NoDistance;
+  return c;
+}
+
+CShot InFullArc(float R, float r, const Vector2& v, float seconds, const Vector2& p = Vector2::Zero()) {
+  CShot shot;
+  shot.m_stdShapes = {CArcDesc({0.0f, 0.0f}, R, 0.0f, 0.0f)};
+  shot.m_stdBalls = {CDynamicCircleDesc(p, r, v)};
+  shot.m_fSeconds = seconds;
+  return shot;
+}
+
+CHardCase InTheMiddle() {
+  const CShot flight = InFullArc(2.0f, 0.5f, {1.0f, 0.0f}, 1.75f),
+              rest = InFullArc(2.0f, 0.5f, {0.0f, 0.0f}, 1.75f);
+  const CAnswer answer = MeetRing(flight.m_stdBalls[0], 2.0f);
+  CHardCase c;
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "CentreInTheMiddleOfAFullArc";
+  c.m_sInput =
+      "ball r = .5 in the middle of a full arc R = 2: at rest, and with v = (1, 0); one step of 1.75";
+  c.m_sRight = "at rest no contact; else the gap is 1.5: t = 1.5, n = (-1, 0), v' = (-1, 0)";
+  c.m_fBound = 1e-12;
+  c.m_fFloatBound = 8.0 * 1.5 * g_fFloatEps;
+  c.m_sBound = "1e-12 of t, n and v'; engines 8 roundings";
+  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_fnError = [=](eColumn column) {
+    return std::max(ErrorOfFlight(Shoot(column, rest), rest), ErrorOf(Shoot(column, flight), answer));
+  };
+  c.m_sControl = "closest point R p / |p|: 0 / 0";
+  c.m_fnControl = [] {
+    const CVec2d p(0.0, 0.0);
+    return 2.0 * p.x() / p.norm();
+  };
+  return c;
+}
+
+CHardCase InAnArcOfItsSize() {
+  CHardCase c;
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "BallInTheMiddleOfAFullArcOfItsOwnSize";
+  c.m_sInput = "ball r = 1 in the middle of a full arc R = 1: at rest, and with v = (1, 0); one step of .25";
+  c.m_sRight = "it has no room inside, so it has no inner contact: flies on";
+  c.m_fBound = 1e-12;
+  c.m_fFloatBound = 2.0 * g_fFloatEps;
+  c.m_sBound = "1e-12 of p and v; engines 2 roundings";
+  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_fnError = [](eColumn column) {
+    double error = 0.0;
+    for (const Vector2& v : {Vector2(0.0f, 0.0f), Vector2(1.0f, 0.0f)}) {
+      const CShot shot = InFullArc(1.0f, 1.0f, v, 0.25f);
+      error = std::max(error, ErrorOfFlight(Shoot(column, shot), shot));
+    }
+    return error;
+  };
+  c.m_sControl = "n = -p / |p|: 0 / 0";
+  c.m_fnControl = [] {
+    const CVec2d p(0.0, 0.0);
+    return -p.x() / p.norm();
+  };
+  return c;
+}
+
+// How far two balls of r = .5 that are on each other at rest are from where they belong after a step.
+double ErrorOfParting(eColumn column, float m0, float m1) {
+  const auto pWorld = MakeWorld(column, Desc(column));
+  pWorld->Add(CDynamicCircleDesc({0.0f, 0.0f}, 0.5f, {0.0f, 0.0f}, m0));
+  pWorld->Add(CDynamicCircleDesc({0.0f, 0.0f}, 0.5f, {0.0f, 0.0f}, m1));
+  pWorld->Step();
+  const CVec2d p0 = pWorld->GetBallPositions()[0].cast<double>(),
+               p1 = pWorld->GetBallPositions()[1].cast<double>();
+  const double w0 = static_cast<double>(m0), w1 = static_cast<double>(m1);
+  const double rest = std::max(Distance(pWorld->GetBallVelocities()[0].cast<double>(), CVec2d::Zero()),
+                               Distance(pWorld->GetBallVelocities()[1].cast<double>(), CVec2d::Zero()));
+  return std::max({std::abs(p0.norm() - w1 / (w0 + w1)), std::abs(p1.norm() - w0 / (w0 + w1)),
+                   Distance(w0 * p0 + w1 * p1, CVec2d::Zero()), rest});
+}
+
+CHardCase TwoBallsOnEachOther() {
+  CHardCase c;
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "TwoBallsAtOnePlace";
+  c.m_sInput = "two balls r = .5 of m = 1 and 3, both at rest at (0, 0); one step of 1/60";
+  c.m_sRight = "apart by .75 and .25 along one line; the centre of mass stays, v' = 0";
+  c.m_fBound = 1e-12;
+  c.m_fFloatBound = 2.0 * g_fFloatEps;
+  c.m_sBound = "1e-12 of p and v; engines 2 roundings";
+  c.m_stdExpect = {Right(), Right(), Right(), Right(), NotAsked("leaves what overlaps where it is")};
+  c.m_fnError = [](eColumn column) { return ErrorOfParting(column, 1.0f, 3.0f); };
+  c.m_sControl = "n = (p1 - p0) / |p1 - p0|: 0 / 0";
+  c.m_fnControl = [] {
+    const CVec2d p(0.0, 0.0);
+    return p.x() / p.norm();
+  };
+  return c;
+}
+
+} // namespace
+
+std::vector<CHardCase> CoincidentCases() {
+  return {OnAPoint(),    OnASegmentFromAbove(), OnASegmentFromBelow(),
+          InTheMiddle(), InAnArcOfItsSize(),    TwoBallsOnEachOther()};
+}
+
+} // namespace Shapes::HardCases

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// Balls that touch a little, not quite, or all the time; and curved ways.
+#include "ShotTesting.h"
+
+#include "reference/Reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::HardCases {
+
+namespace {
+
+const std::string g_sGroup = "Grazes and curved ways";
+
+// A ball r = 1 that flies past the point (0, 0), from 10 units away.
+CShot Past(float y) {
+  CShot shot;
+  shot.m_stdShapes = {CPointDesc({0.0f, 0.0f})};
+  shot.m_stdBalls = {CDynamicCircleDesc({-10.0f, y}, 1.0f, {1.0f, 0.0f})};
+  shot.m_fSeconds = 10.5f;
+  shot.m_nBox2DSteps = 7;
+  return shot;
+}
+
+// What the reference sees at a height that no float has.
+CSeen PastInDouble(double y) {
+  const CShot shot = Past(1.0f);
+  Compare::CReference<double> reference(shot.m_stdShapes, shot.m_stdBalls, shot.m_vGravity);
+  reference.SetBall(0, {-10.0, y}, {1.0, 0.0});
+  std::vector<Compare::CExactEvent<double>> events;
+  reference.Step(static_cast<double>(shot.m_fSeconds), events);
+  CSeen seen;
+  seen.m_nContacts = events.size();
+  seen.m_vPos = reference.GetBall(0).m_vPos;
+  seen.m_vVel = reference.GetBall(0).m_vVel;
+  if (events.empty()) return seen;
+  seen.m_fTime = events[0].m_fTime;
+  seen.m_vNorm = events[0].m_vNorm;
+  return seen;
+}
+
+CAnswer PastAt50Digits(double y) {
+  const CFifty h(y), x = -sqrt(CFifty(CFifty(1) - h * h));
+  return {CFifty(10) + x, {x, h}, {CFifty(1) - CFifty(2) * x * x, -CFifty(2) * x * h}};
+}
+
+CHardCase JustTouching() {
+  const double y = 1.0 - 1e-12;
+  const float yFloat = 1.0f - 0x1p-24f;
+  CHardCase c;
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "BallThatJustTouchesAPoint";
+  c.m_sInput = "point (0, 0); ball r = 1 at (-10, 1 - 1e-12), in float (-10, 1 - 6e-8), v = (1, 0)";
+  c.m_sRight = "t = 9.99999858578644 (float: 9.99965473), off by 2.8e-6 (6.9e-4) radians";
+  c.m_fBound = 2e-9;
+  c.m_fFloatBound = 8.0 * 10.0 * g_fFloatEps;
+  c.m_sBound = "2e-9 of t, n and v': a rounding of 10 over sqrt(2e-12), the slope; engines 8 roundings of 10";
+  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_fnError = [=](eColumn column) {
+    if (column == eColumn::Reference) return ErrorOf(PastInDouble(y), PastAt50Digits(y));
+    CSeen seen = Shoot(column, Past(yFloat));
+    // Where it was met tells the time better than so small a change of velocity.
+    if (std::isfinite(seen.m_fTime)) seen.m_fTime = seen.m_fContactTime;
+    return ErrorOf(seen, PastAt50Digits(static_cast<double>(yFloat)));
+  };
+  c.m_sControl = "quadratic in float, -b - sqrt(b b - (d.d - r r)): all digits cancel";
+  c.m_fnControl = [=] {
+    const volatile float dd = 100.0f + yFloat * yFloat; // as a processor without wider registers has it
+    const float cc = dd - 1.0f, root = std::sqrt(std::max(0.0f, 100.0f - cc));
+    return std::abs(static_cast<double>(
+        10.0f - root - static_cast<float>(PastAt50Digits(static_cast<double>(yFloat)).m_fTime)));
+  };
+  return c;
+}
+
+CHardCase JustMissing() {
+  const float yFloat = 1.0f + 0x1p-23f;
+  CHardCase c;
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "BallThatJustMissesAPoint";
+  c.m_sInput = "the same at (-10, 1 + 1e-12), in float (-10, 1 + 1.2e-7)";
+  c.m_sRight = "flies past";
+  c.m_fBound = 1e-12;
+  c.m_fFloatBound = 8.0 * g_fFloatEps;
+  c.m_sBound = "1e-12 of p and v; engines 8 roundings";
+  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_fnError = [=](eColumn column) {
+    const CShot shot = Past(yFloat);
+    if (column != eColumn::Reference) return ErrorOfFlight(Shoot(column, shot), shot);
+    const CSeen seen = PastInDouble(1.0 + 1e-12);
+    if (seen.m_nContacts > 0) return g_fInf;
+    return std::max(Distance(seen.m_vVel, {1.0, 0.0}), Distance(seen.m_vPos, {0.5, 1.0 + 1e-12}));
+  };
+  c.m_sControl = "the same quadratic: a root of 0 is taken for a touch";
+  c.m_fnControl = [=] {
+    const volatile float dd = 100.0f + yFloat * yFloat;
+    const float cc = dd - 1.0f;
+    return 100.0f - cc >= 0.0f ? g_fInf : 0.0;
+  };
+  return c;
+}
+
+constexpr int g_nSlideSteps = 10000;
+constexpr float g_fSlider = 0.1f;
+
+// Largest change of height or velocity of a ball that slides along a segment without pressing on it.
+double ErrorOfSliding(eColumn column) {
+  const std::vector<CAnyShapeDesc> shapes{CLineSegDesc({-1.0f, 0.0f}, {200.0f, 0.0f})};
+  const std::vector<CDynamicCircleDesc> balls{CDynamicCircleDesc({0.0f, g_fSlider}, g_fSlider, {1.0f, 0.0f})};
+  const float dt = 1.0f / 60.0f;
+  const auto r = static_cast<double>(g_fSlider);
+  double error = 0.0;
+  if (column == eColumn::Reference) {
+    Compare::CReference<double> reference(shapes, balls, Vector2::Zero());
+    std::vector<Compare::CExactEvent<double>> events;
+    for (int i = 0; i < g_nSlideSteps; ++i) {
+      reference.Step(static_cast<double>(dt), events);
+      const auto& ball = reference.GetBall(0);
+      error = std::max({error, std::abs(ball.m_vPos.y() - r), Distance(ball.m_vVel, {1.0, 0.0})});
+    }
+    return error;
+  }
+  const auto pWorld = MakeWorld(column, Desc(column, Vector2::Zero(), dt));
+  pWorld->Add(shapes[0]);
+  pWorld->Add(balls[0]);
+  for (int i = 0; i < g_nSlideSteps; ++i) {
+    pWorld->Step();
+    error = std::max({error, std::abs(static_cast<double>(pWorld->GetBallPositions()[0].y()) - r),
+                      Distance(pWorld->GetBallVelocities()[0].cast<double>(), {1.0, 0.0})});
+  }
+  return error;
+}
+
+CHardCase Sliding() {
+  CHardCase c;
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "BallThatSlidesAlongASegment";
+  c.m_sInput =
+      "segment (-1, 0)-(200, 0); ball r = .1 at (0, .1), v = (1, 0), no gravity; 10,000 steps of 1/60";
+  c.m_sRight = "y and v keep their bits";
+  c.m_fBound = c.m_fFloatBound = 1e-12;
+  c.m_sBound = "1e-12 of y and v, less than a rounding of float";
+  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_fnError = ErrorOfSliding;
+  c.m_sControl = "normal by its angle, cos(pi / 2) = -4.4e-8 in float: kicked, and rises by 1.5e-5";
+  c.m_fnControl = [] {
+    const float a = g_fPi / 2.0f;
+    const Vector2 n(std::cos(a), std::sin(a));
+    Vector2 p(0.0f, g_fSlider), v(1.0f, 0.0f);
+    for (int i = 0; i < g_nSlideSteps; ++i) {
+      if (p.y() <= g_fSlider && v.dot(n) < 0.0f) v -= 2.0f * v.dot(n) * n;
+      p += v / 60.0f;
+    }
+    return static_cast<double>(p.y() - g_fSlider);
+  };
+  return c;
+}
+
+// Time at which |p + v t + g t^2 / 2| falls to R, by halving, between 0 and where it is closest or later.
+CFifty MeetOnParabola(const CDynamicCircleDesc& ball, const Vector2& g, double after) {
+  const CVec<CFifty> p = ball.m_vPos.cast<CFifty>(), v = ball.m_vVel.cast<CFifty>(), a = g.cast<CFifty>();
+  CFifty low(0), high(after);
+  for (int i = 0; i < 170; ++i) {
+    const CFifty t = (low + high) / 2;
+    const CVec<CFifty> x = p + v * t + a * (t * t / 2);
+    const bool isApart = x.dot(x) > CFifty(ball.m_fRadius) * CFifty(ball.m_fRadius);
+    (isApart ? low : high) = t;
+  }
+  return low;
+}
+
+CHardCase OnAParabola() {
+  CShot shot;
+  shot.m_stdShapes = {CPointDesc({0.0f, 0.0f})};
+  shot.m_stdBalls = {CDynamicCircleDesc({-1.0f, 0.5f}, 0.3f, {3.0f, 0.0f})};
+  shot.m_vGravity = {0.0f, -9.8f};
+  shot.m_fSeconds = 0.3f;
+  shot.m_nSteps = 18;
+  CHardCase c;
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "BallOnAParabolaMeetsAPoint";
+  c.m_sInput = "point (0, 0); ball r = .3 at (-1, .5), v = (3, 0), gravity (0, -9.8); 60 steps a second";
+  c.m_sRight = "t = .254193423748269";
+  const CFifty right = MeetOnParabola(shot.m_stdBalls[0], shot.m_vGravity, 0.3);
+  c.m_fBound = 1e-12;
+  c.m_fFloatBound = 8.0 * g_fFloatEps;
+  c.m_sBound = "1e-12 of t; engines 8 roundings";
+  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_fnError = [=](eColumn column) {
+    const double error = std::abs(Shoot(column, shot).m_fContactTime - static_cast<double>(right));
+    return std::isfinite(error) ? error : g_fInf;
+  };
+  c.m_sControl = "straight on with its first velocity: .2 above the point, missed";
+  c.m_fnControl = [] { return 0.5 < 0.3 ? 0.0 : g_fInf; };
+  return c;
+}
+
+CHardCase TwoThatFall() {
+  CShot shot;
+  shot.m_stdBalls = {CDynamicCircleDesc({-2.0f, 0.3f}, 0.25f, {4.0f, 0.0f}),
+                     CDynamicCircleDesc({0.0f, 0.0f}, 0.25f)};
+  shot.m_vGravity = {0.0f, -9.8f};
+  shot.m_fSeconds = 0.45f;
+  shot.m_nBox2DSteps = 27;
+  const CAnswer answer = MeetDisc(shot.m_stdBalls[0], 0.25f);
+  CHardCase c = ShotCase(shot, answer);
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "TwoBallsThatFallTogether";
+  c.m_sInput =
+      "balls r = .25 at (-2, .3), v = (4, 0), and at (0, 0) at rest, gravity (0, -9.8); one step of .45, "
+      "on Box2D 27";
+  c.m_sRight = "gravity cancels: t = .4, n = (-.8, .6), relative v' = (-1.12, 3.84)";
+  c.m_sControl = "only the first one falls in the equation: t = .55";
+  c.m_fnControl = [=] {
+    const CDynamicCircleDesc first({-2.0f, 0.3f}, 0.5f, {4.0f, 0.0f});
+    return static_cast<double>(MeetOnParabola(first, {0.0f, -9.8f}, 0.45) - answer.m_fTime);
+  };
+  return c;
+}
+
+} // namespace
+
+std::vector<CHardCase> GrazingCases() {
+  return {JustTouching(), JustMissing(), Sliding(), OnAParabola(), TwoThatFall()};
+}
+
+} // namespace Shapes::HardCases

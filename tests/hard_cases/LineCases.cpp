@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Lines and segments, computed in float.
+#include "ShotTesting.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::HardCases {
+
+namespace {
+
+const std::string g_sGroup = "Lines in float";
+const std::string g_sLibrary = "no engine crosses lines";
+constexpr float g_fInfinite = std::numeric_limits<float>::infinity();
+
+// The foot of the perpendicular from q.
+CVec2d FootAt50Digits(const Vector2& p0, const Vector2& p1, const Vector2& q) {
+  const CVec<CFifty> a = p0.cast<CFifty>(), s = p1.cast<CFifty>() - a, d = q.cast<CFifty>() - a;
+  const CVec<CFifty> foot = a + d.dot(s) / s.dot(s) * s;
+  return foot.cast<double>();
+}
+
+// The same as the crossing with the line of gradient -1/m through q.
+CVec2d FootByGradients(const Vector2& p0, const Vector2& p1, const Vector2& q) {
+  const float m0 = (p1.y() - p0.y()) / (p1.x() - p0.x()), m1 = -1.0f / m0;
+  const float b0 = p0.y() - m0 * p0.x(), b1 = q.y() - m1 * q.x();
+  const float x = (b1 - b0) / (m0 - m1);
+  return Vector2(x, m0 * x + b0).cast<double>();
+}
+
+// Where the ball meets the segment is the point closest to its centre. The library is asked for that, too.
+CHardCase ClosestPoint(const Vector2& p0, const Vector2& p1, const CDynamicCircleDesc& ball, float seconds) {
+  CShot shot;
+  shot.m_stdShapes = {CLineSegDesc(p0, p1)};
+  shot.m_stdBalls = {ball};
+  shot.m_fSeconds = seconds;
+  const Vector2 q = ball.m_vPos;
+  const CVec2d foot = FootAt50Digits(p0, p1, q);
+  CHardCase c;
+  c.m_sGroup = g_sGroup;
+  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_fnError = [=](eColumn column) {
+    const double met = Distance(Shoot(column, shot).m_vPOI, foot);
+    if (column != eColumn::Native) return met;
+    const CLineSegDesc desc(p0, p1);
+    const double ofSegment = Distance(CLineSeg(desc).ClosestPt(q).cast<double>(), foot);
+    const double ofLine = Distance(CLine(p0, desc.GetGradient()).ClosestPt(q).cast<double>(), foot);
+    return std::max({met, ofSegment, ofLine});
+  };
+  c.m_fnControl = [=] { return Distance(FootByGradients(p0, p1, q), foot); };
+  return c;
+}
+
+CHardCase OfAHorizontalSegment() {
+  CHardCase c = ClosestPoint({0.0f, 0.0f}, {1.0f, 0.0f},
+                             CDynamicCircleDesc({0.5f, 0.5f}, 0.25f, {0.0f, -1.0f}), 0.375f);
+  c.m_sName = "ClosestPointOfAHorizontalSegment";
+  c.m_sInput = "segment (0, 0)-(1, 0), q = (.5, .5); met by a ball r = .25 from q";
+  c.m_sRight = "(.5, 0)";
+  c.m_fBound = 4.0 * g_fEps;
+  c.m_fFloatBound = 4.0 * g_fFloatEps;
+  c.m_sBound = "4 roundings";
+  c.m_sControl = "crossing with the line of gradient -1 / 0: NaN";
+  return c;
+}
+
+CHardCase OfANearlyVerticalSegment() {
+  CHardCase c = ClosestPoint({500.0f, 0.0f}, {500.001f, 600.0f},
+                             CDynamicCircleDesc({510.0f, 300.0f}, 9.5f, {-10.0f, 0.0f}), 0.1f);
+  c.m_sName = "ClosestPointOfANearlyVerticalSegment";
+  c.m_sInput = "segment (500, 0)-(500.001, 600), q = (510, 300); met by a ball r = 9.5 from q, v = (-10, 0)";
+  c.m_sRight = "(500.0005, 300.0000167)";
+  c.m_fBound = 8.0 * 1000.0 * g_fEps;
+  c.m_fFloatBound = 1e-3;
+  c.m_sBound = "8 roundings of 1000: 1.8e-12; engines 1e-3";
+  c.m_sControl = "crossing with the line of gradient -1/m: (500.0005, 288), off by 12";
+  return c;
+}
+
+// Infinite unless the answer is that there is none.
+double ErrorOfNoCrossing(const CLine& a, const CLine& b) {
+  return a.Intersect(b) == Vector2(g_fInfinite, g_fInfinite) ? 0.0 : g_fInf;
+}
+
+CHardCase NoCrossing() {
+  CHardCase c;
+  c.m_sGroup = g_sGroup;
+  c.m_sRight = "no point: (Inf, Inf), which nothing in the library uses";
+  c.m_fBound = c.m_fFloatBound = 0.0;
+  c.m_sBound = "exact";
+  c.m_stdExpect = {Right(), NotAsked(g_sLibrary), NotAsked(g_sLibrary), NotAsked(g_sLibrary),
+                   NotAsked(g_sLibrary)};
+  return c;
+}
+
+CHardCase OfEqualGradient() {
+  CHardCase c = NoCrossing();
+  c.m_sName = "CrossingOfLinesOfEqualGradient";
+  c.m_sInput = "lines of equal gradient (0, 1, -1/3, 1e-20, 1e20) through (0, 0) and (0, 1)";
+  c.m_fnError = [](eColumn) {
+    double error = 0.0;
+    for (const float m : {0.0f, 1.0f, -1.0f / 3.0f, 1e-20f, 1e20f})
+      error = std::max(error, ErrorOfNoCrossing(CLine({0.0f, 0.0f}, m), CLine({0.0f, 1.0f}, m)));
+    return error;
+  };
+  c.m_sControl = "x = (b1 - b0) / (m0 - m1) = 1 / 0 taken for a point of impact: its normal is NaN";
+  c.m_fnControl = [] {
+    const double gradients = 0.0, x = 1.0 / gradients;
+    return x / std::abs(x);
+  };
+  return c;
+}
+
+CHardCase OfVerticalLines() {
+  CHardCase c = NoCrossing();
+  c.m_sName = "CrossingOfVerticalLinesOfEitherSign";
+  c.m_sInput = "lines of gradient +Inf through (0, 0) and -Inf through (1, 0)";
+  c.m_fnError = [](eColumn) {
+    const CLine up({0.0f, 0.0f}, g_fInfinite), down({1.0f, 0.0f}, -g_fInfinite);
+    return std::max(ErrorOfNoCrossing(up, down), ErrorOfNoCrossing(down, up));
+  };
+  c.m_sControl = "parallel if m0 == m1: +Inf is not -Inf; they cross at NaN";
+  c.m_fnControl = [] {
+    const double m0 = g_fInf, m1 = -g_fInf, b0 = 0.0, b1 = 0.0 - m1 * 1.0;
+    return m0 == m1 ? 0.0 : (b1 - b0) / (m0 - m1);
+  };
+  return c;
+}
+
+CHardCase BetweenVerticalSegments() {
+  CShot shot;
+  shot.m_stdShapes = {CLineSegDesc({-1.0f, -1.0f}, {-1.0f, 1.0f}), CLineSegDesc({1.0f, 1.0f}, {1.0f, -1.0f})};
+  shot.m_stdBalls = {CDynamicCircleDesc({0.0f, 0.0f}, 0.5f, {1.0f, 0.0f})};
+  shot.m_fSeconds = 0.75f;
+  const CAnswer right{CFifty(0.5), {CFifty(-1), CFifty(0)}, {CFifty(-1), CFifty(0)}};
+  const CAnswer left{CFifty(0.5), {CFifty(1), CFifty(0)}, {CFifty(1), CFifty(0)}};
+  CHardCase c = ShotCase(shot, right);
+  c.m_sGroup = g_sGroup;
+  c.m_sName = "BallBetweenVerticalSegmentsGivenUpAndDown";
+  c.m_sInput = "segments (-1, -1)-(-1, 1) and (1, 1)-(1, -1); ball r = .5 at (0, 0), v = (1, 0) and (-1, 0); "
+               "one step of .75";
+  c.m_sRight = "t = .5, back where it came from";
+  CShot back = shot;
+  back.m_stdBalls[0].m_vVel = {-1.0f, 0.0f};
+  c.m_fnError = [=](eColumn column) {
+    return std::max(ErrorOf(Shoot(column, shot), right), ErrorOf(Shoot(column, back), left));
+  };
+  c.m_sControl = "side by y - (m x + b): Inf - Inf";
+  c.m_fnControl = [] {
+    const double m = g_fInf, x = 1.0, b = 1.0 - m * x;
+    return 0.0 - (m * x + b);
+  };
+  return c;
+}
+
+} // namespace
+
+std::vector<CHardCase> LineCases() {
+  return {OfAHorizontalSegment(), OfANearlyVerticalSegment(), OfEqualGradient(), OfVerticalLines(),
+          BetweenVerticalSegments()};
+}
+
+} // namespace Shapes::HardCases

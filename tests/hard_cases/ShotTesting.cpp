@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "ShotTesting.h"
+
+#include "reference/Reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::HardCases {
+
+namespace {
+
+CVec<CFifty> Fifty(const Vector2& v) { return {CFifty(v.x()), CFifty(v.y())}; }
+
+void SetTimes(CSeen& seen, const CShot& shot) {
+  const CDynamicCircleDesc& ball = shot.m_stdBalls[0];
+  CVec2d p = ball.m_vPos.cast<double>(), v = ball.m_vVel.cast<double>();
+  if (shot.m_stdBalls.size() > 1) {
+    p -= shot.m_stdBalls[1].m_vPos.cast<double>();
+    v -= shot.m_stdBalls[1].m_vVel.cast<double>();
+  }
+  // p_end = p + v t + v' (T - t)
+  const CVec2d change = v - seen.m_vVel;
+  const CVec2d way = seen.m_vPos - p - seen.m_vVel * static_cast<double>(shot.m_fSeconds);
+  if (!change.isZero(0.0)) seen.m_fTime = way.dot(change) / change.squaredNorm();
+  const CVec2d centre = seen.m_vPOI + static_cast<double>(ball.m_fRadius) * seen.m_vNorm;
+  seen.m_fContactTime = (centre - p).dot(v) / v.squaredNorm();
+}
+
+CSeen AskReference(const CShot& shot) {
+  Compare::CReference<double> reference(shot.m_stdShapes, shot.m_stdBalls, shot.m_vGravity);
+  std::vector<Compare::CExactEvent<double>> events;
+  reference.Step(static_cast<double>(shot.m_fSeconds), events);
+  CSeen seen;
+  seen.m_nContacts = events.size();
+  seen.m_vPos = reference.GetBall(0).m_vPos;
+  seen.m_vVel = reference.GetBall(0).m_vVel;
+  if (shot.m_stdBalls.size() > 1) {
+    seen.m_vPos -= reference.GetBall(1).m_vPos;
+    seen.m_vVel -= reference.GetBall(1).m_vVel;
+  }
+  if (events.empty()) return seen;
+  seen.m_fTime = seen.m_fContactTime = events[0].m_fTime;
+  seen.m_vPOI = events[0].m_vPOI;
+  seen.m_vNorm = events[0].m_vNorm;
+  seen.m_fSetback = events[0].m_fDepth;
+  return seen;
+}
+
+CAnswer Bounce(const CVec<CFifty>& v, const CFifty& t, const CVec<CFifty>& n) {
+  return {t, n, v - CFifty(2) * v.dot(n) * n};
+}
+
+} // namespace
+
+CSeen Shoot(eColumn column, const CShot& shot) {
+  if (column == eColumn::Reference) return AskReference(shot);
+  const bool native = column == eColumn::Native || column == eColumn::Continuous;
+  const unsigned steps = native || shot.m_nBox2DSteps == 0 ? shot.m_nSteps : shot.m_nBox2DSteps;
+  const float dt = shot.m_fSeconds / static_cast<float>(steps);
+  const auto pWorld = MakeWorld(column, Desc(column, shot.m_vGravity, dt));
+  for (const CAnyShapeDesc& desc : shot.m_stdShapes)
+    pWorld->Add(desc);
+  for (const CDynamicCircleDesc& desc : shot.m_stdBalls)
+    pWorld->Add(desc);
+  CSeen seen;
+  bool found = false;
+  for (unsigned i = 0; i < steps; ++i) {
+    pWorld->Step();
+    seen.m_nContacts += pWorld->GetContacts().size();
+    for (const CContactEvent& contact : pWorld->GetContacts()) {
+      if (found || contact.m_fSpeed == 0.0f) continue;
+      found = true;
+      seen.m_vPOI = contact.m_vPOI.cast<double>();
+      seen.m_vNorm = contact.m_vNorm.cast<double>();
+      seen.m_fSetback = static_cast<double>(contact.m_fSetback);
+    }
+  }
+  seen.m_vPos = pWorld->GetBallPositions()[0].cast<double>();
+  seen.m_vVel = pWorld->GetBallVelocities()[0].cast<double>();
+  if (shot.m_stdBalls.size() > 1) {
+    seen.m_vPos -= pWorld->GetBallPositions()[1].cast<double>();
+    seen.m_vVel -= pWorld->GetBallVelocities()[1].cast<double>();
+  }
+  SetTimes(seen, shot);
+  return seen;
+}
+
+CAnswer MeetDisc(const CDynamicCircleDesc& ball, float R) {
+  const CVec<CFifty> d = Fifty(ball.m_vPos), v = Fifty(ball.m_vVel);
+  const CFifty reach = CFifty(R) + CFifty(ball.m_fRadius), a = v.dot(v), b = d.dot(v);
+  const CFifty t = (-b - sqrt(CFifty(b * b - a * (d.dot(d) - reach * reach)))) / a;
+  return Bounce(v, t, CVec<CFifty>((d + v * t) / reach));
+}
+
+CAnswer MeetRing(const CDynamicCircleDesc& ball, float R) {
+  const CVec<CFifty> d = Fifty(ball.m_vPos), v = Fifty(ball.m_vVel);
+  const CFifty reach = CFifty(R) - CFifty(ball.m_fRadius), a = v.dot(v), b = d.dot(v);
+  const CFifty t = (-b + sqrt(CFifty(b * b - a * (d.dot(d) - reach * reach)))) / a;
+  return Bounce(v, t, CVec<CFifty>(-(d + v * t) / reach));
+}
+
+CAnswer MeetFloor(const CDynamicCircleDesc& ball) {
+  const CVec<CFifty> p = Fifty(ball.m_vPos), v = Fifty(ball.m_vVel);
+  return Bounce(v, (p.y() - CFifty(ball.m_fRadius)) / -v.y(), CVec<CFifty>(CFifty(0), CFifty(1)));
+}
+
+double Distance(const CVec2d& a, const CVec2d& b) {
+  const CVec2d d = (a - b).cwiseAbs();
+  return std::isfinite(d.x() + d.y()) ? d.maxCoeff() : g_fInf;
+}
+
+double ErrorOf(const CSeen& seen, const CAnswer& answer) {
+  const double time = std::abs(seen.m_fTime - static_cast<double>(answer.m_fTime));
+  if (!std::isfinite(time)) return g_fInf;
+  return std::max({time, Distance(seen.m_vNorm, answer.m_vNorm.cast<double>()),
+                   Distance(seen.m_vVel, answer.m_vVel.cast<double>())});
+}
+
+double ErrorOfFlight(const CSeen& seen, const CShot& shot) {
+  if (seen.m_nContacts > 0) return g_fInf;
+  const CDynamicCircleDesc& ball = shot.m_stdBalls[0];
+  const CVec2d p = ball.m_vPos.cast<double>(), v = ball.m_vVel.cast<double>();
+  return std::max(Distance(seen.m_vVel, v),
+                  Distance(seen.m_vPos, p + v * static_cast<double>(shot.m_fSeconds)));
+}
+
+CHardCase ShotCase(const CShot& shot, const CAnswer& answer) {
+  CHardCase c;
+  const double size = std::max(1.0, static_cast<double>(answer.m_fTime));
+  c.m_fBound = 8.0 * g_fEps * size;
+  c.m_fFloatBound = 8.0 * g_fFloatEps * size;
+  c.m_sBound = "8 roundings of t, n and v'";
+  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_fnError = [shot, answer](eColumn column) { return ErrorOf(Shoot(column, shot), answer); };
+  return c;
+}
+
+} // namespace Shapes::HardCases

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// One ball that flies at something, asked of a world or of the reference: when it was met, and how it left.
+#pragma once
+
+#include "HardCase.h"
+
+#include "reference/Scalar.h"
+#include "reference/Vec2.h"
+
+#include <limits>
+#include <optional>
+
+namespace Shapes::HardCases {
+
+using Compare::CFifty;
+using Compare::CVec;
+using Compare::CVec2d;
+
+inline constexpr double g_fInf = std::numeric_limits<double>::infinity();
+/// Roundings: of the reference, and of the engines.
+inline constexpr double g_fEps = 0x1p-52;
+inline constexpr double g_fFloatEps = 0x1p-23;
+
+struct CShot {
+  std::vector<CAnyShapeDesc> m_stdShapes;
+  std::vector<CDynamicCircleDesc> m_stdBalls; ///< The first is asked, relative to the second if there is one.
+  float m_fSeconds = 1.0f;
+  unsigned m_nSteps = 1; ///< Parts of the time on native.
+  /// On Box2D, which moves a ball by at most 2 metres in a step; 0: the same.
+  unsigned m_nBox2DSteps = 0;
+  Vector2 m_vGravity = Vector2::Zero();
+};
+
+/// What a user sees of it.
+struct CSeen {
+  std::size_t m_nContacts = 0; ///< Those that were told.
+  CVec2d m_vPos, m_vVel;       ///< At the end.
+  /// When it bounced, if it flew straight before and after: by place and velocity at the end. NaN if its
+  /// velocity is what it was.
+  double m_fTime = std::numeric_limits<double>::quiet_NaN();
+  /// Of the first contact at which it approached.
+  CVec2d m_vPOI = CVec2d::Constant(m_fTime), m_vNorm = m_vPOI;
+  /// When its centre was where that contact has it, along its first velocity.
+  double m_fContactTime = m_fTime;
+  double m_fSetback = 0.0; ///< Overlap that the contact tells of.
+};
+
+CSeen Shoot(eColumn column, const CShot& shot);
+
+/// The right answer, at 50 digits from the rounded input. Elasticities are 1.
+struct CAnswer {
+  CFifty m_fTime;
+  CVec<CFifty> m_vNorm, m_vVel; ///< Velocity after the impact.
+};
+
+/// The ball meets a disc of radius R about the origin from outside: the textbook's quadratic, which 50 digits
+/// can afford.
+CAnswer MeetDisc(const CDynamicCircleDesc& ball, float R);
+/// It meets a circle about the origin from inside.
+CAnswer MeetRing(const CDynamicCircleDesc& ball, float R);
+/// It meets the line y = 0 from above.
+CAnswer MeetFloor(const CDynamicCircleDesc& ball);
+
+/// Largest component of the difference; NaN is infinite.
+double Distance(const CVec2d& a, const CVec2d& b);
+/// Largest error of time, normal and velocity. Infinite if the ball flew on.
+double ErrorOf(const CSeen& seen, const CAnswer& answer);
+/// Largest error of place and velocity of a ball that is to fly on. Infinite if a contact was told.
+double ErrorOfFlight(const CSeen& seen, const CShot& shot);
+
+/// A case whose right answer is time, normal and velocity, each within 8 roundings.
+CHardCase ShotCase(const CShot& shot, const CAnswer& answer);
+
+} // namespace Shapes::HardCases
