@@ -15,6 +15,15 @@ T Nudge() {
   return T(4) * std::numeric_limits<T>::epsilon();
 }
 
+// How far a ball that was met where no direction leads away (on a shape, in the middle of a disc) is put
+// along the normal, so that it is not taken for one that comes back from the other side. At the origin, where
+// nothing has a size, the way has one.
+template <class T>
+T Clear(const CExactBall<T>& ball, const T& way) {
+  const T size = ball.GetExtent();
+  return Nudge<T>() * (size > T(0) ? size : way);
+}
+
 // A velocity that a hit without elasticity has left, relative to the speeds before it: below this it is
 // rounding, and the ball rests on what it has hit.
 template <class T>
@@ -126,9 +135,12 @@ void CReference<T>::AnswerShape(const CHit<T>& hit, CPair& pair, CExactEvent<T>&
   }
 
   const bool lifts = slides && hit.m_fDepth <= T(g_fRounded) * ball.GetExtent();
-  ball.m_vPos = hit.m_vCenter;
-  if (!event.m_bOverlapped || lifts)
-    ball.m_vPos = hit.m_vPOI + (ball.m_fRadius + Nudge<T>() * ball.GetExtent()) * n;
+  const T clear = Clear(ball, T(Norm(ball.m_vVel) * m_fStep));
+  ball.m_vPos = hit.m_vCenter + clear * n;
+  if (!event.m_bOverlapped || lifts) {
+    const T apart = ball.m_fRadius + Nudge<T>() * ball.GetExtent();
+    ball.m_vPos = hit.m_vPOI + std::max(apart, clear) * n;
+  }
   Kick(pair);
   if (pair.m_fOut == T(0) && Norm(CVec<T>(ball.m_vVel - hit.m_vSurface)) < Residue<T>() * m_fSpeeds)
     ball.m_vVel = hit.m_vSurface;
@@ -155,12 +167,14 @@ void CReference<T>::AnswerBall(const CHit<T>& hit, CPair& pair, CExactEvent<T>& 
   }
 
   const bool lifts = slides && hit.m_fDepth <= T(g_fRounded) * a.GetExtent();
+  const T clear = Clear(a, T(Norm(CVec<T>(a.m_vVel - b.m_vVel)) * m_fStep));
+  CVec<T> shift = clear * n;
   if (!event.m_bOverlapped || lifts) {
     const T apart = a.m_fRadius + b.m_fRadius + Nudge<T>() * (a.GetExtent() + b.GetExtent());
-    const CVec<T> shift = (T(0.5) * (apart - (a.m_vPos - b.m_vPos).dot(n))) * n;
-    a.m_vPos += shift;
-    b.m_vPos -= shift;
+    shift = (T(0.5) * (std::max(apart, clear) - (a.m_vPos - b.m_vPos).dot(n))) * n;
   }
+  a.m_vPos += shift;
+  b.m_vPos -= shift;
   Kick(pair);
   for (CExactBall<T>* pBall : {&a, &b})
     if (pair.m_fOut == T(0) && Norm(pBall->m_vVel) < Residue<T>() * m_fSpeeds) pBall->m_vVel.setZero();

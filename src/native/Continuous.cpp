@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace Shapes::Native {
@@ -23,6 +24,18 @@ double SizeOf(const Vector2d& p, double r) { return p.cwiseAbs().maxCoeff() + r;
 
 // An overlap that rounding explains, where these are the coordinates.
 double Rounding(double size) { return static_cast<double>(g_fTouchRounding) * size; }
+
+// Of a place as a float. A ball smaller than that would be found on what it has left, or behind it.
+double FloatRounding(double size) {
+  return static_cast<double>(std::numeric_limits<float>::epsilon()) * size;
+}
+
+// How far a centre is kept from where no direction leads away (a shape, or the middle of a disc): there the
+// normal is against the velocity, and one that leaves would be taken for one that comes. At the origin,
+// where nothing has a size, the way has one.
+double Clear(double size, double way) {
+  return 4.0 * std::numeric_limits<double>::epsilon() * (size > 0.0 ? size : way);
+}
 
 Vector2 ToFloat(const Vector2d& p) {
   // Beyond it boxes are all alike, and nothing is there.
@@ -178,6 +191,7 @@ void CContinuous::Push(std::uint32_t i, const Vector2d& n, double depth) {
     pushed.m_vVel = depth / m_fStep * n;
     const CAabb2D box = GetBox(pushed);
     CLeg leg = GetLeg(pushed);
+    leg.m_vPos += Clear(SizeOf(leg.m_vPos, leg.m_fRadius), depth) * n;
     leg.m_vVel = depth / g_fInstant * n;
     leg.m_fDuration = g_fInstant;
     std::vector<std::uint32_t> ranks;
@@ -264,10 +278,11 @@ void CContinuous::Offer(const CNext& found, double size, CMoving& ball) const {
   const CImpact& impact = found.m_cImpact;
   if (found.m_eSweep == eSweep::Impact && impact.m_fCurve == 0.0) {
     // What would not take the ball into it by more than rounding is none, or a pile that settles would never
-    // be done with it.
+    // be done with it. Nor by more than half its radius, or a tiny one would get through.
     const double approach = ApproachSpeed(ball.GetPathVel(), impact.m_vSurface, impact.m_vNorm);
     const double left = m_fStep - ball.m_fTime - impact.m_fTime;
-    if (approach * left <= Rounding(size + SizeOf(impact.m_vPOI, ball.m_fRadius))) return;
+    const double rounding = Rounding(size + SizeOf(impact.m_vPOI, ball.m_fRadius));
+    if (approach * left <= std::min(rounding, 0.5 * ball.m_fRadius)) return;
   }
   const auto order = [](const CNext& n) { return std::tuple(n.m_cImpact.m_fTime, n.m_bIsBall, n.m_nOther); };
   if (ball.m_cNext.m_eSweep == eSweep::None || order(found) < order(ball.m_cNext)) ball.m_cNext = found;
@@ -314,9 +329,13 @@ void CContinuous::AnswerShape(CMoving& ball) {
   const Vector2d &n = impact.m_vNorm, &surface = impact.m_vSurface;
   Advance(ball, impact.m_fTime);
   const double depth = ball.m_fRadius - (ball.m_vPos - impact.m_vPOI).dot(n);
+  const double size = SizeOf(ball.m_vPos, ball.m_fRadius) + m_pShapes->GetOutline(rank).m_fSize;
+  const double clear = Clear(size, ball.m_vVel.norm() * m_fStep);
   // Exactly onto the shape; but one that began deep in something stays there.
-  if (depth <= Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + m_pShapes->GetOutline(rank).m_fSize))
-    ball.m_vPos = impact.m_vPOI + ball.m_fRadius * n;
+  if (depth <= Rounding(size))
+    ball.m_vPos = impact.m_vPOI + std::max(ball.m_fRadius, FloatRounding(size) + clear) * n;
+  else
+    ball.m_vPos += clear * n;
   const double approach = ApproachSpeed(ball.m_vVel, surface, n);
   const double e = ball.m_fElasticity * static_cast<double>(entry.m_pShape->GetElasticity());
   RespondKinematic(n, 0.0, e, surface, ball.m_vPos, ball.m_vVel);
@@ -348,9 +367,11 @@ void CContinuous::AnswerBall(CMoving& ball, CMoving& other) {
   other.m_fTime = ball.m_fTime;
   const double e = ball.m_fElasticity * other.m_fElasticity;
   const double approach = ApproachSpeed(ball.GetPathVel(), other.GetPathVel(), n);
-  double setback = ball.m_fRadius + other.m_fRadius - (ball.m_vPos - other.m_vPos).dot(n);
   const double size = SizeOf(ball.m_vPos, ball.m_fRadius) + SizeOf(other.m_vPos, other.m_fRadius);
-  if (std::abs(setback) > Rounding(size)) setback = 0.0; // they began deep in each other
+  const double clear = Clear(size, (ball.m_vVel - other.m_vVel).norm() * m_fStep);
+  const double apart = std::max(ball.m_fRadius + other.m_fRadius, FloatRounding(size) + clear);
+  double setback = apart - (ball.m_vPos - other.m_vPos).dot(n);
+  if (std::abs(setback) > Rounding(size)) setback = clear; // they began deep in each other
   const Vector2d rest = Vector2d::Zero();
   if (other.m_bIsHalted)
     RespondKinematic(n, setback, e, rest, ball.m_vPos, ball.m_vVel);

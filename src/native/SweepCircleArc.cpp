@@ -10,9 +10,13 @@ void SweepCircleArc(CSearch<TLeg>& search) {
   const double R = arc.m_fRadius, r = search.GetBallRadius(), touch = search.GetLeg().GetTouch();
   const double slack = std::min(touch / (R > 0.0 ? R : 1.0), 1.0);
   const auto inSector = [&](const Vector2d& p) { return InSector(arc, p - c, slack); };
-  // Overlapping by r the centre is on the circle: on the other side it is not on the solid one.
-  if (arc.m_eSides != eSides::Back) search.Meet(CRoundPart{c, R}, r, inSector);
-  if (arc.m_eSides != eSides::Front && r < R) search.Meet(CInsidePart{c, R}, r, inSector);
+  // Overlapping by r the centre is on the circle: on the other side it is not on the solid one. Exactly on
+  // it, it is on the side from which it came.
+  const CSeenBall ball = search.GetLeg().At(0.0);
+  const Vector2d d = ball.m_vPos - c;
+  const double out = Norm(d) == R ? d.dot(ball.m_vVel) : 0.0;
+  if (arc.m_eSides != eSides::Back && !(out > 0.0)) search.Meet(CRoundPart{c, R}, r, inSector);
+  if (arc.m_eSides != eSides::Front && r < R && !(out < 0.0)) search.Meet(CInsidePart{c, R}, r, inSector);
   if (arc.m_bFull) return;
 
   const bool oneSided = arc.m_eSides != eSides::Both;

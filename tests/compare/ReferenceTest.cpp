@@ -102,6 +102,44 @@ TEST(Reference, CorneredBallReverses) { // both orders
   }
 }
 
+// Where no direction leads away the normal is against the velocity: one that leaves must not be taken for one
+// that comes.
+TEST(Reference, CentreExactlyOnAShapeIsMetOnce) {
+  const CAnyShapeDesc shapes[] = {
+      CPointDesc({0, 0}),           CLineSegDesc({0, -1}, {0, 1}),
+      CLineSegDesc({0, 0}, {0, 1}), CCircleDesc({-1, 0}, 1),
+      CArcDesc({-1, 0}, 1, 0, 0),   CCircleDesc({0, 0}, .125f)}; // into which the ball does not fit
+  for (const CAnyShapeDesc& shape : shapes)
+    for (const float vx : {1.0f, -1.0f})
+      for (const float r : {.25f, 0.f}) {
+        SCOPED_TRACE(testing::Message() << "shape " << &shape - shapes << ", v = " << vx << ", r = " << r);
+        if (r == 0 && &shape == &shapes[5]) continue; // it fits
+        CExact reference = Make({shape}, {CDynamicCircleDesc({0, 0}, r, {vx, 0})});
+        EXPECT_EQ(Carry(reference, .25).size(), 1u);
+        EXPECT_EQ(reference.GetBall(0).m_vVel, CVec2d(-vx, 0));
+      }
+}
+
+TEST(Reference, BallsAtOnePlaceMeetOnce) {
+  for (const float r : {.25f, 0.f}) {
+    CExact reference = Make({}, {CDynamicCircleDesc({0, 0}, r, {1, 0}), CDynamicCircleDesc({0, 0}, r)});
+    EXPECT_EQ(Carry(reference, .25).size(), 1u);
+    EXPECT_EQ(reference.GetBall(0).m_vVel, CVec2d(0, 0));
+    EXPECT_EQ(reference.GetBall(1).m_vVel, CVec2d(1, 0));
+  }
+}
+
+TEST(Reference, BallWithoutRadiusBounces) { // at the origin too, where nothing has a size
+  for (const float y : {0.f, 1.f, -700.3f}) {
+    CExact reference =
+        Make({Wall({-1, y}, {1, y}), CPointDesc({2, y})},
+             {CDynamicCircleDesc({0, y + 1}, 0, {0, -1}), CDynamicCircleDesc({2, y + 1}, 0, {0, -1})});
+    EXPECT_EQ(Carry(reference, 1.25).size(), 2u) << y;
+    for (const std::size_t i : {0u, 1u})
+      EXPECT_EQ(reference.GetBall(i).m_vVel, CVec2d(0, 1)) << y;
+  }
+}
+
 TEST(Reference, GuardAtAnEndGivesOneResponse) {
   CExact reference =
       Make({CPointDesc({0, 0}), Wall({0, 0}, {1, 0})}, {CDynamicCircleDesc({-.3f, 2}, .5f, {0, -1})});

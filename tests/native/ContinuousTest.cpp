@@ -276,6 +276,65 @@ TEST(ContinuousTest, ABallThatWasPutIntoAWallIsSetBack) {
   EXPECT_NEAR(pWorld->GetPos(ball).y(), 0.1f + g_fDt, 4 * g_fUlp);
 }
 
+// There the normal is against the velocity, and a ball that has bounced must not be taken for one that comes.
+TEST(ContinuousTest, ACentreExactlyOnAShapeGoesBackWhereItCameFrom) {
+  const CCircleDesc ring({-1, 0}, 1);
+  const CArcDesc arc({-1, 0}, 1, 0, 0);
+  const CAnyShapeDesc shapes[] = {CPointDesc({0, 0}),
+                                  CCircleDesc({0, 0}, 0),
+                                  CLineSegDesc({0, -1}, {0, 1}),
+                                  CLineSegDesc({0, 0}, {0, 1}),
+                                  ring,
+                                  arc};
+  for (const CAnyShapeDesc& shape : shapes)
+    for (const float vx : {1.0f, -1.0f}) {
+      SCOPED_TRACE(testing::Message() << "shape " << &shape - shapes << ", v = " << vx);
+      auto pWorld = MakeContinuous();
+      pWorld->Add(shape);
+      const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.25f, {vx, 0}));
+      pWorld->Step();
+      EXPECT_EQ(pWorld->GetContacts().size(), 1u);
+      EXPECT_EQ(pWorld->GetVel(ball), Vector2(-vx, 0));
+      EXPECT_NEAR(pWorld->GetPos(ball).x(), -vx * (0.25f + g_fDt), 4 * g_fUlp);
+    }
+}
+
+TEST(ContinuousTest, TwoBallsThatMoveIntoEachOtherAtOnePlacePart) {
+  auto pWorld = MakeContinuous();
+  const CShapeId first = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.25f, {1, 0}));
+  const CShapeId second = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.25f));
+  pWorld->Step();
+  EXPECT_EQ(pWorld->GetVel(first), Vector2(0, 0));
+  EXPECT_EQ(pWorld->GetVel(second), Vector2(1, 0));
+  EXPECT_NEAR(pWorld->GetPos(second).x() - pWorld->GetPos(first).x(), 0.5f + g_fDt, 4 * g_fUlp);
+}
+
+// Wherever in a step it is met, also at its end, and wherever the wall is.
+TEST(ContinuousTest, ABallWithoutRadiusStaysOnItsSide) {
+  for (const float y : {0.0f, 1.0f, 0.1f, -700.3f})
+    for (const float dt : {1.0f, 0.25f, 1.0f / 60.0f, 0.1f})
+      for (const float r : {0.0f, 1e-30f, 1e-9f}) {
+        SCOPED_TRACE(testing::Message() << "y = " << y << ", step " << dt << ", r = " << r);
+        CWorldDesc desc;
+        desc.m_fTimeStep = dt;
+        desc.m_cEffects = g_cContinuous;
+        auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+        pWorld->Add(CLineSegDesc({-1, y}, {1, y}));
+        for (const Vector2& v : {Vector2(0, 1), Vector2(0.1f, 0.7f)}) {
+          pWorld->Add(CDynamicCircleDesc({-0.5f, y + 1}, r, -v));
+          pWorld->Add(CDynamicCircleDesc({0.5f, y - 1}, r, v));
+        }
+        for (float t = 0; t < 3; t += dt)
+          pWorld->Step();
+        for (std::size_t i = 0; i < 4; ++i) {
+          const float side = i % 2 == 0 ? 1.0f : -1.0f;
+          EXPECT_GT(side * (pWorld->GetBallPositions()[i].y() - y), 0) << "ball " << i;
+          EXPECT_GT(side * pWorld->GetBallVelocities()[i].y(), 0) << "ball " << i;
+        }
+        EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u);
+      }
+}
+
 TEST(ContinuousTest, ASetbackGoesThroughNothing) {
   // Two balls in one place between two walls: apart as far as there is room, not out of the walls.
   auto pWorld = MakeContinuous();

@@ -26,6 +26,23 @@ TEST(DetectCircleCircle, ABallInsideBouncesOffTheInside) {
       DetectCircleCircle(Circle({0.0f, 0.0f}, 2.0f), Ball({0.0f, 0.0f}, 0.5f), hit)); // at its centre
 }
 
+TEST(DetectCircleCircle, ACentreExactlyOnTheRingIsOnTheSideFromWhichItCame) {
+  const CCircle ring = Circle({0.0f, 0.0f}, 1.0f);
+  CHit hit;
+  const CBall outward{{1.0f, 0.0f}, {0.75f, 0.0f}, {1.0f, 0.0f}, 0.5f};
+  ASSERT_TRUE(DetectCircleCircle(ring, outward, hit));
+  EXPECT_EQ(hit.m_vNorm, Vector2(-1.0f, 0.0f));
+  EXPECT_EQ(hit.m_fSetback, 0.5f);
+  const CBall inward{{1.0f, 0.0f}, {1.25f, 0.0f}, {-1.0f, 0.0f}, 0.5f};
+  ASSERT_TRUE(DetectCircleCircle(ring, inward, hit));
+  EXPECT_EQ(hit.m_vNorm, Vector2(1.0f, 0.0f));
+  // Placed there: by its velocity.
+  ASSERT_TRUE(DetectCircleCircle(ring, Ball({1.0f, 0.0f}, 0.5f, {1.0f, 0.0f}), hit));
+  EXPECT_EQ(hit.m_vNorm, Vector2(-1.0f, 0.0f));
+  ASSERT_TRUE(DetectCircleCircle(ring, Ball({1.0f, 0.0f}, 0.5f, {-1.0f, 0.0f}), hit));
+  EXPECT_EQ(hit.m_vNorm, Vector2(1.0f, 0.0f));
+}
+
 TEST(DetectCircleCircle, PoiIsOnTheCircleThatIsMet) {
   // The closest point of the ball to the centre of the circle is r from the ball's own centre: as a point
   // that a ball of radius r has to overlap, it is never met.
