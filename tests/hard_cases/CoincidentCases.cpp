@@ -55,9 +55,11 @@ CHardCase OnTheSpot(const COnTheSpot& onTheSpot) {
 CHardCase OnAPoint() {
   CHardCase c = OnTheSpot({CPointDesc({0.0f, 0.0f}), {1.0f, 0.0f}, {-1.0, 0.0}, {-1.0, 0.0}});
   c.m_sName = "CentreExactlyOnAPoint";
+  Of(c, eColumn::Box2D) = Missed("flies on: its normal there is always (1, 0)");
+  Of(c, eColumn::Tuned) = Off(0.5, "n and v' right, set back by 0 instead of .5");
   c.m_sInput = "ball r = .5, its centre on the point, v = (1, 0)";
   c.m_sRight = "against v: n = (-1, 0), setback r, v' = (-1, 0)";
-  c.m_sControl = "n = p / |p|: 0 / 0";
+  c.m_sControl = "n = p over its length: 0 / 0";
   c.m_fnControl = [] {
     const CVec2d p(0.0, 0.0);
     return p.x() / p.norm();
@@ -74,9 +76,11 @@ CHardCase OnASegmentFromAbove() {
   const CLineSegDesc seg({-1.0f, 0.0f}, {1.0f, 0.0f});
   CHardCase c = OnTheSpot({seg, {1.0f, -1.0f}, {0.0, 1.0}, {1.0, 1.0}});
   c.m_sName = "CentreExactlyOnASegmentFromAbove";
+  Of(c, eColumn::Box2D) = Missed("flies on: its normal there is always (0, -1)");
+  Of(c, eColumn::Tuned) = Off(0.5, "n and v' right, set back by 0 instead of .5");
   c.m_sInput = "ball r = .5, its centre on the segment (-1, 0)-(1, 0), v = (1, -1)";
   c.m_sRight = "to where it came from: n = (0, 1), setback r, v' = (1, 1)";
-  c.m_sControl = "n = (q - foot) / |q - foot|: 0 / 0";
+  c.m_sControl = "n = q - foot over its length: 0 / 0";
   c.m_fnControl = NoDistance;
   return c;
 }
@@ -85,9 +89,12 @@ CHardCase OnASegmentFromBelow() {
   const CLineSegDesc seg({-1.0f, 0.0f}, {1.0f, 0.0f});
   CHardCase c = OnTheSpot({seg, {1.0f, 1.0f}, {0.0, -1.0}, {1.0, -1.0}});
   c.m_sName = "CentreExactlyOnASegmentFromBelow";
+  Of(c, eColumn::Box2D) =
+      Off(0.376, "n and v' right by chance: that is its normal there; set back by .12 instead of .5");
+  Of(c, eColumn::Tuned) = Missed("flies on: it takes it to be above");
   c.m_sInput = "the same from below, v = (1, 1)";
   c.m_sRight = "n = (0, -1), setback r, v' = (1, -1)";
-  c.m_sControl = "n = (q - foot) / |q - foot|: 0 / 0";
+  c.m_sControl = "n = q - foot over its length: 0 / 0";
   c.m_fnControl = NoDistance;
   return c;
 }
@@ -114,10 +121,12 @@ CHardCase InTheMiddle() {
   c.m_fFloatBound = 8.0 * 1.5 * g_fFloatEps;
   c.m_sBound = "1e-12 of t, n and v'; engines 8 roundings";
   c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  Of(c, eColumn::Native) = Off(0.125, "as if t = 1.625: the way after the impact is lost");
+  Of(c, eColumn::Box2D) = Off(0.12, "v' off by .12 radians: it bounces off a chord");
   c.m_fnError = [=](eColumn column) {
     return std::max(ErrorOfFlight(Shoot(column, rest), rest), ErrorOf(Shoot(column, flight), answer));
   };
-  c.m_sControl = "closest point R p / |p|: 0 / 0";
+  c.m_sControl = "closest point: R p over the length of p, 0 / 0";
   c.m_fnControl = [] {
     const CVec2d p(0.0, 0.0);
     return 2.0 * p.x() / p.norm();
@@ -135,6 +144,8 @@ CHardCase InAnArcOfItsSize() {
   c.m_fFloatBound = 2.0 * g_fFloatEps;
   c.m_sBound = "1e-12 of p and v; engines 2 roundings";
   c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  Of(c, eColumn::Box2D) = Off(8.6, "thrown out through the arc, with 8.6 times its speed");
+  Of(c, eColumn::Tuned) = Off(2.0, "thrown out through the arc, by 2 units in the step");
   c.m_fnError = [](eColumn column) {
     double error = 0.0;
     for (const Vector2& v : {Vector2(0.0f, 0.0f), Vector2(1.0f, 0.0f)}) {
@@ -143,7 +154,7 @@ CHardCase InAnArcOfItsSize() {
     }
     return error;
   };
-  c.m_sControl = "n = -p / |p|: 0 / 0";
+  c.m_sControl = "n = -p over its length: 0 / 0";
   c.m_fnControl = [] {
     const CVec2d p(0.0, 0.0);
     return -p.x() / p.norm();
@@ -176,8 +187,10 @@ CHardCase TwoBallsOnEachOther() {
   c.m_fFloatBound = 2.0 * g_fFloatEps;
   c.m_sBound = "1e-12 of p and v; engines 2 roundings";
   c.m_stdExpect = {Right(), Right(), Right(), Right(), NotAsked("leaves what overlaps where it is")};
+  Of(c, eColumn::Box2D) = Off(0.75, "they stay on each other for good");
+  Of(c, eColumn::Tuned) = Off(0.64, "apart by .11 and .04, right after some steps");
   c.m_fnError = [](eColumn column) { return ErrorOfParting(column, 1.0f, 3.0f); };
-  c.m_sControl = "n = (p1 - p0) / |p1 - p0|: 0 / 0";
+  c.m_sControl = "n = p1 - p0 over its length: 0 / 0";
   c.m_fnControl = [] {
     const CVec2d p(0.0, 0.0);
     return p.x() / p.norm();

@@ -52,11 +52,15 @@ CHardCase JustTouching() {
   c.m_sGroup = g_sGroup;
   c.m_sName = "BallThatJustTouchesAPoint";
   c.m_sInput = "point (0, 0); ball r = 1 at (-10, 1 - 1e-12), in float (-10, 1 - 6e-8), v = (1, 0)";
-  c.m_sRight = "t = 9.99999858578644 (float: 9.99965473), off by 2.8e-6 (6.9e-4) radians";
+  c.m_sRight = "t = 9.99999858578644 (float: 9.99965473), turned by 2.8e-6 (6.9e-4) radians";
   c.m_fBound = 2e-9;
   c.m_fFloatBound = 8.0 * 10.0 * g_fFloatEps;
-  c.m_sBound = "2e-9 of t, n and v': a rounding of 10 over sqrt(2e-12), the slope; engines 8 roundings of 10";
+  c.m_sBound =
+      "t, n and v' within 2e-9, a rounding of 10 over the slope sqrt(2e-12); engines 8 roundings of 10";
   c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  Of(c, eColumn::Native) = Missed("flies past: at the end of the step it is beyond");
+  Of(c, eColumn::Box2D) = Missed("flies past: it stops a ball only where it is .015 deep");
+  Of(c, eColumn::Tuned) = Missed("flies past: so slight an overlap does not stop Box2D");
   c.m_fnError = [=](eColumn column) {
     if (column == eColumn::Reference) return ErrorOf(PastInDouble(y), PastAt50Digits(y));
     CSeen seen = Shoot(column, Past(yFloat));
@@ -142,17 +146,16 @@ CHardCase Sliding() {
   c.m_fBound = c.m_fFloatBound = 1e-12;
   c.m_sBound = "1e-12 of y and v, less than a rounding of float";
   c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  Of(c, eColumn::Box2D) = Off(0.005, "lifted by .005: its skin");
   c.m_fnError = ErrorOfSliding;
-  c.m_sControl = "normal by its angle, cos(pi / 2) = -4.4e-8 in float: kicked, and rises by 1.5e-5";
+  c.m_sControl = "normal by its angle, cos(pi / 2) = -4.4e-8 in float: v is off by 8.7e-8";
   c.m_fnControl = [] {
     const float a = g_fPi / 2.0f;
     const Vector2 n(std::cos(a), std::sin(a));
-    Vector2 p(0.0f, g_fSlider), v(1.0f, 0.0f);
-    for (int i = 0; i < g_nSlideSteps; ++i) {
-      if (p.y() <= g_fSlider && v.dot(n) < 0.0f) v -= 2.0f * v.dot(n) * n;
-      p += v / 60.0f;
-    }
-    return static_cast<double>(p.y() - g_fSlider);
+    Vector2 v(1.0f, 0.0f);
+    for (int i = 0; i < g_nSlideSteps; ++i)
+      if (v.dot(n) < 0.0f) v -= 2.0f * v.dot(n) * n;
+    return static_cast<double>(v.y());
   };
   return c;
 }
@@ -187,6 +190,10 @@ CHardCase OnAParabola() {
   c.m_fFloatBound = 8.0 * g_fFloatEps;
   c.m_sBound = "1e-12 of t; engines 8 roundings";
   c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  Of(c, eColumn::Native) =
+      Off(0.0047, ".0047 early: met at the end of the step, and v changes once in a step");
+  Of(c, eColumn::Continuous) = Off(0.0031, ".0031 early: v changes once in a step");
+  Of(c, eColumn::Box2D) = Off(0.00066, ".0007 late: v changes once in a step, and it stops a ball .015 deep");
   c.m_fnError = [=](eColumn column) {
     const double error = std::abs(Shoot(column, shot).m_fContactTime - static_cast<double>(right));
     return std::isfinite(error) ? error : g_fInf;
@@ -202,14 +209,16 @@ CHardCase TwoThatFall() {
                      CDynamicCircleDesc({0.0f, 0.0f}, 0.25f)};
   shot.m_vGravity = {0.0f, -9.8f};
   shot.m_fSeconds = 0.45f;
-  shot.m_nBox2DSteps = 27;
+  shot.m_nSteps = 27;
   const CAnswer answer = MeetDisc(shot.m_stdBalls[0], 0.25f);
   CHardCase c = ShotCase(shot, answer);
   c.m_sGroup = g_sGroup;
   c.m_sName = "TwoBallsThatFallTogether";
+  Of(c, eColumn::Native) = Off(0.70, "v' off by .18 radians: n is that at the end of the step");
+  Of(c, eColumn::Box2D) =
+      Off(0.70, "v' off by .18 radians: it does not sweep balls, n is that at the end of the step");
   c.m_sInput =
-      "balls r = .25 at (-2, .3), v = (4, 0), and at (0, 0) at rest, gravity (0, -9.8); one step of .45, "
-      "on Box2D 27";
+      "balls r = .25 at (-2, .3), v = (4, 0), and at (0, 0) at rest, gravity (0, -9.8); 27 steps of 1/60";
   c.m_sRight = "gravity cancels: t = .4, n = (-.8, .6), relative v' = (-1.12, 3.84)";
   c.m_sControl = "only the first one falls in the equation: t = .55";
   c.m_fnControl = [=] {

@@ -14,10 +14,18 @@ const std::string g_sLibrary = "no engine crosses lines";
 constexpr float g_fInfinite = std::numeric_limits<float>::infinity();
 
 // The foot of the perpendicular from q.
-CVec2d FootAt50Digits(const Vector2& p0, const Vector2& p1, const Vector2& q) {
-  const CVec<CFifty> a = p0.cast<CFifty>(), s = p1.cast<CFifty>() - a, d = q.cast<CFifty>() - a;
-  const CVec<CFifty> foot = a + d.dot(s) / s.dot(s) * s;
-  return foot.cast<double>();
+CVec<CFifty> FootAt50Digits(const Vector2& p0, const Vector2& p1, const CVec<CFifty>& q) {
+  const CVec<CFifty> a = p0.cast<CFifty>(), s = p1.cast<CFifty>() - a;
+  return a + (q - a).dot(s) / s.dot(s) * s;
+}
+
+// The point of the segment that the ball meets from the side on which it is.
+CVec<CFifty> MetAt50Digits(const Vector2& p0, const Vector2& p1, const CDynamicCircleDesc& ball) {
+  const CVec<CFifty> q = ball.m_vPos.cast<CFifty>(), v = ball.m_vVel.cast<CFifty>();
+  const CVec<CFifty> d = q - FootAt50Digits(p0, p1, q);
+  const CFifty gap = sqrt(d.dot(d)), approach = -v.dot(d) / gap,
+               t = (gap - CFifty(ball.m_fRadius)) / approach;
+  return FootAt50Digits(p0, p1, q + v * t);
 }
 
 // The same as the crossing with the line of gradient -1/m through q.
@@ -35,17 +43,18 @@ CHardCase ClosestPoint(const Vector2& p0, const Vector2& p1, const CDynamicCircl
   shot.m_stdBalls = {ball};
   shot.m_fSeconds = seconds;
   const Vector2 q = ball.m_vPos;
-  const CVec2d foot = FootAt50Digits(p0, p1, q);
+  const CVec2d foot = FootAt50Digits(p0, p1, q.cast<CFifty>()).cast<double>();
+  const CVec2d met = MetAt50Digits(p0, p1, ball).cast<double>();
   CHardCase c;
   c.m_sGroup = g_sGroup;
   c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
   c.m_fnError = [=](eColumn column) {
-    const double met = Distance(Shoot(column, shot).m_vPOI, foot);
-    if (column != eColumn::Native) return met;
+    const double error = Distance(Shoot(column, shot).m_vPOI, met);
+    if (column != eColumn::Native) return error;
     const CLineSegDesc desc(p0, p1);
     const double ofSegment = Distance(CLineSeg(desc).ClosestPt(q).cast<double>(), foot);
     const double ofLine = Distance(CLine(p0, desc.GetGradient()).ClosestPt(q).cast<double>(), foot);
-    return std::max({met, ofSegment, ofLine});
+    return std::max({error, ofSegment, ofLine});
   };
   c.m_fnControl = [=] { return Distance(FootByGradients(p0, p1, q), foot); };
   return c;
@@ -55,6 +64,7 @@ CHardCase OfAHorizontalSegment() {
   CHardCase c = ClosestPoint({0.0f, 0.0f}, {1.0f, 0.0f},
                              CDynamicCircleDesc({0.5f, 0.5f}, 0.25f, {0.0f, -1.0f}), 0.375f);
   c.m_sName = "ClosestPointOfAHorizontalSegment";
+  Of(c, eColumn::Box2D) = Off(0.005, "off by .005: its skin");
   c.m_sInput = "segment (0, 0)-(1, 0), q = (.5, .5); met by a ball r = .25 from q";
   c.m_sRight = "(.5, 0)";
   c.m_fBound = 4.0 * g_fEps;
@@ -68,6 +78,7 @@ CHardCase OfANearlyVerticalSegment() {
   CHardCase c = ClosestPoint({500.0f, 0.0f}, {500.001f, 600.0f},
                              CDynamicCircleDesc({510.0f, 300.0f}, 9.5f, {-10.0f, 0.0f}), 0.1f);
   c.m_sName = "ClosestPointOfANearlyVerticalSegment";
+  Of(c, eColumn::Box2D) = Off(0.005, "off by .005: its skin");
   c.m_sInput = "segment (500, 0)-(500.001, 600), q = (510, 300); met by a ball r = 9.5 from q, v = (-10, 0)";
   c.m_sRight = "(500.0005, 300.0000167)";
   c.m_fBound = 8.0 * 1000.0 * g_fEps;
@@ -137,6 +148,8 @@ CHardCase BetweenVerticalSegments() {
   CHardCase c = ShotCase(shot, right);
   c.m_sGroup = g_sGroup;
   c.m_sName = "BallBetweenVerticalSegmentsGivenUpAndDown";
+  Of(c, eColumn::Native) = Off(0.125, "as if t = .625: the way after the impact is lost");
+  Of(c, eColumn::Box2D) = Off(0.00031, "as if t = .5003: its skin");
   c.m_sInput = "segments (-1, -1)-(-1, 1) and (1, 1)-(1, -1); ball r = .5 at (0, 0), v = (1, 0) and (-1, 0); "
                "one step of .75";
   c.m_sRight = "t = .5, back where it came from";

@@ -118,19 +118,28 @@ double ErrorOf(const CSeen& seen, const CAnswer& answer) {
 }
 
 double ErrorOfFlight(const CSeen& seen, const CShot& shot) {
-  if (seen.m_nContacts > 0) return g_fInf;
   const CDynamicCircleDesc& ball = shot.m_stdBalls[0];
   const CVec2d p = ball.m_vPos.cast<double>(), v = ball.m_vVel.cast<double>();
-  return std::max(Distance(seen.m_vVel, v),
-                  Distance(seen.m_vPos, p + v * static_cast<double>(shot.m_fSeconds)));
+  return std::max({Distance(seen.m_vVel, v),
+                   Distance(seen.m_vPos, p + v * static_cast<double>(shot.m_fSeconds)),
+                   static_cast<double>(seen.m_nContacts)});
 }
+
+CExpect Off(double figure, const std::string& figureAndReason) {
+  return Deviates(0.5 * figure, 2.0 * figure, figureAndReason);
+}
+
+CExpect Missed(const std::string& reason) { return Deviates(g_fInf, g_fInf, reason); }
+
+CExpect& Of(CHardCase& c, eColumn column) { return c.m_stdExpect[static_cast<std::size_t>(column)]; }
 
 CHardCase ShotCase(const CShot& shot, const CAnswer& answer) {
   CHardCase c;
-  const double size = std::max(1.0, static_cast<double>(answer.m_fTime));
+  const double size = std::max(
+      {1.0, static_cast<double>(answer.m_fTime), static_cast<double>(answer.m_vVel.cwiseAbs().maxCoeff())});
   c.m_fBound = 8.0 * g_fEps * size;
   c.m_fFloatBound = 8.0 * g_fFloatEps * size;
-  c.m_sBound = "8 roundings of t, n and v'";
+  c.m_sBound = "t, n and v' within 8 roundings";
   c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
   c.m_fnError = [shot, answer](eColumn column) { return ErrorOf(Shoot(column, shot), answer); };
   return c;

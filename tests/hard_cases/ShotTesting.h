@@ -65,8 +65,15 @@ CAnswer MeetFloor(const CDynamicCircleDesc& ball);
 double Distance(const CVec2d& a, const CVec2d& b);
 /// Largest error of time, normal and velocity. Infinite if the ball flew on.
 double ErrorOf(const CSeen& seen, const CAnswer& answer);
-/// Largest error of place and velocity of a ball that is to fly on. Infinite if a contact was told.
+/// Of a ball that is to fly on: largest error of place and velocity, and the number of contacts that were
+/// told.
 double ErrorOfFlight(const CSeen& seen, const CShot& shot);
+
+/// What deviates by this figure: held to between half of it and twice of it.
+CExpect Off(double figure, const std::string& figureAndReason);
+/// What is not met at all.
+CExpect Missed(const std::string& reason);
+CExpect& Of(CHardCase& c, eColumn column);
 
 /// A case whose right answer is time, normal and velocity, each within 8 roundings.
 CHardCase ShotCase(const CShot& shot, const CAnswer& answer);

@@ -180,6 +180,8 @@ CHardCase NoRadius() {
   CHardCase c = ShotCase(shot, MeetFloor(ball));
   c.m_sGroup = g_sGroup;
   c.m_sName = "BallWithoutRadiusMeetsASegment";
+  Of(c, eColumn::Native) = Missed("missed: a radius of 0 overlaps nothing");
+  Of(c, eColumn::Box2D) = Off(0.005, "as if t = .995: its skin");
   c.m_sInput = "ball r = 0 at (0, 1), v = (0, -1); segment (-1, 0)-(1, 0); one step of 1.25";
   c.m_sRight = "t = 1, v' = (0, 1)";
   c.m_sControl = "d < r with r = 0 never holds: missed";
@@ -201,6 +203,8 @@ CHardCase PointLike(const CAnyShapeDesc& shape, float x, float y) {
   CHardCase c = ShotCase(shot, MeetFloor(CBall({x, 2.0f}, 0.5f, {0.0f, -1.0f})));
   c.m_sGroup = g_sGroup;
   c.m_sRight = "acts as a point: t = 1.5, v' = (0, 1)";
+  Of(c, eColumn::Native) = Off(0.125, "as if t = 1.625: the way after the impact is lost");
+  Of(c, eColumn::Box2D) = Off(0.01, "as if t = 1.510: it stops a ball .015 deep");
   return c;
 }
 
