@@ -16,12 +16,12 @@ T Nudge() {
 }
 
 // How far a ball that was met where no direction leads away (on a shape, in the middle of a disc) is put
-// along the normal, so that it is not taken for one that comes back from the other side. At the origin, where
-// nothing has a size, the way has one.
+// along the normal, so that it is not taken for one that comes back from the other side: more than the
+// rounding of a distance among coordinates of that size, less than what counts as touching. At the origin,
+// where nothing has a size, the way has one.
 template <class T>
-T Clear(const CExactBall<T>& ball, const T& way) {
-  const T size = ball.GetExtent();
-  return Nudge<T>() * (size > T(0) ? size : way);
+T Clear(const T& size, const T& way) {
+  return T(8) * Nudge<T>() * (size > T(0) ? size : way);
 }
 
 // A velocity that a hit without elasticity has left, relative to the speeds before it: below this it is
@@ -135,7 +135,9 @@ void CReference<T>::AnswerShape(const CHit<T>& hit, CPair& pair, CExactEvent<T>&
   }
 
   const bool lifts = slides && hit.m_fDepth <= T(g_fRounded) * ball.GetExtent();
-  const T clear = Clear(ball, T(Norm(ball.m_vVel) * m_fStep));
+  const CSweptBall<T> swept{ball.m_vPos, ball.m_vVel, ball.m_fRadius};
+  const T extent = GetExtent(solid.m_cFigure, swept, CTurning<T>());
+  const T clear = Clear(extent, T(Norm(ball.m_vVel) * m_fStep));
   ball.m_vPos = hit.m_vCenter + clear * n;
   if (!event.m_bOverlapped || lifts) {
     const T apart = ball.m_fRadius + Nudge<T>() * ball.GetExtent();
@@ -167,7 +169,8 @@ void CReference<T>::AnswerBall(const CHit<T>& hit, CPair& pair, CExactEvent<T>& 
   }
 
   const bool lifts = slides && hit.m_fDepth <= T(g_fRounded) * a.GetExtent();
-  const T clear = Clear(a, T(Norm(CVec<T>(a.m_vVel - b.m_vVel)) * m_fStep));
+  const T extent = a.GetExtent() + b.GetExtent();
+  const T clear = Clear(extent, T(Norm(CVec<T>(a.m_vVel - b.m_vVel)) * m_fStep));
   CVec<T> shift = clear * n;
   if (!event.m_bOverlapped || lifts) {
     const T apart = a.m_fRadius + b.m_fRadius + Nudge<T>() * (a.GetExtent() + b.GetExtent());

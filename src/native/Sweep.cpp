@@ -59,7 +59,9 @@ bool Overlap(const COutline& shape, const CLeg& ball, double start, CImpact& imp
                            ? Run(now, CStanding(CStraightLeg(leg, roundings)), 0.0, impact)
                            : Run(now, CStanding(CTurningLeg(now, leg, roundings)), 0.0, impact);
   FailIf(found != eSweep::Impact);
-  depth = -impact.m_fTime;
+  // What it is seen larger by is no overlap.
+  depth = -impact.m_fTime - (leg.m_fRadius - ball.m_fRadius);
+  FailIf(!(depth > 0.0));
   impact.m_fTime = 0.0;
   impact.m_vSurface = shape.m_fSpin * Perp(impact.m_vPOI - shape.m_vRotCenter);
   return true;

@@ -35,8 +35,11 @@ eSweep SweepBallBall(const CLeg& other, const CLeg& ball, CImpact& impact) {
 }
 
 bool OverlapBallBall(const CLeg& other, const CLeg& ball, CImpact& impact, double& depth) {
-  FailIf(!Meet(other, CStanding(Relative(other, ball)), 0.0, impact));
-  depth = -impact.m_fTime;
+  const CStraightLeg leg = Relative(other, ball);
+  FailIf(!Meet(other, CStanding(leg), 0.0, impact));
+  // What it is seen larger by is no overlap.
+  depth = -impact.m_fTime - (leg.GetLeg().m_fRadius - ball.m_fRadius);
+  FailIf(!(depth > 0.0));
   impact.m_fTime = 0.0;
   impact.m_vPOI += other.m_vPos;
   return true;
