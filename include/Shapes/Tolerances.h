@@ -16,8 +16,10 @@ inline constexpr float g_fMinLengthUnit = 1e-18f;
 /// doubles the speed at each hit) is cut to it and flagged: CDynamicCircle::GetSpeedCapped, CWorldStats.
 inline constexpr float g_fMaxSpeed = 1e18f;
 
-/// Most that a response adds to a velocity before it is cut to g_fMaxSpeed: stays finite with what is there.
-inline constexpr float g_fMaxKick = 1e37f;
+/// Most of an approach speed that a response looks at, in units per second: a surface may be faster than any
+/// ball. What a response adds, at most 1e37 with the largest elasticities, stays finite with what is there;
+/// that is far above g_fMaxSpeed, to which the ball is cut.
+inline constexpr float g_fMaxApproach = 1e25f;
 
 /// Range of masses. The sum of two and the inverse of each stay finite.
 inline constexpr float g_fMinMass = 1e-36f;

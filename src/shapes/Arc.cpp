@@ -6,6 +6,7 @@
 #include "Validate.h"
 
 #include <cmath>
+#include <limits>
 
 namespace Shapes {
 
@@ -16,10 +17,14 @@ CArcDesc::CArcDesc(const Vector2& p, float r, float a0, float a1, float e) : CCi
 
 void CArcDesc::SetAngles(float a0, float a1) {
   m_fAngle0 = NormalizeAngle(a0);
+  m_fAngle1 = NormalizeAngle(a1);
+  // Nobody's whole turn: not finite, or the difference may not be.
+  constexpr float most = 0.25f * std::numeric_limits<float>::max();
+  if (!std::islessequal(std::abs(a0), most) || !std::islessequal(std::abs(a1), most)) return;
   // A whole turn in float is not a whole turn: reduced one by one, the angles would leave an arc of a few
   // 1e-7 rad.
   const float turn = std::abs(a1 - a0), rounding = g_fFullTurnRounding * (std::abs(a0) + std::abs(a1));
-  m_fAngle1 = std::isfinite(turn) && std::abs(turn - g_fTwoPi) <= rounding ? m_fAngle0 : NormalizeAngle(a1);
+  if (std::abs(turn - g_fTwoPi) <= rounding) m_fAngle1 = m_fAngle0;
 }
 
 void CArcDesc::GetEndPts(Vector2& p0, Vector2& p1) const {
@@ -35,11 +40,12 @@ void CArcDesc::GetTangents(Vector2& t0, Vector2& t1) const {
 CArc::CArc(const CArcDesc& desc, eMotion motion)
     : CCircle(desc, eShape::Arc, motion),
       m_fAngle0(desc.GetAngle0()),
-      m_fSpan(desc.GetAngle1() - desc.GetAngle0()),
+      m_fSpan(g_fTwoPi),
       m_bFull(desc.GetAngle0() == desc.GetAngle1()),
       m_eSides(desc.m_eSides) {
   RequireFinite("m_fAngle0", desc.GetAngle0());
   RequireFinite("m_fAngle1", desc.GetAngle1());
+  m_fSpan = desc.GetAngle1() - desc.GetAngle0();
   if (m_fSpan <= 0.0f) m_fSpan += g_fTwoPi;
   desc.GetEndPts(m_vPt0, m_vPt1);
   CArc::Update();

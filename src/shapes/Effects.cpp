@@ -137,8 +137,13 @@ CLongestMoves FindLongestMoves(const CWorldState& state, const Vector2& kick, fl
   for (std::size_t i = 0; i < b.Size(); ++i) {
     if (!IsSolid(b, i)) continue;
     const double way = (b.m_stdVel[i] + kick).cast<double>().norm() * dt, r = b.m_stdRadius[i];
-    if (way > 0.0) moves.m_fBall = std::max(moves.m_fBall, way / r);
-    if (surface > 0.0) moves.m_fSurface = std::max(moves.m_fSurface, surface / r);
+    // A ball may be a point.
+    const auto inRadii = [&](double length) {
+      return r > 0.0 || length == 0.0 ? length / (r > 0.0 ? r : 1.0)
+                                      : std::numeric_limits<double>::infinity();
+    };
+    moves.m_fBall = std::max(moves.m_fBall, inRadii(way));
+    moves.m_fSurface = std::max(moves.m_fSurface, inRadii(surface));
   }
   return moves;
 }

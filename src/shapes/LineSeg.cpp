@@ -6,12 +6,18 @@
 #include "Validate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace Shapes {
 namespace {
 
 Vector2 Midpoint(const Vector2& p0, const Vector2& p1) { return p0 + 0.5f * (p1 - p0); }
+
+// Descriptors hold what they are given until a shape is made, and refuses it.
+bool IsAllowed(const Vector2& p) {
+  return std::islessequal(std::abs(p.x()), g_fMaxLength) && std::islessequal(std::abs(p.y()), g_fMaxLength);
+}
 
 // Whether p comes before q in the order of ends: left to right, then bottom to top.
 bool Before(const Vector2& p, const Vector2& q) { return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y()); }
@@ -35,6 +41,8 @@ CLineSegDesc::CLineSegDesc(const Vector2& p0, const Vector2& p1, float e) : CSha
 void CLineSegDesc::SetEndPts(const Vector2& p0, const Vector2& p1) {
   m_vPt0 = p0;
   m_vPt1 = p1;
+  m_vPos = p0;
+  if (!IsAllowed(p0) || !IsAllowed(p1)) return;
   if (Before(m_vPt1, m_vPt0)) std::swap(m_vPt0, m_vPt1);
   m_vPos = Midpoint(m_vPt0, m_vPt1);
 }

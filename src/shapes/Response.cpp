@@ -5,10 +5,10 @@ namespace Shapes {
 namespace {
 
 // What a response adds along n. Finite: the surface of a shape far from its centre may be faster than any
-// ball, and infinity times a component of n that is 0 is not a number. CapSpeed does the rest.
+// ball. CapSpeed does the rest.
 template <class T>
 T Kick(T e, T vn) {
-  return std::max((T(1) + e) * vn, -T(g_fMaxKick));
+  return (T(1) + e) * std::max(vn, -T(g_fMaxApproach));
 }
 
 using Vector2d = Eigen::Vector2d;

@@ -23,13 +23,14 @@ void Refuse(const std::string& field, const std::string& value, const std::strin
   throw std::invalid_argument(field + " is " + value + ": expected " + expected);
 }
 
+// The quiet comparisons, here and below: what is not a number is to be refused, not to trap.
 void RequireRange(const char* field, float value, float least, float most) {
-  if (!(value >= least && value <= most))
+  if (!(std::isgreaterequal(value, least) && std::islessequal(value, most)))
     Refuse(field, ToText(value), "a number from " + ToText(least) + " to " + ToText(most));
 }
 
 void RequirePositive(const char* field, float value, float most) {
-  if (!(value > 0.0f && value <= most))
+  if (!(std::isgreater(value, 0.0f) && std::islessequal(value, most)))
     Refuse(field, ToText(value), "a number above 0, up to " + ToText(most));
 }
 
@@ -38,7 +39,7 @@ void RequireFinite(const char* field, float value) {
 }
 
 void RequireVector(const char* field, const Vector2& v, float most) {
-  if (!(std::abs(v.x()) <= most && std::abs(v.y()) <= most))
+  if (!(std::islessequal(std::abs(v.x()), most) && std::islessequal(std::abs(v.y()), most)))
     Refuse(field, ToText(v), "finite coordinates of at most " + ToText(most) + " in size");
 }
 

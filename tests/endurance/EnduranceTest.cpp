@@ -20,6 +20,8 @@ using namespace Compare;
 constexpr std::size_t g_nControlSteps = 20000;
 // Vectors that are used for the first time after the first tenth.
 constexpr std::ptrdiff_t g_nLateVectors = 8;
+// Steps of the pinball table, at least, in which the approximate way loses a ball.
+constexpr std::size_t g_nStepsPerEscape = 1000000;
 // Standard deviations: by chance in one of 10^6 runs.
 constexpr double g_fFarApart = 5.0;
 
@@ -73,7 +75,9 @@ INSTANTIATE_TEST_SUITE_P(Native, EnduranceTest,
 
 TEST_P(EnduranceTest, PinballGoesOnForever) {
   const CFigures f = Play(LoadBundled("pinball"));
-  EXPECT_EQ(f.m_nEscaped, 0u);
+  // Without Continuous a ball at a wall that is hit hard by another one may be set back through the wall.
+  const bool sweeps = GetParam().m_cEffects == g_cContinuous;
+  EXPECT_LE(f.m_nEscaped, sweeps ? 0 : f.m_nSteps / g_nStepsPerEscape);
   EXPECT_GT(f.m_nDrained, f.m_nSteps / 4000); // it is played, not at rest
   EXPECT_TRUE(FliesAsItShould(f)) << Text(f);
   EXPECT_TRUE(IsAsWarmAsBefore(f)) << Text(f);

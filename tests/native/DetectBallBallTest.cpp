@@ -37,6 +37,7 @@ TEST(DetectBallBall, CoincidentCentresSeparateAgainstTheirRelativeVelocity) {
 }
 
 TEST(DetectBallBall, NanInPositionOrRadiusIsNoContact) {
+  const CWithoutTraps onPurpose;
   CHit hit;
   const CBall good = Ball({0.0f, 0.0f}, 1.0f);
   for (const CBall& bad :

@@ -115,6 +115,7 @@ TEST(DetectCircleArc, ACentreOnTheArcGoesBackToTheSideItCameFrom) {
 }
 
 TEST(DetectCircleArc, NanInPositionOrRadiusIsNoContact) {
+  const CWithoutTraps onPurpose;
   CHit hit;
   for (const float a1 : {0.0f, 1.0f}) {
     EXPECT_FALSE(DetectCircleArc(Arc(1.0f, 0.0f, a1), Ball({g_fNan, 0.1f}, 0.5f), hit));

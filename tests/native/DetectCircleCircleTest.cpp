@@ -86,6 +86,7 @@ TEST(DetectCircleCircle, OneWithoutExtentIsAPoint) {
 }
 
 TEST(DetectCircleCircle, NanInPositionOrRadiusIsNoContact) {
+  const CWithoutTraps onPurpose;
   CHit hit;
   EXPECT_FALSE(DetectCircleCircle(Circle({0.0f, 0.0f}, 1.0f), Ball({g_fNan, 0.0f}, 0.5f), hit));
   EXPECT_FALSE(DetectCircleCircle(Circle({0.0f, 0.0f}, 1.0f), Ball({1.0f, 0.0f}, g_fNan), hit));

@@ -97,6 +97,7 @@ TEST(DetectLineSegCircle, AOneSidedSegmentPushesBackAcrossIfTheBallCameFromItsSo
 }
 
 TEST(DetectLineSegCircle, NanInPositionOrRadiusIsNoContact) {
+  const CWithoutTraps onPurpose;
   const CLineSeg seg = Seg({-1.0f, 0.0f}, {1.0f, 0.0f});
   CHit hit;
   EXPECT_FALSE(DetectLineSegCircle(seg, Ball({g_fNan, 0.1f}, 0.5f), hit));

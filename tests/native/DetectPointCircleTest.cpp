@@ -43,6 +43,7 @@ TEST(DetectPointCircle, RadiiWhoseSquaresUnderflowAreRight) {
 }
 
 TEST(DetectPointCircle, NanInPositionOrRadiusIsNoContact) {
+  const CWithoutTraps onPurpose;
   // The condition for a miss, as d >= r, lets NaN through.
   const float d = g_fNan, r = 1.0f;
   EXPECT_FALSE(d >= r);
@@ -54,6 +55,7 @@ TEST(DetectPointCircle, NanInPositionOrRadiusIsNoContact) {
 }
 
 TEST(DetectPointCircle, NanInTheVelocityNeverReachesTheHit) {
+  const CWithoutTraps onPurpose;
   CHit hit;
   if (DetectPt({0.0f, 0.0f}, Ball({0.0f, 0.0f}, 1.0f, {g_fNan, 0.0f}), hit)) {
     EXPECT_TRUE(hit.m_vNorm.allFinite());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "native/Detect.h"
+#include "traps/Traps.h"
 
 #include "../Random.h"
 

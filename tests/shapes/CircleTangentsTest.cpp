@@ -4,6 +4,8 @@
 
 #include "../Random.h"
 
+#include "traps/Traps.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -94,6 +96,7 @@ TEST(CircleTangents, ThroughAPointInsideDoNotExist) {
   EXPECT_FALSE(Circle({0.0f, 0.0f}, 5.0f).Tangents({3.0f, 3.9f}, p0, p1));
   EXPECT_FALSE(Circle({0.0f, 0.0f}, 5.0f).Tangents({0.0f, 0.0f}, p0, p1));
   EXPECT_FALSE(Circle({0.0f, 0.0f}, 0.0f).Tangents({0.0f, 0.0f}, p0, p1));
+  const CWithoutTraps onPurpose;
   EXPECT_FALSE(Circle({0.0f, 0.0f}, 5.0f).Tangents({std::nanf(""), 9.0f}, p0, p1));
   EXPECT_EQ(p0, Vector2(7.0f, 7.0f)); // untouched
   EXPECT_EQ(p1, Vector2(8.0f, 8.0f));

@@ -3,6 +3,8 @@
 
 #include "../Random.h"
 
+#include "traps/Traps.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,6 +39,7 @@ TEST(Circle, PointsOfThePerimeterAreNotInside) {
   EXPECT_TRUE(circle.PtInCircle({std::nextafter(5.0f, 0.0f), 0.0f}));
   EXPECT_TRUE(circle.PtInCircle({0.0f, 0.0f}));
   EXPECT_FALSE(Circle({0.0f, 0.0f}, 0.0f).PtInCircle({0.0f, 0.0f}));
+  const CWithoutTraps onPurpose;
   EXPECT_FALSE(circle.PtInCircle({std::nanf(""), 0.0f}));
 }
 
