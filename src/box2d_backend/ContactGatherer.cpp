@@ -49,7 +49,7 @@ float CContactGatherer::RestitutionOf(const CBody& shape, const CBody& ball) con
   const b2Vec2 v = b.GetLinearVelocity() - a.GetLinearVelocityFromWorldPoint(b.GetPosition());
   const float fall = m_fStep * (m_vGravity.Length() + b.GetWorld()->GetGravity().Length());
   const float speed = v.Length() + fall;
-  return speed > 0.0f ? std::min(e, g_fMaxBox2DKick / speed) : e;
+  return e * speed > g_fMaxBox2DKick ? g_fMaxBox2DKick / speed : e;
 }
 
 void CContactGatherer::PostSolve(b2Contact* pContact, const b2ContactImpulse*) {

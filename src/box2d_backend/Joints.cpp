@@ -2,6 +2,7 @@
 #include "Joints.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace Shapes::Box2D {
@@ -41,7 +42,8 @@ void AddEnds(const CShapeEntry& entry, std::vector<CEnd>& ends) {
     if (seg.GetEndPt0() != seg.GetEndPt1()) AddEnds(seg, entry.m_cId, seg.GetNormal(), 0.0f, ends);
   } else if (shape.GetShapeType() == eShape::Arc) {
     const auto& arc = static_cast<const CArc&>(shape);
-    if (!arc.IsFullCircle() && arc.GetRadius() > 0.0f)
+    // As a segment that is a point, an arc that is one joins nothing.
+    if (!arc.IsFullCircle() && arc.GetRadius() >= std::numeric_limits<float>::min())
       AddEnds(arc, entry.m_cId, arc.GetEndPt0() - arc.GetPos(), 1.0f / arc.GetRadius(), ends);
   }
 }
