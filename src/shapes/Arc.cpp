@@ -77,8 +77,9 @@ bool CArc::PtInSector(const Vector2& p) const {
   };
   // On a short arc both hold for what is opposite to it as well, within rounding: ask which side it is on.
   if (m_fSpan < 1.0f && u.dot(e0) < 0.0f) return false;
-  if (m_fSpan <= g_fPi) return leftOf(e0, u) && leftOf(u, e1);
-  return leftOf(e0, u) || leftOf(u, e1);
+  // More than half a turn? Where that is close, the ends as they were rounded know.
+  const bool wide = e0.dot(e1) < 0.0f ? Cross(e0, e1) < 0.0f : m_fSpan > g_fPi;
+  return wide ? leftOf(e0, u) || leftOf(u, e1) : leftOf(e0, u) && leftOf(u, e1);
 }
 
 Vector2 CArc::ClosestPt(const Vector2& p) const {

@@ -138,6 +138,26 @@ TEST(ArcSector, ASlitIsOutsideAndTheRestInside) {
   EXPECT_TRUE(arc.PtInSector({1.0f, -0.002f}));
 }
 
+// The float next to pi is larger than pi, and so is the angle between the rounded ends: by 8.7e-8.
+TEST(ArcSector, BothEndRaysOfHalfATurnBelongToIt) {
+  for (const float r : {1.0f, 3.0f}) {
+    const CArc arc = Arc({0.0f, 0.0f}, r, 0.0f, g_fPi);
+    ASSERT_LT(arc.GetEndPt1().y(), 0.0f);
+    for (const float far : {0.5f, 1.25f, 8.0f}) {
+      EXPECT_TRUE(arc.PtInSector(far * arc.GetEndPt0())) << far;
+      EXPECT_TRUE(arc.PtInSector(far * arc.GetEndPt1())) << far;
+    }
+    EXPECT_FALSE(arc.PtInSector({r, -1e-6f}));
+    EXPECT_FALSE(arc.PtInSector({-r, -1e-6f}));
+    // The complement has the same end rays.
+    const CArc below = Arc({0.0f, 0.0f}, r, g_fPi, 0.0f);
+    EXPECT_TRUE(below.PtInSector(8.0f * below.GetEndPt0()));
+    EXPECT_TRUE(below.PtInSector(8.0f * below.GetEndPt1()));
+    EXPECT_FALSE(below.PtInSector({r, 1e-6f}));
+    EXPECT_FALSE(below.PtInSector({-r, 1e-6f}));
+  }
+}
+
 TEST(ArcSector, AcrossTheZeroAngleNothingIsLost) {
   const CArc arc = Arc({0.0f, 0.0f}, 1.0f, 350 * g_fPi / 180, 10 * g_fPi / 180);
   EXPECT_TRUE(arc.PtInSector({2.0f, 0.0f}));
