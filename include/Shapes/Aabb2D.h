@@ -25,10 +25,10 @@ public:
   /// Whether the point p is in the box.
   friend bool operator&&(const CAabb2D& a, const Vector2& p);
 
-  /// Moves the box by v.
+  /// Moves the box by v. Each coordinate is rounded once: error at most half an ulp of it.
   void Translate(const Vector2& v);
 
-  /// Width and height, 0 for the empty box.
+  /// Width and height, 0 for the empty box. Rounded once.
   float GetWidth() const;
   float GetHt() const;
   const Vector2& GetTopLeft() const { return m_vTopLeft; }

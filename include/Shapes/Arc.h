@@ -17,6 +17,7 @@ public:
   /// Sets the angles, each reduced to [0, 2 pi). Angles that are a whole turn apart within their rounding,
   /// such as 0 and the float nearest to 2 pi, are the full circle.
   void SetAngles(float a0, float a1);
+  // Error of the ends at most 2 ulp of |centre| + radius; of the tangents 1 ulp of 1.
   float GetAngle0() const { return m_fAngle0; }
   float GetAngle1() const { return m_fAngle1; }
   void GetEndPts(Vector2& p0, Vector2& p1) const;
@@ -39,22 +40,28 @@ public:
   std::unique_ptr<CShape> Clone() const override;
 
   float GetAngle0() const { return m_fAngle0; }
+  /// Within 12 ulp of one radian of that of the descriptor, once around counted as nothing.
   float GetAngle1() const;
-  /// Angle from end 0 counterclockwise to end 1, radians in (0, 2 pi].
+  /// Angle from end 0 counterclockwise to end 1, radians in (0, 2 pi]. Error at most 6 ulp of one radian.
   float GetSpan() const { return m_fSpan; }
   bool IsFullCircle() const { return m_bFull; }
+  /// Error at most 2 ulp of |centre| + radius at construction.
   void GetEndPts(Vector2& p0, Vector2& p1) const;
   const Vector2& GetEndPt0() const { return m_vPt0; }
   const Vector2& GetEndPt1() const { return m_vPt1; }
-  /// Unit tangents that point from each end into the arc.
+  /// Unit tangents that point from each end into the arc: across the ways to the ends as these were rounded,
+  /// so the error is at most 4 ulp of (|centre| + radius) / radius.
   void GetTangents(Vector2& t0, Vector2& t1) const;
   eSides GetSides() const { return m_eSides; }
 
   /// Whether p lies in the sector of the arc, at any distance from the centre. The end rays and the centre
   /// count as inside. By cross products, without angles: no branch cut, and the arc's own end points are
-  /// always inside.
+  /// always inside. Right for every direction that is farther than 10 ulp of (|centre| + radius) / radius, in
+  /// radians, from both ends.
   bool PtInSector(const Vector2& p) const;
-  /// The point of the arc closest to p: on the circle if p is in the sector, else the nearer end.
+  /// The point of the arc closest to p: on the circle if p is in the sector, else the nearer end; end 0 if p
+  /// is the centre. It is within 10 ulp of |centre| + radius of the arc, and by no more than that plus 2 ulp
+  /// of |p - centre| farther from p than the closest.
   Vector2 ClosestPt(const Vector2& p) const;
 
 protected:

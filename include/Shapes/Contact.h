@@ -21,7 +21,10 @@ public:
                        ///< to the ball. Box2D: the point touched at the time of impact.
   Vector2 m_vNorm = Vector2::Zero(); ///< Unit normal, from m_pShape to the ball.
   float m_fSetback = 0.0f; ///< Distance, at least 0, to move the ball along the normal until it only touches.
-  float m_fSpeed = 0.0f; ///< Approach speed max(0, -(v - v of the surface at the POI) . n), units per second.
+  /// Approach speed max(0, -(v - V) . n), V the velocity of the surface at the POI, units per second. Error
+  /// on native at most 5 ulp of |v| + |V|, plus, where the shape turns, that of the POI times 2 pi times the
+  /// rotation speed.
+  float m_fSpeed = 0.0f;
 };
 
 } // namespace Shapes

@@ -58,7 +58,9 @@ public:
 
   eShape GetShapeType() const { return m_eShapeType; }
   eMotion GetMotionType() const { return m_eMotionType; }
-  /// The smallest box around the shape as it is now. Each side is within 1 ulp of the coordinate, either way.
+  /// The smallest box around the shape as it is now. Exact for points and segments; of circles each side is
+  /// rounded once, so within half an ulp of the coordinate, either way; of arcs within 4 ulp of |centre| +
+  /// radius.
   const CAabb2D& GetAABB() const { return m_cAabb; }
 
   const Vector2& GetPos() const { return m_vPos; }
@@ -79,7 +81,8 @@ public:
   void SetUserPtr(void* p) { m_pUser = p; }
 
   /// Turns a kinematic shape about center to `angle` radians from its pose at construction (not from its
-  /// present one). Static shapes and balls stay as they are.
+  /// present one). Static shapes and balls stay as they are. Error of every point, ends and centres, at most
+  /// 3 ulp of |center| + its distance from center, for |angle| up to 1e9.
   virtual void Rotate(const Vector2& center, float angle);
   /// Puts a kinematic shape back to its pose at construction, bit for bit.
   virtual void Reset();
@@ -110,7 +113,7 @@ public:
   float GetLastTurn() const { return m_fLastTurn; }
 
   /// Velocity of the point p of this shape, user units per second: 2 pi rotation speed perp(p - centre) for a
-  /// kinematic shape, zero for a static one.
+  /// kinematic shape, zero for a static one. Each component within 2 ulp of itself.
   Vector2 GetSurfaceVelocity(const Vector2& p) const;
 
   /// Whether c.m_pCircle meets this shape, by the default engine; fills in c if so. See

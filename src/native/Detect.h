@@ -3,6 +3,20 @@
 // the point of the shape closest to its centre. In all of them the normal is a unit vector from the shape to
 // the ball, moving the ball by setback along it leaves it touching, and a NaN in a position or a radius gives
 // false. Each has a file of its own.
+//
+// Errors at most (ShapeMath.h says how they are counted), with p the centre of the ball, r its radius:
+//
+//                  answer, as a gap         POI                           setback
+//   point          1 ulp r                  exact                         2 ulp r
+//   segment        3 ulp |p-e0| + |p-e1|    as CLineSeg::ClosestPt        3 ulp |p-e0|, half an ulp r
+//   circle, arc    2 ulp R + r              3 ulp |centre| + R            2 ulp R + r
+//   two balls      2 ulp r0 + r             3 ulp |p0| + r0               2 ulp r0 + r
+//
+// Normals are within 2 ulp of 1 of the exact one, and their lengths within 1 ulp of 1. A centre that is that
+// close to a segment (3 ulp |p-e0|), a ring or an arc (1 ulp of its distance from their centre) may count as
+// on either side. The sector of an arc is that of CArc::PtInSector, with r added to the radius. From the
+// point where the setback puts it, a ball overlaps by at most the error of the setback, 1 ulp of |p| + r for
+// the rounding of its place, and 2 ulp r for the length of the normal.
 #pragma once
 
 #include <Shapes/Arc.h>

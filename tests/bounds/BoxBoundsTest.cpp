@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// The bounds of Aabb2D.h, and those of CShape::GetAABB.
+#include "Inputs.h"
+#include "Worst.h"
+
+#include <Shapes/Arc.h>
+#include <Shapes/Point.h>
+
+namespace Shapes::Bounds {
+namespace {
+
+constexpr int g_nTrials = 5000;
+
+TEST(BoxBounds, TranslateWidthAndHeight) {
+  CRandom random(1401);
+  CWorst moved("CAabb2D::Translate"), width("CAabb2D::GetWidth, GetHt"),
+      naive("Width of a box that was moved");
+  for (int i = 0; i < g_nTrials; ++i) {
+    const float size = AnySize(random);
+    const Vector2 p = AnyPlace(random, size);
+    const Vector2 q = p + AnyWay(random, size);
+    CAabb2D box(p, q);
+    const CVec tl = Exact(box.GetTopLeft()), br = Exact(box.GetBottomRt());
+    const auto see = [&](CWorst& worst) {
+      worst.See(abs(box.GetWidth() - (br.x - tl.x)), g_fUlp * (br.x - tl.x) / 2);
+      worst.See(abs(box.GetHt() - (tl.y - br.y)), g_fUlp * (tl.y - br.y) / 2);
+    };
+    see(width);
+    const Vector2 v = AnyPlace(random, size);
+    box.Translate(v);
+    see(naive);
+    for (const auto& [is, was] :
+         {std::pair{Exact(box.GetTopLeft()), tl}, std::pair{Exact(box.GetBottomRt()), br}}) {
+      const CVec exact = was + Exact(v);
+      moved.See(abs(is.x - exact.x), g_fUlp * abs(exact.x) / 2);
+      moved.See(abs(is.y - exact.y), g_fUlp * abs(exact.y) / 2);
+    }
+  }
+  moved.ExpectKept(g_nTrials);
+  width.ExpectKept(g_nTrials);
+  naive.ExpectBroken();
+}
+
+TEST(BoxBounds, PointsAndSegmentsHaveExactBoxes) {
+  CRandom random(1402);
+  for (int i = 0; i < g_nTrials; ++i) {
+    const float size = AnySize(random);
+    const Vector2 p = AnyPlace(random, size);
+    const Vector2 q = p + AnyWay(random, size);
+    const CAabb2D point = CPoint(CPointDesc(p)).GetAABB(), seg = CLineSeg(CLineSegDesc(p, q)).GetAABB();
+    ASSERT_TRUE(point.GetTopLeft() == p && point.GetBottomRt() == p);
+    ASSERT_EQ(seg.GetTopLeft(), Vector2(std::min(p.x(), q.x()), std::max(p.y(), q.y())));
+    ASSERT_EQ(seg.GetBottomRt(), Vector2(std::max(p.x(), q.x()), std::min(p.y(), q.y())));
+  }
+}
+
+TEST(BoxBounds, Circles) {
+  CRandom random(1403);
+  CWorst worst("CCircle::GetAABB"), naive("Box of a circle by its diameter");
+  for (int i = 0; i < g_nTrials; ++i) {
+    const float r = AnySize(random);
+    const Vector2 c = AnyPlace(random, r);
+    const CCircle circle(CCircleDesc(c, r));
+    const CAabb2D& box = circle.GetAABB();
+    const CFifty left = CFifty(c.x()) - CFifty(r), right = CFifty(c.x()) + CFifty(r);
+    worst.See(abs(box.GetTopLeft().x() - left), g_fUlp * abs(left) / 2);
+    worst.See(abs(box.GetBottomRt().x() - right), g_fUlp * abs(right) / 2);
+    worst.See(abs(box.GetTopLeft().y() - (CFifty(c.y()) + CFifty(r))),
+              g_fUlp * abs(CFifty(c.y()) + CFifty(r)) / 2);
+    worst.See(abs(box.GetBottomRt().y() - (CFifty(c.y()) - CFifty(r))),
+              g_fUlp * abs(CFifty(c.y()) - CFifty(r)) / 2);
+    naive.See(abs(box.GetTopLeft().x() + 2.0f * r - right), g_fUlp * abs(right) / 2);
+  }
+  worst.ExpectKept(g_nTrials);
+  naive.ExpectBroken();
+}
+
+TEST(BoxBounds, Arcs) {
+  CRandom random(1404);
+  CWorst worst("CArc::GetAABB"), naive("Box of an arc by its ends");
+  for (int i = 0; i < 2 * g_nTrials; ++i) {
+    const float r = AnySize(random);
+    const Vector2 c = AnyPlace(random, r);
+    const float a0 = AnyAngle(random);
+    const float a1 = i % 3 ? AnyAngle(random) : a0 + (i % 2 ? g_fPi : -g_fPi) * NearOne(random);
+    const CArcDesc desc(c, r, a0, a1);
+    const CArc arc(desc);
+    const CAabb2D& box = arc.GetAABB();
+    CFifty span = Turn(CFifty(desc.GetAngle1()) - CFifty(desc.GetAngle0()));
+    if (span == 0) span = 2 * Pi();
+    const CArcOracle exact{Exact(c), r, desc.GetAngle0(), span};
+    const CFifty bound = 4 * g_fUlp * (Norm(Exact(c)) + r);
+    const CFifty right = c.x() + exact.Reach(0), top = c.y() + exact.Reach(Pi() / 2),
+                 left = c.x() - exact.Reach(Pi()), bottom = c.y() - exact.Reach(3 * Pi() / 2);
+    worst.See(abs(box.GetBottomRt().x() - right), bound);
+    worst.See(abs(box.GetTopLeft().y() - top), bound);
+    worst.See(abs(box.GetTopLeft().x() - left), bound);
+    worst.See(abs(box.GetBottomRt().y() - bottom), bound);
+    naive.See(abs(std::max(arc.GetEndPt0().x(), arc.GetEndPt1().x()) - right), bound);
+  }
+  worst.ExpectKept(g_nTrials);
+  naive.ExpectBroken();
+}
+
+} // namespace
+} // namespace Shapes::Bounds

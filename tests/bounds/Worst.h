@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The largest share of its documented bound that an error takes, over all the inputs of a test.
+#pragma once
+
+#include "Oracle.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <limits>
+#include <string>
+
+namespace Shapes::Bounds {
+
+/// n ulp of a length are n times this times the length.
+inline const CFifty g_fUlp = CFifty(0x1p-23);
+
+class CWorst {
+public:
+  /// @param name  of the function; its share of the bound is printed, and a property of the test's record
+  explicit CWorst(std::string name) : m_sName(std::move(name)) {}
+
+  void See(const CFifty& error, const CFifty& bound) {
+    ++m_nSeen;
+    const double share = error == 0 ? 0.0 : CFifty(error / bound).convert_to<double>();
+    // What is not a number is an error without bound.
+    if (!(share <= m_fShare)) m_fShare = share > m_fShare ? share : std::numeric_limits<double>::infinity();
+  }
+  void See(const CVec& is, const CVec& should, const CFifty& bound) { See(Gap(is, should), bound); }
+
+  /// That the bound holds, for at least so many inputs.
+  void ExpectKept(int least) const {
+    Print();
+    EXPECT_LE(m_fShare, 1.0) << m_sName;
+    EXPECT_GE(m_nSeen, least) << m_sName;
+  }
+  /// The control: that a naive formula does not keep it.
+  void ExpectBroken() const {
+    Print();
+    EXPECT_GT(m_fShare, 1.0) << m_sName;
+  }
+
+private:
+  void Print() const {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", m_fShare);
+    std::printf("%s: worst error is %s of the bound, %d inputs\n", m_sName.c_str(), text, m_nSeen);
+    testing::Test::RecordProperty(m_sName, text);
+  }
+
+  std::string m_sName;
+  double m_fShare = 0.0;
+  int m_nSeen = 0;
+};
+
+} // namespace Shapes::Bounds
