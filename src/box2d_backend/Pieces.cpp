@@ -112,8 +112,8 @@ int CountArcPieces(float radius, float span, bool closed, float sagitta) {
   if (!(radius > 0.0f)) return 0;
   const double R = radius, s = span;
   const double half = std::acos(std::max(0.0, 1.0 - static_cast<double>(sagitta) / R));
-  // A tolerance that is lost beside the radius asks for as many as there may be.
-  const double byTolerance = half > 0.0 ? s / (2.0 * half) : static_cast<double>(g_nMaxArcPieces);
+  // A tolerance that is lost beside the radius leaves nothing of it: as many as there may be.
+  const double byTolerance = s / (2.0 * std::max(half, 1e-300));
   const double byQuarters = s / (0.5 * static_cast<double>(g_fPi));
   // A chord is shorter than its arc by at most a tenth up to a quarter turn.
   const double mostByLength = 0.9 * R * s / static_cast<double>(g_fShortestEdge);

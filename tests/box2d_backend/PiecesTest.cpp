@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
 #include <utility>
 
@@ -90,6 +91,13 @@ TEST(PiecesTest, AHalfCircleOfOneMetreHasSixteenChords) {
   EXPECT_EQ(CountArcPieces(1.0f, g_fPi, false, 100 * g_fSagittaTolerance), 2);
   EXPECT_EQ(CountArcPieces(1.0f, g_fTwoPi, true, 10.0f), 4);
   EXPECT_EQ(CountArcPieces(1e8f, g_fTwoPi, true, 1e-6f), g_nMaxArcPieces);
+}
+
+TEST(PiecesTest, NoRadiusAndATinyToleranceAreCountedWithoutADivisionBy0) {
+  std::feclearexcept(FE_ALL_EXCEPT);
+  EXPECT_EQ(CountArcPieces(0.0f, g_fTwoPi, true, g_fSagittaTolerance), 0);
+  EXPECT_EQ(CountArcPieces(1e8f, g_fTwoPi, true, 1e-38f), g_nMaxArcPieces);
+  EXPECT_EQ(std::fetestexcept(FE_DIVBYZERO | FE_INVALID), 0);
 }
 
 TEST(PiecesTest, LengthsAreTakenInMetres) {

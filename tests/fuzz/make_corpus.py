@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the seeds of fuzz-pairs and fuzz-world into corpus/, in the format of Bytes.h: one pair of each kind, and a
-short game on each engine. The seeds of fuzz-scene are scene files. What was found (found-*) is left alone."""
+"""Writes seeds into corpus/, in the format of Bytes.h: of fuzz-pairs one pair of each kind, of fuzz-world a short game on
+each engine, of fuzz-scene numbers for the scene that is in its source. Other seeds of fuzz-scene are scene files. What
+was found (found-*) is left alone."""
 import pathlib
 import struct
 
@@ -20,6 +21,10 @@ def raw(value):
 def vec(x, y):
     return num(x) + num(y)
 
+
+for name, numbers in (("nothing", ""), ("some", ((0, 1), (1, 0), (2, -10), (4, 2), (20, 3))),
+                      ("all", [(i, 0.5 * i) for i in range(60)])):
+    (corpus / "scene" / f"numbers-{name}").write_bytes(b"\1" + b"".join(bytes([i]) + num(f) for i, f in numbers))
 
 BOTH, FRONT, BACK = range(3)
 POINT, SEGMENT, CIRCLE, ARC, BALL = range(5)

@@ -25,7 +25,7 @@ if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=cc
 cd "$root"
 # shellcheck disable=SC2086 # several arguments in one variable
 cmake --fresh --preset fuzz "${launcher[@]}" ${SHAPES_CMAKE_ARGS:-} >/dev/null
-cmake --build --preset fuzz --parallel "$(nproc)"
+cmake --build --preset fuzz --target "shapes-fuzzers$control" --parallel "$(nproc)"
 
 build=$root/build/fuzz/tests/fuzz
 scratch=$root/build/fuzz/scratch
@@ -37,8 +37,6 @@ fuzz() { # TARGET
   mkdir -p "$folder/corpus" "$folder/found"
   cp tests/fuzz/corpus/"$target"/* "$folder/corpus"
   local args=(-max_total_time="$seconds" -rss_limit_mb=2048 -timeout=60 -print_final_stats=1)
-  # Entropic scheduling takes more time than these targets do.
-  args+=(-entropic=0)
   if [[ "$target" == scene ]]; then args+=(-max_len=6000 -dict=tests/fuzz/json.dict); else args+=(-max_len=512 -len_control=0); fi
   local start=$SECONDS status=0
   # In found/ is what was found, with its kind before its name: crash, timeout, oom.

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -167,8 +168,12 @@ TEST(WayTest, AWildTurnEnds) { // 10^9 turns a second for a second, and a ball w
   std::vector<CWayPoint> turned;
   MakeTurnedWay(way, {0, 0}, 6e9, 0.1, turned);
   EXPECT_EQ(turned.size(), 1u + g_nMaxTurnParts);
+  std::feclearexcept(FE_ALL_EXCEPT);
   MakeTurnedWay(way, {0, 0}, 1, 0, turned);
   EXPECT_EQ(turned.size(), 1u + g_nMaxTurnParts);
+  MakeTurnedWay(way, {0, 0}, 0, 0, turned); // which does not bend
+  EXPECT_EQ(turned.size(), 2u);
+  EXPECT_EQ(std::fetestexcept(FE_DIVBYZERO | FE_INVALID), 0);
 }
 
 TEST(WayTest, ARelativeWayIsTheDifferenceAtAnyTime) {
