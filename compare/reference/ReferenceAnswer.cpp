@@ -138,7 +138,10 @@ void CReference<T>::AnswerShape(const CHit<T>& hit, CPair& pair, CExactEvent<T>&
   const CSweptBall<T> swept{ball.m_vPos, ball.m_vVel, ball.m_fRadius};
   const T extent = GetExtent(solid.m_cFigure, swept, CTurning<T>());
   const T clear = Clear(extent, T(Norm(ball.m_vVel) * m_fStep));
-  ball.m_vPos = hit.m_vCenter + clear * n;
+  const CVec<T> fromShape = hit.m_vCenter - hit.m_vPOI,
+                fromMiddle = hit.m_vCenter - solid.GetFigure(T(0)).m_vCenter;
+  ball.m_vPos = hit.m_vCenter;
+  if (std::min(Norm(fromShape), Norm(fromMiddle)) < clear) ball.m_vPos += clear * n;
   if (!event.m_bOverlapped || lifts) {
     const T apart = ball.m_fRadius + Nudge<T>() * ball.GetExtent();
     ball.m_vPos = hit.m_vPOI + std::max(apart, clear) * n;
@@ -171,7 +174,8 @@ void CReference<T>::AnswerBall(const CHit<T>& hit, CPair& pair, CExactEvent<T>& 
   const bool lifts = slides && hit.m_fDepth <= T(g_fRounded) * a.GetExtent();
   const T extent = a.GetExtent() + b.GetExtent();
   const T clear = Clear(extent, T(Norm(CVec<T>(a.m_vVel - b.m_vVel)) * m_fStep));
-  CVec<T> shift = clear * n;
+  CVec<T> shift = CVec<T>::Zero();
+  if (Norm(CVec<T>(a.m_vPos - b.m_vPos)) < clear) shift = clear * n;
   if (!event.m_bOverlapped || lifts) {
     const T apart = a.m_fRadius + b.m_fRadius + Nudge<T>() * (a.GetExtent() + b.GetExtent());
     shift = (T(0.5) * (std::max(apart, clear) - (a.m_vPos - b.m_vPos).dot(n))) * n;
