@@ -278,11 +278,12 @@ void CContinuous::Offer(const CNext& found, double size, CMoving& ball) const {
   const CImpact& impact = found.m_cImpact;
   if (found.m_eSweep == eSweep::Impact && impact.m_fCurve == 0.0) {
     // What would not take the ball into it by more than rounding is none, or a pile that settles would never
-    // be done with it. Nor by more than half its radius, or a tiny one would get through.
+    // be done with it. Nor by more than a quarter of its radius: a tiny
+    // one would be through by then, or past the middle and set back to the other side.
     const double approach = ApproachSpeed(ball.GetPathVel(), impact.m_vSurface, impact.m_vNorm);
     const double left = m_fStep - ball.m_fTime - impact.m_fTime;
     const double rounding = Rounding(size + SizeOf(impact.m_vPOI, ball.m_fRadius));
-    if (approach * left <= std::min(rounding, 0.5 * ball.m_fRadius)) return;
+    if (approach * left <= std::min(rounding, 0.25 * ball.m_fRadius)) return;
   }
   const auto order = [](const CNext& n) { return std::tuple(n.m_cImpact.m_fTime, n.m_bIsBall, n.m_nOther); };
   if (ball.m_cNext.m_eSweep == eSweep::None || order(found) < order(ball.m_cNext)) ball.m_cNext = found;
