@@ -49,11 +49,13 @@ bool CContinuous::CEvent::operator<(const CEvent& other) const {
   return std::tie(m_fTime, m_nBall) > std::tie(other.m_fTime, other.m_nBall);
 }
 
-void CContinuous::Step(CBallArrays& balls, CSolids& shapes, bool pairs, float dt, CWorldStats& stats) {
+void CContinuous::Step(CBallArrays& balls, CSolids& shapes, bool pairs, const Vector2& kick, float dt,
+                       CWorldStats& stats) {
   m_pBalls = &balls;
   m_pShapes = &shapes;
   m_pStats = &stats;
   m_fStep = static_cast<double>(dt);
+  m_vKick = kick.cast<double>();
   m_stdContacts.clear();
   m_stdBends.clear();
   m_stdQueue.clear();
@@ -100,7 +102,7 @@ void CContinuous::TakeBalls(const CBallArrays& b) {
     CMoving ball;
     ball.m_nBall = i;
     ball.m_vPos = b.m_stdPos[i].cast<double>();
-    ball.m_vVel = b.m_stdVel[i].cast<double>();
+    ball.m_vVel = ball.m_vFirst = b.m_stdVel[i].cast<double>();
     ball.m_fRadius = static_cast<double>(b.m_stdRadius[i]);
     ball.m_fMass = static_cast<double>(b.m_stdMass[i]);
     ball.m_fElasticity = static_cast<double>(b.m_stdElasticity[i]);
@@ -328,6 +330,7 @@ void CContinuous::AnswerShape(CMoving& ball) {
   const std::uint32_t rank = ball.m_cNext.m_nOther;
   const CShapeEntry& entry = m_pShapes->Get(rank);
   const Vector2d &n = impact.m_vNorm, &surface = impact.m_vSurface;
+  const bool lies = Lies(ball);
   Advance(ball, impact.m_fTime);
   const double depth = ball.m_fRadius - (ball.m_vPos - impact.m_vPOI).dot(n);
   const double size = SizeOf(ball.m_vPos, ball.m_fRadius) + m_pShapes->GetOutline(rank).m_fSize;
@@ -338,13 +341,27 @@ void CContinuous::AnswerShape(CMoving& ball) {
   else
     ball.m_vPos += clear * n;
   const double approach = ApproachSpeed(ball.m_vVel, surface, n);
-  const double e = ball.m_fElasticity * static_cast<double>(entry.m_pShape->GetElasticity());
+  const double e = lies ? 0.0 : ball.m_fElasticity * static_cast<double>(entry.m_pShape->GetElasticity());
   RespondKinematic(n, 0.0, e, surface, ball.m_vPos, ball.m_vVel);
   if (ball.m_nLastRank == rank && impact.m_fTime * g_nHops < m_fStep) Slide(ball, impact);
   m_pStats->m_nSpeedsCapped += CapSpeed(ball.m_vVel);
   ball.m_nLastRank = rank;
   Report(entry.m_cId, ball, impact.m_vPOI, n, approach);
   EndLeg(ball);
+}
+
+// Whether a ball touches its next shape since the substep began, and would not approach it but for gravity,
+// which has pressed it there or into its neighbour in a corner. That is no impact: thrown back, what lies
+// would hop, and an elastic ball climb.
+bool CContinuous::Lies(const CMoving& ball) const {
+  const CImpact& impact = ball.m_cNext.m_cImpact;
+  const Vector2d &n = impact.m_vNorm, &surface = impact.m_vSurface;
+  const double size =
+      SizeOf(impact.m_vPOI, ball.m_fRadius) + m_pShapes->GetOutline(ball.m_cNext.m_nOther).m_fSize;
+  const double speed = ball.m_vFirst.norm() + surface.norm(), kick = m_vKick.norm();
+  return kick > 0.0 && (ball.m_fTime + impact.m_fTime) * speed <= Rounding(size) &&
+         ApproachSpeed<Vector2d>(ball.m_vFirst - m_vKick, surface, n) <= Rounding(speed) &&
+         ApproachSpeed(ball.m_vVel, surface, n) <= kick + Rounding(speed);
 }
 
 // A ball that stays on a surface that curves towards it would meet it again at once, and again.

@@ -24,6 +24,8 @@ namespace Shapes::Native {
 /// - A ball that comes back to the same turning shape or inside of an arc within 1/g_nHops of the substep,
 ///   and leaves it all but along the surface, slides: it keeps its speed, but leaves so steeply that it stays
 ///   away for that long, or at g_fShallow radians if that is less.
+/// - A ball that touches a shape at the beginning, and would not approach it but for what gravity has just
+///   added, lies on it: it does not bounce, whatever the elasticities are.
 /// - A ball that has had g_nMaxImpacts impacts is halted: it stays where it is, which is a place that it can
 ///   be at, for the rest of the substep, and keeps its velocity; others bounce off it as off a wall.
 class CContinuous {
@@ -31,7 +33,9 @@ public:
   /// Moves the balls by dt seconds, and counts what was done.
   /// @param shapes  as they are at the beginning of the substep
   /// @param pairs   whether balls meet each other
-  void Step(CBallArrays& balls, CSolids& shapes, bool pairs, float dt, CWorldStats& stats);
+  /// @param kick    what gravity has added to their velocities in this substep
+  void Step(CBallArrays& balls, CSolids& shapes, bool pairs, const Vector2& kick, float dt,
+            CWorldStats& stats);
 
   /// The impacts of the last call in the order of time.
   const std::vector<CContactEvent>& GetContacts() const { return m_stdContacts; }
@@ -59,6 +63,7 @@ private:
     std::size_t m_nBall; // index in the arrays
     Vector2d m_vPos;     // where the leg begins
     Vector2d m_vVel;
+    Vector2d m_vFirst; // velocity at the beginning, gravity included
     double m_fRadius, m_fMass, m_fElasticity;
     double m_fTime = 0.0; // when the leg begins, seconds in the substep
     CNext m_cNext;
@@ -95,6 +100,7 @@ private:
   void Answer(std::uint32_t i);
   void AnswerShape(CMoving& ball);
   void AnswerBall(CMoving& ball, CMoving& other);
+  bool Lies(const CMoving& ball) const;
   void Slide(CMoving& ball, const CImpact& impact) const;
   void Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n, double speed);
   void EndLeg(CMoving& ball);
@@ -109,6 +115,7 @@ private:
   CSolids* m_pShapes = nullptr;
   CWorldStats* m_pStats = nullptr;
   double m_fStep = 0.0;
+  Vector2d m_vKick = Vector2d::Zero();
   std::vector<CMoving> m_stdBalls; // that are solid
   std::vector<CAabb2D> m_stdBoxes; // of their legs
   CBoxTree m_cBallTree;

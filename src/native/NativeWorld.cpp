@@ -198,7 +198,7 @@ bool CNativeWorld::MeetBall(std::size_t i, std::size_t j) {
 
 void CNativeWorld::Sweep(float dt) {
   const bool reports = Runs(eEffect::Events);
-  m_cContinuous.Step(State().m_cBalls, m_cSolids, Runs(eEffect::BallPairs), dt, Stats());
+  m_cContinuous.Step(State().m_cBalls, m_cSolids, Runs(eEffect::BallPairs), GetKick(), dt, Stats());
   for (const CContinuous::CBend& bend : m_cContinuous.GetBends())
     Bend(bend.m_nBall, bend.m_vPos, bend.m_fPart);
   if (reports)

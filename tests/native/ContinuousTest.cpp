@@ -263,6 +263,33 @@ TEST(ContinuousTest, ABallSlidesAlongTheInsideOfABowl) {
   EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u);
 }
 
+// Gravity alone is no impact: what lies does not hop, and what is elastic does not climb.
+TEST(ContinuousTest, WhatLiesGoesOnLying) {
+  const float r = 0.1f, diagonal = r * std::sqrt(2.0f);
+  for (const float e : {0.0f, 0.5f, 1.0f, 2.0f}) {
+    auto pWorld = MakeContinuous({0, -9.8f});
+    pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, e)); // a floor
+    pWorld->Add(CLineSegDesc({8, 2}, {10, 0}, e)); // a corner
+    pWorld->Add(CLineSegDesc({10, 0}, {12, 2}, e));
+    pWorld->Add(CArcDesc({20, 0}, 1, 0, 0, e)); // a bowl
+    pWorld->Add(CPointDesc({30, 0}, e));
+    for (const Vector2& p :
+         {Vector2(0.3f, r), Vector2(0.3f, 3 * r), Vector2(10, diagonal), Vector2(20, r - 1), Vector2(30, r)})
+      pWorld->Add(CDynamicCircleDesc(p, r));
+    const CShapeId impact = pWorld->Add(CDynamicCircleDesc({-0.5f, r + 1e-3f}, r, {0, -0.1f}));
+    const std::vector<Vector2> first(pWorld->GetBallPositions().begin(), pWorld->GetBallPositions().end());
+    pWorld->Step();
+    // An impact is an impact still, however slow. (A ball has the elasticity 1 by default.)
+    const float speed = 0.1f + 9.8f * g_fDt;
+    EXPECT_NEAR(pWorld->GetVel(impact).y(), e * speed, 4 * g_fUlp);
+    for (int step = 0; step < 10000; ++step)
+      pWorld->Step();
+    for (std::size_t i = 0; i + 1 < first.size(); ++i)
+      EXPECT_LT((pWorld->GetBallPositions()[i] - first[i]).norm(), 1e-6f)
+          << "ball " << i << ", elasticity " << e;
+  }
+}
+
 TEST(ContinuousTest, ATurningBarCarriesABallAlong) {
   // No elasticity: the bar pushes the ball before it, never through it.
   auto pWorld = MakeContinuous();
