@@ -107,9 +107,11 @@ void CReference<T>::SetOrientation(std::size_t shape, const T& angle) {
   CSolid& solid = m_stdShapes.at(shape);
   if (!solid.m_bKinematic || !IsFinite(angle))
     throw std::invalid_argument("SetOrientation: expected a kinematic shape and a finite angle");
+  using std::abs;
   using std::fmod;
   const T tau = Tau<T>();
-  solid.m_fAngle = fmod(angle, tau);
+  // After many turns the rounding of tau counts as many times.
+  solid.m_fAngle = abs(angle) < T(4) * tau ? T(fmod(angle, tau)) : T(fmod(CFifty(angle), Tau<CFifty>()));
   if (solid.m_fAngle < T(0)) solid.m_fAngle += tau;
   if (solid.m_fAngle >= tau) solid.m_fAngle = T(0);
 }
