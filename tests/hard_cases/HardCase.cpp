@@ -45,7 +45,9 @@ std::unique_ptr<CWorld> MakeWorld(eColumn column, const CWorldDesc& desc) {
 
 std::vector<CHardCase> AllCases() {
   std::vector<CHardCase> all;
-  for (const auto& group : {ValidationCases, CoincidentCases, LineCases, ArcCases, GrazingCases})
+  for (const auto& group :
+       {ValidationCases, CoincidentCases, LineCases, ArcCases, GrazingCases, FastCases, ScaleCases, MassCases,
+        KinematicCases, SimultaneousCases, JointCases, LongRunCases})
     for (CHardCase& c : group())
       all.push_back(std::move(c));
   return all;

@@ -73,7 +73,13 @@ std::vector<CHardCase> CoincidentCases();
 std::vector<CHardCase> LineCases();
 std::vector<CHardCase> ArcCases();
 std::vector<CHardCase> GrazingCases();
-// (further groups are declared here)
+std::vector<CHardCase> FastCases();
+std::vector<CHardCase> ScaleCases();
+std::vector<CHardCase> MassCases();
+std::vector<CHardCase> KinematicCases();
+std::vector<CHardCase> SimultaneousCases();
+std::vector<CHardCase> JointCases();
+std::vector<CHardCase> LongRunCases();
 
 /// What a world of that column is made of; not for Reference.
 CWorldDesc Desc(eColumn column, const Vector2& gravity = Vector2::Zero(), float dt = 1.0f / 60.0f);

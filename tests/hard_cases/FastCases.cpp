@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+// Balls that are fast for their size, and balls that overlap something already.
+#include "Random.h"
+#include "StepTesting.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::HardCases {
+
+namespace {
+
+const char* const g_sGroup = "Deep and fast";
+const std::uint64_t g_nSeed = 20240611;
+
+// ---- A wall, 1.5 radii a step, any phase.
+
+constexpr int g_nShots = 100000;
+constexpr float g_fShotRadius = 0.1f, g_fShotWay = 0.15f, g_fShotDt = 1.0f / 60.0f;
+
+double ShareThatGetsThrough(eColumn column) {
+  Tests::CRandom random(g_nSeed);
+  const int shots = column == eColumn::Box2D || column == eColumn::Tuned ? g_nShots / 10 : g_nShots;
+  int through = 0;
+  for (int i = 0; i < shots; ++i) {
+    const double angle = 2.0 * std::numbers::pi * random.Unit(), phase = random.Unit();
+    const double height = g_fShotRadius + phase * g_fShotWay;
+    CStepped stepped(column, MakeScene({CLineSegDesc(Turned(-2, 0, angle), Turned(2, 0, angle))},
+                                       {CDynamicCircleDesc(Turned(0, height, angle), g_fShotRadius,
+                                                           Turned(0, -g_fShotWay / g_fShotDt, angle))},
+                                       g_fShotDt));
+    stepped.Step(3); // Box2D may answer a step late
+    if (stepped.GetPos().dot(Turned(0, 1, angle).cast<double>()) < 0.0) ++through;
+  }
+  return through / static_cast<double>(shots);
+}
+
+// What overlaps at the end of the step is met, on the side on which it is then.
+double ShareThatAnOverlapTestLoses() {
+  Tests::CRandom random(g_nSeed);
+  int through = 0;
+  for (int i = 0; i < g_nShots; ++i)
+    if (g_fShotRadius + random.Unit() * g_fShotWay - g_fShotWay < 0.0) ++through;
+  return through / static_cast<double>(g_nShots);
+}
+
+CHardCase FastShotsAtAWall() {
+  return {g_sGroup,
+          "FastShotsAtAWall",
+          "r = .1, head on at a segment at any angle, 1.5 radii a step, any phase: share of 100,000 shots "
+          "that get through",
+          "0",
+          0.0,
+          0.0,
+          "none",
+          {Deviates(1.0 / 3.0 - 0.0045, 1.0 / 3.0 + 0.0045,
+                    ".333 get through: it looks at the end of the step only, and loses 1 - r / (v dt)"),
+           Right(), Right(), Right(), Right()},
+          ShareThatGetsThrough,
+          "overlap at the end of the step: loses 1 - r / (v dt) = 1/3",
+          ShareThatAnOverlapTestLoses};
+}
+
+// ---- A bounce in the middle of a step.
+
+double DeepBounce(eColumn column) {
+  const float r = 0.1f, y = 0.13f, v = 6.0f, dt = 1.0f / 60.0f;
+  CStepped stepped(column, MakeScene({CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f})},
+                                     {CDynamicCircleDesc({0.0f, y}, r, {0.0f, -v})}, dt));
+  stepped.Step();
+  const double t = (static_cast<double>(y) - r) / v;
+  return OffBy(stepped, {0.0, r + v * (dt - t)}, {0.0, v});
+}
+
+CHardCase BounceInTheMiddleOfAStep() {
+  return {
+      g_sGroup,
+      "BounceInTheMiddleOfAStep",
+      "r = .1 at (0, .13), v = (0, -6), 1/60 s, onto a segment on y = 0",
+      "at (0, .17), v = (0, 6)",
+      1e-12,
+      8 * g_fFloatRounding,
+      "1e-12; engines 8 roundings of 1",
+      {Deviates(0.0699, 0.0701, ".07 short: set back onto the surface, it loses the way after the impact"),
+       Right(), Deviates(0.00008, 0.0003, ".00016 off: its skin"), Right(), Right()},
+      DeepBounce,
+      "setback to the surface: at .10 instead of .17",
+      [] {
+        const double r = 0.1, y = 0.13 - 6.0 / 60.0, setback = r - y;
+        return std::abs(0.17 - (y + setback));
+      }};
+}
+
+// ---- A point, passed at half a radius.
+
+struct COffCentre {
+  double m_fMedian = 0.0; // radians by which the way after the impact is off
+  double m_fWorst = 0.0;
+  double m_fThrough = 0.0; // share that is not turned at all
+};
+
+constexpr int g_nPhases = 2000;
+
+template <class TWay>
+COffCentre Judge(const TWay& wayAfter) {
+  const double r = 0.1f, offset = 0.05f;
+  const Vector2d n = Vector2d(-std::sqrt((r - offset) * (r + offset)), offset) / r, v(6.0, 0.0);
+  std::vector<double> errors;
+  COffCentre all;
+  for (int i = 0; i < g_nPhases; ++i) {
+    const Vector2d after = wayAfter((i + 0.5) / g_nPhases, v);
+    errors.push_back(AngleBetween(after, Mirrored(v, n)));
+    if (AngleBetween(after, v) < 1e-6) all.m_fThrough += 1.0 / g_nPhases;
+  }
+  std::sort(errors.begin(), errors.end());
+  all.m_fMedian = errors[errors.size() / 2];
+  all.m_fWorst = errors.back();
+  return all;
+}
+
+COffCentre PassAPoint(eColumn column) {
+  const float r = 0.1f, offset = 0.05f;
+  return Judge([&](double phase, const Vector2d& v) {
+    const auto x = static_cast<float>(-std::sqrt((r - offset) * (r + offset)) - 0.1 * phase);
+    CStepped stepped(
+        column, MakeScene({CPointDesc({0.0f, 0.0f})}, {CDynamicCircleDesc({x, offset}, r, v.cast<float>())}));
+    stepped.Step(3);
+    return stepped.GetVel();
+  });
+}
+
+COffCentre PassAPointNaively() {
+  const double r = 0.1f, offset = 0.05f;
+  return Judge([&](double phase, Vector2d v) {
+    Vector2d p(-std::sqrt((r - offset) * (r + offset)) - 0.1 * phase, offset);
+    for (int step = 0; step < 3; ++step) {
+      p += v / 60.0;
+      const Vector2d n = p.normalized();
+      if (p.norm() < r && v.dot(n) < 0.0) v = Mirrored(v, n);
+    }
+    return v;
+  });
+}
+
+CHardCase PointPassedAtHalfARadius() {
+  return {g_sGroup,
+          "PointPassedAtHalfARadius",
+          "r = .1, passing a point at an offset of .05, a radius a step, 2,000 phases: median error of the "
+          "way after it, in radians",
+          "the mirror image at the true impact",
+          1e-12,
+          8 * g_fFloatRounding,
+          "1e-12; engines 8 roundings of 1",
+          {Deviates(0.80, 0.86, ".83: the normal is that of the end of the step"), Right(),
+           Deviates(0.105, 0.42, ".21: it stops the ball up to .015 deep, and takes the normal there"),
+           Right(), Right()},
+          [](eColumn column) { return PassAPoint(column).m_fMedian; },
+          "closest point at the end of the step: median .83 rad",
+          [] { return PassAPointNaively().m_fMedian; }};
+}
+
+CHardCase PointPassedWithoutATurn() {
+  return {g_sGroup,
+          "PointPassedWithoutATurn",
+          "The same: the share that is not turned at all",
+          "0",
+          0.0,
+          0.0,
+          "none",
+          {Deviates(0.12, 0.15, ".134: at the end of the step they are past it, or leaving"), Right(),
+           Right(), Right(), Right()},
+          [](eColumn column) { return PassAPoint(column).m_fThrough; },
+          "closest point at the end of the step: 13% pass",
+          [] { return PassAPointNaively().m_fThrough; }};
+}
+
+// ---- Inside of a ring.
+
+double MovedInARing(eColumn column, bool arc) {
+  const CAnyShapeDesc ring =
+      arc ? CAnyShapeDesc(CArcDesc({0, 0}, 5.0f, 0.0f, 0.0f)) : CAnyShapeDesc(CCircleDesc({0, 0}, 5.0f));
+  CStepped stepped(column, MakeScene({ring}, {CDynamicCircleDesc({3.0f, 0.0f}, 0.1f)}));
+  stepped.Step(60);
+  return Distance(stepped.GetPos(), {3.0, 0.0});
+}
+
+CHardCase RestingInsideACircle() {
+  return {g_sGroup,
+          "RestingInsideACircle",
+          "r = .1 at rest, 3 from the centre of a circle of radius 5, for 1 s: how far it moves",
+          "0: the circle is a ring, and is not touched",
+          0.0,
+          0.0,
+          "bit for bit",
+          {Right(), Right(), Deviates(2.0, 2.2, "2.1, to the outside: its circles are solid"),
+           Deviates(2.0, 2.2, "2.1, to the outside: its circles are solid"), Right()},
+          [](eColumn column) { return MovedInARing(column, false); },
+          "a disk, d < R + r: pushed out by 2.1",
+          [] { return 5.0 + 0.1 - 3.0; }};
+}
+
+CHardCase RestingInsideABowl() {
+  return {g_sGroup,
+          "RestingInsideABowl",
+          "The same inside of a full-circle arc",
+          "0",
+          0.0,
+          0.0,
+          "bit for bit",
+          {Right(), Right(), Right(), Right(), Right()},
+          [](eColumn column) { return MovedInARing(column, true); },
+          "the arc as a disk, d < R + r: pushed out by 2.1",
+          [] { return 5.0 + 0.1 - 3.0; }};
+}
+
+// ---- Overlapping, but on its way out.
+
+const Vector2 g_vLeaving(1.0f, 0.5f);
+
+double LeavesAnOverlap(eColumn column) {
+  const float r = 0.1f, y = 0.08f, dt = 1.0f / 60.0f;
+  CStepped stepped(column, MakeScene({CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f})},
+                                     {CDynamicCircleDesc({0.0f, y}, r, g_vLeaving)}, dt));
+  stepped.Step();
+  // It may be moved along the normal, by no more than the overlap.
+  const Vector2d pushed =
+      stepped.GetPos() - Vector2d(0.0, y) - g_vLeaving.cast<double>() * static_cast<double>(dt);
+  const double wrong =
+      std::max({-pushed.y(), pushed.y() - (static_cast<double>(r) - y), std::abs(pushed.x())}) -
+      g_fFloatRounding;
+  return Worst(std::max(wrong, 0.0), Distance(stepped.GetVel(), g_vLeaving.cast<double>()));
+}
+
+CHardCase LeavingAnOverlap() {
+  return {g_sGroup,
+          "LeavingAnOverlap",
+          "r = .1 overlaps a segment by .02, v = (1, .5) off it",
+          "v bit for bit; pushed along the normal at most, by .02 at most",
+          0.0,
+          0.0,
+          "bit for bit",
+          {Right(), Right(), Deviates(0.0023, 0.0092, "v kept, but pushed .0046 too far: by its skin"),
+           Right(), Right()},
+          LeavesAnOverlap,
+          "v - 2 (v.n) n whenever they overlap: sent back in",
+          [] {
+            return Distance(Mirrored(g_vLeaving.cast<double>(), {0.0, 1.0}), g_vLeaving.cast<double>());
+          }};
+}
+
+// ---- A million units a second.
+
+double Million(eColumn column) {
+  const float r = 0.1f, v = 1e6f, dt = 1.0f / 60.0f;
+  CStepped stepped(column, MakeScene({CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f})},
+                                     {CDynamicCircleDesc({0.0f, 1.0f}, r, {0.0f, -v})}, dt));
+  stepped.Step();
+  const CWorld* pWorld = stepped.GetWorld();
+  const double t = (1.0 - r) / v, y = r + v * (dt - t);
+  const double error =
+      Worst(Distance(stepped.GetPos(), {0.0, y}) / y, Distance(stepped.GetVel(), {0.0, v}) / v);
+  // Slowed down without a word would be worse than any number.
+  const bool isClamped = stepped.GetVel().norm() < 0.5 * v;
+  if (isClamped && pWorld != nullptr && pWorld->GetStats().m_nMovesClamped == 0) return g_fNever;
+  return error;
+}
+
+CHardCase AMillionUnitsASecond() {
+  return {g_sGroup,
+          "AMillionUnitsASecond",
+          "r = .1 at (0, 1), v = (0, -1e6), 1/60 s, onto a segment on y = 0: place and velocity, relative",
+          "hits after 9e-7 s, and is at y = 16,666 at the end",
+          8 * g_fDoubleRounding,
+          8 * g_fFloatRounding,
+          "8 roundings",
+          {Deviates(1.9, 2.1, "goes through: it is at y = -16,666"), Right(),
+           Deviates(0.9999, 1.0, "slowed down to 120, by at most 2 units a step; counted"),
+           Deviates(0.99, 1.0, "slowed down to 7,600, by at most 256 x .5 units a step; counted"), Right()},
+          Million,
+          "overlap at the end of the step: goes through",
+          [] { return std::abs(1.0 - 1e6 / 60.0) < 0.1 ? 0.0 : g_fNever; }};
+}
+
+} // namespace
+
+std::vector<CHardCase> FastCases() {
+  return {FastShotsAtAWall(),        BounceInTheMiddleOfAStep(), PointPassedAtHalfARadius(),
+          PointPassedWithoutATurn(), RestingInsideACircle(),     RestingInsideABowl(),
+          LeavingAnOverlap(),        AMillionUnitsASecond()};
+}
+
+} // namespace Shapes::HardCases

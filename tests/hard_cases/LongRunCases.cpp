@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// What is left of a number after a million impacts, and whether it is the same number each time.
+#include "Random.h"
+#include "StepTesting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace Shapes::HardCases {
+
+namespace {
+
+const char* const g_sGroup = "Long runs";
+constexpr std::uint64_t g_nSeed = 20240613;
+
+/// Impacts of a run: a million natively, a tenth of that elsewhere.
+int GetCount(eColumn column) { return column == eColumn::Native ? 1000000 : 100000; }
+
+// ---- Speed.
+
+/// A ball of r = .5 in a box of 1.2 that is turned, and that it crosses in about a step.
+CSceneDesc MakeBox(double turn) {
+  std::vector<CAnyShapeDesc> walls;
+  for (int i = 0; i < 4; ++i) {
+    const double angle = turn + i * std::numbers::pi / 2.0;
+    walls.emplace_back(CLineSegDesc(Turned(0.6, -0.6, angle), Turned(0.6, 0.6, angle)));
+  }
+  return MakeScene(walls, {CDynamicCircleDesc({0, 0}, 0.5f, {3, 4})}, 0.04f);
+}
+
+double SpeedDrift(eColumn column) {
+  double worst = 0.0;
+  for (const double turn : {0.1, 0.3, 0.7, 1.1}) {
+    CStepped stepped(column, MakeBox(turn));
+    const std::size_t count = static_cast<std::size_t>(GetCount(column)) / 4;
+    for (std::size_t impacts = 0; impacts < count; impacts += stepped.GetImpacts().size()) {
+      stepped.Step();
+      if (!(stepped.GetPos().norm() < 0.6)) return g_fNever; // it is out
+      worst = Worst(worst, std::abs(stepped.GetVel().norm() / 5.0 - 1.0));
+    }
+  }
+  return worst;
+}
+
+CHardCase MillionReflections() {
+  return {
+      g_sGroup,
+      "MillionReflections",
+      "r = .5 in boxes of 1.2 that are turned by .1, .3, .7 and 1.1 rad, v = (3, 4), a million reflections "
+      "natively, 100,000 elsewhere: largest change of |v|, relative",
+      "0",
+      1e-11,
+      64 * g_fFloatRounding,
+      "1e-11; engines 64 roundings, 3.8e-6",
+      {Right(), Right(), Right(), Right(), Right()},
+      SpeedDrift,
+      "a normal whose length is wrong by a rounding: it counts at each reflection",
+      [] {
+        float x = 3.0f, y = 4.0f;
+        const float nx = 0.6f, ny = 0.8f * (1.0f + 0x1p-23f);
+        for (int i = 0; i < 1000000; ++i) {
+          const float d = 2.0f * (x * nx + y * ny);
+          x -= d * nx;
+          y -= d * ny;
+        }
+        return std::abs(std::hypot(static_cast<double>(x), static_cast<double>(y)) / 5.0 - 1.0);
+      }};
+}
+
+// ---- Momentum.
+
+/// Two balls that are put together again after each impact, at another angle: what their momentum changes by,
+/// relative to what they carry.
+double MomentumDrift(eColumn column) {
+  const float r = 0.5f, dt = 1.0f / 60.0f, m0 = 1.0f, m1 = 3.0f;
+  CStepped stepped(column, MakeScene({},
+                                     {CDynamicCircleDesc({-1, 0}, r, {1, 0.3f}, m0),
+                                      CDynamicCircleDesc({1, 0}, r, {-0.5f, -0.7f}, m1)},
+                                     dt));
+  const auto momentum = [&] { return Vector2d(m0 * stepped.GetVel(0) + m1 * stepped.GetVel(1)); };
+  const Vector2d before = momentum();
+  const double carried = m0 * stepped.GetVel(0).norm() + m1 * stepped.GetVel(1).norm();
+  Tests::CRandom random(g_nSeed);
+  const int count = GetCount(column);
+  double worst = 0.0;
+  int impacts = 0;
+  for (int i = 0; i < count; ++i) {
+    const Vector2d w0 = stepped.GetVel(0), w1 = stepped.GetVel(1);
+    Vector2d u = random.Direction().cast<double>();
+    if ((w1 - w0).dot(u) > 0.0) u = -u;
+    const double gap = 0.5 * dt * -(w1 - w0).dot(u);
+    const Vector2 q0 = (-r * u).cast<float>(), q1 = ((r + gap) * u).cast<float>();
+    stepped.SetPos(0, q0);
+    stepped.SetPos(1, q1);
+    stepped.Step(column == eColumn::Box2D ? 2 : 1); // it answers two balls a step late
+    impacts += stepped.GetVel(0) != w0;
+    worst = Worst(worst, (momentum() - before).norm());
+  }
+  return impacts < count * 9 / 10 ? g_fNever : worst / carried * std::sqrt(1e6 / count);
+}
+
+CHardCase MillionPairImpacts() {
+  return {g_sGroup,
+          "MillionPairImpacts",
+          "Masses 1 and 3, e = 1, put together again after each impact, at a random angle, a million times "
+          "natively, "
+          "100,000 (times the root of 10) elsewhere: change of the momentum, relative",
+          "0",
+          1e-12,
+          4 * 1000 * g_fFloatRounding,
+          "1e-12; engines 4 x 1,000 roundings: they add up as the root of their number",
+          {Right(), Right(), Right(), Right(), Right()},
+          MomentumDrift,
+          "each ball is answered with the velocity that the other one has by then",
+          [] {
+            double v0 = 1.0, v1 = -0.5;
+            const double before = v0 + 3.0 * v1;
+            v0 -= 2.0 * 3.0 / 4.0 * (v0 - v1);
+            v1 += 2.0 * 1.0 / 4.0 * (v0 - v1);
+            return std::abs(v0 + 3.0 * v1 - before) / 2.5;
+          }};
+}
+
+// ---- Determinism.
+
+/// The way of each of 16 balls in a box of its own with a turning hand, added in that order.
+std::vector<float> RunBoxes(eColumn column, const std::vector<int>& order) {
+  CSceneDesc scene = MakeScene({}, {}, 1.0f / 60.0f, {0.0f, -9.8f});
+  for (const int cell : order) {
+    const Vector2 c(3.0f * static_cast<float>(cell % 4), 3.0f * static_cast<float>(cell / 4));
+    const Vector2 corners[] = {c + Vector2(-1, -1), c + Vector2(1, -1), c + Vector2(1, 1),
+                               c + Vector2(-1, 1)};
+    for (std::size_t i = 0; i < 4; ++i)
+      scene.m_stdShapes.emplace_back(CLineSegDesc(corners[i], corners[(i + 1) % 4], 0.9f));
+    CLineSegDesc hand(c, c + Vector2(0.4f, 0.0f));
+    hand.m_eMotionType = eMotion::Kinematic;
+    hand.m_vRotCenter = c;
+    hand.m_fRotSpeed = 0.5f;
+    scene.m_stdShapes.emplace_back(hand);
+    Tests::CRandom random(g_nSeed + static_cast<std::uint64_t>(cell));
+    scene.m_stdBalls.emplace_back(c + Vector2(0.6f, 0.5f), 0.1f, 4.0f * random.Direction());
+    scene.m_stdBalls.emplace_back(c + Vector2(-0.6f, 0.5f), 0.15f, 4.0f * random.Direction(), 2.0f);
+  }
+  CStepped stepped(column, scene);
+  std::vector<float> way(order.size() * 8);
+  stepped.Step(240);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Vector2d p = stepped.GetPos(2 * i + k), v = stepped.GetVel(2 * i + k);
+      float* pOut = &way[8 * static_cast<std::size_t>(order[i]) + 4 * k];
+      for (const double x : {p.x(), p.y(), v.x(), v.y()})
+        *pOut++ = static_cast<float>(x);
+    }
+  return way;
+}
+
+double CountDifferent(const std::vector<float>& a, const std::vector<float>& b) {
+  double different = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    different += std::memcmp(&a[i], &b[i], sizeof(float)) != 0;
+  return different;
+}
+
+std::vector<int> InOrder() {
+  std::vector<int> order(16);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order[i] = static_cast<int>(i);
+  return order;
+}
+
+std::vector<int> Shuffled() {
+  std::vector<int> order = InOrder();
+  Tests::CRandom random(g_nSeed);
+  for (std::size_t i = order.size(); i-- > 1;)
+    std::swap(order[i], order[random.Below(static_cast<std::uint32_t>(i) + 1)]);
+  return order;
+}
+
+CHardCase TheSameTwice() {
+  return {
+      g_sGroup,
+      "TheSameTwice",
+      "16 boxes with a turning hand and two balls each, gravity, 240 steps, made and run twice: numbers of "
+      "128 "
+      "that differ",
+      "none",
+      0.0,
+      0.0,
+      "bit for bit",
+      {Right(), Right(), Right(), Right(), Right()},
+      [](eColumn column) { return CountDifferent(RunBoxes(column, InOrder()), RunBoxes(column, InOrder())); },
+      "random numbers that go on where the last run stopped",
+      [] {
+        Tests::CRandom random(g_nSeed);
+        const Vector2 a = random.Direction(), b = random.Direction();
+        return CountDifferent({a.x(), a.y()}, {b.x(), b.y()});
+      }};
+}
+
+CHardCase AddedInAnotherOrder() {
+  return {g_sGroup,
+          "AddedInAnotherOrder",
+          "The same boxes, added in a random order",
+          "none: what does not meet does not matter",
+          0.0,
+          0.0,
+          "bit for bit",
+          {Right(), Right(), Right(), Right(), Right()},
+          [](eColumn column) {
+            return CountDifferent(RunBoxes(column, InOrder()), RunBoxes(column, Shuffled()));
+          },
+          "the mean velocity of all, summed up in float in the order of adding, taken off each",
+          [] {
+            const auto mean = [](const std::vector<int>& order) {
+              float sum = 0.0f;
+              for (const int cell : order)
+                sum += 0.1f + 0.37f * static_cast<float>(cell * cell);
+              return sum / 16.0f;
+            };
+            return CountDifferent({mean(InOrder())}, {mean(Shuffled())});
+          }};
+}
+
+} // namespace
+
+std::vector<CHardCase> LongRunCases() {
+  return {MillionReflections(), MillionPairImpacts(), TheSameTwice(), AddedInAnotherOrder()};
+}
+
+} // namespace Shapes::HardCases

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// What an impact does to velocities: masses that differ by much, and elasticities.
+#include "StepTesting.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::HardCases {
+
+namespace {
+
+const char* const g_sGroup = "Mass and elasticity";
+
+// ---- Two balls, head on.
+
+/// Off by how much the velocities are, relative to the largest speed; and the momentum, relative to what the
+/// balls carry. On the x axis, ball 0 from the left.
+double PairError(eColumn column, float m0, float v0, float m1, float v1) {
+  const float r = 0.5f, dt = 1.0f / 60.0f, gap = 0.5f * dt * (v0 - v1);
+  CStepped stepped(column, MakeScene({},
+                                     {CDynamicCircleDesc({-r, 0.0f}, r, {v0, 0.0f}, m0),
+                                      CDynamicCircleDesc({r + gap, 0.0f}, r, {v1, 0.0f}, m1)},
+                                     dt));
+  stepped.Step(2); // Box2D may answer a step late
+  const Vector2d w0 = stepped.GetVel(0), w1 = stepped.GetVel(1);
+  const CFifty a = m0, b = m1, u0 = v0, u1 = v1, x0 = w0.x(), x1 = w1.x();
+  const Vector2d right0(static_cast<double>(((a - b) * u0 + 2 * b * u1) / (a + b)), 0.0);
+  const Vector2d right1(static_cast<double>(((b - a) * u1 + 2 * a * u0) / (a + b)), 0.0);
+  const double speed = std::max({std::abs(static_cast<double>(v0)), right0.norm(), right1.norm()});
+  const CFifty gained = a * (x0 - u0) + b * (x1 - u1);
+  const CFifty carried = a * (abs(u0) + abs(x0)) + b * (abs(u1) + abs(x1));
+  return Worst(Worst(Distance(w0, right0), Distance(w1, right1)) / speed,
+               static_cast<double>(abs(gained / carried)));
+}
+
+/// In either order of adding.
+double WorstPairError(eColumn column, float m0, float v0, float m1, float v1) {
+  return Worst(PairError(column, m0, v0, m1, v1), PairError(column, m1, -v1, m0, -v0));
+}
+
+CHardCase AMoteIsHitByABall() {
+  return {g_sGroup,
+          "AMoteIsHitByABall",
+          "m = 1 and v = 1 meets m = 1e-12 at rest: velocities and momentum, relative",
+          "1.999999999998 and .999999999998",
+          8 * g_fDoubleRounding,
+          8 * g_fFloatRounding,
+          "8 roundings",
+          {Right(), Right(), Right(), Right(), Right()},
+          [](eColumn column) { return WorstPairError(column, 1.0f, 1.0f, 1e-12f, 0.0f); },
+          "the velocity of the light one from what momentum and energy the heavy one has left, in float: 0",
+          [] {
+            const volatile float m = 1e-12f, M = 1.0f, v = 1.0f, after = (M - m) / (M + m) * v;
+            return std::abs((M * v - M * after) / m - 2.0) / 2.0;
+          }};
+}
+
+CHardCase HeavyBallsSwap() {
+  const CExpect refused = Refused("m_fMass");
+  return {g_sGroup,
+          "HeavyBallsSwap",
+          "m = 1e30 each, v = 1 meets v = -.5",
+          "they swap velocities",
+          8 * g_fDoubleRounding,
+          8 * g_fFloatRounding,
+          "8 roundings",
+          {Right(), Right(), refused, refused, Right()},
+          [](eColumn column) { return WorstPairError(column, 1e30f, 1.0f, 1e30f, -0.5f); },
+          "impulse (1 + e) m M / (m + M) in float: infinite",
+          [] {
+            const volatile float m = 1e30f, M = 1e30f, v = 1.5f;
+            const float impulse = 2.0f * m * M / (m + M) * v;
+            return Distance({1.0 - impulse / m, 0.0}, {-0.5, 0.0});
+          }};
+}
+
+// ---- Elasticity at a wall.
+
+/// (3, -4) onto a floor, and the same turned by any angle.
+double Bounce(eColumn column, float eWall, float eBall) {
+  double worst = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    const double angle = i * std::numbers::pi / 4.0;
+    const Vector2 v = Turned(3, -4, angle);
+    const Vector2 p0 = Turned(-3, 0, angle), p1 = Turned(3, 0, angle);
+    CStepped stepped(column, MakeScene({CLineSegDesc(p0, p1, eWall)},
+                                       {CDynamicCircleDesc(Turned(0, 0.14, angle), 0.1f, v, 1.0f, eBall)}));
+    stepped.Step(2);
+    const Vector2d t = (p1 - p0).cast<double>().normalized(), n(-t.y(), t.x()), before = v.cast<double>();
+    const double e = static_cast<double>(eWall) * eBall;
+    worst = Worst(worst, Distance(stepped.GetVel(), Mirrored(before, n, e)));
+  }
+  return worst;
+}
+
+CHardCase AtAWall(const std::string& name, const std::string& e, float eWall, float eBall,
+                  const Vector2d& right, const std::string& says, const Vector2d& naive,
+                  const std::string& naively) {
+  return {g_sGroup,
+          name,
+          "v = (3, -4) onto a floor, e = " + e + "; also turned by 45, 90, .. degrees",
+          says,
+          32 * g_fDoubleRounding,
+          32 * g_fFloatRounding,
+          "32 roundings of 1: 4 of 8",
+          {Right(), Right(), Right(), Right(), Right()},
+          [=](eColumn column) { return Bounce(column, eWall, eBall); },
+          naively,
+          [=] { return Distance(naive, right); }};
+}
+
+// ---- A thousandfold at each impact.
+
+constexpr int g_nGains = 20;
+
+/// Each impact in a world of its own, whose step is so short that it has room for just this one.
+double Gains(eColumn column) {
+  const bool exact = column == eColumn::Reference,
+             box2d = column == eColumn::Box2D || column == eColumn::Tuned;
+  const double scale = column == eColumn::Tuned ? 4.0 : 1.0; // its world is larger inside
+  const double most = box2d ? g_fMaxBox2DSpeed / scale : g_fMaxSpeed;
+  double right = 1.0, worst = 0.0;
+  Vector2 v(0.0f, -1.0f);
+  std::uint64_t capped = 0;
+  for (int i = 0; i < g_nGains; ++i) {
+    if (exact && right * 1000.0 > most) break; // it has no limit, and would go on
+    const float dt = 0.0005f / std::abs(v.y());
+    CStepped stepped(column, MakeScene({CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f}, 1000.0f)},
+                                       {CDynamicCircleDesc({0.0f, 0.1002f}, 0.1f, v)}, dt));
+    stepped.Step();
+    right = std::min(-1000.0 * v.y(), most);
+    worst = Worst(worst, Distance(stepped.GetVel(), {0.0, right}) / right);
+    v = -stepped.GetVel().cast<float>();
+    if (!exact) capped += stepped.GetWorld()->GetStats().m_nSpeedsCapped;
+  }
+  return exact || capped > 0 ? worst : g_fNever;
+}
+
+CHardCase AThousandfoldAtEachImpact() {
+  return {g_sGroup,
+          "AThousandfoldAtEachImpact",
+          "Walls of e = 1000, 1 unit/s at first, " + std::to_string(g_nGains) + " impacts: speed, relative",
+          "1000^n up to the limit (1e18; Box2D 1e9, tuned 2.5e8), then cut to that and counted",
+          8 * g_fDoubleRounding,
+          8 * g_fFloatRounding,
+          "8 roundings for each impact",
+          {Right(), Right(), Right(), Right(), Right()},
+          Gains,
+          "v *= 1000 in float: infinite after 13",
+          [] {
+            float v = 1.0f;
+            for (int i = 0; i < g_nGains; ++i)
+              v *= 1000.0f;
+            return std::isinf(v) ? g_fNever : 0.0;
+          }};
+}
+
+} // namespace
+
+std::vector<CHardCase> MassCases() {
+  return {AMoteIsHitByABall(),
+          HeavyBallsSwap(),
+          AtAWall("NoElasticity", "0", 0.0f, 1.0f, {3, 0}, "(3, 0)", {0, 0}, "v = -e v: (0, 0)"),
+          AtAWall("FullElasticity", "1", 1.0f, 1.0f, {3, 4}, "(3, 4)", {-3, 4}, "v = -e v: (-3, 4)"),
+          AtAWall("ElasticityAboveOne", "2", 2.0f, 1.0f, {3, 8}, "(3, 8)", {-6, 8}, "v = -e v: (-6, 8)"),
+          AtAWall("ElasticitiesMultiply", ".5 and .5", 0.5f, 0.5f, {3, 1}, "(3, 1)", {1.5, 2},
+                  "half of v is lost: (1.5, 2)"),
+          AThousandfoldAtEachImpact()};
+}
+
+} // namespace Shapes::HardCases

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+// Several impacts at once, infinitely many in a finite time, and rest.
+#include "StepTesting.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::HardCases {
+
+namespace {
+
+const char* const g_sGroup = "Simultaneous";
+
+// ---- Corners.
+
+/// Down the bisector of a corner of `opening` radians at the origin, whose first wall points along `angle`.
+double Corner(eColumn column, double opening, double angle, bool swapped) {
+  const Vector2 p0 = Turned(4, 0, angle), p1 = Turned(4, 0, angle + opening), o(0.0f, 0.0f);
+  std::vector<CAnyShapeDesc> walls{CLineSegDesc(o, p0), CLineSegDesc(o, p1)};
+  if (swapped) std::swap(walls[0], walls[1]);
+  const double r = 0.1f, middle = angle + 0.5 * opening;
+  const Vector2 start = Turned(r / std::sin(0.5 * opening) + 0.05, 0, middle), v = Turned(-6, 0, middle);
+  CStepped stepped(column, MakeScene(walls, {CDynamicCircleDesc(start, 0.1f, v)}));
+  stepped.Step(4);
+  return Distance(stepped.GetVel(), -v.cast<double>()) / 6.0;
+}
+
+double WorstCorner(eColumn column, double opening) {
+  double worst = 0.0;
+  for (int i = 0; i < 12; ++i)
+    for (const bool swapped : {false, true})
+      worst = Worst(worst, Corner(column, opening, i * std::numbers::pi / 6.0, swapped));
+  return worst;
+}
+
+/// One reflection at each wall, in the order of adding.
+double NaiveCorner(double opening) {
+  const Vector2d n0(0.0, 1.0), n1(std::sin(opening), -std::cos(opening));
+  const Vector2d v(-std::cos(0.5 * opening), -std::sin(0.5 * opening));
+  const Vector2d once = Mirrored(Mirrored(v, n0), n1);
+  // As one contact: the mean of both normals, not normalized.
+  return Distance(opening > 1.5 ? Mirrored(v, 0.5 * (n0 + n1)) : once, -v);
+}
+
+CHardCase SquareCorner() {
+  return {g_sGroup,
+          "SquareCorner",
+          "r = .1 down the bisector of a corner of 90 degrees, both orders of adding, turned by 0, 30, .. "
+          "degrees: "
+          "velocity, relative",
+          "v' = -v, after 2 reflections",
+          32 * g_fDoubleRounding,
+          32 * g_fFloatRounding,
+          "32 roundings: the start is rounded, too",
+          {Right(), Right(), Right(), Right(), Right()},
+          [](eColumn column) { return WorstCorner(column, 0.5 * std::numbers::pi); },
+          "both as one contact, with the mean of the normals",
+          [] { return NaiveCorner(0.5 * std::numbers::pi); }};
+}
+
+CHardCase SharpCorner() {
+  return {
+      g_sGroup,
+      "SharpCorner",
+      "The same with 60 degrees",
+      "v' = -v, after 3 reflections",
+      32 * g_fFloatRounding,
+      32 * g_fFloatRounding,
+      "32 roundings of a float, to which the opening is rounded",
+      {Right(), Right(), Deviates(0.000025, 0.0001, ".00005: it stops after 8 iterations"), Right(), Right()},
+      [](eColumn column) { return WorstCorner(column, std::numbers::pi / 3.0); },
+      "each wall once, in the order of adding",
+      [] { return NaiveCorner(std::numbers::pi / 3.0); }};
+}
+
+// ---- Cradles.
+
+/// `count` balls that touch; the first `moving` of them come at speed 1.
+double Cradle(eColumn column, int count, int moving, bool reversed) {
+  std::vector<CDynamicCircleDesc> balls;
+  for (int i = 0; i < count; ++i)
+    balls.emplace_back(Vector2(static_cast<float>(i), 0.0f), 0.5f, Vector2(i < moving ? 1.0f : 0.0f, 0.0f));
+  if (reversed) std::reverse(balls.begin(), balls.end());
+  CStepped stepped(column, MakeScene({}, balls));
+  stepped.Step(60);
+  double worst = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const auto index = static_cast<std::size_t>(reversed ? count - 1 - i : i);
+    worst = Worst(worst, Distance(stepped.GetVel(index), {i >= count - moving ? 1.0 : 0.0, 0.0}));
+  }
+  return worst;
+}
+
+double WorstCradle(eColumn column, int count, int moving) {
+  return Worst(Cradle(column, count, moving, false), Cradle(column, count, moving, true));
+}
+
+/// One pass over the pairs, from the far end to the near one.
+double NaiveCradle(int count, int moving) {
+  std::vector<double> v(static_cast<std::size_t>(count), 0.0);
+  std::fill_n(v.begin(), moving, 1.0);
+  for (std::size_t i = v.size() - 1; i-- > 0;)
+    if (v[i] > v[i + 1]) std::swap(v[i], v[i + 1]);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    worst = std::max(worst, std::abs(v[i] - (i + static_cast<std::size_t>(moving) >= v.size() ? 1.0 : 0.0)));
+  return worst;
+}
+
+CHardCase CradleOf(const std::string& name, const std::string& input, const std::string& right, int count,
+                   int moving, double shipped, const std::string& figure) {
+  return {g_sGroup,
+          name,
+          input,
+          right,
+          1e-12,
+          8 * g_fFloatRounding,
+          "1e-12; engines 8 roundings of 1",
+          {Right(), Right(), Deviates(0.5 * shipped, 1.0, figure), Right(), Right()},
+          [=](eColumn column) { return WorstCradle(column, count, moving); },
+          "each pair once, from the far end",
+          [=] { return NaiveCradle(count, moving); }};
+}
+
+// ---- Five on a line.
+
+constexpr int g_nOnALine = 5;
+
+/// How many impacts are missing or too many; infinite if they do not end up in the order of their speeds.
+double OnALine(eColumn column) {
+  std::vector<CDynamicCircleDesc> balls;
+  for (int i = 0; i < g_nOnALine; ++i)
+    balls.emplace_back(Vector2(1.5f * static_cast<float>(i), 0.0f), 0.5f,
+                       Vector2(static_cast<float>(5 - i), 0.0f));
+  CStepped stepped(column, MakeScene({}, balls));
+  std::size_t impacts = 0;
+  for (int step = 0; step < 300; ++step) {
+    stepped.Step();
+    impacts += stepped.GetImpacts().size();
+  }
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    if (Distance(stepped.GetVel(i), {1.0 + static_cast<double>(i), 0.0}) > 1e-5) return g_fNever;
+  return std::abs(static_cast<double>(impacts) - g_nOnALine * (g_nOnALine - 1) / 2);
+}
+
+CHardCase FiveOnALine() {
+  return {g_sGroup,
+          "FiveOnALine",
+          "Five equal balls on a line, .5 apart, speeds 5, 4, 3, 2, 1: impacts too many or missing",
+          "10 impacts, n (n - 1) / 2, and the speeds in the other order",
+          0.0,
+          0.0,
+          "none",
+          {Right(), Right(), Right(),
+           Deviates(3.0, 12.0,
+                    "6 more: parts of a step that it cuts tell of the same impact; the speeds are right"),
+           Right()},
+          OnALine,
+          "whoever overlaps at the end of a step swaps, approaching or not",
+          [] {
+            // Balls of diameter 1 that move on through each other for as long as they overlap.
+            double x[g_nOnALine], v[g_nOnALine];
+            int impacts = 0;
+            for (int i = 0; i < g_nOnALine; ++i) {
+              x[i] = 1.5 * i;
+              v[i] = 5.0 - i;
+            }
+            for (int step = 0; step < 300; ++step)
+              for (int i = 0; i < g_nOnALine; ++i) {
+                x[i] += v[i] / 60.0;
+                if (i > 0 && x[i] - x[i - 1] < 1.0) {
+                  std::swap(v[i], v[i - 1]);
+                  ++impacts;
+                }
+              }
+            return std::abs(static_cast<double>(impacts - g_nOnALine * (g_nOnALine - 1) / 2));
+          }};
+}
+
+// ---- A ball that bounces ever lower.
+
+constexpr double g_fDropHeight = 1.0, g_fDropGravity = 9.81f, g_fDropElasticity = 0.5;
+
+/// Height of the exact ball above the floor at time t: hops of a geometric series.
+double DropAt(double t) {
+  const double g = g_fDropGravity, v0 = std::sqrt(2.0 * g * g_fDropHeight), t0 = v0 / g;
+  if (t < t0) return g_fDropHeight - 0.5 * g * t * t;
+  double start = t0, v = v0;
+  for (int hop = 0; hop < 60; ++hop) {
+    v *= g_fDropElasticity;
+    if (t < start + 2.0 * v / g) return v * (t - start) - 0.5 * g * (t - start) * (t - start);
+    start += 2.0 * v / g;
+  }
+  return 0.0;
+}
+
+constexpr int g_nDropRate = 240;
+
+/// The largest error of the height within 2 s, in steps' worth of the fastest way.
+double Drop(eColumn column) {
+  const float r = 0.1f, dt = 1.0f / g_nDropRate;
+  CStepped stepped(column, MakeScene({CLineSegDesc({-1, 0}, {1, 0}, 0.5f)},
+                                     {CDynamicCircleDesc({0, 1.0f + r}, r)}, dt, {0.0f, -9.81f}));
+  const double top = static_cast<double>(1.0f + r) - g_fDropHeight;
+  double worst = 0.0;
+  for (int i = 1; i <= 2 * g_nDropRate; ++i) {
+    stepped.Step();
+    worst = Worst(worst, std::abs(stepped.GetPos().y() - top - DropAt(i * static_cast<double>(dt))));
+  }
+  return worst;
+}
+
+CHardCase DropThatComesToRest() {
+  const double step = std::sqrt(2.0 * g_fDropGravity * g_fDropHeight) / g_nDropRate;
+  return {g_sGroup,
+          "DropThatComesToRest",
+          "Drop from 1, g = 9.81, e = .5, 240 steps a second, for 2 s: largest error of the height",
+          "at rest after 1.3545709 s and a way of 5/3",
+          1e-7,
+          step,
+          "1e-7, where r + 1 and e round to; engines: an impact late by one step, .018",
+          {Right(), Right(), Right(), Right(), Right()},
+          Drop,
+          "from impact to impact, without a rule for rest: never gets beyond 1.3546 s",
+          [] {
+            double v = std::sqrt(2.0 * g_fDropGravity * g_fDropHeight), t = v / g_fDropGravity;
+            for (int impact = 0; impact < 100000; ++impact) {
+              v *= g_fDropElasticity;
+              t += 2.0 * v / g_fDropGravity;
+            }
+            return t < 2.0 ? g_fNever : 0.0;
+          }};
+}
+
+// ---- At rest.
+
+/// How far it gets at most from where it was put.
+double Rest(eColumn column, float e) {
+  const int steps = column == eColumn::Native ? 1000000 : 200000;
+  const float r = 0.1f;
+  CStepped stepped(column, MakeScene({CLineSegDesc({-1, 0}, {1, 0}, e)}, {CDynamicCircleDesc({0, r}, r)},
+                                     1.0f / 60.0f, {0.0f, -9.8f}));
+  double worst = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    stepped.Step();
+    worst = Worst(worst, Distance(stepped.GetPos(), {0.0, r}));
+  }
+  return worst;
+}
+
+double NaiveRest(double e) {
+  // The kick of gravity is mirrored with the velocity, and nobody looks whether it approaches.
+  double y = 0.0, v = 0.0, worst = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    v -= 9.8 / 60.0;
+    y += v / 60.0;
+    if (y < 0.0) {
+      v *= -e;
+      worst = std::max(worst, -y); // no setback: it sinks
+    }
+  }
+  return worst;
+}
+
+CHardCase RestOf(const std::string& name, const std::string& e, float elasticity, const CExpect& shipped) {
+  return {g_sGroup,
+          name,
+          "r = .1 at rest on a segment, g = 9.8, e = " + e +
+              ", a million steps natively, 200,000 elsewhere: largest way from its place",
+          "0",
+          1e-6,
+          1e-6,
+          "1e-6",
+          {Right(), Right(), shipped, Right(), Right()},
+          [=](eColumn column) { return Rest(column, elasticity); },
+          "mirrored where it is below the floor, not set back: sinks in",
+          [=] { return NaiveRest(elasticity); }};
+}
+
+} // namespace
+
+std::vector<CHardCase> SimultaneousCases() {
+  return {SquareCorner(),
+          SharpCorner(),
+          CradleOf("CradleOfFive",
+                   "Five balls that touch, the first one comes at speed 1; both orders of adding",
+                   "(0, 0, 0, 0, 1)", 5, 1, 0.60, ".60: it answers all of them at once"),
+          CradleOf("CradleOfFiveTwoComing", "The same, two come", "(0, 0, 0, 1, 1)", 5, 2, 0.77,
+                   ".77: it answers all of them at once"),
+          FiveOnALine(),
+          DropThatComesToRest(),
+          RestOf("RestWithoutElasticity", "0", 0.0f,
+                 Deviates(0.0025, 0.01, ".005: lies that much above, in its skin")),
+          RestOf("RestOfHalfElasticity", ".5", 0.5f,
+                 Deviates(0.0055, 0.022, ".011, never still: its skin, and the kick of gravity bounces")),
+          RestOf("RestOfFullElasticity", "1", 1.0f,
+                 Deviates(135.0, 540.0, "271, climbs: the kick of gravity bounces"))};
+}
+
+} // namespace Shapes::HardCases

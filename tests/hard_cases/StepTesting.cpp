@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "StepTesting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace Shapes::HardCases {
+
+CSceneDesc MakeScene(std::vector<CAnyShapeDesc> shapes, std::vector<CDynamicCircleDesc> balls, float dt,
+                     const Vector2& gravity) {
+  CSceneDesc scene;
+  scene.m_cWorld.m_vGravity = gravity;
+  scene.m_cWorld.m_fTimeStep = dt;
+  scene.m_stdShapes = std::move(shapes);
+  scene.m_stdBalls = std::move(balls);
+  return scene;
+}
+
+CStepped::CStepped(eColumn column, const CSceneDesc& scene)
+    : m_fTimeStep(scene.m_cWorld.m_fTimeStep), m_nShapes(scene.m_stdShapes.size()) {
+  const Vector2& g = scene.m_cWorld.m_vGravity;
+  if (column == eColumn::Reference) {
+    m_cReference.emplace(scene.m_stdShapes, scene.m_stdBalls, g);
+    return;
+  }
+  m_pWorld = MakeWorld(column, Desc(column, g, m_fTimeStep));
+  m_stdIds = scene.AddTo(*m_pWorld);
+}
+
+void CStepped::Step(int times) {
+  for (int i = 0; i < times; ++i) {
+    m_stdEvents.clear();
+    if (m_pWorld)
+      m_pWorld->Step();
+    else
+      m_cReference->Step(m_fTimeStep, m_stdEvents);
+  }
+}
+
+Vector2d CStepped::GetPos(std::size_t ball) const {
+  if (!m_pWorld) return m_cReference->GetBall(ball).m_vPos;
+  return m_pWorld->GetPos(m_stdIds.at(m_nShapes + ball)).cast<double>();
+}
+
+Vector2d CStepped::GetVel(std::size_t ball) const {
+  if (!m_pWorld) return m_cReference->GetBall(ball).m_vVel;
+  return m_pWorld->GetVel(m_stdIds.at(m_nShapes + ball)).cast<double>();
+}
+
+void CStepped::SetPos(std::size_t ball, const Vector2& p) {
+  if (!m_pWorld) return m_cReference->SetBall(ball, p.cast<double>(), GetVel(ball));
+  m_pWorld->SetPos(m_stdIds.at(m_nShapes + ball), p);
+}
+
+void CStepped::SetOrientation(std::size_t shape, float angle) {
+  if (!m_pWorld) return m_cReference->SetOrientation(shape, angle);
+  m_pWorld->SetOrientation(m_stdIds.at(shape), angle);
+}
+
+std::size_t CStepped::FindIndex(CShapeId id) const {
+  const auto it = std::find(m_stdIds.begin(), m_stdIds.end(), id);
+  if (it == m_stdIds.end()) throw std::logic_error("a contact with what is not in the scene");
+  return static_cast<std::size_t>(it - m_stdIds.begin());
+}
+
+std::vector<CImpact> CStepped::GetImpacts() const {
+  std::vector<CImpact> impacts;
+  for (const auto& e : m_stdEvents)
+    impacts.push_back({e.m_nBall, e.m_nShape, e.m_bIsBall, e.m_vPOI, e.m_vNorm});
+  if (!m_pWorld) return impacts;
+  for (const CContactEvent& e : m_pWorld->GetContacts()) {
+    const std::size_t other = FindIndex(e.m_cShape);
+    const bool isBall = other >= m_nShapes;
+    impacts.push_back({FindIndex(e.m_cBall) - m_nShapes, isBall ? other - m_nShapes : other, isBall,
+                       e.m_vPOI.cast<double>(), e.m_vNorm.cast<double>()});
+  }
+  return impacts;
+}
+
+double Distance(const Vector2d& a, const Vector2d& b) {
+  const double d = (a - b).norm();
+  return std::isfinite(d) ? d : g_fNever;
+}
+
+double Worst(double a, double b) { return std::isnan(a) || std::isnan(b) ? g_fNever : std::max(a, b); }
+
+double AngleBetween(const Vector2d& a, const Vector2d& b) {
+  return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+}
+
+double OffBy(const CStepped& stepped, const Vector2d& p, const Vector2d& v, std::size_t ball) {
+  return Worst(Distance(stepped.GetPos(ball), p), Distance(stepped.GetVel(ball), v) / v.norm());
+}
+
+Vector2 Turned(double x, double y, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {static_cast<float>(c * x - s * y), static_cast<float>(s * x + c * y)};
+}
+
+} // namespace Shapes::HardCases
