@@ -52,7 +52,7 @@ CHardCase FastShotsAtAWall() {
           "0",
           0.0,
           0.0,
-          "none",
+          "none; Box2D 10,000 shots",
           {Deviates(1.0 / 3.0 - 0.0045, 1.0 / 3.0 + 0.0045,
                     ".333 get through: it looks at the end of the step only, and loses 1 - r / (v dt)"),
            Right(), Right(), Right(), Right()},

@@ -48,7 +48,7 @@ CHardCase MillionReflections() {
       g_sGroup,
       "MillionReflections",
       "r = .5 in boxes of 1.2 that are turned by .1, .3, .7 and 1.1 rad, v = (3, 4), a million reflections "
-      "natively, 100,000 elsewhere: largest change of |v|, relative",
+      "natively, 100,000 elsewhere: largest change of the speed, relative",
       "0",
       1e-11,
       64 * g_fFloatRounding,

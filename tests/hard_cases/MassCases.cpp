@@ -48,7 +48,7 @@ CHardCase AMoteIsHitByABall() {
           "8 roundings",
           {Right(), Right(), Right(), Right(), Right()},
           [](eColumn column) { return WorstPairError(column, 1.0f, 1.0f, 1e-12f, 0.0f); },
-          "the velocity of the light one from what momentum and energy the heavy one has left, in float: 0",
+          "velocity of the light one from the momentum that the heavy one has lost, in float: 0",
           [] {
             const volatile float m = 1e-12f, M = 1.0f, v = 1.0f, after = (M - m) / (M + m) * v;
             return std::abs((M * v - M * after) / m - 2.0) / 2.0;
