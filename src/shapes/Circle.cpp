@@ -34,7 +34,9 @@ bool CCircle::Tangents(const Vector2& p, Vector2& p0, Vector2& p1) const {
 
   // The tangent, the radius and the way to the centre are a right triangle of hypotenuse d. As a product its
   // third side loses nothing close to the circle, and its angle at p is used by sine and cosine alone.
-  const float delta = std::sqrt(d - m_fRadius) * std::sqrt(d + m_fRadius);
+  // In double it neither overflows nor depends on the unit of length: a power of two changes no digits.
+  const double square = static_cast<double>(d - m_fRadius) * static_cast<double>(d + m_fRadius);
+  const float delta = static_cast<float>(std::sqrt(square));
   const Vector2 along = (delta / d) * (delta / d) * v;
   const Vector2 aside = (delta / d) * (m_fRadius / d) * perp(v);
   p0 = p + along + aside;

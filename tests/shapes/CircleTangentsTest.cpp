@@ -113,7 +113,7 @@ TEST(CircleTangents, ScaleWithTheirCircle) {
   // Powers of two change no digits, however small or large.
   Vector2 a0, a1;
   ASSERT_TRUE(Circle({1.5f, 0.25f}, 0.75f).Tangents({-2.0f, 1.0f}, a0, a1));
-  for (const int exponent : {-80, -60, -20, 20, 58}) {
+  for (const int exponent : {-80, -59, -21, -20, -1, 1, 20, 21, 57, 58}) {
     const float s = std::ldexp(1.0f, exponent);
     Vector2 p0, p1;
     ASSERT_TRUE(Circle(s * Vector2(1.5f, 0.25f), s * 0.75f).Tangents(s * Vector2(-2.0f, 1.0f), p0, p1));
