@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Sourced by the scripts that build: the Debian packages that they need, and how those that are missing get there.
 
-# The library, its tests and the tool. GoogleTest is for the tests; CLI11, nlohmann-json, valijson and fmt are for
+# The library, its tests and the tool. GoogleTest and RapidCheck are for the tests; CLI11, nlohmann-json, valijson and fmt are for
 # shapes-compare, Chart.js for its report and Boost for its exact reference.
 build_packages=(cmake ninja-build g++ libeigen3-dev libbox2d-dev libgtest-dev libcli11-dev nlohmann-json3-dev
-                libvalijson-dev libfmt-dev libboost-dev libjs-chart.js)
+                libvalijson-dev libfmt-dev libboost-dev librapidcheck-dev libjs-chart.js)
 # The tests that need more than a compiler: report.html is tested in a browser.
 test_packages=(chromium)
 # The rest of what .ci/run does. With ccache, configurations that differ in a few files share the others.

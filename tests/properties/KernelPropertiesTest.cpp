@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+// The pair kernels of the native engine.
+#include "Generators.h"
+#include "Moved.h"
+#include "Properties.h"
+
+#include "native/Detect.h"
+
+namespace Shapes::Properties {
+namespace {
+
+using Native::CBall;
+using Native::CHit;
+
+struct CPair {
+  CAnyShapeDesc m_cShape;
+  CBall m_cBall;
+};
+
+bool Meets(const CPair& pair, CHit& hit) {
+  return std::visit(
+      [&](const auto& d) {
+        using T = std::decay_t<decltype(d)>;
+        if constexpr (std::is_same_v<T, CPointDesc>) return DetectPointCircle(CPoint(d), pair.m_cBall, hit);
+        if constexpr (std::is_same_v<T, CLineSegDesc>)
+          return DetectLineSegCircle(CLineSeg(d), pair.m_cBall, hit);
+        if constexpr (std::is_same_v<T, CCircleDesc>)
+          return DetectCircleCircle(CCircle(d), pair.m_cBall, hit);
+        if constexpr (std::is_same_v<T, CArcDesc>) return DetectCircleArc(CArc(d), pair.m_cBall, hit);
+        if constexpr (std::is_same_v<T, CDynamicCircleDesc>)
+          return DetectBallBall({d.m_vPos, d.m_vPos, d.m_vVel, d.m_fRadius}, pair.m_cBall, hit);
+      },
+      pair.m_cShape);
+}
+
+CPair Moved(const CPair& pair, const CMap& map) {
+  const CBall& b = pair.m_cBall;
+  return {Moved(pair.m_cShape, map),
+          {map.Pt(b.m_vPos), map.Pt(b.m_vPrevPos), map.Way(b.m_vVel), map.m_fScale * b.m_fRadius}};
+}
+
+enum class eKind { Point, LineSeg, Circle, Arc, Ball };
+
+// A gap for a ball of radius r: any, almost touching, almost none.
+float Gap(float r) { return r * *rc::gen::oneOf(Between(0.0f, 1.2f), NearOne(), Small(24, 1)); }
+
+// A shape and a ball that almost touches it, or overlaps.
+CPair Pair(eKind kind) {
+  const auto ball = [](const Vector2& p, float r) { return CBall{p, p, *Way(*AnySize()), r}; };
+  if (kind == eKind::LineSeg) {
+    const CLineSegDesc seg = *Segment();
+    const Vector2 v = seg.GetEndPt1() - seg.GetEndPt0();
+    const float r = *Scale(6) * Length(v), side = *rc::gen::element(1.0f, -1.0f);
+    const float share = *Between(-0.1f, 1.1f), gap = side * Gap(r);
+    return {seg, ball(seg.GetEndPt0() + share * v + gap * seg.GetNormal(), r)};
+  }
+  const CCircleDesc ring = *Ring();
+  const Vector2& c = ring.m_vPos;
+  const float R = ring.m_fRadius, r = R * *rc::gen::oneOf(Scale(8), NearOne());
+  if (kind == eKind::Point) return {CPointDesc(c), ball(c + *Way(Gap(r)), r)};
+  if (kind == eKind::Ball) {
+    const Vector2 v = *Way(*AnySize());
+    return {CDynamicCircleDesc(c, R, v), ball(c + *Way(Gap(R + r)), r)};
+  }
+  const float side = *rc::gen::element(1.0f, -1.0f), away = std::abs(R + side * Gap(r));
+  if (kind == eKind::Circle) return {ring, ball(c + *Way(away), r)};
+  const float a0 = *Angle(), a1 = *Angle(), share = *Between(-0.1f, 1.1f);
+  const CArcDesc arc(c, R, a0, a1);
+  return {arc, ball(c + away * AngleToVector(arc.GetAngle0() + share * CArc(arc).GetSpan()), r)};
+}
+
+constexpr eKind g_eKinds[] = {eKind::Point, eKind::LineSeg, eKind::Circle, eKind::Arc, eKind::Ball};
+constexpr eKind g_eWithoutAngles[] = {eKind::Point, eKind::LineSeg, eKind::Circle, eKind::Ball};
+
+// The control of what depends on nothing but the geometry: a ball that has come closer than 0.001.
+bool MeetsWithAnEpsilon(const CPair& pair, CHit& hit) { return Meets(pair, hit) && hit.m_fSetback > 1e-3f; }
+// And a setback that was found by squares of coordinates.
+bool MeetsBySquares(const CPair& pair, CHit& hit) {
+  FailIf(!Meets(pair, hit));
+  const Vector2 &p = pair.m_cBall.m_vPos, &q = hit.m_vPOI;
+  hit.m_fSetback =
+      pair.m_cBall.m_fRadius - std::sqrt(std::max(0.0f, p.squaredNorm() - 2.0f * p.dot(q) + q.squaredNorm()));
+  return true;
+}
+
+using CMeets = bool (*)(const CPair&, CHit&);
+
+void ExpectSameBits(const CPair& pair, const CMap& map, CMeets meets, bool withPOI) {
+  CHit is, should;
+  const bool got = meets(pair, should);
+  RC_ASSERT(meets(Moved(pair, map), is) == got);
+  if (!got) return;
+  RC_ASSERT(is.m_vNorm == map.m_pTurn(should.m_vNorm));
+  RC_ASSERT(is.m_fSetback == map.m_fScale * should.m_fSetback);
+  if (withPOI) RC_ASSERT(is.m_vPOI == map.Pt(should.m_vPOI));
+}
+
+TEST(KernelProperties, APowerOfTwoScalesTheBits) {
+  const auto holds = [](CMeets meets, eKind kind) {
+    return [=] {
+      CMap map;
+      map.m_fScale = std::ldexp(1.0f, *Whole(20));
+      ExpectSameBits(Pair(kind), map, meets, true);
+    };
+  };
+  for (const eKind kind : g_eKinds) {
+    ExpectHolds(holds(Meets, kind));
+    ExpectBroken(holds(MeetsWithAnEpsilon, kind));
+  }
+}
+
+// Where the order of the ends is kept, and where the centre is off the shape: there are fallbacks that are
+// up, or the front.
+bool IsSymmetric(const CPair& pair, const CMap& map) {
+  CHit hit;
+  const Vector2& p = pair.m_cBall.m_vPos;
+  if (Meets(pair, hit) && hit.m_vPOI == p) return false;
+  const auto* pSeg = std::get_if<CLineSegDesc>(&pair.m_cShape);
+  if (pSeg == nullptr) return std::visit([&](const auto& d) { return d.m_vPos != p; }, pair.m_cShape);
+  const CAnyShapeDesc moved = Moved(pair.m_cShape, map);
+  return std::get<CLineSegDesc>(moved).GetEndPt0() == map.Pt(pSeg->GetEndPt0());
+}
+
+TEST(KernelProperties, AQuarterTurnAndAMirrorKeepTheBits) {
+  const auto holds = [](bool naive, eKind kind) {
+    return [=] {
+      const CPair pair = Pair(kind);
+      CMap turned, mirrored;
+      turned.m_pTurn = Quarter;
+      mirrored.m_pTurn = MirrorY;
+      // The control moves both away from the origin, to the right and up, before it looks.
+      const CMeets meets = naive ? CMeets([](const CPair& p, CHit& hit) {
+        CMap away;
+        away.m_vShift = Vector2(0.5f, 0.25f) * p.m_cBall.m_fRadius;
+        FailIf(!Meets(Moved(p, away), hit));
+        hit.m_vPOI -= away.m_vShift;
+        return true;
+      })
+                                 : CMeets(Meets);
+      for (const CMap& map : {turned, mirrored})
+        if (IsSymmetric(pair, map)) ExpectSameBits(pair, map, meets, true);
+    };
+  };
+  for (const eKind kind : g_eWithoutAngles) {
+    ExpectHolds(holds(false, kind));
+    ExpectBroken(holds(true, kind));
+  }
+}
+
+// Coordinates that are multiples of 2^-8 up to 2^6 keep their differences when they are moved by less than
+// 2^15: what is computed from those has the same bits.
+TEST(KernelProperties, AMoveAmongRepresentablePlacesKeepsTheBits) {
+  const auto holds = [](CMeets meets, eKind kind) {
+    return [=] {
+      const auto place = [](float unit) {
+        const int x = *Whole(1 << 14), y = *Whole(1 << 14);
+        return Vector2(unit * Vector2(static_cast<float>(x), static_cast<float>(y)));
+      };
+      const Vector2 p = place(0x1p-8f), q = place(0x1p-8f), c = place(0x1p-8f);
+      const float r = std::ldexp(static_cast<float>(*rc::gen::inRange(1, 1 << 14)), -8),
+                  R = std::ldexp(static_cast<float>(*rc::gen::inRange(1, 1 << 14)), -8);
+      CPair pair{CPointDesc(p), {c, c, *Way(1.0f), r}};
+      if (kind == eKind::LineSeg) pair.m_cShape = CLineSegDesc(p, q);
+      if (kind == eKind::Circle) pair.m_cShape = CCircleDesc(p, R);
+      if (kind == eKind::Ball) pair.m_cShape = CDynamicCircleDesc(p, R, *Way(1.0f));
+      CMap map;
+      map.m_vShift = place(1.0f);
+      ExpectSameBits(pair, map, meets, false);
+    };
+  };
+  for (const eKind kind : g_eWithoutAngles) {
+    ExpectHolds(holds(Meets, kind));
+    ExpectBroken(holds(MeetsBySquares, kind));
+  }
+}
+
+TEST(KernelProperties, NormalsAreUnitVectorsAndSetbacksAreNotNegative) {
+  const auto holds = [](bool normalised, eKind kind) {
+    return [=] {
+      CHit hit;
+      const CPair pair = Pair(kind);
+      RC_PRE(Meets(pair, hit));
+      const Vector2 n =
+          normalised
+              ? hit.m_vNorm
+              : Vector2((pair.m_cBall.m_vPos - hit.m_vPOI) / (pair.m_cBall.m_fRadius - hit.m_fSetback));
+      RC_ASSERT(std::abs(Wide(n).norm() - 1.0) <= g_fUlp);
+      RC_ASSERT(hit.m_fSetback >= 0.0f);
+    };
+  };
+  for (const eKind kind : g_eKinds) {
+    ExpectHolds(holds(true, kind));
+    ExpectBroken(holds(false, kind)); // by the distance from the POI
+  }
+}
+
+// The error of the setback, by the table in Detect.h, where the ball is.
+double SetbackBound(const CPair& pair) {
+  const Vector2d p = Wide(pair.m_cBall.m_vPos);
+  const double r = pair.m_cBall.m_fRadius;
+  return g_fUlp * std::visit(
+                      [&](const auto& d) {
+                        using T = std::decay_t<decltype(d)>;
+                        if constexpr (std::is_same_v<T, CPointDesc>) {
+                          return 2 * r;
+                        } else if constexpr (std::is_same_v<T, CLineSegDesc>) {
+                          return 3 * (p - Wide(d.GetEndPt0())).norm() + 0.5 * r;
+                        } else {
+                          return 2 * (static_cast<double>(d.m_fRadius) + r);
+                        }
+                      },
+                      pair.m_cShape);
+}
+
+TEST(KernelProperties, ABallThatWasSetBackOverlapsByNoMoreThanTheBound) {
+  const auto holds = [](CMeets meets, eKind kind) {
+    return [=] {
+      CPair pair = Pair(kind);
+      CHit hit;
+      RC_PRE(meets(pair, hit));
+      CBall& b = pair.m_cBall;
+      b.m_vPos += hit.m_fSetback * hit.m_vNorm;
+      const double before = SetbackBound(pair);
+      const double r = b.m_fRadius, rounding = g_fUlp * (Wide(b.m_vPos).norm() + 3 * r);
+      if (!Meets(pair, hit)) return;
+      // What is found now has that error, too.
+      RC_ASSERT(static_cast<double>(hit.m_fSetback) <= before + rounding + SetbackBound(pair));
+    };
+  };
+  for (const eKind kind : g_eKinds) {
+    ExpectHolds(holds(Meets, kind));
+    ExpectBroken(holds(MeetsBySquares, kind));
+  }
+}
+
+} // namespace
+} // namespace Shapes::Properties

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Properties that hold for every input, looked for by RapidCheck. It makes a counterexample as simple as it
+// can and prints it with the seed that found it. Always the same inputs, unless the environment variable
+// RC_PARAMS says otherwise: RC_PARAMS="max_success=1000000" tries a million from a new seed,
+// RC_PARAMS="seed=7" those of that seed.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace Shapes::Properties {
+
+/// One ulp of float, as the error bounds count it (Shapes/ShapeMath.h).
+inline constexpr double g_fUlp = 0x1p-23;
+
+inline rc::detail::TestParams Params(int runs) {
+  if (std::getenv("RC_PARAMS") != nullptr) return rc::detail::configuration().testParams;
+  rc::detail::TestParams params;
+  params.seed = 20;
+  params.maxSuccess = runs;
+  return params;
+}
+
+template <class TProperty>
+rc::detail::TestResult Try(TProperty&& property, const rc::detail::TestParams& params) {
+  const testing::TestInfo* pTest = testing::UnitTest::GetInstance()->current_test_info();
+  const rc::detail::TestMetadata metadata{std::string(pTest->test_suite_name()) + "/" + pTest->name(),
+                                          pTest->name()};
+  return rc::detail::checkTestable(std::forward<TProperty>(property), metadata, params);
+}
+
+/// That nothing breaks it in so many inputs.
+template <class TProperty>
+void ExpectHolds(TProperty&& property, int runs = 3000) {
+  const rc::detail::TestParams params = Params(runs);
+  const rc::detail::TestResult result = Try(std::forward<TProperty>(property), params);
+  if (result.template is<rc::detail::SuccessResult>()) return;
+  std::ostringstream text;
+  rc::detail::printResultMessage(result, text);
+  ADD_FAILURE() << text.str() << "\nRC_PARAMS=\"seed=" << params.seed << " max_success=" << params.maxSuccess
+                << "\"";
+}
+
+/// The control: that the same inputs find what breaks it.
+template <class TProperty>
+void ExpectBroken(TProperty&& property, int runs = 3000) {
+  rc::detail::TestParams params = Params(runs);
+  params.disableShrinking = true;
+  EXPECT_TRUE(Try(std::forward<TProperty>(property), params).template is<rc::detail::FailureResult>());
+}
+
+} // namespace Shapes::Properties
