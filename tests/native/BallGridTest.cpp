@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "native/BallGrid.h"
+#include "traps/Traps.h"
 
 #include "../Random.h"
 
@@ -149,6 +150,7 @@ TEST(BallGrid, DoesNotAnswerWithEverything) {
 }
 
 TEST(BallGrid, APositionThatIsNoNumberEndsTheQuery) {
+  const CWithoutTraps onPurpose;
   CBallGrid grid;
   const std::vector<Vector2> pos{{0.0f, 0.0f}, {1.0f, 0.0f}};
   const std::vector<float> radius{0.5f, 0.75f};
