@@ -118,7 +118,7 @@ int CountArcPieces(float radius, float span, bool closed, float sagitta) {
   // A chord is shorter than its arc by at most a tenth up to a quarter turn.
   const double mostByLength = 0.9 * R * s / static_cast<double>(g_fShortestEdge);
   double n = std::ceil(std::max({byTolerance, byQuarters, closed ? 3.0 : 1.0}));
-  n = std::min({n, std::floor(mostByLength), most});
+  n = std::min({n, std::floor(mostByLength), static_cast<double>(g_nMaxArcPieces)});
   return n >= (closed ? 3.0 : 1.0) ? static_cast<int>(n) : 0;
 }
 
