@@ -74,6 +74,21 @@ CHardCase SharpCorner() {
       [] { return NaiveCorner(std::numbers::pi / 3.0); }};
 }
 
+CHardCase NarrowCorner() {
+  return {g_sGroup,
+          "NarrowCorner",
+          "The same with 45 degrees",
+          "v' = -v, after 4 reflections",
+          32 * g_fFloatRounding,
+          32 * g_fFloatRounding,
+          "32 roundings of a float, to which the opening is rounded",
+          {Deviates(1.3, 1.5, "1.4: it answers each wall once, and has set the ball back from both by then"),
+           Right(), Deviates(0.005, 0.02, ".01: it stops after 8 iterations"), Right(), Right()},
+          [](eColumn column) { return WorstCorner(column, std::numbers::pi / 4.0); },
+          "each wall once, in the order of adding",
+          [] { return NaiveCorner(std::numbers::pi / 4.0); }};
+}
+
 // ---- Cradles.
 
 /// `count` balls that touch; the first `moving` of them come at speed 1.
@@ -284,6 +299,7 @@ std::vector<CHardCase> SimultaneousCases() {
   return {
       SquareCorner(),
       SharpCorner(),
+      NarrowCorner(),
       CradleOf("CradleOfFive", "Five balls that touch, the first one comes at speed 1; both orders of adding",
                "(0, 0, 0, 0, 1)", 5, 1, 0.60, ".60: it answers all of them at once"),
       CradleOf("CradleOfFiveTwoComing", "The same, two come", "(0, 0, 0, 1, 1)", 5, 2, 0.77,
