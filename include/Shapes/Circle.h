@@ -51,7 +51,7 @@ public:
   /// the other the ends slide along them: their own error is at most 1 + 1 / sin a times that, cos a =
   /// |r - r'| / d, from d = |r - r'| + 16 ulp of d on.
   /// @return false if one circle contains the other (touching inside included): t0 and t1 are unchanged then.
-  /// Right unless d is within 2 ulp of |r - r'|.
+  /// Right unless d and |r - r'| differ by less than 2 ulp of d.
   /// @throws std::invalid_argument if pCircle is null
   bool Tangents(const CCircle* pCircle, CLineSegDesc& t0, CLineSegDesc& t1) const;
 

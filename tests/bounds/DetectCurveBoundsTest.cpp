@@ -78,7 +78,7 @@ TEST(DetectBounds, CircleArc) {
     const CArcOracle exact{Exact(c), R, desc.GetAngle0(),
                            Turn(CFifty(desc.GetAngle1()) - CFifty(desc.GetAngle0()))};
     const CVec e = Exact(p);
-    const CFifty d = Gap(e, exact.m_vCenter), s = d - R, size = Norm(exact.m_vCenter) + R + r;
+    const CFifty d = Gap(e, exact.m_vCenter), s = d - R, size = Norm(exact.m_vCenter) + R;
     const CFifty bound = 2 * g_fUlp * (CFifty(R) + r), angleBound = 10 * g_fUlp * size / R;
     CHit hit;
     const bool got = DetectCircleArc(arc, ball, hit);

@@ -239,7 +239,7 @@ TEST(ArcProperties, TheBoxContainsTenThousandOfItsPoints) {
       RC_ASSERT(out <= 4 * g_fUlp * Size(desc));
     };
   };
-  ExpectHolds(holds(true), 1000);
+  ExpectHolds(holds(true), 2000);
   ExpectBroken(holds(false));
 }
 

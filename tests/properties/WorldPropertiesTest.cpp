@@ -138,7 +138,7 @@ TEST_P(WorldProperties, APowerOfTwoScalesTheBits) {
                 Moved(Play(pushed ? Pushed(scene) : scene, continuous), map));
     };
   };
-  ExpectHolds(holds(false), 2000);
+  ExpectHolds(holds(false), 4000);
   ExpectBroken(holds(true));
 }
 
@@ -157,7 +157,7 @@ TEST_P(WorldProperties, AQuarterTurnAndAMirrorKeepTheBits) {
       }
     };
   };
-  ExpectHolds(holds(false), 2000);
+  ExpectHolds(holds(false), 4000);
   ExpectBroken(holds(true));
 }
 
@@ -193,7 +193,7 @@ TEST_P(WorldProperties, AMoveMovesTheGame) {
       RC_ASSERT((Wide(is.m_stdPos[0]) - Wide(should.m_stdPos[0])).norm() <= bound);
     };
   };
-  ExpectHolds(holds(false), 2000);
+  ExpectHolds(holds(false), 4000);
   ExpectBroken(holds(true));
 }
 
@@ -229,7 +229,7 @@ TEST_P(WorldProperties, TheOrderOfShapesThatAreApartDoesNotMatter) {
       RC_ASSERT(Play(scene, continuous, 60) == state);
     };
   };
-  ExpectHolds(holds(true), 1000);
+  ExpectHolds(holds(true), 3000);
   if (!continuous) ExpectBroken(holds(false)); // where the earliest impact comes first, whatever the order
 }
 
@@ -265,7 +265,7 @@ TEST_P(WorldProperties, TheOrderOfPointsAmongWhatTheyGuardDoesNotMatter) {
       RC_ASSERT(Play(scene, continuous) == state);
     };
   };
-  ExpectHolds(holds(true), 2000);
+  ExpectHolds(holds(true), 4000);
   if (!continuous) ExpectBroken(holds(false));
 }
 
@@ -293,7 +293,7 @@ TEST_P(WorldProperties, NoEnergyIsGained) {
       RC_ASSERT(std::sqrt(after) <= std::sqrt(before) * (1 + share));
     };
   };
-  ExpectHolds(holds(1.0f), 2000);
+  ExpectHolds(holds(1.0f), 4000);
   ExpectBroken(holds(2.5f)); // above 1
 }
 
