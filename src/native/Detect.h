@@ -15,8 +15,8 @@
 // Normals are within 2 ulp of 1 of the exact one, and their lengths within 1 ulp of 1. A centre that is that
 // close to a segment (3 ulp |p-e0|), a ring or an arc (1 ulp of its distance from their centre) may count as
 // on either side. The sector of an arc is that of CArc::PtInSector. From the point where the setback puts
-// it, a ball overlaps by at most the error of the setback, 1 ulp of |p| + r for the rounding of its place, and
-// 2 ulp r for the length of the normal.
+// it, a ball overlaps by at most the error of the setback, 1 ulp of |p| + r for the rounding of its place,
+// and 2 ulp r for the length of the normal.
 #pragma once
 
 #include <Shapes/Arc.h>

@@ -95,12 +95,25 @@ void ExpectSameBits(const CPair& pair, const CMap& map, CMeets meets, bool withP
   if (withPOI) RC_ASSERT(is.m_vPOI == map.Pt(should.m_vPOI));
 }
 
+// A power of two is exact for what is not denormal, then or now. So small are the coordinates of arcs that
+// end next to an axis.
+bool IsPlain(float f) { return f == 0.0f || std::abs(f) > 1e-30f; }
+bool IsPlain(const Vector2& v) { return IsPlain(v.x()) && IsPlain(v.y()); }
+bool IsPlain(const CPair& pair) {
+  const auto* pArc = std::get_if<CArcDesc>(&pair.m_cShape);
+  if (pArc != nullptr && !(IsPlain(pArc->GetAngle0()) && IsPlain(pArc->GetAngle1()))) return false;
+  CHit hit;
+  return IsPlain(pair.m_cBall.m_vPos) && (!Meets(pair, hit) || (IsPlain(hit.m_vPOI) && IsPlain(hit.m_vNorm)));
+}
+
 TEST(KernelProperties, APowerOfTwoScalesTheBits) {
   const auto holds = [](CMeets meets, eKind kind) {
     return [=] {
       CMap map;
       map.m_fScale = std::ldexp(1.0f, *Whole(20));
-      ExpectSameBits(Pair(kind), map, meets, true);
+      const CPair pair = Pair(kind);
+      RC_PRE(IsPlain(pair));
+      ExpectSameBits(pair, map, meets, true);
     };
   };
   for (const eKind kind : g_eKinds) {

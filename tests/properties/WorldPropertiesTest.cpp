@@ -97,7 +97,8 @@ CScene TurningCrowd() {
   CScene scene = Crowd(false);
   for (int k = *rc::gen::inRange(0, 3); k > 0; --k) {
     const Vector2 p = InSquare(4.0f);
-    const float r = *Between(0.3f, 2.0f), a0 = *Angle(), a1 = *Angle();
+    // No ends that are next to an axis: a power of two is not exact for denormals.
+    const float r = *Between(0.3f, 2.0f), a0 = *Between(0.1f, 6.2f), a1 = *Between(0.1f, 6.2f);
     scene.m_stdShapes.emplace_back(CArcDesc(p, r, a0, a1));
   }
   for (CAnyShapeDesc& shape : scene.m_stdShapes) {
