@@ -25,9 +25,10 @@ double SizeOf(const Vector2d& p, double r) { return p.cwiseAbs().maxCoeff() + r;
 // An overlap that rounding explains, where these are the coordinates.
 double Rounding(double size) { return static_cast<double>(g_fTouchRounding) * size; }
 
-// Of a place as a float. A ball smaller than that would be found on what it has left, or behind it.
-double FloatRounding(double size) {
-  return static_cast<double>(std::numeric_limits<float>::epsilon()) * size;
+// How far a place is moved at most where it is rounded to floats. A ball smaller than that would be found on
+// what it has left, or behind it.
+double FloatRounding(const Vector2d& p) {
+  return 0.5 * static_cast<double>(std::numeric_limits<float>::epsilon()) * p.norm();
 }
 
 // How far a centre is kept from where no direction leads away (a shape, or the middle of a disc): there the
@@ -337,7 +338,7 @@ void CContinuous::AnswerShape(CMoving& ball) {
   const double clear = Clear(size, ball.m_vVel.norm() * m_fStep);
   // Exactly onto the shape; but one that began deep in something stays there.
   if (depth <= Rounding(size))
-    ball.m_vPos = impact.m_vPOI + std::max(ball.m_fRadius, FloatRounding(size) + clear) * n;
+    ball.m_vPos = impact.m_vPOI + std::max(ball.m_fRadius, FloatRounding(ball.m_vPos) + clear) * n;
   else
     ball.m_vPos += clear * n;
   const double approach = ApproachSpeed(ball.m_vVel, surface, n);
@@ -387,7 +388,8 @@ void CContinuous::AnswerBall(CMoving& ball, CMoving& other) {
   const double approach = ApproachSpeed(ball.GetPathVel(), other.GetPathVel(), n);
   const double size = SizeOf(ball.m_vPos, ball.m_fRadius) + SizeOf(other.m_vPos, other.m_fRadius);
   const double clear = Clear(size, (ball.m_vVel - other.m_vVel).norm() * m_fStep);
-  const double apart = std::max(ball.m_fRadius + other.m_fRadius, FloatRounding(size) + clear);
+  const double rounding = FloatRounding(ball.m_vPos) + FloatRounding(other.m_vPos);
+  const double apart = std::max(ball.m_fRadius + other.m_fRadius, rounding + clear);
   double setback = apart - (ball.m_vPos - other.m_vPos).dot(n);
   if (std::abs(setback) > Rounding(size)) setback = clear; // they began deep in each other
   const Vector2d rest = Vector2d::Zero();

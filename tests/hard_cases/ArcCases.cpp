@@ -35,7 +35,7 @@ CHardCase ArcCase(const CShot& shot) {
 }
 
 // When angles decide: the time, or never.
-double TimeByAngles(bool isInside) { return isInside ? 0.0 : g_fInf; }
+double TimeByAngles(bool isInside) { return isInside ? 0.0 : g_fNever; }
 
 CHardCase AcrossZero() {
   CHardCase c = ArcCase(FromTheRight(Degrees(350.0), Degrees(10.0)));
@@ -241,7 +241,7 @@ CHardCase AtTheTopOfAShortArc() {
   c.m_sControl = "box of the ends: the ball is .005 above it at the end";
   c.m_fnControl = [] {
     const double low = 1.5 - 0.41 - 0.1, top = std::sin(80.0 * g_fDegree);
-    return low <= top ? 0.0 : g_fInf;
+    return low <= top ? 0.0 : g_fNever;
   };
   return c;
 }

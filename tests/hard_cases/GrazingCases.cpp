@@ -93,14 +93,14 @@ CHardCase JustMissing() {
     const CShot shot = Past(yFloat);
     if (column != eColumn::Reference) return ErrorOfFlight(Shoot(column, shot), shot);
     const CSeen seen = PastInDouble(1.0 + 1e-12);
-    if (seen.m_nContacts > 0) return g_fInf;
+    if (seen.m_nContacts > 0) return g_fNever;
     return std::max(Distance(seen.m_vVel, {1.0, 0.0}), Distance(seen.m_vPos, {0.5, 1.0 + 1e-12}));
   };
   c.m_sControl = "the same quadratic: a root of 0 is taken for a touch";
   c.m_fnControl = [=] {
     const volatile float dd = 100.0f + yFloat * yFloat;
     const float cc = dd - 1.0f;
-    return 100.0f - cc >= 0.0f ? g_fInf : 0.0;
+    return 100.0f - cc >= 0.0f ? g_fNever : 0.0;
   };
   return c;
 }
@@ -196,10 +196,10 @@ CHardCase OnAParabola() {
   Of(c, eColumn::Box2D) = Off(0.00066, ".0007 late: v changes once in a step, and it stops a ball .015 deep");
   c.m_fnError = [=](eColumn column) {
     const double error = std::abs(Shoot(column, shot).m_fContactTime - static_cast<double>(right));
-    return std::isfinite(error) ? error : g_fInf;
+    return std::isfinite(error) ? error : g_fNever;
   };
   c.m_sControl = "straight on with its first velocity: .2 above the point, missed";
-  c.m_fnControl = [] { return 0.5 < 0.3 ? 0.0 : g_fInf; };
+  c.m_fnControl = [] { return 0.5 < 0.3 ? 0.0 : g_fNever; };
   return c;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "HardCase.h"
 
-#include <limits>
+#include <cmath>
 #include <stdexcept>
 
 namespace Shapes::HardCases {
@@ -41,6 +41,11 @@ std::unique_ptr<CWorld> MakeWorld(eColumn column, const CWorldDesc& desc) {
   const bool native = column == eColumn::Native || column == eColumn::Continuous;
   if (column == eColumn::Reference) throw std::logic_error("the reference is no world");
   return GetBackend(native ? eBackend::Native : eBackend::Box2D)->MakeWorld(desc);
+}
+
+double Distance(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  const double d = (a - b).norm();
+  return std::isfinite(d) ? d : g_fNever;
 }
 
 std::vector<CHardCase> AllCases() {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -84,6 +85,11 @@ std::vector<CHardCase> LongRunCases();
 /// What a world of that column is made of; not for Reference.
 CWorldDesc Desc(eColumn column, const Vector2& gravity = Vector2::Zero(), float dt = 1.0f / 60.0f);
 std::unique_ptr<CWorld> MakeWorld(eColumn column, const CWorldDesc& desc);
+
+/// The error of what did not happen.
+inline constexpr double g_fNever = std::numeric_limits<double>::infinity();
+/// Of two points or vectors; g_fNever if either is not finite.
+double Distance(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
 /// docs/hard_cases.md, from the cases alone.
 std::string MakeTable(const std::vector<CHardCase>& cases);

@@ -90,7 +90,7 @@ CHardCase OfANearlyVerticalSegment() {
 
 // Infinite unless the answer is that there is none.
 double ErrorOfNoCrossing(const CLine& a, const CLine& b) {
-  return a.Intersect(b) == Vector2(g_fInfinite, g_fInfinite) ? 0.0 : g_fInf;
+  return a.Intersect(b) == Vector2(g_fInfinite, g_fInfinite) ? 0.0 : g_fNever;
 }
 
 CHardCase NoCrossing() {
@@ -132,7 +132,7 @@ CHardCase OfVerticalLines() {
   };
   c.m_sControl = "parallel if m0 == m1: +Inf is not -Inf; they cross at NaN";
   c.m_fnControl = [] {
-    const double m0 = g_fInf, m1 = -g_fInf, b0 = 0.0, b1 = 0.0 - m1 * 1.0;
+    const double m0 = g_fNever, m1 = -g_fNever, b0 = 0.0, b1 = 0.0 - m1 * 1.0;
     return m0 == m1 ? 0.0 : (b1 - b0) / (m0 - m1);
   };
   return c;
@@ -160,7 +160,7 @@ CHardCase BetweenVerticalSegments() {
   };
   c.m_sControl = "side by y - (m x + b): Inf - Inf";
   c.m_fnControl = [] {
-    const double m = g_fInf, x = 1.0, b = 1.0 - m * x;
+    const double m = g_fNever, x = 1.0, b = 1.0 - m * x;
     return 0.0 - (m * x + b);
   };
   return c;

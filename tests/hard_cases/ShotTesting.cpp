@@ -105,14 +105,9 @@ CAnswer MeetFloor(const CDynamicCircleDesc& ball) {
   return Bounce(v, (p.y() - CFifty(ball.m_fRadius)) / -v.y(), CVec<CFifty>(CFifty(0), CFifty(1)));
 }
 
-double Distance(const CVec2d& a, const CVec2d& b) {
-  const CVec2d d = (a - b).cwiseAbs();
-  return std::isfinite(d.x() + d.y()) ? d.maxCoeff() : g_fInf;
-}
-
 double ErrorOf(const CSeen& seen, const CAnswer& answer) {
   const double time = std::abs(seen.m_fTime - static_cast<double>(answer.m_fTime));
-  if (!std::isfinite(time)) return g_fInf;
+  if (!std::isfinite(time)) return g_fNever;
   return std::max({time, Distance(seen.m_vNorm, answer.m_vNorm.cast<double>()),
                    Distance(seen.m_vVel, answer.m_vVel.cast<double>())});
 }
@@ -129,7 +124,7 @@ CExpect Off(double figure, const std::string& figureAndReason) {
   return Deviates(0.5 * figure, 2.0 * figure, figureAndReason);
 }
 
-CExpect Missed(const std::string& reason) { return Deviates(g_fInf, g_fInf, reason); }
+CExpect Missed(const std::string& reason) { return Deviates(g_fNever, g_fNever, reason); }
 
 CExpect& Of(CHardCase& c, eColumn column) { return c.m_stdExpect[static_cast<std::size_t>(column)]; }
 

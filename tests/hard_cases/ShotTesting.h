@@ -16,7 +16,6 @@ using Compare::CFifty;
 using Compare::CVec;
 using Compare::CVec2d;
 
-inline constexpr double g_fInf = std::numeric_limits<double>::infinity();
 /// Roundings: of the reference, and of the engines.
 inline constexpr double g_fEps = 0x1p-52;
 inline constexpr double g_fFloatEps = 0x1p-23;
@@ -61,8 +60,6 @@ CAnswer MeetRing(const CDynamicCircleDesc& ball, float R);
 /// It meets the line y = 0 from above.
 CAnswer MeetFloor(const CDynamicCircleDesc& ball);
 
-/// Largest component of the difference; NaN is infinite.
-double Distance(const CVec2d& a, const CVec2d& b);
 /// Largest error of time, normal and velocity. Infinite if the ball flew on.
 double ErrorOf(const CSeen& seen, const CAnswer& answer);
 /// Of a ball that is to fly on: largest error of place and velocity, and the number of contacts that were

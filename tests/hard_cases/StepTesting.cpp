@@ -78,11 +78,6 @@ std::vector<CImpact> CStepped::GetImpacts() const {
   return impacts;
 }
 
-double Distance(const Vector2d& a, const Vector2d& b) {
-  const double d = (a - b).norm();
-  return std::isfinite(d) ? d : g_fNever;
-}
-
 double Worst(double a, double b) { return std::isnan(a) || std::isnan(b) ? g_fNever : std::max(a, b); }
 
 double AngleBetween(const Vector2d& a, const Vector2d& b) {

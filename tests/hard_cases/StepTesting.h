@@ -17,7 +17,6 @@ using Compare::CFifty;
 using Compare::CVec;
 using Vector2d = Eigen::Vector2d;
 
-inline constexpr double g_fNever = std::numeric_limits<double>::infinity();
 /// Half a unit in the last place of 1, of a float and of a double: one rounding.
 inline constexpr double g_fFloatRounding = 0x1p-24;
 inline constexpr double g_fDoubleRounding = 0x1p-53;
@@ -64,8 +63,6 @@ private:
   std::vector<Compare::CExactEvent<double>> m_stdEvents;
 };
 
-/// |a - b|; infinite where either is not a number.
-double Distance(const Vector2d& a, const Vector2d& b);
 /// The larger one; infinite where either is not a number.
 double Worst(double a, double b);
 /// Radians between two directions, 0 .. pi.

@@ -50,13 +50,13 @@ double Refusal(eColumn column, const F& add) {
     }
     return HaveSameBits(*pWorld, *pUntouched);
   };
-  if (!run()) return g_fInf;
+  if (!run()) return g_fNever;
   try {
     add(*pWorld);
   } catch (const std::invalid_argument&) {
     if (run()) throw;
   }
-  return g_fInf;
+  return g_fNever;
 }
 
 double BallRefusal(eColumn column, const CBall& ball) {
@@ -64,7 +64,7 @@ double BallRefusal(eColumn column, const CBall& ball) {
     const std::vector<CAnyShapeDesc> shapes{CPointDesc({0.0f, 0.0f})};
     const std::vector<CBall> balls{ball};
     Compare::CReference<double>(shapes, balls, Vector2::Zero());
-    return g_fInf;
+    return g_fNever;
   }
   return Refusal(column, [&](CWorld& world) { world.Add(ball); });
 }
@@ -123,7 +123,7 @@ CHardCase InfiniteVelocity() {
   };
   c.m_sControl = "v - 2 (v.n) n: Inf - Inf";
   c.m_fnControl = [] {
-    const double v = g_fInf, n = -1.0;
+    const double v = g_fNever, n = -1.0;
     return v - 2.0 * (v * n) * n;
   };
   return c;
@@ -135,7 +135,7 @@ CHardCase NegativeRadius() {
   c.m_sControl = "d < r never holds: the ball is met by nothing";
   c.m_fnControl = [] {
     const double r = -1.0, d = 0.0; // right on a point
-    return d < r ? 0.0 : g_fInf;
+    return d < r ? 0.0 : g_fNever;
   };
   return c;
 }
@@ -188,7 +188,7 @@ CHardCase NoRadius() {
   c.m_fnControl = [] {
     for (int i = 0; i <= 1000; ++i) // times up to 2, the right one among them
       if (std::abs(1.0 - i * 0.002) < 0.0) return 0.0;
-    return g_fInf;
+    return g_fNever;
   };
   return c;
 }
