@@ -156,6 +156,8 @@ void CReference<T>::Step(const T& dt, std::vector<CExactEvent<T>>& events) {
       PassEnd(first, next);
     else
       Answer(first, next, events, events0);
+    for (const std::size_t ball : m_stdChanged)
+      if (!IsFinite(m_stdBalls[ball].m_vVel.x() + m_stdBalls[ball].m_vVel.y())) TooFast(ball);
     FindAfter();
   }
 
@@ -203,6 +205,14 @@ void CReference<T>::Jammed(std::size_t i) const {
   out << "too many events in a step of " << m_fStep << " s: ball " << i << " at ("
       << next.m_cHit.m_vCenter.x() << ", " << next.m_cHit.m_vCenter.y() << ") is jammed against "
       << (next.m_bIsBall ? "ball " : "shape ") << next.m_nOther << ", " << m_fNow << " s into the step";
+  throw std::runtime_error(out.str());
+}
+
+template <class T>
+void CReference<T>::TooFast(std::size_t i) const {
+  std::ostringstream out;
+  out << "ball " << i << " is faster than the reference can tell, " << m_fNow << " s into a step of "
+      << m_fStep << " s: expected elasticities with which speeds stay finite";
   throw std::runtime_error(out.str());
 }
 

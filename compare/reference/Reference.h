@@ -134,7 +134,7 @@ public:
   ///   a step and at most g_fHop high. What that costs is of the order of that height, and of (v dt /
   ///   g_nSlideHops)^2 / (8 R), in position.
   /// @throws std::runtime_error if there are more than g_nMaxEvents or g_nMaxSlideHits, naming ball and
-  /// place; the state is that
+  ///         place, or if a response (elasticity above 1) gives a speed that is not finite; the state is that
   ///         of no particular time then
   /// @throws std::invalid_argument unless dt is finite and at least 0
   void Step(const T& dt, std::vector<CExactEvent<T>>& events);
@@ -207,6 +207,7 @@ private:
   CPair* FindPair(std::size_t ball, std::size_t other, bool isBall);
   CPair& GetPair(std::size_t ball, std::size_t other, bool isBall);
   [[noreturn]] void Jammed(std::size_t ball) const;
+  [[noreturn]] void TooFast(std::size_t ball) const;
   // ReferenceMeet.cpp: what comes next
   void FindNext(std::size_t ball);
   void FindAfter();

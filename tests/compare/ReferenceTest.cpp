@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 
 namespace Shapes::Compare::Tests {
@@ -216,6 +217,17 @@ TEST(Reference, WayDoesNotDependOnTheSteps) {
   EXPECT_EQ(Carry(many, 4.0 / 1000, 1000).size(), hits);
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_NEAR((one.GetBall(i).m_vPos - many.GetBall(i).m_vPos).norm(), 0, 1e-9);
+}
+
+TEST(Reference, ASpeedBeyondDoublesIsRefused) {
+  const auto carry = [](float e) {
+    CExact exact = Make(Box(1, e), {CDynamicCircleDesc({.1f, 0}, .25f, {1, 0})});
+    Carry(exact, 2);
+    return exact.GetBall(0).m_vVel.norm();
+  };
+  EXPECT_NEAR(carry(1), 1, 1e-12);
+  // A thousand times as fast after each impact, and so a thousand times as early.
+  EXPECT_THROW(carry(1000), std::runtime_error);
 }
 
 } // namespace

@@ -52,7 +52,7 @@ CHardCase MillionReflections() {
       "0",
       1e-11,
       64 * g_fFloatRounding,
-      "1e-11; engines 64 roundings, 3.8e-6",
+      "1e-11; engines 64 roundings, 3.8e-6: of the million some 1,000, their root, could add up",
       {Right(), Right(), Right(), Right(), Right()},
       SpeedDrift,
       "a normal whose length is wrong by a rounding: it counts at each reflection",
