@@ -5,6 +5,8 @@
 
 #include <Shapes/LineSeg.h>
 
+#include "traps/Traps.h"
+
 #include <cmath>
 #include <limits>
 
@@ -88,6 +90,7 @@ void SeeGradients(const CLine& line, const CVec& p, const CVec& d, CWorst& gradi
     if (IsNormal(m) && IsNormal(m * py))
       intercepts.See(abs(gotC - (px - m * py)), 4 * g_fUlp * (abs(px) + abs(m * py)));
   };
+  const CWithoutTraps onPurpose; // those of steep and flat lines may be infinite
   see(d.x, d.y, p.x, p.y, line.GetInverseGradient(), line.GetXIntercept());
   see(d.y, d.x, p.y, p.x, line.GetGradient(), line.GetYIntercept());
 }
