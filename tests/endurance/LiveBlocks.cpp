@@ -11,11 +11,17 @@ namespace {
 
 std::atomic<std::size_t> g_nBlocks, g_nBytes;
 
-void* Allocate(std::size_t size) {
+void* TryAllocate(std::size_t size) noexcept {
   void* p = std::malloc(size == 0 ? 1 : size);
-  if (p == nullptr) throw std::bad_alloc();
+  if (p == nullptr) return nullptr;
   ++g_nBlocks;
   g_nBytes += malloc_usable_size(p);
+  return p;
+}
+
+void* Allocate(std::size_t size) {
+  void* p = TryAllocate(size);
+  if (p == nullptr) throw std::bad_alloc();
   return p;
 }
 
@@ -35,8 +41,15 @@ std::size_t CountLiveBytes() { return g_nBytes; }
 
 } // namespace Shapes::Tests
 
-// The forms for arrays and those that do not throw call these. Nothing here is aligned by more than malloc
+// All forms, because those of a sanitizer do not call each other. Nothing here is aligned by more than malloc
 // does.
 void* operator new(std::size_t size) { return Allocate(size); }
+void* operator new[](std::size_t size) { return Allocate(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return TryAllocate(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return TryAllocate(size); }
 void operator delete(void* p) noexcept { Free(p); }
+void operator delete[](void* p) noexcept { Free(p); }
 void operator delete(void* p, std::size_t) noexcept { Free(p); }
+void operator delete[](void* p, std::size_t) noexcept { Free(p); }
+void operator delete(void* p, const std::nothrow_t&) noexcept { Free(p); }
+void operator delete[](void* p, const std::nothrow_t&) noexcept { Free(p); }
