@@ -52,7 +52,7 @@ def tests_fail(program, tests):
                               timeout=TIMEOUT)
     except subprocess.TimeoutExpired:
         return "they do not end"
-    if "[  PASSED  ] 0 tests" in done.stdout:
+    if "[==========] 0 tests" in done.stdout:
         sys.exit(f"{program}: no test has a name like {tests}")
     failed = re.findall(r"^\[  FAILED  \] (\S+?)(?:,| \()", done.stdout, re.MULTILINE)
     if done.returncode and not failed:
