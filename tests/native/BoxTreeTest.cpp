@@ -91,6 +91,25 @@ TEST(BoxTree, QueryEqualsBruteForceAfterRefit) {
   EXPECT_EQ(found.size(), moved.size());
 }
 
+TEST(BoxTree, QueryEqualsBruteForceAfterSomeHaveGrown) {
+  CRandom random(243);
+  for (const std::size_t n : {1u, 2u, 3u, 100u}) {
+    std::vector<CAabb2D> boxes;
+    for (std::size_t i = 0; i < n; ++i)
+      boxes.push_back(RandomBox(random, 30.0f));
+    CBoxTree tree;
+    tree.Build(boxes);
+    for (int k = 0; k < 20; ++k) {
+      const std::uint32_t item = random.Below(static_cast<std::uint32_t>(n));
+      const CAabb2D more = RandomBox(random, 60.0f);
+      boxes[item] += more.GetTopLeft();
+      boxes[item] += more.GetBottomRt();
+      tree.Grow(item, more);
+      ExpectSame(tree, boxes, random, 60.0f);
+    }
+  }
+}
+
 TEST(BoxTree, CanBeBuiltAgainAndBeEmpty) {
   CBoxTree tree;
   std::vector<std::uint32_t> found;

@@ -97,6 +97,18 @@ TEST(KinematicResponse, RelativeSpeedIsMirroredTimesTheElasticity) {
   }
 }
 
+TEST(KinematicResponse, OfASurfaceFasterThanAnyBallStaysFinite) {
+  // With the largest elasticities. Infinity times the component of n that is 0 would not be a number.
+  const float e = g_fMaxElasticity * g_fMaxElasticity;
+  for (const float V : {1e18f, 1e25f, 1e30f, 1e38f}) {
+    Vector2 p = Vector2::Zero(), v(3, -4);
+    RespondKinematic<Vector2>(Vector2(0, 1), 0.0f, e, Vector2(0, V), p, v);
+    EXPECT_EQ(v.x(), 3.0f) << V;
+    EXPECT_GT(v.y(), g_fMaxSpeed) << V;
+    EXPECT_TRUE(std::isfinite(v.y())) << V;
+  }
+}
+
 TEST(DynamicResponse, KeepsMomentumAndAddsNoEnergy) {
   CRandom random(103);
   for (int i = 0; i < 100000; ++i) {
