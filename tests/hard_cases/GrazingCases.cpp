@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Balls that touch a little, not quite, or all the time; and curved ways.
 #include "ShotTesting.h"
+#include "StepTesting.h"
 
 #include "reference/Reference.h"
 
@@ -110,28 +111,13 @@ constexpr float g_fSlider = 0.1f;
 
 // Largest change of height or velocity of a ball that slides along a segment without pressing on it.
 double ErrorOfSliding(eColumn column) {
-  const std::vector<CAnyShapeDesc> shapes{CLineSegDesc({-1.0f, 0.0f}, {200.0f, 0.0f})};
-  const std::vector<CDynamicCircleDesc> balls{CDynamicCircleDesc({0.0f, g_fSlider}, g_fSlider, {1.0f, 0.0f})};
-  const float dt = 1.0f / 60.0f;
-  const auto r = static_cast<double>(g_fSlider);
+  CStepped stepped(column, MakeScene({CLineSegDesc({-1.0f, 0.0f}, {200.0f, 0.0f})},
+                                     {CDynamicCircleDesc({0.0f, g_fSlider}, g_fSlider, {1.0f, 0.0f})}));
   double error = 0.0;
-  if (column == eColumn::Reference) {
-    Compare::CReference<double> reference(shapes, balls, Vector2::Zero());
-    std::vector<Compare::CExactEvent<double>> events;
-    for (int i = 0; i < g_nSlideSteps; ++i) {
-      reference.Step(static_cast<double>(dt), events);
-      const auto& ball = reference.GetBall(0);
-      error = std::max({error, std::abs(ball.m_vPos.y() - r), Distance(ball.m_vVel, {1.0, 0.0})});
-    }
-    return error;
-  }
-  const auto pWorld = MakeWorld(column, Desc(column, Vector2::Zero(), dt));
-  pWorld->Add(shapes[0]);
-  pWorld->Add(balls[0]);
   for (int i = 0; i < g_nSlideSteps; ++i) {
-    pWorld->Step();
-    error = std::max({error, std::abs(static_cast<double>(pWorld->GetBallPositions()[0].y()) - r),
-                      Distance(pWorld->GetBallVelocities()[0].cast<double>(), {1.0, 0.0})});
+    stepped.Step();
+    error = std::max({error, std::abs(stepped.GetPos().y() - static_cast<double>(g_fSlider)),
+                      Distance(stepped.GetVel(), {1.0, 0.0})});
   }
   return error;
 }
