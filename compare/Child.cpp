@@ -20,7 +20,7 @@ extern char** environ;
 namespace Shapes::Compare {
 namespace {
 
-constexpr std::chrono::milliseconds g_cPause(10); // between two looks
+constexpr std::chrono::milliseconds g_cPollInterval(10); // between two looks
 
 // Kills what still runs.
 class CProcess {
@@ -86,7 +86,7 @@ std::string RunProgram(const std::vector<std::string>& words, const std::filesys
       return code == 0 ? "" : "exit code " + std::to_string(code);
     }
     check();
-    std::this_thread::sleep_for(g_cPause);
+    std::this_thread::sleep_for(g_cPollInterval);
   }
 }
 

@@ -21,13 +21,13 @@ struct CMeasured {
   const CEngineReport& m_cEngine;
 };
 
-CValue Rate(std::size_t hits, std::size_t n) {
+CValue RateValue(std::size_t hits, std::size_t n) {
   return n == 0 ? CValue() : static_cast<double>(hits) / static_cast<double>(n);
 }
 
-CValue P95(const CSummary& s) { return s.m_nCount == 0 ? CValue() : s.m_fP95; }
+CValue P95Value(const CSummary& s) { return s.m_nCount == 0 ? CValue() : s.m_fP95; }
 
-CValue RateOf(const CMeasured& m, std::size_t hits) { return Rate(hits, m.m_cEngine.m_cTotals.m_nContacts); }
+CValue RateOf(const CMeasured& m, std::size_t hits) { return RateValue(hits, m.m_cEngine.m_cTotals.m_nContacts); }
 
 struct CMetric {
   const char* m_sName;
@@ -42,18 +42,18 @@ constexpr CMetric g_stdMetrics[] = {
     {"tunneled", [](const CMeasured& m) { return RateOf(m, m.m_cEngine.m_cTotals.GetTunneled()); }, true},
     {"overlapped", [](const CMeasured& m) { return RateOf(m, m.m_cEngine.m_cTotals.m_nOverlapped); }, true},
     {"ghost",
-     [](const CMeasured& m) { return Rate(m.m_cEngine.m_nGhosts, m.m_cScene.m_cRestart.m_nQuietSteps); },
+     [](const CMeasured& m) { return RateValue(m.m_cEngine.m_nGhosts, m.m_cScene.m_cRestart.m_nQuietSteps); },
      true},
     {"late", [](const CMeasured& m) { return RateOf(m, m.m_cEngine.m_cTotals.m_nLate); }, true},
-    {"setback_error", [](const CMeasured& m) { return P95(m.m_cEngine.m_cTotals.m_cSetbackError); }},
-    {"poi_error", [](const CMeasured& m) { return P95(m.m_cEngine.m_cTotals.m_cPOIError); }},
-    {"time_error", [](const CMeasured& m) { return P95(m.m_cEngine.m_cTotals.m_cTimeError); }},
-    {"normal_error", [](const CMeasured& m) { return P95(m.m_cEngine.m_cTotals.m_cNormalError); }},
-    {"direction_error", [](const CMeasured& m) { return P95(m.m_cEngine.m_cTotals.m_cDirectionError); }},
-    {"speed_error", [](const CMeasured& m) { return P95(m.m_cEngine.m_cTotals.m_cSpeedError); }},
-    {"energy_error", [](const CMeasured& m) { return P95(m.m_cEngine.m_cTotals.m_cEnergyError); }},
-    {"position_error", [](const CMeasured& m) { return P95(m.m_cEngine.m_cTotals.m_cPositionError); }},
-    {"penetration", [](const CMeasured& m) { return P95(m.m_cEngine.m_cTotals.m_cPenetration); }},
+    {"setback_error", [](const CMeasured& m) { return P95Value(m.m_cEngine.m_cTotals.m_cSetbackError); }},
+    {"poi_error", [](const CMeasured& m) { return P95Value(m.m_cEngine.m_cTotals.m_cPOIError); }},
+    {"time_error", [](const CMeasured& m) { return P95Value(m.m_cEngine.m_cTotals.m_cTimeError); }},
+    {"normal_error", [](const CMeasured& m) { return P95Value(m.m_cEngine.m_cTotals.m_cNormalError); }},
+    {"direction_error", [](const CMeasured& m) { return P95Value(m.m_cEngine.m_cTotals.m_cDirectionError); }},
+    {"speed_error", [](const CMeasured& m) { return P95Value(m.m_cEngine.m_cTotals.m_cSpeedError); }},
+    {"energy_error", [](const CMeasured& m) { return P95Value(m.m_cEngine.m_cTotals.m_cEnergyError); }},
+    {"position_error", [](const CMeasured& m) { return P95Value(m.m_cEngine.m_cTotals.m_cPositionError); }},
+    {"penetration", [](const CMeasured& m) { return P95Value(m.m_cEngine.m_cTotals.m_cPenetration); }},
     {"energy_drift",
      [](const CMeasured& m) {
        const CValue& drift = m.m_cEngine.m_cLongRun.m_fEnergyDrift;

@@ -20,7 +20,7 @@ constexpr CPartTime g_stdParts[] = {{"restarts", 0.2}, {"settings", 0.45}, {"tim
                                     {"heat map", 0.1}, {"effects", 0.1},   {"long runs", 0.05},
                                     {"replay", 0.05}};
 
-constexpr std::chrono::milliseconds g_cPause(100); // between two lines
+constexpr std::chrono::milliseconds g_cRedrawInterval(100); // between two lines
 constexpr double g_fFirstGuess = 3.0;              // seconds after which the rest is guessed
 
 std::string TimeLeft(double seconds) {
@@ -62,7 +62,7 @@ void CProgress::BeginScene(std::size_t scene, const std::string& name) {
 void CProgress::Report(eStage part, double share) {
   if (!m_bShown) return;
   const auto now = std::chrono::steady_clock::now();
-  if (m_bIsOnScreen && now - m_cLast < g_cPause) return;
+  if (m_bIsOnScreen && now - m_cLast < g_cRedrawInterval) return;
   m_cLast = now;
   m_bIsOnScreen = true;
   const double seconds = std::chrono::duration<double>(now - m_cStart).count();

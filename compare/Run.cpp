@@ -109,7 +109,8 @@ CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, 
 
 CRunReport RunScenes(const std::vector<CScene>& scenes, const std::vector<CEngine>& engines,
                      const CRunSizes& sizes, std::uint64_t seed, CProgress& progress,
-                     const std::function<void()>& check) {
+                     const std::function<void()>& check,
+                     const std::function<void(const CSceneReport&)>& finished) {
   CRunReport report;
   report.m_nSeed = seed;
   report.m_nContacts = sizes.m_nContacts;
@@ -121,6 +122,8 @@ CRunReport RunScenes(const std::vector<CScene>& scenes, const std::vector<CEngin
         check();
         progress.Report(part, share);
       }));
+      progress.Clear();
+      if (finished) finished(report.m_stdScenes.back());
     }
   } catch (const CInterrupted&) {
     report.m_bInterrupted = true;

@@ -34,10 +34,14 @@ struct CRunSizes {
   CRunSizes ForContacts(std::size_t contacts) const;
 };
 
+/// What a run does unless it is told otherwise, and a long one for figures that go into documents.
 inline constexpr CRunSizes g_cFullSizes{20000, 11,      50000, 5000, 100000, 11,   7000, 500,
                                         10000, 1000000, 300,   500,  15,     7000, 300};
 inline constexpr CRunSizes g_cQuickSizes{2000, 11,    2500, 250, 2000, 5,   500, 30,
                                          1000, 50000, 200,  60,  7,    400, 0};
+
+/// Seconds that a scene takes, measured over those that come with the tool on one core.
+inline constexpr double g_fQuickSceneSeconds = 1.2, g_fFullSceneSeconds = 25.0;
 
 /// Trials that are played for each impact that is wanted, before a scene in which little happens is given up.
 inline constexpr std::uint64_t g_nTrialsPerContact = 20;
@@ -51,9 +55,11 @@ CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, 
 /// All scenes, one after the other. CInterrupted, thrown by `check`, ends the run with those that are
 /// finished.
 /// @param check called often, between pieces of work
+/// @param finished called with each scene as it is finished; may be empty
 /// @throws std::runtime_error naming the scene that an engine cannot hold
 CRunReport RunScenes(const std::vector<CScene>& scenes, const std::vector<CEngine>& engines,
                      const CRunSizes& sizes, std::uint64_t seed, CProgress& progress,
-                     const std::function<void()>& check);
+                     const std::function<void()>& check,
+                     const std::function<void(const CSceneReport&)>& finished = {});
 
 } // namespace Shapes::Compare

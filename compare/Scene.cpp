@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "Scene.h"
 
-#include "SceneDocument.h"
+#include "SceneFields.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -17,9 +18,6 @@
 
 namespace Shapes::Compare {
 namespace {
-
-using nlohmann::json;
-using CPath = json::json_pointer;
 
 // The fields of descriptors by the names that they have in files.
 constexpr std::pair<std::string_view, const char*> g_stdFieldNames[] = {{"m_vPos", "position"},
@@ -33,8 +31,21 @@ constexpr std::pair<std::string_view, const char*> g_stdFieldNames[] = {{"m_vPos
                                                                         {"m_fTimeStep", "time_step"},
                                                                         {"m_fLengthUnit", "length_unit"}};
 
+constexpr CNumberRule g_cNumber{"a number"}, g_cNotNegative{"a number of at least 0", 0.0},
+    g_cPositive{"a number above 0", std::numeric_limits<double>::denorm_min()},
+    g_cLength{"a length of at least 0", 0.0}, g_cElasticity{"an elasticity of at least 0", 0.0},
+    g_cRotSpeed{"a rotation speed in revolutions per second"},
+    g_cAngle{"an angle in radians, from -2 pi to 2 pi", -6.2832, 6.2832},
+    g_cTurn{"an angle in radians, from 0 to pi", 0.0, 3.1416},
+    g_cFraction{"a fraction from 0 to 1", 0.0, 1.0};
+constexpr CPairRule g_cPoint{"a point [x, y]", g_cNumber}, g_cVector{"a vector [x, y]", g_cNumber},
+    g_cAngles{"two angles [from, to] in radians, counterclockwise", g_cAngle},
+    g_cHalfWidths{"two lengths [x, y] of at least 0", g_cLength};
+constexpr std::string_view g_stdTypes[] = {"point", "line_segment", "circle", "arc"},
+                           g_stdMotions[] = {"static", "kinematic"}, g_stdSides[] = {"both", "front", "back"};
+
 // What is turned in one piece: a kinematic shape, or the shapes of a compound.
-struct CTurning {
+struct CSceneRotation {
   eMotion m_eMotion = eMotion::Static;
   float m_fRotSpeed = 0.0f;
   Vector2 m_vRotCenter = Vector2::Zero();
@@ -43,33 +54,41 @@ struct CTurning {
 
 class CSceneReader {
 public:
-  CSceneReader(const std::filesystem::path& file, const json& doc) : m_sFile(file.string()), m_cDoc(doc) {
+  CSceneReader(const std::filesystem::path& file, const CJson& doc) : m_sFile(file.string()), m_cDoc(doc) {
     m_cScene.m_cPath = file;
   }
 
   CScene Read() {
-    const CPath root;
-    m_cScene.m_sName = m_cDoc.at("name").get<std::string>();
-    m_cScene.m_sDescription = m_cDoc.value("description", "");
-    ReadWorld(root);
-    ReadBounds(root / "bounds");
-    for (std::size_t i = 0; i < Count(root / "shapes"); ++i)
-      ReadShape(root / "shapes" / i, ReadTurning(root / "shapes" / i));
-    for (std::size_t i = 0; i < Count(root / "compounds"); ++i)
-      ReadCompound(root / "compounds" / i);
-    for (std::size_t i = 0; i < Count(root / "balls"); ++i)
-      ReadBall(root / "balls" / i);
+    CSceneFields fields(m_sFile, m_cDoc, CJsonPath(), "an object that describes a scene");
+    std::string schema; // for editors
+    fields.Read("$schema", schema);
+    fields.ReadName("name", m_cScene.m_sName);
+    fields.Read("description", m_cScene.m_sDescription);
+    ReadWorld(fields);
+    fields.Has("bounds"); // required: refused where it is read
+    ReadBounds(fields.GetPath() / "bounds");
+    for (const CJsonPath& path : fields.ReadList("shapes", "a list of shapes", 0))
+      ReadShape(path);
+    for (const CJsonPath& path : fields.ReadList("compounds", "a list of compounds", 0))
+      ReadCompound(path);
+    for (const CJsonPath& path : fields.ReadList("balls", "a list of at least one ball", 1))
+      ReadBall(path);
+    fields.RefuseOthers();
     return std::move(m_cScene);
   }
 
 private:
-  [[noreturn]] void Refuse(const CPath& path, const std::string& expected) const {
+  [[noreturn]] void Refuse(const CJsonPath& path, const std::string& expected) const {
     RefuseField(m_sFile, path, expected, Got(m_cDoc, path));
+  }
+
+  CSceneFields Fields(const CJsonPath& path, const char* expected) const {
+    return {m_sFile, m_cDoc, path, expected};
   }
 
   // Runs f, which makes something from values that stand in the objects at `paths`.
   template <class F>
-  auto Checked(std::initializer_list<CPath> paths, F f) const {
+  auto Checked(std::initializer_list<CJsonPath> paths, F f) const {
     try {
       return f();
     } catch (const std::invalid_argument& refusal) {
@@ -79,175 +98,179 @@ private:
       const std::size_t at = text.find(marker);
       const std::string expected(at == text.npos ? text : text.substr(at + marker.size()));
       for (const auto& [member, name] : g_stdFieldNames)
-        for (const CPath& path : paths)
+        for (const CJsonPath& path : paths)
           if (member == field && m_cDoc.contains(path / name)) Refuse(path / name, expected);
       Refuse(*paths.begin(), at == text.npos ? expected : fmt::format("{} of {}", expected, field));
     }
   }
 
-  std::size_t Count(const CPath& path) const { return m_cDoc.contains(path) ? m_cDoc.at(path).size() : 0; }
-
-  void Get(const CPath& path, bool& value) const {
-    if (m_cDoc.contains(path)) value = m_cDoc.at(path).get<bool>();
-  }
-  void Get(const CPath& path, float& value) const {
-    if (!m_cDoc.contains(path)) return;
-    const double number = m_cDoc.at(path).get<double>();
-    if (!(std::abs(number) <= std::numeric_limits<float>::max()))
-      Refuse(path, "a number that a float can hold, at most 3.4e38 in size");
-    value = static_cast<float>(number);
-  }
-  void Get(const CPath& path, Vector2& value) const {
-    if (!m_cDoc.contains(path)) return;
-    Get(path / 0, value.x());
-    Get(path / 1, value.y());
-  }
-  void Get(const CPath& path, eSides& value) const {
-    if (!m_cDoc.contains(path)) return;
-    const json& sides = m_cDoc.at(path);
-    value = sides == "front" ? eSides::Front : sides == "back" ? eSides::Back : eSides::Both;
-  }
-
-  void ReadWorld(const CPath& path) {
+  void ReadWorld(CSceneFields& fields) {
     CWorldDesc& world = m_cScene.m_cWorld;
-    Get(path / "length_unit", world.m_fLengthUnit);
-    Get(path / "gravity", world.m_vGravity);
-    Get(path / "time_step", world.m_fTimeStep);
-    Get(path / "duration", m_cScene.m_fDuration);
-    m_pWorld = Checked({path}, [&] { return GetBackend(eBackend::Native)->MakeWorld(world); });
-    if (!(m_cScene.m_fDuration >= world.m_fTimeStep)) Refuse(path / "duration", "at least one time_step");
+    fields.Read("length_unit", world.m_fLengthUnit, g_cPositive);
+    fields.Read("gravity", world.m_vGravity, g_cVector);
+    fields.Read("time_step", world.m_fTimeStep, g_cPositive);
+    fields.Read("duration", m_cScene.m_fDuration, g_cPositive, eNeed::Required);
+    m_pWorld = Checked({fields.GetPath()}, [&] { return GetBackend(eBackend::Native)->MakeWorld(world); });
+    if (!(m_cScene.m_fDuration >= world.m_fTimeStep))
+      Refuse(fields.GetPath() / "duration", "at least one time_step");
   }
 
-  void ReadBounds(const CPath& path) {
+  void ReadBounds(const CJsonPath& path) {
+    CSceneFields fields = Fields(path, "an object with left, bottom, right and top");
     Vector2 topLeft, bottomRight;
-    Get(path / "left", topLeft.x());
-    Get(path / "top", topLeft.y());
-    Get(path / "right", bottomRight.x());
-    Get(path / "bottom", bottomRight.y());
+    fields.Read("left", topLeft.x(), g_cNumber, eNeed::Required);
+    fields.Read("top", topLeft.y(), g_cNumber, eNeed::Required);
+    fields.Read("right", bottomRight.x(), g_cNumber, eNeed::Required);
+    fields.Read("bottom", bottomRight.y(), g_cNumber, eNeed::Required);
+    fields.RefuseOthers();
     if (!(topLeft.x() < bottomRight.x())) Refuse(path / "right", "a number above left");
     if (!(bottomRight.y() < topLeft.y())) Refuse(path / "top", "a number above bottom");
     m_cScene.m_cBounds = CAabb2D(topLeft, bottomRight);
   }
 
-  CTurning ReadTurning(const CPath& path) const {
-    CTurning turning;
-    Get(path / "rotation_speed", turning.m_fRotSpeed);
-    Get(path / "rotation_center", turning.m_vRotCenter);
-    turning.m_cFlip = ReadFlip(path);
-    if (m_cDoc.at(path).value("motion", "static") == "kinematic")
+  CSceneRotation ReadTurning(CSceneFields& fields) const {
+    CSceneRotation turning;
+    fields.Read("rotation_speed", turning.m_fRotSpeed, g_cRotSpeed);
+    fields.Read("rotation_center", turning.m_vRotCenter, g_cPoint);
+    if (fields.Has("flip")) turning.m_cFlip = ReadFlip(fields.GetPath(), turning.m_fRotSpeed);
+    std::string motion = "static";
+    fields.ReadWord("motion", motion, g_stdMotions);
+    if (motion == "kinematic")
       turning.m_eMotion = eMotion::Kinematic;
     else if (turning.m_cFlip || turning.m_fRotSpeed != 0.0f)
-      Refuse(path / "motion", "\"kinematic\" for a shape that turns");
+      Refuse(fields.GetPath() / "motion", "\"kinematic\" for a shape that turns");
     return turning;
   }
 
-  std::optional<CFlip> ReadFlip(const CPath& owner) const {
-    const CPath path = owner / "flip";
-    if (!m_cDoc.contains(path)) return std::nullopt;
+  CFlip ReadFlip(const CJsonPath& owner, float rotSpeed) const {
+    const CJsonPath path = owner / "flip";
+    CSceneFields fields = Fields(path, "an object with angle, speed, period and perhaps phase");
     CFlip flip;
-    Get(path / "angle", flip.m_fAngle);
-    Get(path / "speed", flip.m_fSpeed);
-    Get(path / "period", flip.m_fPeriod);
-    Get(path / "phase", flip.m_fPhase);
+    fields.Read("angle", flip.m_fAngle, g_cAngle, eNeed::Required);
+    fields.Read("speed", flip.m_fSpeed, g_cPositive, eNeed::Required);
+    fields.Read("period", flip.m_fPeriod, g_cPositive, eNeed::Required);
+    fields.Read("phase", flip.m_fPhase, g_cNotNegative);
+    fields.RefuseOthers();
     if (!(flip.m_fSpeed > 0.0f && flip.m_fSpeed <= g_fMaxRotSpeed))
       Refuse(path / "speed", fmt::format("a number above 0, up to {}", g_fMaxRotSpeed));
     const float shortest = std::abs(flip.m_fAngle) / (g_fPi * flip.m_fSpeed);
     if (!(flip.m_fPeriod > 0.0f && flip.m_fPeriod >= shortest))
       Refuse(path / "period",
              fmt::format("the time to turn by angle at speed and back, {} or more", shortest));
-    if (float speed = 0.0f; Get(owner / "rotation_speed", speed), speed != 0.0f)
-      Refuse(owner / "rotation_speed", "none for what has a flip");
+    if (rotSpeed != 0.0f) Refuse(owner / "rotation_speed", "none for what has a flip");
     return flip;
   }
 
-  void ReadCompound(const CPath& path) {
-    CTurning turning;
+  void ReadCompound(const CJsonPath& path) {
+    CSceneFields fields = Fields(path, "an object that describes a compound");
+    CSceneRotation turning;
     turning.m_eMotion = eMotion::Kinematic;
-    Get(path / "rotation_speed", turning.m_fRotSpeed);
-    Get(path / "rotation_center", turning.m_vRotCenter);
-    turning.m_cFlip = ReadFlip(path);
-    for (std::size_t i = 0; i < Count(path / "shapes"); ++i)
-      ReadShape(path / "shapes" / i, turning, path);
+    fields.Read("rotation_speed", turning.m_fRotSpeed, g_cRotSpeed);
+    fields.Read("rotation_center", turning.m_vRotCenter, g_cPoint, eNeed::Required);
+    if (fields.Has("flip")) turning.m_cFlip = ReadFlip(path, turning.m_fRotSpeed);
+    for (const CJsonPath& shape : fields.ReadList("shapes", "a list of at least one shape", 1))
+      ReadShape(shape, &turning, path);
+    fields.RefuseOthers();
   }
 
-  CAnyShapeDesc ReadGeometry(const CPath& path) const {
-    const auto& type = m_cDoc.at(path / "type").get_ref<const std::string&>();
+  CAnyShapeDesc ReadGeometry(CSceneFields& fields) const {
+    std::string type;
+    fields.ReadWord("type", type, g_stdTypes, eNeed::Required);
     if (type == "line_segment") {
       Vector2 p0, p1;
-      Get(path / "p0", p0);
-      Get(path / "p1", p1);
+      fields.Read("p0", p0, g_cPoint, eNeed::Required);
+      fields.Read("p1", p1, g_cPoint, eNeed::Required);
+      RequireEnd(fields.GetPath() / "p0", p0);
+      RequireEnd(fields.GetPath() / "p1", p1);
       CLineSegDesc desc(p0, p1);
-      Get(path / "sides", desc.m_eSides);
+      desc.m_eSides = ReadSides(fields);
       return desc;
     }
     Vector2 p;
-    Get(path / "position", p);
+    fields.Read("position", p, g_cPoint, eNeed::Required);
     if (type == "point") return CPointDesc(p);
     float r = 0.0f;
-    Get(path / "radius", r);
+    fields.Read("radius", r, g_cLength, eNeed::Required);
     if (type == "circle") return CCircleDesc(p, r);
 
     CArcDesc desc;
     desc.m_vPos = p;
     desc.m_fRadius = r;
-    Get(path / "sides", desc.m_eSides);
-    if (m_cDoc.contains(path / "angles")) ReadAngles(path / "angles", desc);
+    desc.m_eSides = ReadSides(fields);
+    ReadAngles(fields, desc);
     return desc;
+  }
+
+  static eSides ReadSides(CSceneFields& fields) {
+    std::string sides = "both";
+    fields.ReadWord("sides", sides, g_stdSides);
+    return sides == "front" ? eSides::Front : sides == "back" ? eSides::Back : eSides::Both;
+  }
+
+  // An end by itself, so that it is named and not the midpoint.
+  void RequireEnd(const CJsonPath& path, const Vector2& p) const {
+    try {
+      CPoint(CPointDesc(p));
+    } catch (const std::invalid_argument&) {
+      Refuse(path, fmt::format("coordinates of at most {} in size", g_fMaxLength));
+    }
   }
 
   // In double, and with room for a 2 pi of five digits: [0, 2 pi] is the full circle, but the float nearest
   // to 2 pi is an angle of 1.7e-7.
-  void ReadAngles(const CPath& path, CArcDesc& desc) const {
+  void ReadAngles(CSceneFields& fields, CArcDesc& desc) const {
     constexpr double turn = 2.0 * std::numbers::pi, rounding = 2e-5;
-    const double a0 = m_cDoc.at(path / 0).get<double>(), a1 = m_cDoc.at(path / 1).get<double>();
-    const double span = std::abs(a1 - a0);
-    if (span > turn + rounding) Refuse(path, "two angles at most 2 pi apart");
-    desc.SetAngles(static_cast<float>(a0), static_cast<float>(span < turn - rounding ? a1 : a0));
+    std::array<double, 2> a{desc.GetAngle0(), desc.GetAngle1()};
+    fields.Read("angles", a, g_cAngles);
+    const double span = std::abs(a[1] - a[0]);
+    if (span > turn + rounding) Refuse(fields.GetPath() / "angles", "two angles at most 2 pi apart");
+    desc.SetAngles(static_cast<float>(a[0]), static_cast<float>(span < turn - rounding ? a[1] : a[0]));
   }
 
-  void ReadShape(const CPath& path, const CTurning& turning, const CPath& turner) {
-    CSceneShape shape{ReadGeometry(path), m_cDoc.at(path).value("name", ""), turning.m_cFlip, false};
-    Get(path / "drain", shape.m_bIsDrain);
+  /// @param pCompound  how its compound turns; null for a shape by itself  @param turner  what turns
+  void ReadShape(const CJsonPath& path, const CSceneRotation* pCompound, const CJsonPath& turner) {
+    CSceneFields fields = Fields(path, pCompound != nullptr ? "an object that describes a shape of a compound"
+                                                            : "an object that describes a shape");
+    CSceneShape shape{ReadGeometry(fields), {}, {}, false};
+    const CSceneRotation turning = pCompound != nullptr ? *pCompound : ReadTurning(fields);
+    fields.Read("name", shape.m_sName);
+    fields.Read("drain", shape.m_bIsDrain);
+    shape.m_cFlip = turning.m_cFlip;
     std::visit(
         [&](auto& desc) {
-          Get(path / "elasticity", desc.m_fElasticity);
+          fields.Read("elasticity", desc.m_fElasticity, g_cElasticity);
           desc.m_bIsSensor = shape.m_bIsDrain;
-          Get(path / "sensor", desc.m_bIsSensor);
+          fields.Read("sensor", desc.m_bIsSensor);
           desc.m_eMotionType = turning.m_eMotion;
           desc.m_fRotSpeed = turning.m_fRotSpeed;
           desc.m_vRotCenter = turning.m_vRotCenter;
           if (shape.m_bIsDrain && !desc.m_bIsSensor) Refuse(path / "sensor", "true for a drain");
         },
         shape.m_cDesc);
-    CheckEnds(path);
+    fields.RefuseOthers();
     Checked({path, turner}, [&] { return m_pWorld->Add(shape.m_cDesc); });
     m_cScene.m_stdShapes.push_back(std::move(shape));
   }
-  void ReadShape(const CPath& path, const CTurning& turning) { ReadShape(path, turning, path); }
+  void ReadShape(const CJsonPath& path) { ReadShape(path, nullptr, path); }
 
-  // The ends of a segment as points, so that the end that is wrong is named and not the midpoint.
-  void CheckEnds(const CPath& path) const {
-    for (const char* end : {"p0", "p1"}) {
-      Vector2 p = Vector2::Zero();
-      Get(path / end, p);
-      try {
-        CPoint(CPointDesc(p));
-      } catch (const std::invalid_argument&) {
-        Refuse(path / end, fmt::format("coordinates of at most {} in size", g_fMaxLength));
-      }
-    }
+  void ReadSpread(const CJsonPath& path, CSceneBall& ball) const {
+    CSceneFields fields = Fields(path, "an object with position, direction or speed");
+    fields.Read("position", ball.m_vSpread, g_cHalfWidths);
+    fields.Read("direction", ball.m_fTurn, g_cTurn);
+    fields.Read("speed", ball.m_fSpeedSpread, g_cFraction);
+    fields.RefuseOthers();
   }
 
-  void ReadBall(const CPath& path) {
+  void ReadBall(const CJsonPath& path) {
+    CSceneFields fields = Fields(path, "an object that describes a ball");
     CSceneBall ball;
-    Get(path / "position", ball.m_cDesc.m_vPos);
-    Get(path / "velocity", ball.m_cDesc.m_vVel);
-    Get(path / "radius", ball.m_cDesc.m_fRadius);
-    Get(path / "mass", ball.m_cDesc.m_fMass);
-    Get(path / "elasticity", ball.m_cDesc.m_fElasticity);
-    Get(path / "spread" / "position", ball.m_vSpread);
-    Get(path / "spread" / "direction", ball.m_fTurn);
-    Get(path / "spread" / "speed", ball.m_fSpeedSpread);
+    fields.Read("position", ball.m_cDesc.m_vPos, g_cPoint, eNeed::Required);
+    fields.Read("velocity", ball.m_cDesc.m_vVel, g_cVector);
+    fields.Read("radius", ball.m_cDesc.m_fRadius, g_cLength, eNeed::Required);
+    fields.Read("mass", ball.m_cDesc.m_fMass, g_cPositive);
+    fields.Read("elasticity", ball.m_cDesc.m_fElasticity, g_cElasticity);
+    if (fields.Has("spread")) ReadSpread(path / "spread", ball);
+    fields.RefuseOthers();
     Checked({path}, [&] { return m_pWorld->Add(ball.m_cDesc); });
     const Vector2 low = ball.m_cDesc.m_vPos - ball.m_vSpread, high = ball.m_cDesc.m_vPos + ball.m_vSpread;
     if (!(m_cScene.m_cBounds && low) || !(m_cScene.m_cBounds && high))
@@ -260,7 +283,7 @@ private:
   }
 
   std::string m_sFile;
-  const json& m_cDoc;
+  const CJson& m_cDoc;
   CScene m_cScene;
   std::unique_ptr<CWorld> m_pWorld; // takes every descriptor once: what it refuses, no scene may have
 };
@@ -268,12 +291,12 @@ private:
 } // namespace
 
 CScene LoadScene(const std::filesystem::path& file) {
-  const json doc = ReadSceneDocument(file);
+  const CJson doc = ReadSceneDocument(file);
   return CSceneReader(file, doc).Read();
 }
 
 CScene ParseScene(const std::filesystem::path& file, const std::string& text) {
-  const json doc = ParseSceneDocument(file.string(), text);
+  const CJson doc = ParseSceneDocument(file.string(), text);
   return CSceneReader(file, doc).Read();
 }
 
@@ -294,8 +317,8 @@ std::vector<CScene> LoadScenes(const std::filesystem::path& folder) {
   for (const auto& file : files) {
     scenes.push_back(LoadScene(file));
     if (!names.insert(scenes.back().m_sName).second)
-      RefuseField(file.string(), CPath("/name"), "a name that no other scene of the folder has",
-                  json(scenes.back().m_sName).dump());
+      RefuseField(file.string(), CJsonPath("/name"), "a name that no other scene of the folder has",
+                  CJson(scenes.back().m_sName).dump());
   }
   return scenes;
 }
@@ -303,6 +326,8 @@ std::vector<CScene> LoadScenes(const std::filesystem::path& folder) {
 const CShapeDesc& GetBase(const CAnyShapeDesc& any) {
   return std::visit([](const auto& desc) -> const CShapeDesc& { return desc; }, any);
 }
+
+bool Turns(const CSceneShape& shape) { return shape.m_cFlip || GetBase(shape.m_cDesc).m_fRotSpeed != 0.0f; }
 
 std::vector<CAnyShapeDesc> GetShapes(const CScene& scene) {
   std::vector<CAnyShapeDesc> shapes;

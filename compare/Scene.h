@@ -54,6 +54,9 @@ struct CScene {
 /// What all descriptors have.
 const CShapeDesc& GetBase(const CAnyShapeDesc& any);
 
+/// Whether a shape turns, by its rotation speed or by a flip.
+bool Turns(const CSceneShape& shape);
+
 /// The descriptors of all shapes of a scene.
 std::vector<CAnyShapeDesc> GetShapes(const CScene& scene);
 

@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "SceneDocument.h"
 
-#include "SceneSchema.h"
-
 #include <fmt/format.h>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <memory>
 #include <set>
 #include <string_view>
 
 namespace Shapes::Compare {
-
-using nlohmann::json;
-using CPath = json::json_pointer;
 
 namespace {
 
@@ -28,9 +18,9 @@ namespace {
 constexpr std::size_t g_nMaxDepth = 16;
 constexpr std::size_t g_nMaxValueText = 60; // characters of a wrong value in a message
 
-std::string PathText(const CPath& path) { return path.empty() ? "/" : path.to_string(); }
+std::string PathText(const CJsonPath& path) { return path.empty() ? "/" : path.to_string(); }
 
-std::string ValueText(const json& value) {
+std::string ValueText(const CJson& value) {
   std::string text = value.dump(-1, ' ', true);
   if (text.size() > g_nMaxValueText) text = text.substr(0, g_nMaxValueText) + "...";
   return text;
@@ -38,12 +28,12 @@ std::string ValueText(const json& value) {
 
 } // namespace
 
-void RefuseField(const std::string& file, const CPath& path, const std::string& expected,
+void RefuseField(const std::string& file, const CJsonPath& path, const std::string& expected,
                  const std::string& got) {
   throw CSceneError(fmt::format("{}: {}: expected {}, got {}", file, PathText(path), expected, got));
 }
 
-std::string Got(const json& doc, const CPath& path) {
+std::string Got(const CJson& doc, const CJsonPath& path) {
   return doc.contains(path) ? ValueText(doc.at(path)) : "nothing";
 }
 
@@ -68,7 +58,7 @@ std::string ReadText(const std::filesystem::path& file) {
 // ---- Text to JSON: what the parser alone would let through or not locate -------------------------------
 
 // Walks through the text without building anything. Knows where it is, in the text and in the document.
-class CTextCheck : public nlohmann::json_sax<json> {
+class CTextCheck : public nlohmann::json_sax<CJson> {
 public:
   CTextCheck(const std::string& file, std::string_view text) : m_sFile(file), m_sText(text) {}
 
@@ -116,8 +106,8 @@ private:
     std::set<std::string> m_stdKeys;
   };
 
-  CPath Here() const {
-    CPath path;
+  CJsonPath Here() const {
+    CJsonPath path;
     for (const CLevel& level : m_stdLevels)
       path = level.m_bIsArray ? path / level.m_nIndex : path / level.m_sKey;
     return path;
@@ -143,121 +133,16 @@ private:
   std::vector<CLevel> m_stdLevels;
 };
 
-json ParseText(const std::string& file, const std::string& text) {
-  CTextCheck check(file, text);
-  json::sax_parse(text, &check);
-  return json::parse(text);
-}
-
-// ---- JSON against the schema ---------------------------------------------------------------------------
-
-const json& SchemaJson() {
-  static const json schema = json::parse(g_sSceneSchema);
-  return schema;
-}
-
-const valijson::Schema& Schema() {
-  static const auto pSchema = [] {
-    auto p = std::make_unique<valijson::Schema>();
-    const valijson::adapters::NlohmannJsonAdapter adapter(SchemaJson());
-    valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(adapter, *p);
-    return p;
-  }();
-  return *pSchema;
-}
-
-const json& Resolved(const json& schema) {
-  const json* pSchema = &schema;
-  while (pSchema->contains("$ref"))
-    pSchema = &SchemaJson().at(CPath(pSchema->at("$ref").get<std::string>().substr(1)));
-  return *pSchema;
-}
-
-// The schema that holds for this value: of "if type is ... then ... else ..." the branch that applies.
-const json& Applying(const json& schema, const json& value) {
-  const json* pSchema = &Resolved(schema);
-  while (pSchema->contains("if")) {
-    const json& type = pSchema->at("if").at("properties").at("type").at("const");
-    const bool is = value.is_object() && value.contains("type") && value.at("type") == type;
-    if (!is && !pSchema->contains("else")) break;
-    pSchema = &Resolved(pSchema->at(is ? "then" : "else"));
-  }
-  return *pSchema;
-}
-
-// A place in the document that fails the schema, the deeper the more to the point.
-struct CFault {
-  CPath m_cPath;
-  std::size_t m_nDepth;
-};
-
-// A field that is missing or unknown is a fault of the field; the validator reports it with its object.
-CFault FindFault(const valijson::ValidationResults::Error& error) {
-  CFault fault{CPath(), error.context.size() - 1};
-  for (std::size_t i = 1; i < error.context.size(); ++i)
-    fault.m_cPath /= error.context[i].substr(1, error.context[i].size() - 2);
-  for (const std::string_view before :
-       {"Missing required property '", "Object contains a property that could not be validated using "
-                                       "'properties' or 'additionalProperties' constraints: '"}) {
-    if (!error.description.starts_with(before)) continue;
-    const std::size_t close = error.description.rfind('\'');
-    fault.m_cPath /= error.description.substr(before.size(), close - before.size());
-    ++fault.m_nDepth;
-  }
-  return fault;
-}
-
-// What the schema expects at a path.
-std::string Expected(const json& doc, const CPath& path) {
-  std::vector<std::string> steps;
-  for (CPath p = path; !p.empty(); p.pop_back())
-    steps.insert(steps.begin(), p.back());
-
-  const json* pValue = &doc;
-  const json* pSchema = &SchemaJson();
-  for (const std::string& step : steps) {
-    const json& schema = Applying(*pSchema, *pValue);
-    if (pValue->is_array()) {
-      pSchema = &schema.at("items");
-      pValue = &pValue->at(std::stoul(step));
-      continue;
-    }
-    const json& fields =
-        schema.contains("properties") ? schema.at("properties") : Resolved(*pSchema).at("properties");
-    if (!fields.contains(step)) {
-      std::string known;
-      for (const auto& field : fields.items())
-        known += (known.empty() ? "" : ", ") + field.key();
-      return "no such field (known are " + known + ")";
-    }
-    pSchema = &fields.at(step);
-    static const json nothing;
-    pValue = pValue->contains(step) ? &pValue->at(step) : &nothing;
-  }
-  return Resolved(*pSchema).at("description").get<std::string>();
-}
-
-void CheckSchema(const std::string& file, const json& doc) {
-  valijson::ValidationResults results;
-  const valijson::adapters::NlohmannJsonAdapter adapter(doc);
-  if (valijson::Validator().validate(Schema(), adapter, &results)) return;
-
-  CFault deepest{CPath(), 0};
-  for (const auto& error : results)
-    if (const CFault fault = FindFault(error); fault.m_nDepth > deepest.m_nDepth) deepest = fault;
-  RefuseField(file, deepest.m_cPath, Expected(doc, deepest.m_cPath), Got(doc, deepest.m_cPath));
-}
-
 } // namespace
 
-json ReadSceneDocument(const std::filesystem::path& file) {
+CJson ReadSceneDocument(const std::filesystem::path& file) {
   return ParseSceneDocument(file.string(), ReadText(file));
 }
 
-json ParseSceneDocument(const std::string& file, const std::string& text) {
-  json doc = ParseText(file, text);
-  CheckSchema(file, doc);
-  return doc;
+CJson ParseSceneDocument(const std::string& file, const std::string& text) {
+  CTextCheck check(file, text);
+  CJson::sax_parse(text, &check);
+  return CJson::parse(text);
 }
 
 } // namespace Shapes::Compare

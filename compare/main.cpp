@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // shapes-compare: runs the same scenes on every engine against an exact reference.
 #include "FailAbove.h"
+#include "FirstImpact.h"
 #include "Interrupt.h"
+#include "NearMatches.h"
 #include "Options.h"
 #include "Run.h"
 #include "metrics/Instructions.h"
+#include "report/Machine.h"
+#include "report/Numbers.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -12,6 +16,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <string>
 #include <vector>
@@ -21,24 +26,46 @@ namespace {
 
 constexpr int g_nAbove = 1, g_nBadInput = 2, g_nInterruptedExit = 130;
 
+// The scenes of the source tree that this was built from, or those that were installed with the program.
+std::filesystem::path FindScenes() {
+  std::error_code error;
+  if (std::filesystem::is_directory(SHAPES_SCENES_DIR, error)) return SHAPES_SCENES_DIR;
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / "share/shapes/scenes";
+}
+
 struct COptions {
   std::vector<std::string> m_stdScenes;  // names; empty for all
   std::vector<std::string> m_stdEngines; // the same
   std::vector<std::string> m_stdLimits;  // METRIC=VALUE
   std::filesystem::path m_cFile;         // of `scene`
-  std::filesystem::path m_cFolder = SHAPES_SCENES_DIR;
+  std::filesystem::path m_cFolder = FindScenes();
   std::filesystem::path m_cOut = "build/report";
   std::uint64_t m_nSeed = 1;
-  std::size_t m_nContacts = g_cFullSizes.m_nContacts;
-  bool m_bQuick = false;
+  std::size_t m_nContacts = 0; // as many as the sizes say
+  bool m_bFull = false, m_bVerbose = false;
+  bool m_bListEngines = false;          // of `list`
   std::size_t m_nSteps = 0;             // of `step-cost`
   std::vector<std::string> m_stdWorlds; // the same
 
   CRunSizes GetSizes() const {
-    const CRunSizes& sizes = m_bQuick ? g_cQuickSizes : g_cFullSizes;
-    return sizes.ForContacts(m_bQuick ? std::min(m_nContacts, sizes.m_nContacts) : m_nContacts);
+    const CRunSizes& sizes = m_bFull ? g_cFullSizes : g_cQuickSizes;
+    return m_nContacts == 0 ? sizes : sizes.ForContacts(m_nContacts);
   }
 };
+
+// Before a run that takes minutes.
+void AnnounceDuration(const COptions& options, std::size_t scenes) {
+  const CRunSizes sizes = options.GetSizes();
+  const CRunSizes& usual = options.m_bFull ? g_cFullSizes : g_cQuickSizes;
+  const double share = static_cast<double>(sizes.m_nContacts) / static_cast<double>(usual.m_nContacts);
+  const double minutes = share * static_cast<double>(scenes) *
+                         (options.m_bFull ? g_fFullSceneSeconds : g_fQuickSceneSeconds) / 60.0;
+  if (minutes < 1.0) return;
+  fmt::print(stderr,
+             "{} impacts in each of {} scenes: this takes about {:.0f} minutes. Ctrl-C ends it with what is "
+             "finished.\n",
+             CountText(sizes.m_nContacts), scenes, std::ceil(minutes));
+}
 
 int Run(const std::vector<CScene>& scenes, const COptions& options, const std::string& command) {
   const std::vector<CEngine> engines = SelectEngines(GetEngines(), options.m_stdEngines);
@@ -50,19 +77,32 @@ int Run(const std::vector<CScene>& scenes, const COptions& options, const std::s
     if (const std::string warning = WarnOfFew(limit, options.GetSizes().m_nContacts); !warning.empty())
       fmt::print(stderr, "shapes-compare: {}\n", warning);
 
+  for (const CScene& scene : scenes)
+    RequireImpact(scene, options.m_nSeed);
+  AnnounceDuration(options, scenes.size());
+
+  CRunReport heading;
+  heading.m_nSeed = options.m_nSeed;
+  heading.m_stdEngines = engines;
+  fmt::print("{}", MakeHeading(heading));
+  std::fflush(stdout);
   CatchInterrupt();
   CProgress progress(scenes.size(), isatty(STDERR_FILENO) != 0);
-  CRunReport report =
-      RunScenes(scenes, engines, options.GetSizes(), options.m_nSeed, progress, &CheckInterrupt);
+  CRunReport report = RunScenes(scenes, engines, options.GetSizes(), options.m_nSeed, progress,
+                                &CheckInterrupt, [](const CSceneReport& scene) {
+                                  fmt::print("{}", MakeSceneLine(scene));
+                                  std::fflush(stdout);
+                                });
   report.m_sCommand = command;
   if (report.m_stdScenes.empty()) { // an earlier report stays as it is
     fmt::print(stderr, "shapes-compare: interrupted before a scene was finished; nothing is written\n");
     return g_nInterruptedExit;
   }
-  fmt::print("{}\n", MakeTable(report));
+  fmt::print("{}\n", MakeSummary(report));
+  if (options.m_bVerbose) fmt::print("{}\n", MakeTable(report));
   WriteReport(report, options.m_cOut);
-  fmt::print("Written to {}: report.html (open it in a browser), run.json, contacts.csv\n",
-             options.m_cOut.string());
+  fmt::print("All figures: {}/report.html (open it in a browser), run.json, contacts.csv{}\n",
+             options.m_cOut.string(), options.m_bVerbose ? "" : "; --verbose prints them");
 
   const std::vector<std::string> above = FindAbove(report, limits);
   std::fflush(stdout);
@@ -76,18 +116,23 @@ void AddRunOptions(CLI::App& app, COptions& options) {
   app.add_option("--engines", options.m_stdEngines,
                  "Only these engines, separated by commas: native, native-continuous, box2d, box2d-tuned "
                  "(default: all)")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->type_name("NAME,...");
   app.add_option("--out", options.m_cOut, "Folder for report.html, run.json and contacts.csv")
+      ->type_name("FOLDER")
       ->capture_default_str();
   app.add_option("--seed", options.m_nSeed, "Seed of the random trials")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--contacts", options.m_nContacts, "Impacts in each scene")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 100000000));
-  app.add_flag("--quick", options.m_bQuick,
-               fmt::format("At most {} impacts in each scene, and less of everything else",
-                           g_cQuickSizes.m_nContacts));
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  app.add_option("--contacts", options.m_nContacts,
+                 fmt::format("Impacts in each scene (default: {}, or {} with --full)",
+                             g_cQuickSizes.m_nContacts, g_cFullSizes.m_nContacts))
+      ->check(CLI::Range(1, 100000000))
+      ->type_name("N");
+  app.add_flag("--full", options.m_bFull,
+               "The long run: more of everything, for figures that go into documents");
+  app.add_flag("--verbose", options.m_bVerbose, "Print every table and the verdict of each scene");
   app.add_option("--fail-above", options.m_stdLimits,
                  fmt::format("METRIC=VALUE: exit code 1 if it is above on any scene and engine; may be given "
                              "several times. METRIC is one of {}",
@@ -96,13 +141,42 @@ void AddRunOptions(CLI::App& app, COptions& options) {
       ->allow_extra_args(false);
 }
 
-void List(const std::filesystem::path& folder) {
+void ListScenes(const std::filesystem::path& folder) {
   const std::vector<CScene> scenes = LoadScenes(folder);
   std::size_t width = 0;
   for (const CScene& scene : scenes)
     width = std::max(width, scene.m_sName.size());
   for (const CScene& scene : scenes)
     fmt::print("{:<{}}  {}\n", scene.m_sName, width, scene.m_sDescription);
+}
+
+void ListEngines() {
+  for (const CEngine& engine : GetEngines())
+    fmt::print("{}\n", engine.m_sName);
+}
+
+// What was meant by a word of the command line that was not expected: an option or a command.
+std::string Suggest(const CLI::App& app) {
+  const std::vector<std::string> words = app.remaining(true);
+  if (words.empty()) return {};
+  std::vector<std::string> known;
+  const bool isOption = words.front().starts_with('-');
+  const auto parsed = app.get_subcommands();
+  const CLI::App& asked = parsed.empty() ? app : *parsed.front();
+  if (isOption) {
+    for (const CLI::Option* pOption : asked.get_options())
+      for (const std::string& name : pOption->get_lnames())
+        known.push_back("--" + name);
+  } else {
+    known = {"run", "scene", "list"};
+  }
+  return "shapes-compare: " + UnknownName(isOption ? "option" : "command", words.front(), known) + '\n';
+}
+
+std::string Version() {
+  const CMachine machine = DescribeMachine();
+  return fmt::format("shapes-compare {}\nBox2D {}, {}", machine.m_sShapes, machine.m_sBox2D,
+                     machine.m_sCompiler);
 }
 
 int Main(int argc, char** argv) {
@@ -112,18 +186,24 @@ int Main(int argc, char** argv) {
       "setback, tunneling, error, and time.",
       "shapes-compare");
   app.require_subcommand(1);
+  app.set_version_flag("--version", &Version, "Print the versions of the tool, Box2D and the compiler");
+  app.set_help_all_flag("--help-all", "Print the options of all commands");
   app.footer("Exit codes: 0 done, 1 above a limit of --fail-above, 2 bad input, 130 interrupted (what was "
              "finished is reported).");
   CLI::App* pRun = app.add_subcommand("run", "Run the bundled scenes");
   pRun->add_option("--scenes", options.m_stdScenes, "Only these scenes, by name, separated by commas")
-      ->delimiter(',');
-  pRun->add_option("--folder", options.m_cFolder, "Folder of scene files")->capture_default_str();
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  pRun->add_option("--folder", options.m_cFolder, "Folder of scene files (default: the bundled ones)")
+      ->type_name("FOLDER");
   AddRunOptions(*pRun, options);
   CLI::App* pScene = app.add_subcommand("scene", "Run a scene file of your own");
   pScene->add_option("file", options.m_cFile, "Scene file (docs/scenes.md)")->required();
   AddRunOptions(*pScene, options);
   CLI::App* pList = app.add_subcommand("list", "Say which scenes are bundled");
-  pList->add_option("--folder", options.m_cFolder, "Folder of scene files")->capture_default_str();
+  pList->add_option("--folder", options.m_cFolder, "Folder of scene files (default: the bundled ones)")
+      ->type_name("FOLDER");
+  pList->add_flag("--engines", options.m_bListEngines, "Say which engines there are instead");
   // What the program is called with by itself to have its instructions counted; not for users.
   CLI::App* pStepCost = app.add_subcommand("step-cost")->group("");
   pStepCost->add_option("file", options.m_cFile)->required();
@@ -134,17 +214,18 @@ int Main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    const int exit = app.exit(e);
-    if (exit != 0 && !app.remaining().empty())
-      fmt::print(stderr, "What is '{}'? Expected run, scene or list.\n", app.remaining().front());
-    return exit == 0 ? 0 : g_nBadInput;
+    if (const std::string suggestion = Suggest(app); !suggestion.empty()) {
+      fmt::print(stderr, "{}", suggestion);
+      return g_nBadInput;
+    }
+    return app.exit(e) == 0 ? 0 : g_nBadInput;
   }
 
   std::vector<std::string> words(argv, argv + argc);
   words.front() = "shapes-compare";
   try {
     if (pList->parsed()) {
-      List(options.m_cFolder);
+      options.m_bListEngines ? ListEngines() : ListScenes(options.m_cFolder);
       return 0;
     }
     if (pStepCost->parsed()) {

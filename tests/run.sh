@@ -7,15 +7,12 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 preset=${1:-dev}
-source "$root/scripts/debian_packages.sh"
+source "$root/scripts/build.sh"
 install_missing_packages "${build_packages[@]}" "${test_packages[@]}"
-
-launcher=()
-if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
 
 cd "$root"
 # Fresh: what an earlier run was told to do differently is forgotten.
 # shellcheck disable=SC2086 # several arguments in one variable
-cmake --fresh --preset "$preset" "${launcher[@]}" ${SHAPES_CMAKE_ARGS:-}
+quietly cmake --fresh --preset "$preset" "${launcher[@]}" ${SHAPES_CMAKE_ARGS:-}
 cmake --build --preset "$preset" --parallel "$(nproc)"
-ctest --preset "$preset" --output-on-failure --parallel "$(nproc)"
+ctest --preset "$preset" --output-on-failure --progress --parallel "$(nproc)"

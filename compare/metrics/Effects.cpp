@@ -197,7 +197,7 @@ std::vector<CEffectWorld> MeasureWorlds(const CScene& scene, const std::vector<C
                   [&](double done) { options.m_stdProgress(g_fImpactShare + g_fCostShare * done); });
   const CInstructions counted =
       options.m_nCountedSteps == 0
-          ? CInstructions{{}, "a quick run does not"}
+          ? CInstructions{{}, "only a full run does"}
           : CountInstructions(scene, worlds, options.m_sProgram, options.m_nSeed, options.m_nCountedSteps,
                               [&] { options.m_stdProgress(g_fImpactShare + g_fCostShare); });
   report.m_sNotCounted = counted.m_sWhyNot;

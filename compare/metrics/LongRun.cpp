@@ -21,8 +21,6 @@ constexpr std::size_t g_nLeastBounces = 100;
 // a periodic orbit, and which one is chance.
 constexpr std::size_t g_nFreePathTrials = 16;
 
-bool Turns(const CSceneShape& shape) { return shape.m_cFlip || GetBase(shape.m_cDesc).m_fRotSpeed != 0.0f; }
-
 bool KeepsEnergy(const CScene& scene) {
   const auto& balls = scene.m_stdBalls;
   for (std::size_t i = 0; i < balls.size(); ++i) {

@@ -8,7 +8,7 @@ namespace {
 
 // CShape::move uses what a game has set; this one sets the scene's step and does gravity itself, which has
 // two components here.
-struct CClock : CShapeCommon {
+struct CStepOfShapes : CShapeCommon {
   static void Set(float dt) {
     m_fTimeStep = dt;
     m_fGravity = 0.0f;
@@ -18,7 +18,7 @@ struct CClock : CShapeCommon {
 std::unique_ptr<CDynamicCircle> Fly(CDynamicCircleDesc desc, const CWorldDesc& world) {
   desc.m_vVel += world.m_vGravity * world.m_fTimeStep;
   auto pBall = std::make_unique<CDynamicCircle>(desc);
-  CClock::Set(world.m_fTimeStep);
+  CStepOfShapes::Set(world.m_fTimeStep);
   pBall->move();
   return pBall;
 }

@@ -75,7 +75,7 @@ std::vector<CEngine> GetLadder() {
 namespace {
 
 // Shares of the time of a ladder, for the progress.
-constexpr double g_fErrorShare = 0.5, g_fCostShare = 0.3;
+constexpr double g_fRestartShare = 0.5, g_fTimingShare = 0.3;
 
 void MeasureErrors(const CScene& scene, const std::vector<CEngine>& ladder, const CLadderOptions& options,
                    std::vector<CRung>& rungs) {
@@ -84,7 +84,7 @@ void MeasureErrors(const CScene& scene, const std::vector<CEngine>& ladder, cons
   restart.m_nContacts = options.m_nContacts;
   restart.m_nMostTrials = options.m_nMostTrials;
   restart.m_bAsk = restart.m_bGhosts = false;
-  restart.m_stdProgress = [&](double done) { options.m_stdProgress(g_fErrorShare * done); };
+  restart.m_stdProgress = [&](double done) { options.m_stdProgress(g_fRestartShare * done); };
   const CRestartResult result = RunRestarts(scene, ladder, restart);
   for (std::size_t i = 0; i < ladder.size(); ++i) {
     CRung& rung = rungs[i];
@@ -109,7 +109,7 @@ void MeasureCosts(const CScene& scene, const CLadderOptions& options, std::vecto
     engines.push_back(rung.m_cEngine);
   const std::vector<CCost> costs =
       MeasureCost(scene, engines, options.m_nSeed, options.m_nRepeats, options.m_nBallSteps,
-                  [&](double done) { options.m_stdProgress(g_fErrorShare + g_fCostShare * done); });
+                  [&](double done) { options.m_stdProgress(g_fRestartShare + g_fTimingShare * done); });
   const double steps = 1.0 / static_cast<double>(scene.m_cWorld.m_fTimeStep);
   for (std::size_t i = 0; i < rungs.size(); ++i) {
     const CMedian& ns = costs[i].m_cNsPerBallStep;
@@ -124,7 +124,7 @@ void Prove(const CScene& scene, const CLadderOptions& options, CRung& rung) {
   restart.m_nContacts = std::max<std::size_t>(options.m_nContacts, 1);
   restart.m_nMostTrials = options.m_nMostTrials;
   restart.m_bAsk = restart.m_bGhosts = false;
-  restart.m_stdProgress = [&](double) { options.m_stdProgress(g_fErrorShare + g_fCostShare); };
+  restart.m_stdProgress = [&](double) { options.m_stdProgress(g_fRestartShare + g_fTimingShare); };
   for (restart.m_nSeed = options.m_nSeed + 1;
        rung.GetAllContacts() < options.m_nProof && rung.GetAllTunneled() == 0; ++restart.m_nSeed) {
     const CRestartResult result = RunRestarts(scene, {rung.m_cEngine}, restart);

@@ -88,7 +88,14 @@ struct CExactBall {
   T GetExtent() const { return m_vPos.cwiseAbs().maxCoeff() + m_fRadius; }
 };
 
-/// For double, and for CFifty of Scalar.h.
+/// The angle without its whole turns, of the same sign and between -2 pi and 2 pi, whatever its size.
+template <class T>
+T TakeTurnsOff(const T& angle);
+template <>
+double TakeTurnsOff(const double& angle);
+
+/// For double. Other scalars include the headers Reference*.h in one file, specialise TakeTurnsOff and
+/// instantiate the class there.
 template <class T>
 class CReference {
 public:

@@ -65,6 +65,12 @@ std::string RateTextWithError(std::size_t hits, std::size_t n) {
                      Decimals(Percent(hits, n)));
 }
 
+std::string TimeText(double ns) {
+  return ns < 99999.5   ? fmt::format("{:.0f}", ns)
+         : ns < 9999500 ? fmt::format("{:.0f}k", ns / 1000)
+                        : fmt::format("{:.0e}", ns);
+}
+
 std::string TwoDigits(double x) {
   if (!(x > 0.0)) return "0";
   const int decimals = 1 - static_cast<int>(std::floor(std::log10(x)));

@@ -48,10 +48,6 @@ CRounder MakeRounder(const CScene& scene) {
 
 constexpr int g_nAngleDecimals = 5;
 
-bool Turns(const CSceneShape& shape) {
-  return shape.m_cFlip.has_value() || GetBase(shape.m_cDesc).m_fRotSpeed != 0.0f;
-}
-
 ordered_json ToJson(const CSceneShape& shape, const CRounder& round) {
   const CRounder roundAngle(g_nAngleDecimals);
   ordered_json json = std::visit(

@@ -48,7 +48,15 @@ struct CRunReport {
   std::vector<CSceneReport> m_stdScenes;
 };
 
-/// The table for a terminal, ASCII, at most 80 columns; MakeEffectTable is part of it.
+/// The first lines of a run on a terminal: the machine, and the heads of the columns of MakeSceneLine. All
+/// text for terminals is ASCII, at most 80 columns wide. @param report  its engines and seed are read
+std::string MakeHeading(const CRunReport& report);
+/// One line of a scene that is finished: what each engine lost, and its time.
+std::string MakeSceneLine(const CSceneReport& scene);
+/// The result over all scenes, a line for each engine, after the last scene.
+std::string MakeSummary(const CRunReport& report);
+
+/// Everything else as tables for a terminal, ASCII, at most 80 columns; MakeEffectTable is part of it.
 std::string MakeTable(const CRunReport& report);
 
 /// What each effect costs in each scene, and what changes in the result where it is forced or forbidden.

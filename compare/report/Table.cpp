@@ -11,14 +11,7 @@
 namespace Shapes::Compare {
 namespace {
 
-std::string P95(const CSummary& s) { return s.m_nCount == 0 ? "-" : SizeText(s.m_fP95); }
-
-// Of any length in five characters: "12345", "123k", "1e+07".
-std::string TimeText(double ns) {
-  return ns < 99999.5   ? fmt::format("{:.0f}", ns)
-         : ns < 9999500 ? fmt::format("{:.0f}k", ns / 1000)
-                        : fmt::format("{:.0e}", ns);
-}
+std::string P95Text(const CSummary& s) { return s.m_nCount == 0 ? "-" : SizeText(s.m_fP95); }
 
 constexpr const char* g_sColumns = "{:<18}{:>8}{:>17}{:>8}{:>8}{:>7}{:>8}{:>6}\n";
 
@@ -35,10 +28,11 @@ std::string Rows(const CRunReport& report, const CSceneReport& scene) {
     const CEngineReport& engine = scene.m_stdEngines[e];
     const CTotals& t = engine.m_cTotals;
     const std::size_t n = t.m_nContacts;
-    text += fmt::format(g_sColumns, " " + report.m_stdEngines[e].m_sName, RateText(t.m_nMissed, n),
-                        RateTextWithError(t.GetTunneled(), n), RateText(t.m_nLate, n), P95(t.m_cSetbackError),
-                        P95(t.m_cDirectionError), RateText(engine.m_nGhosts, scene.m_cRestart.m_nQuietSteps),
-                        TimeText(engine.m_cCost.m_cNsPerBallStep.m_fMedian));
+    text +=
+        fmt::format(g_sColumns, " " + report.m_stdEngines[e].m_sName, RateText(t.m_nMissed, n),
+                    RateTextWithError(t.GetTunneled(), n), RateText(t.m_nLate, n), P95Text(t.m_cSetbackError),
+                    P95Text(t.m_cDirectionError), RateText(engine.m_nGhosts, scene.m_cRestart.m_nQuietSteps),
+                    TimeText(engine.m_cCost.m_cNsPerBallStep.m_fMedian));
   }
   return text;
 }

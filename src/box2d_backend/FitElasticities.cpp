@@ -3,7 +3,7 @@
 
 #include <Shapes/Tolerances.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>

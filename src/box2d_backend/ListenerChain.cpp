@@ -9,7 +9,7 @@ namespace {
 
 // All of them, by address: what a b2World has as its listener may be one, or any listener of a game, which
 // may be gone already and must not be looked at.
-struct CRegistry {
+struct CChainRegistry {
   std::mutex m_stdMutex;
   std::unordered_map<const b2ContactListener*, CListenerChain*> m_stdChains;
 
@@ -20,8 +20,8 @@ struct CRegistry {
 };
 
 // Never destroyed, as a b2World may outlive anything here; what it points to is not lost.
-CRegistry& Registry() {
-  static CRegistry& registry = *new CRegistry;
+CChainRegistry& ChainRegistry() {
+  static CChainRegistry& registry = *new CChainRegistry;
   return registry;
 }
 
@@ -32,18 +32,18 @@ b2ContactListener* Installed(const b2World& world) { return world.GetContactMana
 CListenerChain* CListenerChain::Install(b2World& world) {
   auto* pChain = new CListenerChain(Installed(world));
   {
-    const std::scoped_lock lock(Registry().m_stdMutex);
-    Registry().m_stdChains[pChain] = pChain;
+    const std::scoped_lock lock(ChainRegistry().m_stdMutex);
+    ChainRegistry().m_stdChains[pChain] = pChain;
   }
   world.SetContactListener(pChain);
   return pChain;
 }
 
 bool CListenerChain::IsCalledBy(const b2World& world) const {
-  const std::scoped_lock lock(Registry().m_stdMutex);
-  const CListenerChain* p = Registry().Find(Installed(world));
+  const std::scoped_lock lock(ChainRegistry().m_stdMutex);
+  const CListenerChain* p = ChainRegistry().Find(Installed(world));
   while (p != nullptr && p != this)
-    p = Registry().Find(p->m_pNext);
+    p = ChainRegistry().Find(p->m_pNext);
   return p != nullptr;
 }
 
@@ -56,8 +56,8 @@ CListenerChain* CListenerChain::InstallAgain(b2World& world) {
 
 void CListenerChain::TakeOut(b2World& world) {
   if (Installed(world) == this) world.SetContactListener(m_pNext);
-  const std::scoped_lock lock(Registry().m_stdMutex);
-  for (const auto& [pListener, pChain] : Registry().m_stdChains)
+  const std::scoped_lock lock(ChainRegistry().m_stdMutex);
+  for (const auto& [pListener, pChain] : ChainRegistry().m_stdChains)
     if (pChain->m_pNext == this) pChain->m_pNext = m_pNext;
 }
 

@@ -8,11 +8,13 @@
 namespace Shapes {
 namespace {
 
-constexpr float g_fInf = std::numeric_limits<float>::infinity();
+// The edges of an empty box, turned inside out: whatever is added to it is all that it contains.
+constexpr float g_fEmptyEdge = std::numeric_limits<float>::infinity();
 
 } // namespace
 
-CAabb2D::CAabb2D() : m_vTopLeft(g_fInf, -g_fInf), m_vBottomRt(-g_fInf, g_fInf) {}
+CAabb2D::CAabb2D()
+    : m_vTopLeft(g_fEmptyEdge, -g_fEmptyEdge), m_vBottomRt(-g_fEmptyEdge, g_fEmptyEdge) {}
 
 CAabb2D::CAabb2D(const Vector2& topleft, const Vector2& bottomright)
     : m_vTopLeft(topleft), m_vBottomRt(bottomright) {

@@ -12,16 +12,20 @@ T Kick(T e, T vn) {
 }
 
 using Vector2d = Eigen::Vector2d;
-double Length(const Vector2d& v) { return v.norm(); }
-Vector2d Normalize(const Vector2d& v) { return v.normalized(); }
+
+// Names of their own: as overloads of Length and Normalize they would make Length({x, y}) ambiguous.
+float GetSpeed(const Vector2& v) { return Length(v); }
+double GetSpeed(const Vector2d& v) { return v.norm(); }
+Vector2 GetDirection(const Vector2& v) { return Normalize(v); }
+Vector2d GetDirection(const Vector2d& v) { return v.normalized(); }
 
 } // namespace
 
 template <class TVector>
 bool CapSpeed(TVector& v, float most) {
   const typename TVector::Scalar limit(most);
-  FailIf(Length(v) <= limit);
-  v = limit * Normalize(v);
+  FailIf(GetSpeed(v) <= limit);
+  v = limit * GetDirection(v);
   return true;
 }
 

@@ -130,7 +130,7 @@ CAabb2D ReachOf(const TDesc& desc) {
   const Vector2 &c = desc.m_vRotCenter, &p = box.GetTopLeft(), &q = box.GetBottomRt();
   const float x = std::max(std::abs(p.x() - c.x()), std::abs(q.x() - c.x()));
   const float y = std::max(std::abs(p.y() - c.y()), std::abs(q.y() - c.y()));
-  const float r = Length({x, y});
+  const float r = Length(Vector2(x, y));
   return CAabb2D(c + Vector2(-r, r), c + Vector2(r, -r));
 }
 

@@ -10,7 +10,7 @@
 namespace Shapes::Bounds {
 namespace {
 
-constexpr int g_nTrials = 5000;
+constexpr int g_nArcBoundsTrials = 5000;
 
 CArcDesc AnyArc(CRandom& random) {
   const float r = AnySize(random);
@@ -33,7 +33,7 @@ TEST(ArcBounds, EndsTangentsAndAngles) {
   CRandom random(1301);
   CWorst ends("CArc::GetEndPts"), tangents("CArcDesc::GetTangents"), atEnds("CArc::GetTangents"),
       span("CArc::GetSpan"), angle1("CArc::GetAngle1"), naive("Ends of an arc by a root");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nArcBoundsTrials; ++i) {
     const CArcDesc desc = AnyArc(random);
     const CArcOracle exact = Exactly(desc);
     const CArc arc(desc);
@@ -79,7 +79,7 @@ TEST(ArcBounds, PtInSectorAndClosestPt) {
   CWorst sector("CArc::PtInSector"), distance("Distance of CArc::ClosestPt"),
       on("CArc::ClosestPt off the arc"), naive("PtInSector by angles from -pi to pi"),
       naiveClosest("Closest point by those angles");
-  for (int i = 0; i < 3 * g_nTrials; ++i) {
+  for (int i = 0; i < 3 * g_nArcBoundsTrials; ++i) {
     const CArcDesc desc = AnyArc(random);
     const CArc arc(desc);
     const CArcOracle exact = Exactly(desc);
@@ -115,7 +115,7 @@ TEST(ArcBounds, PtInSectorAndClosestPt) {
 TEST(ArcBounds, EndRaysBelongToTheSector) {
   CRandom random(1303);
   int lost = 0;
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nArcBoundsTrials; ++i) {
     CArcDesc desc = AnyArc(random);
     const CArc anywhere(desc);
     ASSERT_TRUE(anywhere.PtInSector(anywhere.GetEndPt0()) && anywhere.PtInSector(anywhere.GetEndPt1()));

@@ -9,13 +9,13 @@
 namespace Shapes::Bounds {
 namespace {
 
-constexpr int g_nTrials = 5000;
+constexpr int g_nBoxBoundsTrials = 5000;
 
 TEST(BoxBounds, TranslateWidthAndHeight) {
   CRandom random(1401);
   CWorst moved("CAabb2D::Translate"), width("CAabb2D::GetWidth, GetHt"),
       naive("Width of a box that was moved");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nBoxBoundsTrials; ++i) {
     const float size = AnySize(random);
     const Vector2 p = AnyPlace(random, size);
     const Vector2 q = p + AnyWay(random, size);
@@ -36,14 +36,14 @@ TEST(BoxBounds, TranslateWidthAndHeight) {
       moved.See(abs(is.y - exact.y), g_fUlp * abs(exact.y) / 2);
     }
   }
-  moved.ExpectKept(g_nTrials);
-  width.ExpectKept(g_nTrials);
+  moved.ExpectKept(g_nBoxBoundsTrials);
+  width.ExpectKept(g_nBoxBoundsTrials);
   naive.ExpectBroken();
 }
 
 TEST(BoxBounds, PointsAndSegmentsHaveExactBoxes) {
   CRandom random(1402);
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nBoxBoundsTrials; ++i) {
     const float size = AnySize(random);
     const Vector2 p = AnyPlace(random, size);
     const Vector2 q = p + AnyWay(random, size);
@@ -57,7 +57,7 @@ TEST(BoxBounds, PointsAndSegmentsHaveExactBoxes) {
 TEST(BoxBounds, Circles) {
   CRandom random(1403);
   CWorst worst("CCircle::GetAABB"), naive("Box of a circle by its diameter");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nBoxBoundsTrials; ++i) {
     const float r = AnySize(random);
     const Vector2 c = AnyPlace(random, r);
     const CCircle circle(CCircleDesc(c, r));
@@ -71,14 +71,14 @@ TEST(BoxBounds, Circles) {
               g_fUlp * abs(CFifty(c.y()) - CFifty(r)) / 2);
     naive.See(abs(box.GetTopLeft().x() + 2.0f * r - right), g_fUlp * abs(right) / 2);
   }
-  worst.ExpectKept(g_nTrials);
+  worst.ExpectKept(g_nBoxBoundsTrials);
   naive.ExpectBroken();
 }
 
 TEST(BoxBounds, Arcs) {
   CRandom random(1404);
   CWorst worst("CArc::GetAABB"), naive("Box of an arc by its ends");
-  for (int i = 0; i < 2 * g_nTrials; ++i) {
+  for (int i = 0; i < 2 * g_nBoxBoundsTrials; ++i) {
     const float r = AnySize(random);
     const Vector2 c = AnyPlace(random, r);
     const float a0 = AnyAngle(random);
@@ -98,7 +98,7 @@ TEST(BoxBounds, Arcs) {
     worst.See(abs(box.GetBottomRt().y() - bottom), bound);
     naive.See(abs(std::max(arc.GetEndPt0().x(), arc.GetEndPt1().x()) - right), bound);
   }
-  worst.ExpectKept(g_nTrials);
+  worst.ExpectKept(g_nBoxBoundsTrials);
   naive.ExpectBroken();
 }
 

@@ -10,7 +10,7 @@
 namespace Shapes::Bounds {
 namespace {
 
-constexpr int g_nTrials = 10000;
+constexpr int g_nCircleBoundsTrials = 10000;
 
 CCircle Circle(const Vector2& p, float r) { return CCircle(CCircleDesc(p, r)); }
 
@@ -18,7 +18,7 @@ TEST(CircleBounds, ClosestPtAndPtInCircle) {
   CRandom random(1201);
   CWorst closest("CCircle::ClosestPt"), inside("CCircle::PtInCircle"),
       naive("CCircle::ClosestPt by the gradient"), naiveInside("PtInCircle by squares");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nCircleBoundsTrials; ++i) {
     const float r = AnySize(random);
     const Vector2 c = AnyPlace(random, r);
     const float away = i % 2 ? r * NearOne(random) : r * random.Scale(-30, 10);
@@ -56,7 +56,7 @@ TEST(CircleBounds, TangentsThroughAPoint) {
   CRandom random(1202);
   CWorst touch("CCircle::Tangents through a point"), where("where they touch"),
       exists("that there are tangents through a point"), naive("Tangent length d^2 - r^2");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nCircleBoundsTrials; ++i) {
     const float r = AnySize(random);
     const Vector2 c = AnyPlace(random, r);
     const float away = i % 2 ? r * NearOne(random) : r * (1.0f + random.Scale(-20, 8));
@@ -90,7 +90,7 @@ TEST(CircleBounds, CommonTangents) {
   CRandom random(1203);
   CWorst touch("CCircle::Tangents of two circles"), where("where they touch both"),
       exists("that two circles have tangents"), naive("Common tangents by the tangent length");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nCircleBoundsTrials; ++i) {
     const float r0 = AnySize(random);
     const float r1 = i % 4 == 0 ? r0 : i % 4 == 1 ? r0 * NearOne(random) : r0 * random.Scale(-12, 12);
     const Vector2 c0 = AnyPlace(random, r0);
@@ -124,7 +124,7 @@ TEST(CircleBounds, CommonTangents) {
   }
   touch.ExpectKept(10000);
   where.ExpectKept(10000);
-  exists.ExpectKept(g_nTrials);
+  exists.ExpectKept(g_nCircleBoundsTrials);
   naive.ExpectBroken();
 }
 

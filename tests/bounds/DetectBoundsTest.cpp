@@ -12,7 +12,7 @@
 namespace Shapes::Bounds {
 namespace {
 
-constexpr int g_nTrials = 10000;
+constexpr int g_nDetectBoundsTrials = 10000;
 
 // As the square of a difference.
 float NaiveDistance(const Vector2& p, const Vector2& q) {
@@ -23,7 +23,7 @@ TEST(DetectBounds, PointCircle) {
   CRandom random(1701);
   CHitErrors errors("DetectPointCircle");
   CWorst naive("Setback from a point by squares");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nDetectBoundsTrials; ++i) {
     const float r = AnySize(random);
     const CPoint point(CPointDesc(AnyPlace(random, r)));
     const float gap = AnyGap(random, r);
@@ -48,7 +48,7 @@ TEST(DetectBounds, BallBall) {
   CRandom random(1702);
   CHitErrors errors("DetectBallBall");
   CWorst naive("Setback of two balls by squares");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nDetectBoundsTrials; ++i) {
     const float r0 = AnySize(random), r1 = i % 3 ? r0 * random.Scale(-8, 8) : r0 * NearOne(random);
     const CBall other = Resting(random, AnyPlace(random, r0), r0);
     const float gap = AnyGap(random, r0 + r1);
@@ -75,7 +75,7 @@ TEST(DetectBounds, LineSegCircle) {
   CRandom random(1703);
   CHitErrors errors("DetectLineSegCircle");
   CWorst naive("Setback from a segment by gradients");
-  for (int i = 0; i < 2 * g_nTrials; ++i) {
+  for (int i = 0; i < 2 * g_nDetectBoundsTrials; ++i) {
     const float size = AnySize(random), r = size * random.Scale(-10, 2);
     const Vector2 from = AnyPlace(random, size);
     const Vector2 to = from + AnyWay(random, size);
@@ -112,7 +112,7 @@ TEST(DetectBounds, ApproachSpeed) {
   CRandom random(1704);
   CWorst worst("CContactDesc::m_fSpeed"), naive("Approach speed as the loss of distance");
   const CBackend& native = *GetBackend(eBackend::Native);
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nDetectBoundsTrials; ++i) {
     const float size = AnySize(random), r = size * random.Scale(-10, 2);
     const Vector2 from = AnyPlace(random, size);
     const Vector2 to = from + AnyWay(random, size);

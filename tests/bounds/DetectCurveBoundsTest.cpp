@@ -7,13 +7,13 @@
 namespace Shapes::Bounds {
 namespace {
 
-constexpr int g_nTrials = 10000;
+constexpr int g_nDetectCurveBoundsTrials = 10000;
 
 TEST(DetectBounds, CircleCircle) {
   CRandom random(1801);
   CHitErrors errors("DetectCircleCircle");
   CWorst naive("Setback from a ring by d^2 - R^2");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nDetectCurveBoundsTrials; ++i) {
     const float R = AnySize(random), r = R * (i % 3 ? random.Scale(-10, 4) : NearOne(random));
     const CCircle circle(CCircleDesc(AnyPlace(random, R), R));
     const float gap = AnyGap(random, r);
@@ -62,7 +62,7 @@ TEST(DetectBounds, CircleArc) {
   CHitErrors errors("DetectCircleArc");
   CWorst naive("Answer of an arc by angles from -pi to pi");
   int letGo = 0;
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nDetectCurveBoundsTrials; ++i) {
     const float R = AnySize(random), r = R * (i % 3 ? random.Scale(-10, 1) : NearOne(random));
     const Vector2 c = AnyPlace(random, R);
     const float a0 = AnyAngle(random);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The bounds of Line.h and LineSeg.h. p is the point that defines the line: of a segment its end 0.
+#include "../Numbers.h"
 #include "Inputs.h"
 #include "Worst.h"
 
@@ -13,8 +14,7 @@
 namespace Shapes::Bounds {
 namespace {
 
-constexpr int g_nTrials = 20000;
-constexpr float g_fInf = std::numeric_limits<float>::infinity();
+constexpr int g_nLineBoundsTrials = 20000;
 
 // From the gradient of the line and the one across it.
 Vector2 NaiveClosestPt(const Vector2& p, float m, const Vector2& q) {
@@ -37,7 +37,7 @@ CLineSegDesc AnySegment(CRandom& random) {
 TEST(LineBounds, ClosestPtOfALine) {
   CRandom random(1101);
   CWorst worst("CLine::ClosestPt"), naive("CLine::ClosestPt by gradients");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nLineBoundsTrials; ++i) {
     const float size = AnySize(random), m = AnyGradient(random);
     const Vector2 p = AnyPlace(random, size);
     const Vector2 q = p + AnyWay(random, size);
@@ -46,14 +46,14 @@ TEST(LineBounds, ClosestPtOfALine) {
     worst.See(Exact(CLine(p, m).ClosestPt(q)), exact, bound);
     naive.See(Exact(NaiveClosestPt(p, m, q)), exact, bound);
   }
-  worst.ExpectKept(g_nTrials);
+  worst.ExpectKept(g_nLineBoundsTrials);
   naive.ExpectBroken();
 }
 
 TEST(LineBounds, Intersect) {
   CRandom random(1102);
   CWorst worst("CLine::Intersect"), naive("CLine::Intersect by gradients");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nLineBoundsTrials; ++i) {
     const float size = AnySize(random), m0 = AnyGradient(random);
     const float m1 = i % 3 ? AnyGradient(random) : m0 * NearOne(random);
     const Vector2 p = AnyPlace(random, size);
@@ -98,7 +98,7 @@ void SeeGradients(const CLine& line, const CVec& p, const CVec& d, CWorst& gradi
 TEST(LineBounds, GradientsAndIntercepts) {
   CRandom random(1103);
   CWorst gradients("Gradients"), intercepts("Intercepts"), naive("Gradient by the angle");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nLineBoundsTrials; ++i) {
     if (i % 2) {
       const Vector2 p = AnyPlace(random, AnySize(random));
       const float m = i % 4 == 1 ? AnyGradient(random) : random.SignedScale(-120, 119);
@@ -111,8 +111,8 @@ TEST(LineBounds, GradientsAndIntercepts) {
       EXPECT_EQ(desc.GetGradient(), CLineSeg(desc).GetGradient());
     }
   }
-  gradients.ExpectKept(g_nTrials);
-  intercepts.ExpectKept(g_nTrials / 2);
+  gradients.ExpectKept(g_nLineBoundsTrials);
+  intercepts.ExpectKept(g_nLineBoundsTrials / 2);
   naive.ExpectBroken();
 }
 
@@ -120,7 +120,7 @@ TEST(LineBounds, NormalsTangentsAndMidpointsOfSegments) {
   CRandom random(1104);
   CWorst tangent("CLineSeg::GetTangents"), normal("CLineSeg::GetNormal"), middle("Midpoint of a segment"),
       unit("Length of CLineSeg::GetNormal"), naive("Normal by the gradient");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nLineBoundsTrials; ++i) {
     const CLineSegDesc desc = AnySegment(random);
     const CVec p0 = Exact(desc.GetEndPt0()), p1 = Exact(desc.GetEndPt1());
     const CFifty length = Gap(p0, p1);
@@ -140,14 +140,14 @@ TEST(LineBounds, NormalsTangentsAndMidpointsOfSegments) {
     naive.See(Exact(Vector2(Vector2(-m, 1.0f) / std::sqrt(1.0f + m * m))), Left(t), 2 * g_fUlp);
   }
   for (const CWorst* pWorst : {&tangent, &normal, &unit, &middle})
-    pWorst->ExpectKept(g_nTrials - 2000);
+    pWorst->ExpectKept(g_nLineBoundsTrials - 2000);
   naive.ExpectBroken();
 }
 
 TEST(LineBounds, ClosestPtOfASegment) {
   CRandom random(1105);
   CWorst worst("CLineSeg::ClosestPt"), naive("CLineSeg::ClosestPt by gradients");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nLineBoundsTrials; ++i) {
     const CLineSegDesc desc = AnySegment(random);
     const Vector2 &p0 = desc.GetEndPt0(), &p1 = desc.GetEndPt1();
     // Around the segment, at its ends, and far beyond them.
@@ -161,7 +161,7 @@ TEST(LineBounds, ClosestPtOfASegment) {
     worst.See(Exact(CLineSeg(desc).ClosestPt(q)), exact, bound);
     naive.See(Exact(NaiveClosestPt(p0, (p1.y() - p0.y()) / (p1.x() - p0.x()), q)), exact, bound);
   }
-  worst.ExpectKept(g_nTrials);
+  worst.ExpectKept(g_nLineBoundsTrials);
   naive.ExpectBroken();
 }
 

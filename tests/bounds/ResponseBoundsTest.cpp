@@ -10,7 +10,7 @@
 namespace Shapes::Bounds {
 namespace {
 
-constexpr int g_nTrials = 5000;
+constexpr int g_nResponseBoundsTrials = 5000;
 
 template <class T>
 CFifty Ulp() {
@@ -50,7 +50,7 @@ TYPED_TEST(ResponseBounds, AgainstAStaticOrTurningShape) {
   CWorst vel("RespondKinematic, velocity"), pos("RespondKinematic, place"), speed("ApproachSpeed"),
       naive("Response by parallel and perpendicular component");
   const CFifty ulp = Ulp<T>();
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nResponseBoundsTrials; ++i) {
     const float size = AnySize(random);
     const TVec<T> n = AnyNormal<T>(random), p = AnyPlace(random, size).cast<T>(), v = AnyVel<T>(random);
     const TVec<T> surface = i % 2 ? TVec<T>(TVec<T>::Zero()) : Beside<T>(random, v);
@@ -72,7 +72,7 @@ TYPED_TEST(ResponseBounds, AgainstAStaticOrTurningShape) {
               ev - along * en, bound);
   }
   for (const CWorst* pWorst : {&vel, &pos, &speed})
-    pWorst->ExpectKept(g_nTrials);
+    pWorst->ExpectKept(g_nResponseBoundsTrials);
   naive.ExpectBroken();
 }
 
@@ -82,7 +82,7 @@ TYPED_TEST(ResponseBounds, OfTwoBalls) {
   CWorst vel("RespondDynamic, velocity"), pos("RespondDynamic, place"), momentum("RespondDynamic, momentum"),
       naive("Response of two balls by mass differences");
   const CFifty ulp = Ulp<T>();
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nResponseBoundsTrials; ++i) {
     const float size = AnySize(random);
     const TVec<T> n = AnyNormal<T>(random), v0 = AnyVel<T>(random), v1 = Beside<T>(random, v0);
     const TVec<T> p0 = AnyPlace(random, size).cast<T>(), p1 = p0 + T(size) * n;
@@ -108,7 +108,7 @@ TYPED_TEST(ResponseBounds, OfTwoBalls) {
     naive.See(Exact(TVec<T>(v1 + (b1 - a1) * n)), e1 - (along * share1) * en, bound1);
   }
   for (const CWorst* pWorst : {&vel, &pos, &momentum})
-    pWorst->ExpectKept(g_nTrials);
+    pWorst->ExpectKept(g_nResponseBoundsTrials);
   naive.ExpectBroken();
 }
 
@@ -116,7 +116,7 @@ TYPED_TEST(ResponseBounds, CapSpeed) {
   using T = TypeParam;
   CRandom random(1603);
   CWorst worst("CapSpeed");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nResponseBoundsTrials; ++i) {
     const float most = AnySize(random);
     const TVec<T> v = AnyVel<T>(random);
     TVec<T> got = v;
@@ -138,7 +138,7 @@ TYPED_TEST(ResponseBounds, CapSpeed) {
 TEST(FreeFlightBounds, AccelerateAndMove) {
   CRandom random(1604);
   CWorst vel("Accelerate"), pos("Move"), naive("Move by the mean of both velocities");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nResponseBoundsTrials; ++i) {
     const Vector2 g = AnyWay(random, AnySize(random)), v = AnyWay(random, AnySize(random)),
                   p = AnyPlace(random, AnySize(random));
     const float dt = random.Scale(-20, 0);
@@ -152,8 +152,8 @@ TEST(FreeFlightBounds, AccelerateAndMove) {
     pos.See(Exact(gotP), Exact(p) + vdt, bound);
     naive.See(Exact(Vector2(p + 0.5f * dt * (v + gotV))), Exact(p) + vdt, bound);
   }
-  vel.ExpectKept(g_nTrials);
-  pos.ExpectKept(g_nTrials);
+  vel.ExpectKept(g_nResponseBoundsTrials);
+  pos.ExpectKept(g_nResponseBoundsTrials);
   naive.ExpectBroken();
 }
 

@@ -11,13 +11,13 @@
 namespace Shapes::Bounds {
 namespace {
 
-constexpr int g_nTrials = 5000;
+constexpr int g_nRotationBoundsTrials = 5000;
 
 TEST(RotationBounds, Rotate) {
   CRandom random(1501);
   CWorst points("CKinematicPoint::Rotate"), circles("CKinematicCircle::Rotate"),
       segments("CKinematicLineSeg::Rotate"), arcs("CKinematicArc::Rotate"), naive("Rotate in eight parts");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nRotationBoundsTrials; ++i) {
     const float size = AnySize(random);
     const Vector2 center = AnyPlace(random, size);
     const Vector2 p = center + AnyWay(random, size);
@@ -58,14 +58,14 @@ TEST(RotationBounds, Rotate) {
     see(naive, turned, p);
   }
   for (const CWorst* pWorst : {&points, &circles, &segments, &arcs})
-    pWorst->ExpectKept(g_nTrials);
+    pWorst->ExpectKept(g_nRotationBoundsTrials);
   naive.ExpectBroken();
 }
 
 TEST(RotationBounds, GetSurfaceVelocity) {
   CRandom random(1502);
   CWorst worst("CShape::GetSurfaceVelocity"), naive("Surface velocity by a short turn");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nRotationBoundsTrials; ++i) {
     const float size = AnySize(random);
     CPointDesc desc(AnyPlace(random, size));
     desc.m_vRotCenter = AnyPlace(random, size);
@@ -81,7 +81,7 @@ TEST(RotationBounds, GetSurfaceVelocity) {
     const float dt = 0x1p-10f / std::abs(desc.m_fRotSpeed);
     see(naive, (RotatePt(q, desc.m_vRotCenter, g_fTwoPi * desc.m_fRotSpeed * dt) - q) / dt);
   }
-  worst.ExpectKept(g_nTrials);
+  worst.ExpectKept(g_nRotationBoundsTrials);
   naive.ExpectBroken();
 }
 

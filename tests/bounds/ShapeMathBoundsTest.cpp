@@ -8,7 +8,7 @@
 namespace Shapes::Bounds {
 namespace {
 
-constexpr int g_nTrials = 10000;
+constexpr int g_nShapeMathBoundsTrials = 10000;
 
 // Every finite float alike, denormals included; a component may be 0.
 Vector2 AnyVector(CRandom& random, int leastExp, int mostExp) {
@@ -20,7 +20,7 @@ Vector2 AnyVector(CRandom& random, int leastExp, int mostExp) {
 TEST(ShapeMathBounds, Cross) {
   CRandom random(1001);
   CWorst worst("Cross"), single("Cross from a sum of products that were not rounded apart");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
     const Vector2 a = AnyVector(random, -80, 60);
     const Vector2 b = i % 2 ? Vector2(NearOne(random) * a) : AnyVector(random, -80, 60);
     const CVec ea = Exact(a), eb = Exact(b);
@@ -31,7 +31,7 @@ TEST(ShapeMathBounds, Cross) {
     single.See(abs(a.norm() * b.norm() * std::sin(angle) - Cross(ea, eb)), bound);
     ASSERT_EQ(Shapes::Cross(a, a), 0.0f);
   }
-  worst.ExpectKept(g_nTrials);
+  worst.ExpectKept(g_nShapeMathBoundsTrials);
   single.ExpectBroken();
 }
 
@@ -39,7 +39,7 @@ TEST(ShapeMathBounds, LengthAndNormalize) {
   CRandom random(1002);
   CWorst length("Length"), unit("Normalize"), one("Length of Normalize");
   CWorst squares("Length by float squares"), quotient("Normalize by float squares");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
     const Vector2 v = i % 2 ? AnyVector(random, -149, 126) : AnyWay(random, AnySize(random));
     if (v == Vector2::Zero()) continue;
     const CVec e = Exact(v);
@@ -66,7 +66,7 @@ TEST(ShapeMathBounds, LengthAndNormalize) {
 TEST(ShapeMathBounds, ParallelComponent) {
   CRandom random(1003);
   CWorst worst("ParallelComponent"), naive("ParallelComponent by w.w");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
     const Vector2 v = AnyWay(random, AnySize(random));
     const Vector2 w = i % 2 ? AnyVector(random, -140, 120) : Vector2(NearOne(random) * perp(v));
     if (w == Vector2::Zero()) continue;
@@ -81,7 +81,7 @@ TEST(ShapeMathBounds, ParallelComponent) {
 TEST(ShapeMathBounds, RotatePt) {
   CRandom random(1004);
   CWorst worst("RotatePt"), naive("RotatePt in float");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
     const float size = AnySize(random);
     const Vector2 center = AnyPlace(random, size);
     const Vector2 p = center + AnyWay(random, size);
@@ -96,14 +96,14 @@ TEST(ShapeMathBounds, RotatePt) {
     };
     naive.See(Exact(Vector2(turned(p) + (center - turned(center)))), exact, bound);
   }
-  worst.ExpectKept(g_nTrials);
+  worst.ExpectKept(g_nShapeMathBoundsTrials);
   naive.ExpectBroken();
 }
 
 TEST(ShapeMathBounds, NormalizeAngle) {
   CRandom random(1005);
   CWorst worst("NormalizeAngle"), naive("NormalizeAngle in float");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
     float angle = i % 2 ? AnyAngle(random) : random.SignedScale(-20, 28);
     if (i % 4 == 0) {
       const int exponent = static_cast<int>(random.Below(28));
@@ -122,14 +122,14 @@ TEST(ShapeMathBounds, NormalizeAngle) {
     const float rest = std::fmod(angle, g_fTwoPi);
     see(naive, rest < 0.0f ? rest + g_fTwoPi : rest);
   }
-  worst.ExpectKept(g_nTrials);
+  worst.ExpectKept(g_nShapeMathBoundsTrials);
   naive.ExpectBroken();
 }
 
 TEST(ShapeMathBounds, AngleToVector) {
   CRandom random(1006);
   CWorst worst("AngleToVector"), naive("AngleToVector by a root");
-  for (int i = 0; i < g_nTrials; ++i) {
+  for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
     const float angle = i % 50 ? AnyAngle(random) : random.SignedScale(10, 120);
     const CVec exact = AtAngle(angle);
     const auto see = [&](CWorst& w, const Vector2& is) {
@@ -140,7 +140,7 @@ TEST(ShapeMathBounds, AngleToVector) {
     const float c = std::cos(angle);
     see(naive, {c, std::copysign(std::sqrt(1.0f - c * c), std::sin(angle))});
   }
-  worst.ExpectKept(g_nTrials);
+  worst.ExpectKept(g_nShapeMathBoundsTrials);
   naive.ExpectBroken();
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "../Numbers.h"
 #include "Random.h"
 #include "box2d_backend/TunedExact.h"
 
@@ -17,8 +18,7 @@ namespace {
 
 using Box2D::CFlight;
 
-constexpr std::uint64_t g_nSeed = 65;
-constexpr double g_fUlp = 0x1p-23; // of 1
+constexpr std::uint64_t g_nFlightSeed = 65;
 constexpr double g_fSlack = 2;
 
 Vector2d Random2d(CRandom& random, float least, float most) {
@@ -122,9 +122,9 @@ struct CCase {
 };
 
 TEST(FlightTest, AFreeBallLandsOnItsParabola) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nFlightSeed);
   for (int k = 0; k < 1000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << g_nSeed << ", case " << k);
+    SCOPED_TRACE(testing::Message() << "seed " << g_nFlightSeed << ", case " << k);
     const CCase c(random);
     CParabola exact{c.m_vPos, c.m_vVel, c.m_vGravity};
     CStep step(c.m_vPos, c.m_vVel, c.m_vGravity, c.m_fStep);
@@ -135,9 +135,9 @@ TEST(FlightTest, AFreeBallLandsOnItsParabola) {
 }
 
 TEST(FlightTest, TheDeviationIsTheParabolaLessTheStraightWay) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nFlightSeed);
   for (int k = 0; k < 1000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << g_nSeed << ", case " << k);
+    SCOPED_TRACE(testing::Message() << "seed " << g_nFlightSeed << ", case " << k);
     const CCase c(random);
     const double part = random.Unit();
     CParabola exact{c.m_vPos, c.m_vVel, c.m_vGravity};
@@ -153,10 +153,10 @@ TEST(FlightTest, TheDeviationIsTheParabolaLessTheStraightWay) {
 }
 
 TEST(FlightTest, ABouncedBallLandsOnItsParabola) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nFlightSeed);
   double worst = 0, without = 0;
   for (int k = 0; k < 5000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << g_nSeed << ", case " << k);
+    SCOPED_TRACE(testing::Message() << "seed " << g_nFlightSeed << ", case " << k);
     const CCase c(random, 1.6f);
     const double at = random.Unit() * c.m_fStep, early = random.Coin() ? 0.2 * random.Unit() * c.m_fStep : 0;
     CParabola exact{c.m_vPos, c.m_vVel, c.m_vGravity};
@@ -183,9 +183,9 @@ TEST(FlightTest, ABouncedBallLandsOnItsParabola) {
 }
 
 TEST(FlightTest, TwoBouncesInAStepAreTwo) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nFlightSeed);
   for (int k = 0; k < 5000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << g_nSeed << ", case " << k);
+    SCOPED_TRACE(testing::Message() << "seed " << g_nFlightSeed << ", case " << k);
     const CCase c(random);
     const double at0 = 0.5 * random.Unit() * c.m_fStep, at1 = at0 + 0.5 * random.Unit() * c.m_fStep;
     CParabola exact{c.m_vPos, c.m_vVel, c.m_vGravity};
@@ -206,9 +206,9 @@ TEST(FlightTest, TwoBouncesInAStepAreTwo) {
 }
 
 TEST(FlightTest, TwoBallsBounceByTheirMasses) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nFlightSeed);
   for (int k = 0; k < 5000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << g_nSeed << ", case " << k);
+    SCOPED_TRACE(testing::Message() << "seed " << g_nFlightSeed << ", case " << k);
     const CCase c(random);
     const double h = c.m_fStep, m0 = random.Scale(-5, 5), m1 = random.Scale(-5, 5), e = random.Unit();
     const double at0 = 0.5 * random.Unit() * h, at1 = at0 + 0.5 * random.Unit() * h;
@@ -270,7 +270,7 @@ TEST(FlightTest, WhatLiesIsNotPressedIntoWhatItLiesOn) {
 /// them.
 /// @param isFollowed  whether the deviation is followed through the bounces
 double Drift(bool isFollowed) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nFlightSeed);
   const Vector2d g(0, -10);
   const double h = 1.0 / 60;
   const auto energy = [&](const Vector2d& p, const Vector2d& v) { return 0.5 * v.squaredNorm() - g.dot(p); };
@@ -300,7 +300,7 @@ double Drift(bool isFollowed) {
 }
 
 TEST(FlightTest, BouncesKeepTheEnergy) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nFlightSeed);
   // Rounding to float, of which the energy has a few ulp in each step, at random: 1e-7 * sqrt(10000).
   EXPECT_LE(Drift(true), 2e-5);
   EXPECT_GT(Drift(false), 0.01); // the control

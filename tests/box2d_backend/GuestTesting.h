@@ -2,6 +2,8 @@
 // A small game with a b2World of its own, for tests of Shapes in it.
 #pragma once
 
+#include "../Numbers.h"
+
 #include <Shapes/Box2D.h>
 #include <Shapes/Shapes.h>
 
@@ -15,8 +17,6 @@
 #include <vector>
 
 namespace Shapes::Tests {
-
-inline constexpr float g_fDt = 1.0f / 60.0f;
 
 inline std::unique_ptr<CBox2DWorld> MakeGuest(b2World& game, eProfile e = eProfile::Shipped,
                                               float unit = 1.0f) {

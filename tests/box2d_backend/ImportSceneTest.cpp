@@ -9,12 +9,12 @@
 #include <memory>
 #include <ostream>
 
+#include "../Numbers.h"
 #include "ImportTesting.h"
 
 namespace Shapes {
 namespace {
 
-constexpr float g_fDt = 1.0f / 60.0f;
 constexpr float g_fSpeed = 5.0f;
 constexpr float g_fRadius = 0.1f;
 // Time to come to the shape and be off again, but not to the far side of a hollow one.
@@ -43,16 +43,16 @@ const std::vector<b2Vec2> g_stdSquareInside{{-1, 1}, {1, 1}, {1, -1}, {-1, -1}};
 
 // A ball that is thrown at a body: at a face straight, or at a corner along its bisector, so that the engines
 // may differ by rounding only.
-struct CThrow {
+struct CImportThrow {
   const char* m_sName;
   std::function<void(b2Body*)> m_fnMake; // the fixtures of a body at (3, 2), turned by 0.7
   Vector2 m_vFrom, m_vTo;                // in the frame of the body
   bool m_bBounces = true;
 };
 
-void PrintTo(const CThrow& t, std::ostream* pOut) { *pOut << t.m_sName; }
+void PrintTo(const CImportThrow& t, std::ostream* pOut) { *pOut << t.m_sName; }
 
-const std::vector<CThrow>& Throws() {
+const std::vector<CImportThrow>& Throws() {
   const auto make = [](const auto& shape) {
     return [shape](b2Body* p) { CGame::AddFixture(p, shape, 0.8f); };
   };
@@ -64,7 +64,7 @@ const std::vector<CThrow>& Throws() {
   const auto loop = [](const std::vector<b2Vec2>& vertices) {
     return [vertices](b2Body* p) { CGame::AddFixture(p, Loop(vertices), 0.8f); };
   };
-  static const std::vector<CThrow> throws{
+  static const std::vector<CImportThrow> throws{
       {"circle", make(CGame::Circle({0.5f, 0.25f}, 0.75f)), {-2, 0.25f}, {0.5f, 0.25f}},
       {"edge_from_above", make(CGame::Edge({-1, 0}, {1, 0})), {0.3f, 2}, {0.3f, 0}},
       {"edge_from_below", make(CGame::Edge({-1, 0}, {1, 0})), {0.3f, -2}, {0.3f, 0}},
@@ -89,7 +89,7 @@ const std::vector<CThrow>& Throws() {
   return throws;
 }
 
-class ThrowTest : public testing::TestWithParam<CThrow> {
+class ThrowTest : public testing::TestWithParam<CImportThrow> {
 protected:
   ThrowTest() {
     b2Body* pBody = m_cGame.AddBody(b2_staticBody, {3, 2}, 0.7f);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "../Numbers.h"
 #include "Random.h"
 #include "box2d_backend/TunedExact.h"
 
@@ -20,7 +21,6 @@ using Box2D::CJoints;
 using Box2D::FindJoints;
 
 constexpr float g_fTolerance = 0.005f;
-constexpr float g_fUlp = 0x1p-23f; // of 1
 
 /// Shapes with the ids 1, 2, ... as a world holds them.
 class CTable {

@@ -14,7 +14,7 @@ namespace {
 using Box2D::CMixing;
 using Box2D::FindMixing;
 
-constexpr std::uint64_t g_nSeed = 77;
+constexpr std::uint64_t g_nMixingSeed = 77;
 
 CWorldState MakeState(const std::vector<float>& balls, const std::vector<float>& shapes) {
   CWorldState state;
@@ -40,8 +40,8 @@ bool GivesProducts(const CMixing& mixing, const std::vector<float>& balls, const
 }
 
 TEST(MixingTest, WhatIsGivenIsTheProductBitForBit) {
-  CRandom random(g_nSeed);
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  CRandom random(g_nMixingSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nMixingSeed);
   int given = 0, wrongWithoutIt = 0;
   for (int k = 0; k < 20000; ++k) {
     // Of a few values each, so that sets of one are frequent.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Box2D ends the process where it asserts, and Debian's library keeps its asserts. What is at the border of
 // what it bears is stepped, in both profiles, and everything stays a number; what is beyond is refused.
+#include "../Numbers.h"
+
 #include <Shapes/Shapes.h>
 
 #include <box2d/box2d.h>
@@ -20,7 +22,6 @@ namespace Shapes::Box2D {
 namespace {
 
 constexpr float g_fNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float g_fInf = std::numeric_limits<float>::infinity();
 constexpr float g_fDenormal = std::numeric_limits<float>::denorm_min();
 
 float Above(float f) { return std::nextafter(f, g_fInf); }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What runs of Box2D in a world of its own.
+#include "../Numbers.h"
+
 #include <Shapes/Shapes.h>
 
 #include <gtest/gtest.h>
@@ -10,8 +12,6 @@
 
 namespace Shapes {
 namespace {
-
-constexpr float g_fDt = 1.0f / 60.0f;
 
 std::unique_ptr<CWorld> Make(eProfile profile, const CEffectChoice& choice = g_cAutomatic) {
   CWorldDesc desc;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is particular to a world on Box2D: its scale, its limits, what stands for shapes in it, and what was
 // changed of the way Box2D ships.
+#include "../Numbers.h"
+
 #include <Shapes/Shapes.h>
 
 #include <box2d/box2d.h>
@@ -12,8 +14,6 @@
 
 namespace Shapes {
 namespace {
-
-constexpr float g_fDt = 1.0f / 60.0f;
 
 std::unique_ptr<CWorld> Make(const Vector2& gravity = Vector2::Zero(), float unit = 1.0f) {
   CWorldDesc desc;

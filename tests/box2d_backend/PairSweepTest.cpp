@@ -10,6 +10,7 @@
 
 #include <cmath>
 
+#include "../Numbers.h"
 #include "Random.h"
 
 namespace Shapes::Box2D {
@@ -25,7 +26,6 @@ constexpr float g_fIntoEdge = 3.0f * b2_linearSlop - b2_polygonRadius;
 constexpr float g_fIntoCircle = 3.0f * b2_linearSlop;
 constexpr float g_fRounding = 2e-5f; // 16 ulp of 10, which no coordinate below exceeds
 
-constexpr float g_fDt = 1.0f / 60.0f;
 constexpr float g_fR = 0.1f; // radius of balls
 
 class CPairSweepTest : public testing::Test {

@@ -16,14 +16,13 @@
 #include <cmath>
 #include <utility>
 
+#include "../Numbers.h"
 #include "Random.h"
 
 namespace Shapes::Box2D {
 namespace {
 
 using Tests::CRandom;
-
-constexpr double g_fUlp = 0x1p-23; // of 1
 
 CPieces Make(const CShape& shape, float sagitta = g_fSagittaTolerance) {
   return CPieces::Make(shape, shape.GetPos(), CScale(1.0f), sagitta);

@@ -10,7 +10,7 @@
 namespace Shapes::Tests {
 namespace {
 
-constexpr std::uint64_t g_nSeed = 61;
+constexpr std::uint64_t g_nTrueContactSeed = 61;
 // A normal that is given is compared with that of a place, which errs by as much.
 constexpr double g_fSlack = 4;
 // The oracle stops 1e-13 of all sizes away from what it touches.
@@ -32,7 +32,7 @@ std::string Print(const CApproach& a) {
 /// Calls f for a number of random approaches that are near, on the given side of touching.
 template <class F>
 void ForEach(eOutline kind, bool clear, int count, F f) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nTrueContactSeed);
   const auto countFailures = [] {
     return testing::UnitTest::GetInstance()->current_test_info()->result()->total_part_count();
   };
@@ -43,7 +43,7 @@ void ForEach(eOutline kind, bool clear, int count, F f) {
     if (clear ? gap < 1e-9 * a.Size() || gap > 0.25 * a.m_fSmallest
               : gap > -1e-9 * a.Size() || gap < -0.05 * a.m_fSmallest)
       continue;
-    SCOPED_TRACE(testing::Message() << "seed " << g_nSeed << ", case " << k << ": " << Print(a));
+    SCOPED_TRACE(testing::Message() << "seed " << g_nTrueContactSeed << ", case " << k << ": " << Print(a));
     f(a), ++k;
   }
 }

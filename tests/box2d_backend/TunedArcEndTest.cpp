@@ -7,13 +7,13 @@
 namespace Shapes::Tests {
 namespace {
 
-constexpr std::uint64_t g_nSeed = 67;
+constexpr std::uint64_t g_nTunedArcEndSeed = 67;
 
 /// How many of 1,000 shots at the ends of an arc of radius 1, r = .1, up to 85 degrees from the normal and 90
 /// m/s, are off by more than .01 radians and what surfaces that are g_fTunedOffset off explain. Shots that a
 /// surface so little off sends elsewhere altogether have no answer and are left out.
 int CountWrong(eProfile profile, double degrees) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nTunedArcEndSeed);
   CRange range(MakeBox2D(profile), {CArcDesc({0, 0}, 1, 0, static_cast<float>(degrees * g_fDegree))}, 0.1f);
   int wrong = 0;
   for (int k = 0; k < 1000;) {
@@ -30,7 +30,7 @@ int CountWrong(eProfile profile, double degrees) {
 }
 
 TEST(TunedArcEndTest, NakedEndsAreRound) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedArcEndSeed);
   for (const double degrees : {90, 180, 270, 340}) {
     SCOPED_TRACE(degrees);
     EXPECT_EQ(CountWrong(eProfile::Tuned, degrees), 0);

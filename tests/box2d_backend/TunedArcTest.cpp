@@ -7,7 +7,7 @@
 namespace Shapes::Tests {
 namespace {
 
-constexpr std::uint64_t g_nSeed = 41;
+constexpr std::uint64_t g_nTunedArcSeed = 41;
 
 constexpr std::uint64_t g_nMostPiecesOfHalf = 16;
 
@@ -15,7 +15,7 @@ constexpr std::uint64_t g_nMostPiecesOfHalf = 16;
 /// 10 m/s, up to 80 degrees from the normal.
 std::vector<double> ShootAtArcs(eProfile profile, bool inside) {
   std::vector<double> errors;
-  CRandom random(g_nSeed);
+  CRandom random(g_nTunedArcSeed);
   for (int k = 0; k < 5; ++k) {
     const bool isFull = k == 4;
     const double a0 = isFull ? 0 : k * 90 * g_fDegree, span = (isFull ? 360 : 180) * g_fDegree;
@@ -35,7 +35,7 @@ std::vector<double> ShootAtArcs(eProfile profile, bool inside) {
 }
 
 TEST(TunedArcTest, DirectionsAreExactToMilliradians) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedArcSeed);
   for (const bool inside : {true, false}) {
     SCOPED_TRACE(inside ? "inside" : "outside");
     const std::vector<double> errors = ShootAtArcs(eProfile::Tuned, inside);
@@ -46,7 +46,7 @@ TEST(TunedArcTest, DirectionsAreExactToMilliradians) {
 }
 
 TEST(TunedArcTest, ShippedDirectionsAreThoseOfTheChords) { // the control
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedArcSeed);
   for (const bool inside : {true, false}) {
     SCOPED_TRACE(inside ? "inside" : "outside");
     const std::vector<double> errors = ShootAtArcs(eProfile::Shipped, inside);

@@ -7,7 +7,7 @@
 namespace Shapes::Tests {
 namespace {
 
-constexpr std::uint64_t g_nSeed = 47;
+constexpr std::uint64_t g_nTunedBallsSeed = 47;
 
 /// Velocities along the row, in units of the first ball's, after it met four others that lie in a row.
 std::vector<double> Cradle(eProfile profile, float gap, float speed) {
@@ -52,7 +52,7 @@ struct CMeeting {
 /// 500 pairs of balls of .1 of other masses, up to 60 degrees off the line of centres. Wrong is off by more
 /// than .01 radians and what g_fTunedOffset explains.
 CMeeting MeetBalls(eProfile profile, double speed) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nTunedBallsSeed);
   CMeeting result;
   for (int k = 0; k < 500; ++k) {
     const Vector2d n = UnitVector(360 * g_fDegree * random.Unit());
@@ -96,7 +96,7 @@ CMeeting MeetBalls(eProfile profile, double speed) {
 }
 
 TEST(TunedBallsTest, TwoBallsPartAlongTheLineOfTheirCentres) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedBallsSeed);
   for (const double speed : {1.0, 10.0, 60.0, 100.0}) {
     SCOPED_TRACE(speed);
     const CMeeting result = MeetBalls(eProfile::Tuned, speed);
@@ -108,7 +108,7 @@ TEST(TunedBallsTest, TwoBallsPartAlongTheLineOfTheirCentres) {
 }
 
 TEST(TunedBallsTest, ShippedBallsPartOtherwiseOrMissEachOther) { // the control
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedBallsSeed);
   EXPECT_GT(MeetBalls(eProfile::Shipped, 1).m_nWrong, 100);
   EXPECT_GT(MeetBalls(eProfile::Shipped, 60).m_nMissed, 100);
 }
@@ -116,7 +116,7 @@ TEST(TunedBallsTest, ShippedBallsPartOtherwiseOrMissEachOther) { // the control
 /// How many of 1,000 balls of .02 at 60 m/s, a metre a step, pass through a ball of .02 that lies in their
 /// way.
 int CountPassed(eProfile profile) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nTunedBallsSeed);
   int passed = 0;
   for (int k = 0; k < 1000; ++k) {
     const Vector2d u = UnitVector(360 * g_fDegree * random.Unit());
@@ -133,7 +133,7 @@ int CountPassed(eProfile profile) {
 }
 
 TEST(TunedBallsTest, AFastSmallBallNeverPassesThroughAnother) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedBallsSeed);
   EXPECT_EQ(CountPassed(eProfile::Tuned), 0);
   EXPECT_GT(CountPassed(eProfile::Shipped), 900); // the control
 }

@@ -8,7 +8,7 @@
 namespace Shapes::Tests {
 namespace {
 
-constexpr std::uint64_t g_nSeed = 46;
+constexpr std::uint64_t g_nTunedClampSeed = 46;
 
 TEST(TunedClampTest, AFastBallKeepsItsSpeedBitForBit) {
   auto pWorld = MakeBox2D(eProfile::Tuned);
@@ -49,7 +49,7 @@ TEST(TunedClampTest, AShippedBallIsSlowedDownAndItIsCounted) { // the control
 /// How many of 200 balls at rest that a spinner of 30 rev/s, half a turn a step, should hit in its second
 /// quarter turn stay at rest.
 int CountMissed(eProfile profile, std::uint64_t& turnsClamped) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nTunedClampSeed);
   int missed = 0;
   turnsClamped = 0;
   for (int k = 0; k < 200; ++k) {
@@ -69,14 +69,14 @@ int CountMissed(eProfile profile, std::uint64_t& turnsClamped) {
 }
 
 TEST(TunedClampTest, AFastSpinnerTurnsByAllOfItsAngle) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedClampSeed);
   std::uint64_t turnsClamped = 0;
   EXPECT_EQ(CountMissed(eProfile::Tuned, turnsClamped), 0);
   EXPECT_EQ(turnsClamped, 0u);
 }
 
 TEST(TunedClampTest, AShippedSpinnerTurnsByLessAndItIsCounted) { // the control
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedClampSeed);
   std::uint64_t turnsClamped = 0;
   EXPECT_EQ(CountMissed(eProfile::Shipped, turnsClamped), 200);
   EXPECT_EQ(turnsClamped, 200u);

@@ -7,12 +7,12 @@
 namespace Shapes::Tests {
 namespace {
 
-constexpr std::uint64_t g_nSeed = 49;
+constexpr std::uint64_t g_nTunedCorridorSeed = 49;
 
 /// How many of 20 balls of .1 at 80 m/s leave a corridor of .25 within 1,000 hits; at 0 degrees they go
 /// straight from wall to wall, 27 times a step.
 int CountLost(eProfile profile, double degrees) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nTunedCorridorSeed);
   int lost = 0;
   for (int k = 0; k < 20; ++k) {
     auto pWorld = MakeBox2D(profile);
@@ -37,7 +37,7 @@ int CountLost(eProfile profile, double degrees) {
 }
 
 TEST(TunedCorridorTest, ABallStaysForAThousandHits) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedCorridorSeed);
   for (const double degrees : {0, 20, 45, 70}) {
     SCOPED_TRACE(degrees);
     EXPECT_EQ(CountLost(eProfile::Tuned, degrees), 0);
@@ -45,7 +45,7 @@ TEST(TunedCorridorTest, ABallStaysForAThousandHits) {
 }
 
 TEST(TunedCorridorTest, AShippedBallIsLost) { // the control
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedCorridorSeed);
   EXPECT_EQ(CountLost(eProfile::Shipped, 0), 20);
   EXPECT_GT(CountLost(eProfile::Shipped, 20), 0);
 }

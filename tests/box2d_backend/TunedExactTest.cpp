@@ -7,7 +7,7 @@
 namespace Shapes::Tests {
 namespace {
 
-constexpr std::uint64_t g_nSeed = 40;
+constexpr std::uint64_t g_nTunedExactSeed = 40;
 constexpr unsigned g_nSubsteps = 250;
 
 std::unique_ptr<CWorld> MakeNative() {
@@ -21,7 +21,7 @@ std::unique_ptr<CWorld> MakeNative() {
 /// u (u is a random unit vector above the x axis).
 double MostError(const CAnyShapeDesc& shape, double surface, bool inside) {
   CRange range(MakeNative(), {shape}, 0.1f);
-  CRandom random(g_nSeed);
+  CRandom random(g_nTunedExactSeed);
   double most = 0;
   for (int k = 0; k < 50;) {
     const Vector2d u = UnitVector((20 + 140 * random.Unit()) * g_fDegree);
@@ -35,7 +35,7 @@ double MostError(const CAnyShapeDesc& shape, double surface, bool inside) {
 }
 
 TEST(TunedExactTest, TheNativeEngineInTinyStepsAgrees) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedExactSeed);
   // A ball is late by a substep at most; the normal turns by that way, seen from the centre of curvature of
   // the way of its centre, and the direction by twice as much. Half of that again for the rounding of floats.
   const auto bound = [](double radius) { return 1.5 * 2 * (10.0 * g_fDt / g_nSubsteps) / radius; };
@@ -46,8 +46,8 @@ TEST(TunedExactTest, TheNativeEngineInTinyStepsAgrees) {
 }
 
 TEST(TunedExactTest, TheNativeEngineAgreesAtSegments) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
-  CRandom random(g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedExactSeed);
+  CRandom random(g_nTunedExactSeed);
   for (int k = 0; k < 50; ++k) {
     const Vector2 along = random.Direction();
     CRange range(MakeNative(), {CLineSegDesc(-along, along)}, 0.1f);

@@ -7,7 +7,7 @@
 namespace Shapes::Tests {
 namespace {
 
-constexpr std::uint64_t g_nSeed = 45;
+constexpr std::uint64_t g_nTunedFlipperSeed = 45;
 
 /// A flipper of length 1 about the origin, and a ball at rest ahead of it.
 struct CFlipperCase {
@@ -73,7 +73,7 @@ void Sweep(eProfile profile, const CFlipperCase& c, CFlipperResult& result) {
 }
 
 CFlipperResult Sweeps(eProfile profile) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nTunedFlipperSeed);
   CFlipperResult result;
   for (int k = 0; k < 2000; ++k)
     Sweep(profile, MakeCase(random), result);
@@ -82,7 +82,7 @@ CFlipperResult Sweeps(eProfile profile) {
 }
 
 TEST(TunedFlipperTest, EveryBallIsMetAndKickedAsItShouldBe) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedFlipperSeed);
   const CFlipperResult result = Sweeps(eProfile::Tuned);
   EXPECT_EQ(result.m_nMissed, 0);
   EXPECT_EQ(result.m_nBehind, 0);
@@ -90,7 +90,7 @@ TEST(TunedFlipperTest, EveryBallIsMetAndKickedAsItShouldBe) {
 }
 
 TEST(TunedFlipperTest, AShippedFlipperMissesSome) { // the control
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedFlipperSeed);
   const CFlipperResult result = Sweeps(eProfile::Shipped);
   EXPECT_GT(result.m_nMissed, 0);
   EXPECT_GT(result.m_nBehind, 0);
@@ -100,11 +100,11 @@ TEST(TunedFlipperTest, AShippedFlipperMissesSome) { // the control
 TEST(TunedFlipperTest, AGuardedTipKicksAsANakedOneDoes) {
   // A point at the tip of a bar touches whatever the end of the bar touches. What is hit first is answered,
   // and the other one must not hold the ball back, though its surface moves as fast.
-  CRandom random(g_nSeed);
+  CRandom random(g_nTunedFlipperSeed);
   double most = 0;
   int kicks = 0;
   for (int k = 0; k < 400; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << g_nSeed << ", case " << k);
+    SCOPED_TRACE(testing::Message() << "seed " << g_nTunedFlipperSeed << ", case " << k);
     const double start = 360 * g_fDegree * random.Unit(), y = 1.2 * random.Unit() - 0.6,
                  x = -3 - random.Unit();
     Vector2 v[2];

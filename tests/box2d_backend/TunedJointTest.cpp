@@ -9,7 +9,7 @@
 namespace Shapes::Tests {
 namespace {
 
-constexpr std::uint64_t g_nSeed = 42;
+constexpr std::uint64_t g_nTunedJointSeed = 42;
 
 Vector2d Turned(const Vector2d& v, double angle) {
   return v.x() * UnitVector(angle) + v.y() * Perp(UnitVector(angle));
@@ -47,7 +47,7 @@ struct CJoint {
 /// by more than .01 radians and what surfaces that are g_fTunedOffset off explain. Nothing is explained on
 /// segments: their normal is the same everywhere.
 int CountWrong(eProfile profile, double curvature0, double curvature1, bool left) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nTunedJointSeed);
   int wrong = 0;
   for (int table = 0; table < 10; ++table) { // half of the shots at axially aligned shapes
     const CJoint joint{curvature0, curvature1, table < 5 ? 0 : 360 * g_fDegree * random.Unit()};
@@ -65,14 +65,14 @@ int CountWrong(eProfile profile, double curvature0, double curvature1, bool left
 }
 
 TEST(TunedJointTest, TwoSegmentsInLineAreOne) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedJointSeed);
   EXPECT_EQ(CountWrong(eProfile::Tuned, 0, 0, true), 0);
   EXPECT_EQ(CountWrong(eProfile::Tuned, 0, 0, false), 0);
   EXPECT_GT(CountWrong(eProfile::Shipped, 0, 0, true), 100); // the control
 }
 
 TEST(TunedJointTest, ASegmentGoesOverIntoAnArc) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedJointSeed);
   for (const bool inside : {true, false}) {
     SCOPED_TRACE(inside ? "inside" : "outside");
     EXPECT_EQ(CountWrong(eProfile::Tuned, 0, 1, inside), 0);
@@ -81,7 +81,7 @@ TEST(TunedJointTest, ASegmentGoesOverIntoAnArc) {
 }
 
 TEST(TunedJointTest, AnArcGoesOverIntoAnArc) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedJointSeed);
   for (const bool inside : {true, false}) {
     SCOPED_TRACE(inside ? "inside" : "outside");
     EXPECT_EQ(CountWrong(eProfile::Tuned, 1, 2, inside), 0); // a narrower one
@@ -94,7 +94,7 @@ TEST(TunedJointTest, AnArcGoesOverIntoAnArc) {
 /// The same for two segments that meet at an angle, from the side where they are a concave or a convex
 /// corner. Shots that a surface so little off sends elsewhere altogether have no answer and are left out.
 int CountWrongAtCorner(eProfile profile, double degrees, bool convex) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nTunedJointSeed);
   const double half = 0.5 * degrees * g_fDegree;
   const Vector2d right = Turned({0, 1}, -half), left = Turned({0, 1}, half); // a V with its tip at the origin
   CRange range(MakeBox2D(profile),
@@ -118,7 +118,7 @@ int CountWrongAtCorner(eProfile profile, double degrees, bool convex) {
 }
 
 TEST(TunedJointTest, CornersAreWhereTheyAre) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedJointSeed);
   for (const double degrees : {45, 60, 90, 120, 135})
     for (const bool convex : {false, true}) {
       SCOPED_TRACE(std::to_string(degrees) + (convex ? " degrees, convex" : " degrees, concave"));
@@ -127,7 +127,7 @@ TEST(TunedJointTest, CornersAreWhereTheyAre) {
 }
 
 TEST(TunedJointTest, ShippedCornersAreNot) { // the control
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedJointSeed);
   for (const double degrees : {45, 60, 120, 135})
     for (const bool convex : {false, true}) {
       SCOPED_TRACE(std::to_string(degrees) + (convex ? " degrees, convex" : " degrees, concave"));

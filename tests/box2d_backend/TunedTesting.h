@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "../Numbers.h"
 #include "Random.h"
 #include "box2d_backend/TunedExact.h"
 
 namespace Shapes::Tests {
 
-inline constexpr float g_fDt = 1.0f / 60.0f;
 inline constexpr double g_fDegree = std::numbers::pi / 180;
 /// How far from where it is a tuned world may take a surface to be, in metres.
 inline constexpr double g_fTunedOffset = 0.001;

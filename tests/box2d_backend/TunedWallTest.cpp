@@ -7,7 +7,7 @@
 namespace Shapes::Tests {
 namespace {
 
-constexpr std::uint64_t g_nSeed = 44;
+constexpr std::uint64_t g_nTunedWallSeed = 44;
 
 enum class ePair { Point, Face, End, Circle, ArcOutside, ArcInside, Balls };
 struct CNamedPair {
@@ -67,7 +67,7 @@ double Offset(eProfile profile, ePair pair, double speed, double phase, double a
 
 /// The median of 256 phases of the step.
 double MedianOffset(eProfile profile, ePair pair, double speed) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nTunedWallSeed);
   std::vector<double> offsets;
   for (int i = 0; i < 256; ++i) {
     const double angle = 360 * g_fDegree * random.Unit();
@@ -77,7 +77,7 @@ double MedianOffset(eProfile profile, ePair pair, double speed) {
 }
 
 TEST(TunedWallTest, SurfacesAreWhereTheyAre) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedWallSeed);
   for (const auto& [pair, name] : g_stdPairs)
     for (const double speed : {0.1, 1.0, 10.0}) {
       SCOPED_TRACE(testing::Message() << name << " at " << speed);
@@ -86,7 +86,7 @@ TEST(TunedWallTest, SurfacesAreWhereTheyAre) {
 }
 
 TEST(TunedWallTest, ShippedSurfacesAreFurtherAtOneSpeedAtLeast) { // the control
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTunedWallSeed);
   for (const auto& [pair, name] : g_stdPairs) {
     SCOPED_TRACE(name);
     double most = 0;

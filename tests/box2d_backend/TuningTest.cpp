@@ -14,7 +14,7 @@ using Box2D::COwnedWorld;
 using Box2D::CTuning;
 using Box2D::g_cTuned;
 
-constexpr std::uint64_t g_nSeed = 66;
+constexpr std::uint64_t g_nTuningSeed = 66;
 
 std::unique_ptr<CWorld> Make(const CTuning& tuning, const Vector2& gravity = Vector2::Zero()) {
   CWorldDesc desc;
@@ -48,7 +48,7 @@ TEST(TuningTest, BulletsLetNoBallThroughAnother) {
 /// How many of 500 balls that meet a floor of two pieces, within .15 of where they join, are off by more than
 /// .01 radians.
 int CountWrongAtJoint(const CTuning& tuning) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nTuningSeed);
   CRange range(Make(tuning), {CLineSegDesc({-1, 0}, {0, 0}), CLineSegDesc({0, 0}, {1, 0})}, 0.1f);
   int wrong = 0;
   for (int k = 0; k < 500;) {
@@ -63,7 +63,7 @@ int CountWrongAtJoint(const CTuning& tuning) {
 }
 
 TEST(TuningTest, JointsMakeOneFloorOfTwo) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTuningSeed);
   EXPECT_EQ(CountWrongAtJoint(g_cTuned), 0);
   EXPECT_GT(CountWrongAtJoint(Without(&CTuning::m_bJoints)), 0);
 }
@@ -143,7 +143,7 @@ TEST(TuningTest, CutsAreAsManyAsATurnNeeds) {
 
 /// The largest direction error of 300 shots from the inside of a half circle of 1, radians.
 double WorstInBowl(const CTuning& tuning) {
-  CRandom random(g_nSeed);
+  CRandom random(g_nTuningSeed);
   CRange range(Make(tuning), {CArcDesc({0, 0}, 1, g_fPi, g_fTwoPi)}, 0.1f);
   double worst = 0;
   for (int k = 0; k < 300;) {
@@ -158,7 +158,7 @@ double WorstInBowl(const CTuning& tuning) {
 }
 
 TEST(TuningTest, TrueContactsMakeArcsRound) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nSeed);
+  SCOPED_TRACE(testing::Message() << "seed " << g_nTuningSeed);
   EXPECT_LE(WorstInBowl(g_cTuned), 0.02);
   EXPECT_GT(WorstInBowl(Without(&CTuning::m_bTrueContacts)), 0.05);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // shapes-compare as a user calls it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
-
 #include <nlohmann/json.hpp>
 
 #include <pty.h>
@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -36,8 +37,8 @@ protected:
   }
   void TearDown() override { fs::remove_all(m_cFolder); }
 
-  static CResult Call(const std::string& arguments) {
-    FILE* pPipe = popen((std::string(SHAPES_COMPARE) + " " + arguments + " 2>&1").c_str(), "r");
+  static CResult Call(const std::string& arguments, const std::string& program = SHAPES_COMPARE) {
+    FILE* pPipe = popen((program + " " + arguments + " 2>&1").c_str(), "r");
     CResult result{-1, ""};
     if (pPipe == nullptr) return result;
     char buffer[4096];
@@ -66,12 +67,40 @@ protected:
   fs::path m_cFolder;
 };
 
+// Runs the program on a terminal of its own. `talk` gets what it has written so far, again and again, and
+// says what is typed.
+CResult CallOnTerminal(const std::string& arguments,
+                       const std::function<std::string(const std::string&)>& talk) {
+  CResult result{-1, ""};
+  int terminal = -1;
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (child == 0) {
+    signal(SIGINT, SIG_DFL);
+    execl("/bin/sh", "sh", "-c", ("exec " + std::string(SHAPES_COMPARE) + " " + arguments).c_str(), nullptr);
+    _exit(127);
+  }
+  if (child < 0) return result;
+  char buffer[4096];
+  for (ssize_t n; (n = read(terminal, buffer, sizeof buffer)) > 0;) { // ends with an error at the end
+    result.m_sOutput.append(buffer, static_cast<std::size_t>(n));
+    const std::string typed = talk(result.m_sOutput);
+    if (!typed.empty() && write(terminal, typed.data(), typed.size()) < 0) break;
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  close(terminal);
+  if (WIFEXITED(status)) result.m_nExit = WEXITSTATUS(status);
+  return result;
+}
+
 TEST_F(CommandTest, RunWritesTheTableAndThreeFiles) {
-  const CResult result = Call("run --scenes corner,bowl --quick --contacts 50 --out " + m_cFolder.string());
+  const CResult result = Call("run --scenes corner,bowl --contacts 50 --out " + m_cFolder.string());
   ASSERT_EQ(result.m_nExit, 0) << result.m_sOutput;
-  EXPECT_NE(result.m_sOutput.find("\nbowl, 50 impacts\n"), std::string::npos);
-  EXPECT_NE(result.m_sOutput.find("\ncorner, 50 impacts\n"), std::string::npos);
+  EXPECT_NE(result.m_sOutput.find("\nbowl  "), std::string::npos);
+  EXPECT_NE(result.m_sOutput.find("\ncorner  "), std::string::npos);
   EXPECT_EQ(result.m_sOutput.find("spinner"), std::string::npos);
+  EXPECT_NE(result.m_sOutput.find("\nResult: "), std::string::npos);
+  EXPECT_NE(result.m_sOutput.find("report.html"), std::string::npos);
   EXPECT_EQ(result.m_sOutput.find('\r'), std::string::npos); // no progress where there is no terminal
 
   const auto json = nlohmann::json::parse(Read("run.json"));
@@ -79,7 +108,7 @@ TEST_F(CommandTest, RunWritesTheTableAndThreeFiles) {
   EXPECT_EQ(json.at("scenes")[0].at("name"), "bowl"); // in the order of the folder
   EXPECT_EQ(json.at("interrupted"), false);
   EXPECT_EQ(json.at("command"),
-            "shapes-compare run --scenes corner,bowl --quick --contacts 50 --out " + m_cFolder.string());
+            "shapes-compare run --scenes corner,bowl --contacts 50 --out " + m_cFolder.string());
   for (const auto& scene : json.at("scenes")) {
     ASSERT_EQ(scene.at("engines").size(), 4u);
     EXPECT_EQ(scene.at("engines")[0].at("name"), "native");
@@ -107,15 +136,15 @@ TEST_F(CommandTest, RunWritesTheTableAndThreeFiles) {
 
 TEST_F(CommandTest, TheSameCommandGivesTheSamePhysicsBitForBit) {
   const std::string once = (m_cFolder / "a").string(), again = (m_cFolder / "b").string();
-  ASSERT_EQ(Call("run --scenes pinball,spinner --quick --contacts 60 --seed 5 --out " + once).m_nExit, 0);
-  ASSERT_EQ(Call("run --scenes pinball,spinner --quick --contacts 60 --seed 5 --out " + again).m_nExit, 0);
+  ASSERT_EQ(Call("run --scenes pinball,spinner --contacts 60 --seed 5 --out " + once).m_nExit, 0);
+  ASSERT_EQ(Call("run --scenes pinball,spinner --contacts 60 --seed 5 --out " + again).m_nExit, 0);
   EXPECT_EQ(Read("a/contacts.csv"), Read("b/contacts.csv"));
-  ASSERT_EQ(Call("run --scenes pinball,spinner --quick --contacts 60 --seed 6 --out " + again).m_nExit, 0);
+  ASSERT_EQ(Call("run --scenes pinball,spinner --contacts 60 --seed 6 --out " + again).m_nExit, 0);
   EXPECT_NE(Read("a/contacts.csv"), Read("b/contacts.csv")); // the control
 }
 
 TEST_F(CommandTest, EnginesAreChosen) {
-  const std::string rest = " --scenes bowl --quick --contacts 20 --out " + m_cFolder.string();
+  const std::string rest = " --scenes bowl --contacts 20 --out " + m_cFolder.string();
   const auto engines = [&](const std::string& names) {
     EXPECT_EQ(Call("run --engines " + names + rest).m_nExit, 0) << names;
     const auto json = nlohmann::json::parse(Read("run.json"));
@@ -132,7 +161,7 @@ TEST_F(CommandTest, EnginesAreChosen) {
 }
 
 TEST_F(CommandTest, FailAboveIsAGate) {
-  const std::string run = "run --scenes head_on_wall,bowl --quick --contacts 100 --out " + m_cFolder.string();
+  const std::string run = "run --scenes head_on_wall,bowl --contacts 100 --out " + m_cFolder.string();
   // Native loses every other ball at the wall, Box2D none.
   const CResult above = Call(run + " --fail-above tunneled=.1 --fail-above ns_per_ball_step=1e9");
   EXPECT_EQ(above.m_nExit, 1);
@@ -144,36 +173,10 @@ TEST_F(CommandTest, FailAboveIsAGate) {
   EXPECT_EQ(Call(run + " --engines box2d --fail-above tunneled=.1").m_nExit, 0);
 }
 
-// Runs the program on a terminal of its own. `talk` gets what it has written so far, again and again, and
-// says what is typed.
-CResult CallOnTerminal(const std::string& arguments,
-                       const std::function<std::string(const std::string&)>& talk) {
-  CResult result{-1, ""};
-  int terminal = -1;
-  const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
-  if (child == 0) {
-    signal(SIGINT, SIG_DFL);
-    execl("/bin/sh", "sh", "-c", ("exec " + std::string(SHAPES_COMPARE) + " " + arguments).c_str(), nullptr);
-    _exit(127);
-  }
-  if (child < 0) return result;
-  char buffer[4096];
-  for (ssize_t n; (n = read(terminal, buffer, sizeof buffer)) > 0;) { // ends with an error at the end
-    result.m_sOutput.append(buffer, static_cast<std::size_t>(n));
-    const std::string typed = talk(result.m_sOutput);
-    if (!typed.empty() && write(terminal, typed.data(), typed.size()) < 0) break;
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  close(terminal);
-  if (WIFEXITED(status)) result.m_nExit = WEXITSTATUS(status);
-  return result;
-}
-
 TEST_F(CommandTest, CtrlCReportsWhatIsFinished) {
   bool typed = false;
-  const CResult result = CallOnTerminal(
-      "run --quick --contacts 300 --out " + m_cFolder.string(), [&](const std::string& output) {
+  const CResult result =
+      CallOnTerminal("run --contacts 300 --out " + m_cFolder.string(), [&](const std::string& output) {
         const bool now = !typed && output.find("2/15 ") != std::string::npos;
         typed |= now;
         return now ? "\x03" : "";
@@ -208,9 +211,78 @@ TEST_F(CommandTest, ASceneOfOnesOwnIsRun) {
     "bounds": {"left": -2, "bottom": -2, "right": 2, "top": 2},
     "shapes": [{"type": "arc", "position": [0, 0], "radius": 1, "angles": [0, 0]}],
     "balls": [{"position": [0.3, 0], "velocity": [3, 2], "radius": 0.1}]})");
-  const CResult result = Call("scene " + file + " --quick --contacts 20 --out " + m_cFolder.string());
+  const CResult result = Call("scene " + file + " --contacts 20 --out " + m_cFolder.string());
   EXPECT_EQ(result.m_nExit, 0) << result.m_sOutput;
-  EXPECT_NE(result.m_sOutput.find("\nmine, "), std::string::npos);
+  EXPECT_NE(result.m_sOutput.find("\nmine  "), std::string::npos);
+}
+
+TEST_F(CommandTest, EverySceneFitsOnOneScreen) {
+  const CResult result = Call("run --contacts 10 --out " + m_cFolder.string());
+  ASSERT_EQ(result.m_nExit, 0) << result.m_sOutput;
+  EXPECT_LE(std::count(result.m_sOutput.begin(), result.m_sOutput.end(), '\n'), 40) << result.m_sOutput;
+  const CResult verbose =
+      Call("run --contacts 10 --scenes bowl,corner,spinner --verbose --out " + m_cFolder.string());
+  EXPECT_GT(std::count(verbose.m_sOutput.begin(), verbose.m_sOutput.end(), '\n'), 60); // the control
+}
+
+TEST_F(CommandTest, ScenesAreShownAsTheyAreFinished) {
+  std::string early;
+  CallOnTerminal("run --contacts 300 --out " + m_cFolder.string(), [&](const std::string& output) {
+    const bool now = early.empty() && output.find("2/15 ") != std::string::npos;
+    if (now) early = output;
+    return now ? "\x03" : "";
+  });
+  EXPECT_NE(early.find("ball_on_ball          "), std::string::npos) << early;
+  EXPECT_EQ(early.find("bowl                "), std::string::npos) << early;
+}
+
+TEST_F(CommandTest, TheNumberOfContactsIsObeyed) {
+  for (const int contacts : {30, 2100}) { // less and more than a run has by itself
+    const CResult result =
+        Call(fmt::format("run --scenes head_on_wall --contacts {} --out {}", contacts, m_cFolder.string()));
+    ASSERT_EQ(result.m_nExit, 0) << result.m_sOutput;
+    EXPECT_EQ(nlohmann::json::parse(Read("run.json")).at("/scenes/0/engines/0/contacts"_json_pointer),
+              contacts);
+  }
+  const CResult full = Call("run --scenes head_on_wall --full --contacts 40 --out " + m_cFolder.string());
+  ASSERT_EQ(full.m_nExit, 0) << full.m_sOutput;
+  EXPECT_EQ(nlohmann::json::parse(Read("run.json")).at("/scenes/0/engines/0/contacts"_json_pointer), 40);
+}
+
+TEST_F(CommandTest, ALongRunSaysBeforeHowLongItTakes) {
+  bool typed = false;
+  const CResult result =
+      CallOnTerminal("run --full --out " + m_cFolder.string(), [&](const std::string& output) {
+        const bool now = !typed && output.find("1/15 ") != std::string::npos;
+        typed |= now;
+        return now ? "\x03" : "";
+      });
+  const std::size_t told = result.m_sOutput.find("this takes about 7 minutes");
+  ASSERT_NE(told, std::string::npos) << result.m_sOutput;
+  EXPECT_LT(told, result.m_sOutput.find("1/15 "));
+  EXPECT_EQ(Call("run --scenes bowl --contacts 20 --out " + m_cFolder.string()).m_sOutput.find("minutes"),
+            std::string::npos); // the control
+}
+
+// A ball that flies away from the only wall; one that flies at it is the control.
+TEST_F(CommandTest, ASceneInWhichNothingIsMetIsRefusedWithinASecond) {
+  const auto scene = [&](int direction, const char* pMore) {
+    return Write("mine.json", fmt::format(R"({{"name": "mine", "duration": 1000,
+      "bounds": {{"left": -2e6, "bottom": -2, "right": 2e6, "top": 2}},
+      "shapes": [{{"type": "line_segment", "p0": [1, -1], "p1": [1, 1]}}{}],
+      "balls": [{{"position": [0, 0], "velocity": [{}, 0], "radius": 0.1}}]}})",
+                                          pMore, 3 * direction));
+  };
+  const auto refuse = [&](const std::string& file) {
+    const auto begin = std::chrono::steady_clock::now();
+    ExpectBadInput("scene " + file + " --full --out " + m_cFolder.string(), "none met anything in ");
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
+  };
+  refuse(scene(-1, ""));
+  // What only a sensor sees is no impact.
+  refuse(scene(-1, R"(, {"type": "circle", "position": [-9, 0], "radius": 1, "sensor": true})"));
+  EXPECT_FALSE(fs::exists(m_cFolder / "run.json"));
+  EXPECT_EQ(Call("scene " + scene(1, "") + " --contacts 5 --out " + m_cFolder.string()).m_nExit, 0);
 }
 
 TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
@@ -232,7 +304,11 @@ TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
   ExpectBadInput("run --folder " + (m_cFolder / "empty").string() + out,
                  "empty: expected a folder of scenes");
   ExpectBadInput("run --contacts 0" + out, "--contacts");
-  ExpectBadInput("jump", "jump");
+  ExpectBadInput("jump", "there is no command 'jump'. Known: run, scene, list");
+  ExpectBadInput("rum" + out, "there is no command 'rum': did you mean 'run'?");
+  ExpectBadInput("run --sede 3" + out, "there is no option '--sede': did you mean '--seed'?");
+  ExpectBadInput("run --ful" + out, "there is no option '--ful': did you mean '--full'?");
+  ExpectBadInput("run --fail_above missed=1" + out, "did you mean '--fail-above'?");
   ExpectBadInput("", "subcommand");
   ExpectBadInput("scene /nowhere/at_all.json" + out, "/nowhere/at_all.json");
   ExpectBadInput("scene " + Write("syntax.json", "{\n  \"name\": \"x\",,\n}") + out, "syntax.json:2:15");
@@ -242,7 +318,7 @@ TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
     "balls": [{"position": [1, 1], "radius": 0.1}]})") +
                      out,
                  "field.json: /shapes/0/radius: expected");
-  ExpectBadInput("run --quick --out " + Write("file", "") + "/below", "file/below");
+  ExpectBadInput("run --out " + Write("file", "") + "/below", "file/below");
   // All of this is known before any work is done.
   EXPECT_FALSE(fs::exists(m_cFolder / "run.json"));
 }
@@ -250,9 +326,36 @@ TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
 TEST_F(CommandTest, HelpAndListSucceed) {
   EXPECT_EQ(Call("--help").m_nExit, 0);
   EXPECT_EQ(Call("run --help").m_nExit, 0);
+  const CResult version = Call("--version");
+  EXPECT_EQ(version.m_nExit, 0);
+  EXPECT_EQ(version.m_sOutput.rfind("shapes-compare 0.", 0), 0u) << version.m_sOutput;
   const CResult list = Call("list");
   EXPECT_EQ(list.m_nExit, 0);
   EXPECT_NE(list.m_sOutput.find("pinball"), std::string::npos);
+}
+
+// compare/run.sh answers these without a compiler; PATH has nothing to build with.
+TEST_F(CommandTest, TheScriptKnowsTheOptionsWithoutABuild) {
+  fs::create_directories(m_cFolder / "bin");
+  for (const char* pTool : {"bash", "cat", "dirname", "grep", "sort", "xargs", "echo"})
+    fs::create_symlink(fs::exists(std::string("/usr/bin/") + pTool) ? std::string("/usr/bin/") + pTool
+                                                                    : std::string("/bin/") + pTool,
+                       m_cFolder / "bin" / pTool);
+  const auto script = [&](const std::string& arguments) {
+    return Call("", "env PATH='" + (m_cFolder / "bin").string() +
+                        "' bash " SHAPES_SOURCE_DIR "/compare/run.sh " + arguments);
+  };
+  const CResult help = script("--help");
+  EXPECT_EQ(help.m_nExit, 0);
+  EXPECT_EQ(help.m_sOutput, Call("run --help").m_sOutput)
+      << "compare/run_help.txt is what the program prints";
+  const CResult wrong = script("--scenes bowl --ful");
+  EXPECT_EQ(wrong.m_nExit, 2);
+  EXPECT_NE(wrong.m_sOutput.find("there is no option '--ful'. Known: --contacts"), std::string::npos)
+      << wrong.m_sOutput;
+  const CResult right = script("--full --scenes=bowl"); // the control: goes on to the build
+  EXPECT_NE(right.m_nExit, 0);
+  EXPECT_EQ(right.m_sOutput.find("there is no option"), std::string::npos) << right.m_sOutput;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 // Shots at each kind of shape on the native engine with Continuous, held against the exact reference. ctest
 // shoots a part of what docs/effects.md reports; SHAPES_SHOTS=1000000 shoots all of it, and prints the
 // figures.
+#include "../Numbers.h"
 #include "Random.h"
 #include "compare/ReferenceTesting.h"
 #include "reference/Distance.h"
@@ -18,10 +19,7 @@
 namespace Shapes::Compare {
 namespace {
 
-using Tests::CRandom;
-using Vector2d = Eigen::Vector2d;
-
-constexpr float g_fDt = 1.0f / 60.0f;
+using Shapes::Tests::CRandom;
 
 /// How often each kind is shot at.
 int GetShots() {

@@ -16,12 +16,12 @@ using Tests::AddShape;
 using Tests::LoadBundled;
 using Tests::MakeScene;
 
-constexpr std::size_t g_nContacts = 60;
+constexpr std::size_t g_nEffectsContacts = 60;
 
 CEffectOptions MakeOptions() {
   CEffectOptions options;
-  options.m_nContacts = g_nContacts;
-  options.m_nMostTrials = 20 * g_nContacts;
+  options.m_nContacts = g_nEffectsContacts;
+  options.m_nMostTrials = 20 * g_nEffectsContacts;
   options.m_nRepeats = 5;
   options.m_nBallSteps = 300;
   options.m_stdProgress = [](double) {};
@@ -53,7 +53,7 @@ TEST(EffectsTest, NativeAndBox2DAsItShipsAreMeasuredWithEachEffect) {
   };
   const CEffectCosts costs = MeasureEffects(LoadBundled("bowl"), GetEngines(), options);
   ASSERT_EQ(costs.m_stdCosts.size(), 12u);
-  EXPECT_GT(calls, g_nContacts / 2);
+  EXPECT_GT(calls, g_nEffectsContacts / 2);
   EXPECT_GT(last, 0.5);
   for (std::size_t i = 0; i < 12; ++i) {
     const CEffectCost& cost = costs.m_stdCosts[i];
@@ -64,7 +64,7 @@ TEST(EffectsTest, NativeAndBox2DAsItShipsAreMeasuredWithEachEffect) {
     EXPECT_GT(cost.m_cWithout.m_cCost.m_cNsPerBallStep.m_fMedian, 0.0);
     EXPECT_FALSE(cost.m_cWith.m_fInstructions.has_value());
   }
-  EXPECT_EQ(costs.m_sNotCounted, "a quick run does not");
+  EXPECT_EQ(costs.m_sNotCounted, "only a full run does");
   EXPECT_TRUE(Measure(LoadBundled("bowl"), "box2d-tuned").m_stdCosts.empty());
 }
 
@@ -94,7 +94,7 @@ TEST(EffectsTest, WhatIsNotCalledForChangesNothingAndWhatIsDoes) {
   EXPECT_EQ(gravity.m_cWith.m_cTotals.m_cDirectionError.m_fMax,
             gravity.m_cWithout.m_cTotals.m_cDirectionError.m_fMax);
   const CEffectCost& kinematics = Get(spinner, eEffect::Kinematics);
-  EXPECT_EQ(kinematics.m_cWith.m_cTotals.m_nContacts, g_nContacts);
+  EXPECT_EQ(kinematics.m_cWith.m_cTotals.m_nContacts, g_nEffectsContacts);
   EXPECT_GT(kinematics.m_cWithout.m_cTotals.m_cDirectionError.m_fP95,
             1.5 * kinematics.m_cWith.m_cTotals.m_cDirectionError.m_fP95);
   // The bar stands still without it, so nothing is done for it.
@@ -103,8 +103,8 @@ TEST(EffectsTest, WhatIsNotCalledForChangesNothingAndWhatIsDoes) {
 
 TEST(EffectsTest, WithoutBallPairsEveryBallIsLost) {
   const CEffectCosts costs = Measure(LoadBundled("ball_on_ball"));
-  EXPECT_EQ(Lost(Get(costs, eEffect::BallPairs).m_cWithout), g_nContacts);
-  EXPECT_LT(Lost(Get(costs, eEffect::BallPairs).m_cWith), g_nContacts / 10);
+  EXPECT_EQ(Lost(Get(costs, eEffect::BallPairs).m_cWithout), g_nEffectsContacts);
+  EXPECT_LT(Lost(Get(costs, eEffect::BallPairs).m_cWith), g_nEffectsContacts / 10);
 }
 
 // A ball that drops for t seconds is off by g t^2 / 2 without gravity, by g dt t / 2 with that of the engine.
@@ -128,7 +128,7 @@ TEST(EffectsTest, WithoutSensorsNoTouchIsToldOfAndWithThemEach) {
   AddShape(scene, gate);
   AddBall(scene, {{-1, 0}, 0.1f, {5, 0}});
   const CEffectCosts costs = Measure(scene);
-  EXPECT_GE(costs.m_nTouches, g_nContacts);
+  EXPECT_GE(costs.m_nTouches, g_nEffectsContacts);
   EXPECT_EQ(Get(costs, eEffect::Sensors).m_cWith.m_nTouchesMissed, 0u);
   EXPECT_EQ(Get(costs, eEffect::Sensors).m_cWithout.m_nTouchesMissed, costs.m_nTouches);
   EXPECT_EQ(Get(costs, eEffect::Gravity).m_cWith.m_nTouchesMissed, 0u);
@@ -137,7 +137,7 @@ TEST(EffectsTest, WithoutSensorsNoTouchIsToldOfAndWithThemEach) {
 TEST(EffectsTest, WithoutEventsThereIsNothingToJudge) {
   const CEffectCosts costs = Measure(LoadBundled("corner"));
   const CEffectCost& events = Get(costs, eEffect::Events);
-  EXPECT_EQ(events.m_cWith.m_cTotals.m_nContacts, g_nContacts);
+  EXPECT_EQ(events.m_cWith.m_cTotals.m_nContacts, g_nEffectsContacts);
   EXPECT_EQ(events.m_cWithout.m_cTotals.m_nContacts, 0u);
   EXPECT_GT(events.m_cWithout.m_cFlightError.m_nCount, 0u); // its balls can be looked at
 }

@@ -10,14 +10,14 @@ namespace Shapes::Compare::Tests {
 namespace {
 
 constexpr float g_fRadius = 0.05f;
-constexpr std::size_t g_nContacts = 2000;
+constexpr std::size_t g_nJudgeContacts = 2000;
 
 // The ball flies to the right by this many radii per step.
 CDynamicCircleDesc Flying(const Vector2& p, float radii) {
   return {p, g_fRadius, {radii * g_fRadius * 60, 0}};
 }
 
-CRestartResult Judge(const CScene& scene, std::size_t contacts = g_nContacts) {
+CRestartResult Judge(const CScene& scene, std::size_t contacts = g_nJudgeContacts) {
   CRestartOptions options;
   options.m_nSeed = 11;
   options.m_nContacts = contacts;
@@ -36,11 +36,11 @@ TEST(JudgeTest, ARollingBallHasNotAnsweredTheWallThatItMissed) {
   AddShape(scene, CLineSegDesc({0, -0.01f}, {0, 1}));
   AddBall(scene, Flying({-1, g_fRadius}, 6));
   const CRestartResult result = Judge(scene);
-  ASSERT_EQ(result.m_stdContacts.size(), g_nContacts);
+  ASSERT_EQ(result.m_stdContacts.size(), g_nJudgeContacts);
   const CTotals native = MakeTotals(result.m_stdContacts, g_nNative);
-  EXPECT_TRUE(Holds(native.GetTunneled(), g_nContacts, 5.0 / 6)) << native.GetTunneled();
-  EXPECT_TRUE(Holds(native.m_nMissed, g_nContacts, 4.0 / 6)) << native.m_nMissed;
-  EXPECT_FALSE(Holds(native.m_nMissed, g_nContacts, 0)); // as if the floor had answered
+  EXPECT_TRUE(Holds(native.GetTunneled(), g_nJudgeContacts, 5.0 / 6)) << native.GetTunneled();
+  EXPECT_TRUE(Holds(native.m_nMissed, g_nJudgeContacts, 4.0 / 6)) << native.m_nMissed;
+  EXPECT_FALSE(Holds(native.m_nMissed, g_nJudgeContacts, 0)); // as if the floor had answered
 }
 
 // A ball that got into a ring unseen is turned back by its far side a step later, with the right normal.
@@ -49,9 +49,9 @@ TEST(JudgeTest, ABallThatIsInARingHasTunneled) {
   AddShape(scene, CCircleDesc({0, 0}, 0.35f));
   AddBall(scene, Flying({-1.2f, 0}, 6));
   const CRestartResult result = Judge(scene);
-  ASSERT_EQ(result.m_stdContacts.size(), g_nContacts);
+  ASSERT_EQ(result.m_stdContacts.size(), g_nJudgeContacts);
   const CTotals native = MakeTotals(result.m_stdContacts, g_nNative);
-  EXPECT_TRUE(Holds(native.GetTunneled(), g_nContacts, 5.0 / 6)) << native.GetTunneled();
+  EXPECT_TRUE(Holds(native.GetTunneled(), g_nJudgeContacts, 5.0 / 6)) << native.GetTunneled();
 }
 
 // Of two sides that are met at once, the first that is answered decides where the ball goes: nobody can be

@@ -12,10 +12,10 @@
 namespace Shapes::Compare::Tests {
 namespace {
 
-const Vector2 g_vDown(0, -9.81f);
+const Vector2 g_vGravity(0, -9.81f);
 const double g_fG = static_cast<double>(9.81f);
 
-CExact MakeHeavy(const CShapes& shapes, const CBalls& balls) { return Make(shapes, balls, g_vDown); }
+CExact MakeHeavy(const CShapes& shapes, const CBalls& balls) { return Make(shapes, balls, g_vGravity); }
 
 // Two balls above a table with a piece of every kind.
 const CBalls g_stdTwo = {CDynamicCircleDesc({-1, 1.5f}, .125f, {1, 0}),
@@ -311,7 +311,7 @@ TEST(ReferenceGravity, SimultaneousEventsAreTold) {
 // A table of everything in 50 digits and in double: the same events until chaos has eaten the digits.
 TEST(ReferenceGravity, DoubleAgainst50Digits) {
   CExact rough = MakeHeavy(g_stdTable, g_stdTwo);
-  CReference<CFifty> fine(g_stdTable, g_stdTwo, g_vDown);
+  CReference<CFifty> fine(g_stdTable, g_stdTwo, g_vGravity);
   const CEvents events = Carry(rough, 1.5);
   const CEventsOf<CFifty> exact = Carry(fine, 1.5);
   ASSERT_EQ(events.size(), exact.size());

@@ -310,8 +310,8 @@ TEST_F(ReportPageTest, NoSceneAtAll) {
 }
 
 TEST_F(ReportPageTest, WhatTheProgramWrites) {
-  RunCommand("'" SHAPES_COMPARE "' run --quick --contacts 50 --scenes bowl,pinball --out '" +
-             m_cFolder.string() + "' 2>&1");
+  RunCommand("'" SHAPES_COMPARE "' run --contacts 50 --scenes bowl,pinball --out '" + m_cFolder.string() +
+             "' 2>&1");
   const json result = Exercise(ReadFile(m_cFolder / "report.html"));
   ExpectSound(result);
   ASSERT_EQ(result.at("scenes").size(), 2u);

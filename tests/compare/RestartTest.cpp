@@ -12,7 +12,7 @@ namespace Shapes::Compare::Tests {
 namespace {
 
 constexpr double g_fRadius = 0.1, g_fStep = 1.0 / 60.0;
-constexpr std::size_t g_nContacts = 400;
+constexpr std::size_t g_nRestartContacts = 400;
 
 // Positions of size 1 in float, in radii, and some of them added up.
 constexpr double g_fRounding = 8 * 1.2e-7 / g_fRadius;
@@ -30,7 +30,7 @@ CScene AtWall(double normal, double along, float e = 1.0f) {
   return scene;
 }
 
-CRestartResult JudgeTrials(const CScene& scene, std::size_t contacts = g_nContacts) {
+CRestartResult JudgeTrials(const CScene& scene, std::size_t contacts = g_nRestartContacts) {
   CRestartOptions options;
   options.m_nContacts = contacts;
   options.m_nMostTrials = 2 * contacts;
@@ -51,7 +51,7 @@ TEST(RestartTest, HeadOnOutcomesOfNativeFollowFromThePhase) {
     SCOPED_TRACE(length);
     std::set<eOutcome> seen;
     const CRestartResult result = JudgeTrials(AtWall(length, 0));
-    ASSERT_EQ(result.m_stdContacts.size(), g_nContacts);
+    ASSERT_EQ(result.m_stdContacts.size(), g_nRestartContacts);
     for (const CContact& contact : result.m_stdContacts) {
       // Where the centre ends, in radii behind the wall: native sees it between -1 and 1, and takes the side.
       const double end = Rest(contact) * length - 1;
@@ -108,7 +108,7 @@ TEST(RestartTest, PositionErrorOfNativeHeadOnIsTheTravelThatIsLost) {
       EXPECT_EQ(c.m_fNormalError, 0.0f);
       EXPECT_NEAR(c.m_fPenetration, 0.0, g_fRounding);
     }
-    EXPECT_GT(compared, g_nContacts / 2);
+    EXPECT_GT(compared, g_nRestartContacts / 2);
   }
 }
 
@@ -137,7 +137,7 @@ TEST(RestartTest, SetbackErrorOfNativeAtASlantIsAlongTheWall) {
     EXPECT_LE(b.m_fSetbackError, 0.101f * 1.5f / 0.9f);
     EXPECT_NEAR(contact.m_fDifference, AsDouble(c.m_fSetbackError), 0.17);
   }
-  EXPECT_EQ(detected, g_nContacts);
+  EXPECT_EQ(detected, g_nRestartContacts);
 }
 
 // A ball that is pushed through is claimed to have been on the far side: two radii too far, and too late by
@@ -154,7 +154,7 @@ TEST(RestartTest, WrongSidesAreTwoRadiiOff) {
     EXPECT_FALSE(c.m_bCompared);
     EXPECT_NEAR(c.m_fPenetration, 0.0, g_fRounding); // on the far side it is free
   }
-  EXPECT_GT(wrong, g_nContacts / 4);
+  EXPECT_GT(wrong, g_nRestartContacts / 4);
 }
 
 // Box2D sweeps no two balls: those that meet within a step are seen at the beginning of the next one. Until
@@ -165,7 +165,7 @@ TEST(RestartTest, Box2DAnswersTwoBallsAStepLate) {
   AddBall(scene, {{-0.5f, 0}, r, {v, 0}, 2.0f});
   AddBall(scene, {{0.5f, 0}, r, {-v, 0}, 1.0f});
   const CRestartResult result = JudgeTrials(scene);
-  ASSERT_EQ(result.m_stdContacts.size(), g_nContacts);
+  ASSERT_EQ(result.m_stdContacts.size(), g_nRestartContacts);
   for (const CContact& contact : result.m_stdContacts) {
     EXPECT_EQ(contact.m_ePair, ePair::Ball);
     EXPECT_NEAR(contact.m_fApproach, 2 * AsDouble(v), 1e-5);

@@ -11,11 +11,11 @@
 namespace Shapes::Compare {
 namespace {
 
-constexpr std::size_t g_nContacts = 20;
+constexpr std::size_t g_nRunContacts = 20;
 
 CRunReport RunSome(const std::vector<CScene>& scenes, const std::function<void()>& check) {
   CProgress progress(scenes.size(), false);
-  return RunScenes(scenes, GetEngines(), g_cQuickSizes.ForContacts(g_nContacts), 1, progress, check);
+  return RunScenes(scenes, GetEngines(), g_cQuickSizes.ForContacts(g_nRunContacts), 1, progress, check);
 }
 
 TEST(RunTest, SizesShrinkWithTheContactsAndDoNotGrow) {
@@ -40,7 +40,7 @@ TEST(RunTest, EverythingIsMeasuredOnEachScene) {
   ASSERT_EQ(report.m_stdScenes.size(), 2u);
   for (const CSceneReport& scene : report.m_stdScenes) {
     SCOPED_TRACE(scene.m_cScene.m_sName);
-    EXPECT_EQ(scene.m_cRestart.m_stdContacts.size(), g_nContacts);
+    EXPECT_EQ(scene.m_cRestart.m_stdContacts.size(), g_nRunContacts);
     EXPECT_GT(scene.m_cDifference.m_nCount, 0u);
     EXPECT_EQ(scene.m_cWork.m_stdRungs.size(), GetLadder().size() + 1);
     EXPECT_FALSE(scene.m_cWork.m_stdAnswers.empty());
@@ -48,7 +48,7 @@ TEST(RunTest, EverythingIsMeasuredOnEachScene) {
     EXPECT_EQ(scene.m_stdClips.size(), 5u);
     ASSERT_EQ(scene.m_stdEngines.size(), 4u);
     for (const CEngineReport& engine : scene.m_stdEngines) {
-      EXPECT_EQ(engine.m_cTotals.m_nContacts, g_nContacts);
+      EXPECT_EQ(engine.m_cTotals.m_nContacts, g_nRunContacts);
       EXPECT_FALSE(engine.m_stdBins.empty());
       EXPECT_EQ(engine.m_cHistogram.m_stdSetbackError.size(), g_nHistogramBins);
       EXPECT_GT(engine.m_cCost.m_cNsPerBallStep.m_fMedian, 0.0);
@@ -60,7 +60,7 @@ TEST(RunTest, EverythingIsMeasuredOnEachScene) {
 TEST(RunTest, OneEngineHasNoOtherToBeApartFrom) {
   CProgress progress(1, false);
   const CRunReport report = RunScenes({LoadBundled("bowl")}, {GetEngines()[Tests::g_nBox2D]},
-                                      g_cQuickSizes.ForContacts(g_nContacts), 1, progress, [] {});
+                                      g_cQuickSizes.ForContacts(g_nRunContacts), 1, progress, [] {});
   ASSERT_EQ(report.m_stdScenes.at(0).m_stdEngines.size(), 1u);
   EXPECT_EQ(report.m_stdScenes[0].m_cDifference.m_nCount, 0u);
   for (const CRung& rung : report.m_stdScenes[0].m_cWork.m_stdRungs)

@@ -119,7 +119,7 @@ TEST_F(SceneDescTest, TheToolRunsIt) {
   WriteAndLoad(OneOfEach());
   const std::filesystem::path out = m_cFile.string() + "-out";
   const std::string command = std::string(SHAPES_COMPARE) + " scene " + m_cFile.string() +
-                              " --quick --contacts 20 --out " + out.string() + " > /dev/null 2>&1";
+                              " --contacts 20 --out " + out.string() + " > /dev/null 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0);
   EXPECT_TRUE(std::filesystem::exists(out / "report.html"));
   std::filesystem::remove_all(out);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sweep on cases with known answers: the hard ones that concern the time of impact on a straight way,
 // what overlaps at the start, open sides, and turning shapes.
+#include "../Numbers.h"
 #include "Random.h"
 #include "ReferenceTesting.h"
 #include "reference/Sweep.h"
@@ -18,7 +19,6 @@ namespace {
 
 using CBalld = CSweptBall<double>;
 
-constexpr double g_fPi2 = 2.0 * std::numbers::pi;
 constexpr float g_fDegree = g_fPi / 180.0f;
 
 double Tolerance8Ulp(double t) { return 8.0 * g_fEps * t; }

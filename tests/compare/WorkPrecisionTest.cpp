@@ -107,7 +107,7 @@ TEST(WorkPrecision, SmallErrorsAloneDoNotMakeASettingGood) { // it loses every s
 
 // On a small ladder: substeps make native exact where it lost half of the balls, and cost more.
 TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
-  const CScene scene = LoadScene(std::string(SHAPES_SCENES_DIR) + "/head_on_wall.json");
+  const CScene scene = LoadScene(SHAPES_SCENES_DIR "/head_on_wall.json");
   std::vector<CEngine> ladder = GetEngines();
   ladder.push_back(ladder[0]);
   ladder.back().m_nSubsteps = 8;

@@ -40,8 +40,10 @@ set(configure ${CMAKE_COMMAND} -S ${SOURCE_DIR}/tests/consumer -B ${WORK_DIR}/bu
               -DCMAKE_BUILD_TYPE=${CONFIG} ${CXX_ARGS})
 
 if(MODE STREQUAL "add_subdirectory")
-  # All flags are those of this build, so that a compiler cache has the objects already.
-  build_and_run(-DSHAPES_SOURCE_DIR=${SOURCE_DIR} -DSHAPES_BACKEND=${BACKEND} -DSHAPES_WITH_BOX2D=${WITH_BOX2D}
+  # The whole library is compiled once more: as one file, and not optimised.
+  string(TOUPPER ${CONFIG} config)
+  build_and_run(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 -DCMAKE_CXX_FLAGS_${config}=-O0
+                -DSHAPES_SOURCE_DIR=${SOURCE_DIR} -DSHAPES_BACKEND=${BACKEND} -DSHAPES_WITH_BOX2D=${WITH_BOX2D}
                 -DBUILD_SHARED_LIBS=${SHARED})
   return()
 endif()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What no shape can have is refused before anything is added, with the field and the value in the message.
+#include "../Numbers.h"
 #include "Backends.h"
 
 #include <cmath>
@@ -11,7 +12,6 @@ namespace Shapes {
 namespace {
 
 constexpr float g_fNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float g_fInf = std::numeric_limits<float>::infinity();
 
 class CBadInputContract : public CEveryBackend {
 protected:

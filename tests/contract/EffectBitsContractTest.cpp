@@ -7,7 +7,7 @@
 namespace Shapes {
 namespace {
 
-constexpr std::uint64_t g_nSeed = 505;
+constexpr std::uint64_t g_nEffectBitsContractSeed = 505;
 
 // What a scene has.
 struct CScene {
@@ -37,7 +37,7 @@ std::unique_ptr<CWorld> Make(const CBackend& backend, const CScene& scene, const
   CCircleDesc zone({0, 0}, 0.5f);
   zone.m_bIsSensor = true;
   if (scene.m_bSensor) pWorld->Add(zone);
-  Tests::CRandom random(g_nSeed);
+  Tests::CRandom random(g_nEffectBitsContractSeed);
   for (int i = 0; i < (scene.m_bPairs ? 12 : 1); ++i) {
     const float x = -1.3f + 0.6f * static_cast<float>(i % 4), y = -0.6f + 0.6f * static_cast<float>(i / 4);
     const float speed = scene.m_bFast && i % 4 == 0 ? 12.0f : 1.0f;
@@ -111,7 +111,7 @@ TEST_P(CEffectBits, WhoBeginsToWatchChangesNothing) {
     scene.m_bSensor = scene.m_bTurns = false;
     scene.m_fElasticity = 1;
     auto pWorld = Make(Backend(), scene, watched ? g_cAutomatic : CEffectChoice{{}, {eEffect::Events}});
-    Tests::CRandom random(g_nSeed);
+    Tests::CRandom random(g_nEffectBitsContractSeed);
     const float elasticities[] = {0.0f, 0.5f, 1.0f};
     for (int k = 0; k < 60; ++k) {
       const float e = elasticities[random.Below(3)];

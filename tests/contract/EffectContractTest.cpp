@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Effects: what calls for them, what the description says of them, and what the world does then, the same on
 // every engine.
+#include "../Numbers.h"
 #include "Backends.h"
 
 #include <functional>
@@ -8,8 +9,6 @@
 
 namespace Shapes {
 namespace {
-
-constexpr float g_fDt = 1.0f / 60.0f;
 
 std::vector<eEffect> AllEffects() {
   std::vector<eEffect> all;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // CollisionDetected and CollisionResponse, the same on every engine.
+#include "../Numbers.h"
 #include "Backends.h"
 
 #include <memory>
@@ -7,8 +8,6 @@
 
 namespace Shapes {
 namespace {
-
-constexpr float g_fDt = 1.0f / 60.0f;
 
 class CPairContract : public CEveryBackend {
 protected:

@@ -8,13 +8,13 @@
 namespace Shapes {
 namespace {
 
-constexpr float g_fDt = 1.0f / 64.0f; // v dt is exact
+constexpr float g_fExactDt = 1.0f / 64.0f; // v dt is exact
 
 class CSensorContract : public CEveryBackend {
 protected:
   std::unique_ptr<CWorld> Make(unsigned substeps = 1) const {
     CWorldDesc desc;
-    desc.m_fTimeStep = g_fDt;
+    desc.m_fTimeStep = g_fExactDt;
     desc.m_nSubsteps = substeps;
     return Backend().MakeWorld(desc);
   }
@@ -37,7 +37,7 @@ TDesc Turning(TDesc desc, float revsPerSecond, const Vector2& center = Vector2::
 
 TEST_P(CSensorContract, ABallIsSeenAtTenDiametersAStep) {
   // Everything is about .05 large and at the origin, the ball goes 1 unit a step, from each of 1000 phases.
-  constexpr float r = 0.05f, v = 20 * r / g_fDt;
+  constexpr float r = 0.05f, v = 20 * r / g_fExactDt;
   constexpr int phases = 1000, steps = 6;
   const std::vector<CAnyShapeDesc> sensors{
       Sensor(CPointDesc(Vector2(0, 0.02f))),
@@ -92,7 +92,8 @@ TEST_P(CSensorContract, ABallAtRestIsSeenByASensorThatTurnsOverIt) {
   int atTheEnd = 0;
   for (int k = 0; k < phases; ++k) {
     auto pWorld = Make();
-    const CShapeId bar = pWorld->Add(Sensor(Turning(CLineSegDesc({0, 0}, {1, 0}), 1.4f / g_fTwoPi / g_fDt)));
+    const CShapeId bar =
+        pWorld->Add(Sensor(Turning(CLineSegDesc({0, 0}, {1, 0}), 1.4f / g_fTwoPi / g_fExactDt)));
     const float angle = 1.0f + 2.0f * static_cast<float>(k) / phases;
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc(0.9f * AngleToVector(angle), 0.05f));
     std::vector<CSensorEvent> events;
@@ -105,7 +106,7 @@ TEST_P(CSensorContract, ABallAtRestIsSeenByASensorThatTurnsOverIt) {
         if (pWorld->GetSensorEvents().size() != 2) continue; // it is over it at the end, or was at first
         EXPECT_NEAR((contact.m_vPOI - pWorld->GetPos(ball)).norm(), 0, 0.05f * g_fTurnedWayError * 1.1f);
         EXPECT_NEAR(contact.m_vNorm.dot(perp(AngleToVector(angle))), 1, 1e-2f); // from where it came
-        EXPECT_NEAR(contact.m_fSpeed, 1.4f / g_fDt * 0.9f, 0.5f);
+        EXPECT_NEAR(contact.m_fSpeed, 1.4f / g_fExactDt * 0.9f, 0.5f);
       }
     }
     ASSERT_EQ(events, (std::vector<CSensorEvent>{{bar, ball, true}, {bar, ball, false}})) << k;
@@ -173,7 +174,7 @@ TEST_P(CSensorContract, EndsBelongToASensorAndSidesDoNotMatter) {
   const auto touches = [&](const CAnyShapeDesc& sensor, const Vector2& from, const Vector2& way) {
     auto pWorld = Make();
     pWorld->Add(sensor);
-    pWorld->Add(CDynamicCircleDesc(from, 0.1f, way / g_fDt));
+    pWorld->Add(CDynamicCircleDesc(from, 0.1f, way / g_fExactDt));
     pWorld->Step();
     EXPECT_EQ(pWorld->GetSensorEvents().size() % 2, 0u);
     return !pWorld->GetSensorEvents().empty();

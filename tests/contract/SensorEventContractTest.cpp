@@ -35,7 +35,7 @@ protected:
 };
 SHAPES_ON_EVERY_BACKEND(CSensorEventContract);
 
-CCircleDesc Zone(const Vector2& p = Vector2::Zero(), float r = 1) {
+CCircleDesc MakeZone(const Vector2& p = Vector2::Zero(), float r = 1) {
   CCircleDesc desc(p, r);
   desc.m_bIsSensor = true;
   return desc;
@@ -57,7 +57,7 @@ TEST_P(CSensorEventContract, WhoeverIsRemovedOrTurnedOffCeasesToTouch) {
   for (const F off : offs) {
     SCOPED_TRACE(&off - offs);
     SetUp();
-    const CShapeId zone = m_pWorld->Add(Zone()), ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f));
+    const CShapeId zone = m_pWorld->Add(MakeZone()), ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f));
     EXPECT_EQ(Step(), "+");
     EXPECT_EQ(Step(), "");
     off(*m_pWorld, zone, ball);
@@ -69,7 +69,7 @@ TEST_P(CSensorEventContract, WhoeverIsRemovedOrTurnedOffCeasesToTouch) {
 }
 
 TEST_P(CSensorEventContract, WhatIsOffAndOnAgainBetweenStepsTouchesOn) {
-  const CShapeId zone = m_pWorld->Add(Zone()), ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f));
+  const CShapeId zone = m_pWorld->Add(MakeZone()), ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f));
   EXPECT_EQ(Step(), "+");
   m_pWorld->SetSensor(zone, false);
   m_pWorld->SetSensor(zone, true);
@@ -83,7 +83,7 @@ TEST_P(CSensorEventContract, WhatIsOffAndOnAgainBetweenStepsTouchesOn) {
 }
 
 TEST_P(CSensorEventContract, TheEndOfWhatIsGoneComesBeforeWhatTheStepBrings) {
-  const CShapeId a = m_pWorld->Add(Zone()), b = m_pWorld->Add(Zone({5, 0}));
+  const CShapeId a = m_pWorld->Add(MakeZone()), b = m_pWorld->Add(MakeZone({5, 0}));
   const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f));
   const CShapeId other = m_pWorld->Add(CDynamicCircleDesc({0, 0.5f}, 0.1f));
   EXPECT_EQ(Step(), "++");
@@ -97,7 +97,7 @@ TEST_P(CSensorEventContract, TheEndOfWhatIsGoneComesBeforeWhatTheStepBrings) {
 }
 
 TEST_P(CSensorEventContract, ASavedStateKnowsWhatTouches) {
-  m_pWorld->Add(Zone());
+  m_pWorld->Add(MakeZone());
   const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f));
   const CSavedState outside = m_pWorld->SaveState(); // nothing was told yet
   EXPECT_EQ(Step(), "+");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../Numbers.h"
 #include "Bytes.h"
 #include "Fuzz.h"
 #include "Sound.h"
@@ -28,8 +29,6 @@ struct CGameClock : CShapeCommon {
   }
 };
 
-Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
-double Wide(float f) { return static_cast<double>(f); }
 double Largest(const Vector2d& v) { return v.cwiseAbs().maxCoeff(); }
 
 // ---- The pair --------------------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ namespace {
 using namespace Compare;
 
 // Thousands of chords that all touch one ball take Box2D seconds a step.
-constexpr std::uint64_t g_nMostPieces = 64;
+constexpr std::uint64_t g_nMostScenePieces = 64;
 
 // A scene of everything, for numbers to be put into.
 constexpr std::string_view g_sScene = R"({"name": "n", "length_unit": 2, "gravity": [1, -9.5],
@@ -90,7 +90,7 @@ void Play(const CScene& scene, const CEngine& engine) {
   } catch (const std::invalid_argument&) { // beyond what the engine can hold, after a part of a step
     return;
   }
-  if (game->GetWorld().GetStats().m_nArcPieces > g_nMostPieces) return;
+  if (game->GetWorld().GetStats().m_nArcPieces > g_nMostScenePieces) return;
   for (int i = 0; i < 4; ++i) {
     game->Step();
     Require(game->GetNotFinite() == 0, "balls keep their numbers", engine.m_sName);

@@ -8,7 +8,7 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-source "$root/scripts/debian_packages.sh"
+source "$root/scripts/build.sh"
 install_missing_packages "${build_packages[@]}" clang libclang-rt-14-dev
 
 control=
@@ -20,8 +20,6 @@ if [[ ! "$seconds" =~ ^[1-9][0-9]*$ ]]; then
 fi
 targets=${SHAPES_FUZZ_TARGETS:-scene pairs world}
 
-launcher=()
-if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
 cd "$root"
 # shellcheck disable=SC2086 # several arguments in one variable
 cmake --fresh --preset fuzz "${launcher[@]}" ${SHAPES_CMAKE_ARGS:-} >/dev/null

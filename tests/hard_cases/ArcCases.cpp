@@ -12,7 +12,7 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const std::string g_sGroup = "Arcs";
+const std::string g_sArcGroup = "Arcs";
 constexpr double g_fDegree = std::numbers::pi / 180.0;
 
 float Degrees(double degrees) { return static_cast<float>(degrees * g_fDegree); }
@@ -28,7 +28,7 @@ CShot FromTheRight(float a0, float a1, const Vector2& direction = {1.0f, 0.0f}) 
 
 CHardCase ArcCase(const CShot& shot) {
   CHardCase c = ShotCase(shot, MeetDisc(shot.m_stdBalls[0], 1.0f));
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sArcGroup;
   c.m_sRight = "t = .9, n = (1, 0)";
   Of(c, eColumn::Native) = Off(0.0125, "as if t = .9125: the way after the impact is lost");
   return c;
@@ -94,7 +94,7 @@ double ErrorOfTinyAngle(eColumn column) {
 
 CHardCase TinyNegativeAngle() {
   CHardCase c;
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sArcGroup;
   c.m_sName = "TinyNegativeAngleStaysBelowAFullTurn";
   c.m_sInput = "angle -1e-9 in float (reference: -1e-17), of an arc and of an orientation";
   c.m_sRight = "in [0, 2 pi): 0";
@@ -140,7 +140,7 @@ CHardCase Slit() {
   const CShot shot = FromTheRight(a0, a1);
   // The rounded angles are not alike: end 1 is met first.
   CHardCase c = ShotCase(shot, MeetEnd(shot.m_stdBalls[0], a1));
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sArcGroup;
   c.m_sName = "ArcWithASlitThatIsTooNarrow";
   Of(c, eColumn::Native) = Missed("flies through the slit: ends are open where no point guards them");
   Of(c, eColumn::Box2D) = Off(3.6e-5, "v' off by .00004 radians: its skin");
@@ -162,7 +162,7 @@ CHardCase ThroughTheOpening() {
   shot.m_fSeconds = 3.925f;
   shot.m_nBox2DSteps = 2;
   CHardCase c = ShotCase(shot, MeetRing(shot.m_stdBalls[0], 1.0f));
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sArcGroup;
   c.m_sName = "BallThroughTheOpeningOfAnArc";
   Of(c, eColumn::Native) = Off(0.0125, "as if t = 3.9125: the way after the impact is lost");
   Of(c, eColumn::Box2D) = Off(0.146, "v' off by .15 radians: it bounces off a chord");
@@ -176,7 +176,7 @@ CHardCase ThroughTheOpening() {
 
 CHardCase TooLargeInside() {
   CHardCase c;
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sArcGroup;
   c.m_sName = "BallTooLargeInsideAFullArc";
   c.m_sInput =
       "full arc R = 1, ball r = 1.5 inside at (.25, 0), v = (.5, 0), (-.5, 0) and 0; one step of .25";
@@ -208,7 +208,7 @@ CHardCase TooLargeInside() {
 
 CHardCase BoxOfAShortArc() {
   CHardCase c;
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sArcGroup;
   c.m_sName = "BoxOfAnArcAcrossItsTop";
   c.m_sInput = "arc R = 1 from 80 to 100 degrees: its box";
   c.m_sRight = "up to y = 1";
@@ -231,7 +231,7 @@ CHardCase AtTheTopOfAShortArc() {
   shot.m_stdBalls = {CDynamicCircleDesc({0.0f, 1.5f}, 0.1f, {0.0f, -1.0f})};
   shot.m_fSeconds = 0.41f;
   CHardCase c = ShotCase(shot, MeetDisc(shot.m_stdBalls[0], 1.0f));
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sArcGroup;
   c.m_sName = "BallAtTheTopOfAShortArc";
   Of(c, eColumn::Native) = Off(0.005, "as if t = .405: the way after the impact is lost");
   Of(c, eColumn::Box2D) = Off(2e-5, "as if t = .40002: it meets a corner of its chords");

@@ -11,7 +11,7 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const std::string g_sGroup = "Centres that coincide";
+const std::string g_sCoincidentGroup = "Centres that coincide";
 
 // The ball is put exactly onto the shape, and goes on for a quarter of a second. Native looks at the end of a
 // step, so there it begins one step back and is on the shape when it is looked at.
@@ -43,7 +43,7 @@ double ErrorOnTheSpot(eColumn column, const COnTheSpot& c) {
 
 CHardCase OnTheSpot(const COnTheSpot& onTheSpot) {
   CHardCase c;
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sCoincidentGroup;
   c.m_fBound = 1e-12;
   c.m_fFloatBound = 2.0 * g_fFloatEps;
   c.m_sBound = "1e-12 of n, v' and setback; engines 2 roundings";
@@ -112,7 +112,7 @@ CHardCase InTheMiddle() {
               rest = InFullArc(2.0f, 0.5f, {0.0f, 0.0f}, 1.75f);
   const CAnswer answer = MeetRing(flight.m_stdBalls[0], 2.0f);
   CHardCase c;
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sCoincidentGroup;
   c.m_sName = "CentreInTheMiddleOfAFullArc";
   c.m_sInput =
       "ball r = .5 in the middle of a full arc R = 2: at rest, and with v = (1, 0); one step of 1.75";
@@ -136,7 +136,7 @@ CHardCase InTheMiddle() {
 
 CHardCase InAnArcOfItsSize() {
   CHardCase c;
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sCoincidentGroup;
   c.m_sName = "BallInTheMiddleOfAFullArcOfItsOwnSize";
   c.m_sInput = "ball r = 1 in the middle of a full arc R = 1: at rest, and with v = (1, 0); one step of .25";
   c.m_sRight = "it has no room inside, so it has no inner contact: flies on";
@@ -179,7 +179,7 @@ double ErrorOfParting(eColumn column, float m0, float m1) {
 
 CHardCase TwoBallsOnEachOther() {
   CHardCase c;
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sCoincidentGroup;
   c.m_sName = "TwoBallsAtOnePlace";
   c.m_sInput = "two balls r = .5 of m = 1 and 3, both at rest at (0, 0); one step of 1/60";
   c.m_sRight = "apart by .75 and .25 along one line; the centre of mass stays, v' = 0";

@@ -10,8 +10,8 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const char* const g_sGroup = "Deep and fast";
-const std::uint64_t g_nSeed = 20240611;
+const char* const g_sFastGroup = "Deep and fast";
+const std::uint64_t g_nFastSeed = 20240611;
 
 // ---- A wall, 1.5 radii a step, any phase.
 
@@ -19,7 +19,7 @@ constexpr int g_nShots = 100000;
 constexpr float g_fShotRadius = 0.1f, g_fShotWay = 0.15f, g_fShotDt = 1.0f / 60.0f;
 
 double ShareThatGetsThrough(eColumn column) {
-  Tests::CRandom random(g_nSeed);
+  Tests::CRandom random(g_nFastSeed);
   const int shots = column == eColumn::Box2D || column == eColumn::Tuned ? g_nShots / 10 : g_nShots;
   int through = 0;
   for (int i = 0; i < shots; ++i) {
@@ -37,7 +37,7 @@ double ShareThatGetsThrough(eColumn column) {
 
 // What overlaps at the end of the step is met, on the side on which it is then.
 double ShareThatAnOverlapTestLoses() {
-  Tests::CRandom random(g_nSeed);
+  Tests::CRandom random(g_nFastSeed);
   int through = 0;
   for (int i = 0; i < g_nShots; ++i)
     if (g_fShotRadius + random.Unit() * g_fShotWay - g_fShotWay < 0.0) ++through;
@@ -45,7 +45,7 @@ double ShareThatAnOverlapTestLoses() {
 }
 
 CHardCase FastShotsAtAWall() {
-  return {g_sGroup,
+  return {g_sFastGroup,
           "FastShotsAtAWall",
           "r = .1, head on at a segment at any angle, 1.5 radii a step, any phase: share of 100,000 shots "
           "that get through",
@@ -74,7 +74,7 @@ double DeepBounce(eColumn column) {
 
 CHardCase BounceInTheMiddleOfAStep() {
   return {
-      g_sGroup,
+      g_sFastGroup,
       "BounceInTheMiddleOfAStep",
       "r = .1 at (0, .13), v = (0, -6), 1/60 s, onto a segment on y = 0",
       "at (0, .17), v = (0, 6)",
@@ -143,7 +143,7 @@ COffCentre PassAPointNaively() {
 }
 
 CHardCase PointPassedAtHalfARadius() {
-  return {g_sGroup,
+  return {g_sFastGroup,
           "PointPassedAtHalfARadius",
           "r = .1, passing a point at an offset of .05, a radius a step, 2,000 phases: median error of the "
           "way after it, in radians",
@@ -160,7 +160,7 @@ CHardCase PointPassedAtHalfARadius() {
 }
 
 CHardCase PointPassedWithoutATurn() {
-  return {g_sGroup,
+  return {g_sFastGroup,
           "PointPassedWithoutATurn",
           "The same: the share that is not turned at all",
           "0",
@@ -185,7 +185,7 @@ double MovedInARing(eColumn column, bool arc) {
 }
 
 CHardCase RestingInsideACircle() {
-  return {g_sGroup,
+  return {g_sFastGroup,
           "RestingInsideACircle",
           "r = .1 at rest, 3 from the centre of a circle of radius 5, for 1 s: how far it moves",
           "0: the circle is a ring, and is not touched",
@@ -200,7 +200,7 @@ CHardCase RestingInsideACircle() {
 }
 
 CHardCase RestingInsideABowl() {
-  return {g_sGroup,
+  return {g_sFastGroup,
           "RestingInsideABowl",
           "The same inside of a full-circle arc",
           "0",
@@ -232,7 +232,7 @@ double LeavesAnOverlap(eColumn column) {
 }
 
 CHardCase LeavingAnOverlap() {
-  return {g_sGroup,
+  return {g_sFastGroup,
           "LeavingAnOverlap",
           "r = .1 overlaps a segment by .02, v = (1, .5) off it",
           "v bit for bit; pushed along the normal at most, by .02 at most",
@@ -266,7 +266,7 @@ double Million(eColumn column) {
 }
 
 CHardCase AMillionUnitsASecond() {
-  return {g_sGroup,
+  return {g_sFastGroup,
           "AMillionUnitsASecond",
           "r = .1 at (0, 1), v = (0, -1e6), 1/60 s, onto a segment on y = 0: place and velocity, relative",
           "hits after 9e-7 s, and is at y = 16,666 at the end",

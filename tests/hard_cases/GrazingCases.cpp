@@ -12,7 +12,7 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const std::string g_sGroup = "Grazes and curved ways";
+const std::string g_sGrazingGroup = "Grazes and curved ways";
 
 // A ball r = 1 that flies past the point (0, 0), from 10 units away.
 CShot Past(float y) {
@@ -50,7 +50,7 @@ CHardCase JustTouching() {
   const double y = 1.0 - 1e-12;
   const float yFloat = 1.0f - 0x1p-24f;
   CHardCase c;
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sGrazingGroup;
   c.m_sName = "BallThatJustTouchesAPoint";
   c.m_sInput = "point (0, 0); ball r = 1 at (-10, 1 - 1e-12), in float (-10, 1 - 6e-8), v = (1, 0)";
   c.m_sRight = "t = 9.99999858578644 (float: 9.99965473), turned by 2.8e-6 (6.9e-4) radians";
@@ -82,7 +82,7 @@ CHardCase JustTouching() {
 CHardCase JustMissing() {
   const float yFloat = 1.0f + 0x1p-23f;
   CHardCase c;
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sGrazingGroup;
   c.m_sName = "BallThatJustMissesAPoint";
   c.m_sInput = "the same at (-10, 1 + 1e-12), in float (-10, 1 + 1.2e-7)";
   c.m_sRight = "flies past";
@@ -124,7 +124,7 @@ double ErrorOfSliding(eColumn column) {
 
 CHardCase Sliding() {
   CHardCase c;
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sGrazingGroup;
   c.m_sName = "BallThatSlidesAlongASegment";
   c.m_sInput =
       "segment (-1, 0)-(200, 0); ball r = .1 at (0, .1), v = (1, 0), no gravity; 10,000 steps of 1/60";
@@ -167,7 +167,7 @@ CHardCase OnAParabola() {
   shot.m_fSeconds = 0.3f;
   shot.m_nSteps = 18;
   CHardCase c;
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sGrazingGroup;
   c.m_sName = "BallOnAParabolaMeetsAPoint";
   c.m_sInput = "point (0, 0); ball r = .3 at (-1, .5), v = (3, 0), gravity (0, -9.8); 60 steps a second";
   c.m_sRight = "t = .254193423748269";
@@ -198,7 +198,7 @@ CHardCase TwoThatFall() {
   shot.m_nSteps = 27;
   const CAnswer answer = MeetDisc(shot.m_stdBalls[0], 0.25f);
   CHardCase c = ShotCase(shot, answer);
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sGrazingGroup;
   c.m_sName = "TwoBallsThatFallTogether";
   Of(c, eColumn::Native) = Off(0.70, "v' off by .18 radians: n is that at the end of the step");
   Of(c, eColumn::Box2D) =

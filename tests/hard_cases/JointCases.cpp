@@ -10,13 +10,13 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const char* const g_sGroup = "Joints and ends";
-constexpr std::uint64_t g_nSeed = 20240612;
+const char* const g_sJointGroup = "Joints and ends";
+constexpr std::uint64_t g_nJointSeed = 20240612;
 
 // ---- Two segments that go on straight.
 
 double CollinearJoint(eColumn column) {
-  Tests::CRandom random(g_nSeed);
+  Tests::CRandom random(g_nJointSeed);
   double worst = 0.0;
   for (int i = 0; i < 2000; ++i) {
     const double angle = 2.0 * std::numbers::pi * random.Unit();
@@ -35,7 +35,7 @@ double CollinearJoint(eColumn column) {
 }
 
 CHardCase CollinearJoint() {
-  return {g_sGroup,
+  return {g_sJointGroup,
           "CollinearJoint",
           "Two collinear segments that join, at any angle; r = .1 at 6 units/s comes down near the joint at "
           "3 to 20 "
@@ -73,7 +73,7 @@ double NakedEnd(eColumn column, bool guarded) {
 }
 
 CHardCase NakedEnd() {
-  return {g_sGroup,
+  return {g_sJointGroup,
           "NakedEnd",
           "Segment (0, 0)-(1, 0), r = .5 at (-.3, 2), v = (0, -1), 2 s",
           "hits the end at 1.6 s, n = (-.6, .8), v' = (-.96, .28)",
@@ -89,7 +89,7 @@ CHardCase NakedEnd() {
 }
 
 CHardCase GuardedEnd() {
-  return {g_sGroup,
+  return {g_sJointGroup,
           "GuardedEnd",
           "The same with a guard point on the end",
           "the same",
@@ -130,7 +130,7 @@ double Vertex(eColumn column) {
 
 CHardCase VertexAndGuard() {
   return {
-      g_sGroup,
+      g_sJointGroup,
       "VertexAndGuard",
       "A guard point on the end of a segment; r = .1 straight onto it, from 33 directions of the half circle "
       "away from the segment: contacts more than one",
@@ -169,7 +169,7 @@ double IntoTheSector(eColumn column, bool guarded) {
 }
 
 CHardCase IntoTheSectorOfAnArc(bool guarded) {
-  return {g_sGroup,
+  return {g_sJointGroup,
           guarded ? "PastAGuardIntoTheSectorOfAnArc" : "IntoTheSectorOfAnArc",
           guarded ? "The same with a guard point on the end"
                   : "Quarter of a circle, R = 1; r = .2 comes from below its end at (1, 0), .05 and .15 off "

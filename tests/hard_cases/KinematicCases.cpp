@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shapes that turn, and what they do to a ball.
+#include "../Numbers.h"
 #include "StepTesting.h"
 
 #include <algorithm>
@@ -9,8 +10,7 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const char* const g_sGroup = "Kinematic";
-constexpr float g_fDt = 1.0f / 60.0f;
+const char* const g_sKinematicGroup = "Kinematic";
 
 CLineSegDesc Turning(CLineSegDesc desc, float revs) {
   desc.m_eMotionType = eMotion::Kinematic;
@@ -69,7 +69,7 @@ double NaiveKick(const CKick& kick) {
 CHardCase KickOf(const std::string& name, const CKick& kick, const std::string& input,
                  const std::string& right, const std::string& naive,
                  const std::array<CExpect, g_nColumns>& expect) {
-  return {g_sGroup,
+  return {g_sKinematicGroup,
           name,
           input + "; the mirror image too",
           right,
@@ -108,7 +108,7 @@ double StandsStill(eColumn column) {
 }
 
 CHardCase StandingStillIsStatic() {
-  return {g_sGroup,
+  return {g_sKinematicGroup,
           "StandingStillIsStatic",
           "A kinematic segment with a rotation speed of 0, and a static one: r = .1 bouncing and sliding on "
           "it for "
@@ -151,7 +151,7 @@ double OneTurnAStep(eColumn column) {
 
 CHardCase OneTurnAStep() {
   return {
-      g_sGroup,
+      g_sKinematicGroup,
       "OneTurnAStep",
       "A hand of length 1 turns 60 times a second, at 60 steps a second; r = .1 at rest, .5 from the centre, "
       "at eleven places around it: velocity and place after a step, relative to the speed",
@@ -201,7 +201,7 @@ double MillionRadians(eColumn column) {
 }
 
 CHardCase AMillionRadians() {
-  return {g_sGroup,
+  return {g_sKinematicGroup,
           "AMillionRadians",
           "A segment from (1, 0) to (2, 0), turned about the origin to 1e6 rad: its angle, and its ends",
           "1e6 mod 2 pi = 5.92562114 rad; both radii kept",
@@ -268,7 +268,7 @@ double NaiveThroughTheVertical() {
 
 CHardCase ThroughTheVertical() {
   return {
-      g_sGroup,
+      g_sKinematicGroup,
       "ThroughTheVertical",
       "A segment solid on one side, turned to the vertical, a rounding to either side of it, .001 and .1 rad "
       "from it, up and down; r = .1 at 6 units/s to the solid side and to the open one: velocity, relative",

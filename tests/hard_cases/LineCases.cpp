@@ -9,7 +9,7 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const std::string g_sGroup = "Lines in float";
+const std::string g_sLineGroup = "Lines in float";
 const std::string g_sLibrary = "no engine crosses lines";
 constexpr float g_fInfinite = std::numeric_limits<float>::infinity();
 
@@ -46,7 +46,7 @@ CHardCase ClosestPoint(const Vector2& p0, const Vector2& p1, const CDynamicCircl
   const CVec2d foot = FootAt50Digits(p0, p1, q.cast<CFifty>()).cast<double>();
   const CVec2d met = MetAt50Digits(p0, p1, ball).cast<double>();
   CHardCase c;
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sLineGroup;
   c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
   c.m_fnError = [=](eColumn column) {
     const double error = Distance(Shoot(column, shot).m_vPOI, met);
@@ -95,7 +95,7 @@ double ErrorOfNoCrossing(const CLine& a, const CLine& b) {
 
 CHardCase NoCrossing() {
   CHardCase c;
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sLineGroup;
   c.m_sRight = "no point: (Inf, Inf), which nothing in the library uses";
   c.m_fBound = c.m_fFloatBound = 0.0;
   c.m_sBound = "exact";
@@ -146,7 +146,7 @@ CHardCase BetweenVerticalSegments() {
   const CAnswer right{CFifty(0.5), {CFifty(-1), CFifty(0)}, {CFifty(-1), CFifty(0)}};
   const CAnswer left{CFifty(0.5), {CFifty(1), CFifty(0)}, {CFifty(1), CFifty(0)}};
   CHardCase c = ShotCase(shot, right);
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sLineGroup;
   c.m_sName = "BallBetweenVerticalSegmentsGivenUpAndDown";
   Of(c, eColumn::Native) = Off(0.125, "as if t = .625: the way after the impact is lost");
   Of(c, eColumn::Box2D) = Off(0.00031, "as if t = .5003: its skin");

@@ -11,8 +11,8 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const char* const g_sGroup = "Long runs";
-constexpr std::uint64_t g_nSeed = 20240613;
+const char* const g_sLongRunGroup = "Long runs";
+constexpr std::uint64_t g_nLongRunSeed = 20240613;
 
 /// Impacts of a run: a million natively, a tenth of that elsewhere.
 int GetCount(eColumn column) { return column == eColumn::Native ? 1000000 : 100000; }
@@ -45,7 +45,7 @@ double SpeedDrift(eColumn column) {
 
 CHardCase MillionReflections() {
   return {
-      g_sGroup,
+      g_sLongRunGroup,
       "MillionReflections",
       "r = .5 in boxes of 1.2 that are turned by .1, .3, .7 and 1.1 rad, v = (3, 4), a million reflections "
       "natively, 100,000 elsewhere: largest change of the speed, relative",
@@ -81,7 +81,7 @@ double MomentumDrift(eColumn column) {
   const auto momentum = [&] { return Vector2d(m0 * stepped.GetVel(0) + m1 * stepped.GetVel(1)); };
   const Vector2d before = momentum();
   const double carried = m0 * stepped.GetVel(0).norm() + m1 * stepped.GetVel(1).norm();
-  Tests::CRandom random(g_nSeed);
+  Tests::CRandom random(g_nLongRunSeed);
   const int count = GetCount(column);
   double worst = 0.0;
   int impacts = 0;
@@ -101,7 +101,7 @@ double MomentumDrift(eColumn column) {
 }
 
 CHardCase MillionPairImpacts() {
-  return {g_sGroup,
+  return {g_sLongRunGroup,
           "MillionPairImpacts",
           "Masses 1 and 3, e = 1, put together again after each impact, at a random angle, a million times "
           "natively, "
@@ -138,7 +138,7 @@ std::vector<float> RunBoxes(eColumn column, const std::vector<int>& order) {
     hand.m_vRotCenter = c;
     hand.m_fRotSpeed = 0.5f;
     scene.m_stdShapes.emplace_back(hand);
-    Tests::CRandom random(g_nSeed + static_cast<std::uint64_t>(cell));
+    Tests::CRandom random(g_nLongRunSeed + static_cast<std::uint64_t>(cell));
     scene.m_stdBalls.emplace_back(c + Vector2(0.6f, 0.5f), 0.1f, 4.0f * random.Direction());
     scene.m_stdBalls.emplace_back(c + Vector2(-0.6f, 0.5f), 0.15f, 4.0f * random.Direction(), 2.0f);
   }
@@ -171,7 +171,7 @@ std::vector<int> InOrder() {
 
 std::vector<int> Shuffled() {
   std::vector<int> order = InOrder();
-  Tests::CRandom random(g_nSeed);
+  Tests::CRandom random(g_nLongRunSeed);
   for (std::size_t i = order.size(); i-- > 1;)
     std::swap(order[i], order[random.Below(static_cast<std::uint32_t>(i) + 1)]);
   return order;
@@ -179,7 +179,7 @@ std::vector<int> Shuffled() {
 
 CHardCase TheSameTwice() {
   return {
-      g_sGroup,
+      g_sLongRunGroup,
       "TheSameTwice",
       "16 boxes with a turning hand and two balls each, gravity, 240 steps, made and run twice: numbers of "
       "128 "
@@ -192,14 +192,14 @@ CHardCase TheSameTwice() {
       [](eColumn column) { return CountDifferent(RunBoxes(column, InOrder()), RunBoxes(column, InOrder())); },
       "random numbers that go on where the last run stopped",
       [] {
-        Tests::CRandom random(g_nSeed);
+        Tests::CRandom random(g_nLongRunSeed);
         const Vector2 a = random.Direction(), b = random.Direction();
         return CountDifferent({a.x(), a.y()}, {b.x(), b.y()});
       }};
 }
 
 CHardCase AddedInAnotherOrder() {
-  return {g_sGroup,
+  return {g_sLongRunGroup,
           "AddedInAnotherOrder",
           "The same boxes, added in a random order",
           "none: what does not meet does not matter",

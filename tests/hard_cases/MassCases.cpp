@@ -9,7 +9,7 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const char* const g_sGroup = "Mass and elasticity";
+const char* const g_sMassGroup = "Mass and elasticity";
 
 // ---- Two balls, head on.
 
@@ -39,7 +39,7 @@ double WorstPairError(eColumn column, float m0, float v0, float m1, float v1) {
 }
 
 CHardCase AMoteIsHitByABall() {
-  return {g_sGroup,
+  return {g_sMassGroup,
           "AMoteIsHitByABall",
           "m = 1 and v = 1 meets m = 1e-12 at rest: velocities and momentum, relative",
           "1.999999999998 and .999999999998",
@@ -57,7 +57,7 @@ CHardCase AMoteIsHitByABall() {
 
 CHardCase HeavyBallsSwap() {
   const CExpect refused = Refused("m_fMass");
-  return {g_sGroup,
+  return {g_sMassGroup,
           "HeavyBallsSwap",
           "m = 1e30 each, v = 1 meets v = -.5",
           "they swap velocities",
@@ -96,7 +96,7 @@ double Bounce(eColumn column, float eWall, float eBall) {
 CHardCase AtAWall(const std::string& name, const std::string& e, float eWall, float eBall,
                   const Vector2d& right, const std::string& says, const Vector2d& naive,
                   const std::string& naively) {
-  return {g_sGroup,
+  return {g_sMassGroup,
           name,
           "v = (3, -4) onto a floor, e = " + e + "; also turned by 45, 90, .. degrees",
           says,
@@ -137,7 +137,7 @@ double Gains(eColumn column) {
 }
 
 CHardCase AThousandfoldAtEachImpact() {
-  return {g_sGroup,
+  return {g_sMassGroup,
           "AThousandfoldAtEachImpact",
           "Walls of e = 1000, 1 unit/s at first, " + std::to_string(g_nGains) + " impacts: speed, relative",
           "1000^n up to the limit (1e18; Box2D 1e9, tuned 2.5e8), then cut to that and counted",

@@ -8,7 +8,7 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const char* const g_sGroup = "Scale";
+const char* const g_sScaleGroup = "Scale";
 
 // ---- A scene of 1e-23 units.
 
@@ -25,7 +25,7 @@ double Tiny(eColumn column) {
 
 CHardCase ABallOf1eMinus23() {
   return {
-      g_sGroup,
+      g_sScaleGroup,
       "ABallOf1eMinus23",
       "r = 1e-23 at (0, 2.5 r), v = (0, -120 r), 2 steps of 1/60 s, onto a point at the origin: place in r, "
       "velocity relative",
@@ -55,7 +55,7 @@ double Huge(eColumn column) {
 
 CHardCase ABallOf2e19() {
   const CExpect refused = Refused("m_fRadius");
-  return {g_sGroup,
+  return {g_sScaleGroup,
           "ABallOf2e19",
           "r = 2e19",
           "refused: its square is no float",
@@ -90,7 +90,7 @@ double NaiveFar(float x) {
 }
 
 CHardCase AnArcAt2To13() {
-  return {g_sGroup,
+  return {g_sScaleGroup,
           "AnArcAt2To13",
           "Arc from 350 to 10 degrees, R = 1, about (2^13, 0); r = .1 at (2, 0) from there, v = (-1, 0), two "
           "steps of 1 s",
@@ -108,7 +108,7 @@ CHardCase AnArcAt2To13() {
 }
 
 CHardCase AnArcAt2To20() {
-  return {g_sGroup,
+  return {g_sScaleGroup,
           "AnArcAt2To20",
           "The same about (2^20, 0), where floats are .125 apart: more than r",
           "the same",
@@ -125,7 +125,7 @@ CHardCase AnArcAt2To20() {
 }
 
 CHardCase ALargerBallAt2To20() {
-  return {g_sGroup,
+  return {g_sScaleGroup,
           "ALargerBallAt2To20",
           "The same with r = .5, four times as much as floats are apart",
           "hits at .5 s, and is at (3, 0) from there",

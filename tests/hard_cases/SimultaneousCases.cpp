@@ -10,7 +10,7 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const char* const g_sGroup = "Simultaneous";
+const char* const g_sSimultaneousGroup = "Simultaneous";
 
 // ---- Corners.
 
@@ -44,7 +44,7 @@ double NaiveCorner(double opening) {
 }
 
 CHardCase SquareCorner() {
-  return {g_sGroup,
+  return {g_sSimultaneousGroup,
           "SquareCorner",
           "r = .1 down the bisector of a corner of 90 degrees, both orders of adding, turned by 0, 30, .. "
           "degrees: "
@@ -61,7 +61,7 @@ CHardCase SquareCorner() {
 
 CHardCase SharpCorner() {
   return {
-      g_sGroup,
+      g_sSimultaneousGroup,
       "SharpCorner",
       "The same with 60 degrees",
       "v' = -v, after 3 reflections",
@@ -75,7 +75,7 @@ CHardCase SharpCorner() {
 }
 
 CHardCase NarrowCorner() {
-  return {g_sGroup,
+  return {g_sSimultaneousGroup,
           "NarrowCorner",
           "The same with 45 degrees",
           "v' = -v, after 4 reflections",
@@ -125,7 +125,7 @@ double NaiveCradle(int count, int moving) {
 
 CHardCase CradleOf(const std::string& name, const std::string& input, const std::string& right, int count,
                    int moving, double shipped, const std::string& figure) {
-  return {g_sGroup,
+  return {g_sSimultaneousGroup,
           name,
           input,
           right,
@@ -180,7 +180,7 @@ double NaiveOnALine(const std::array<float, g_nOnALine>& places) {
 CHardCase FiveOnALine(const std::string& name, const std::string& input,
                       const std::array<float, g_nOnALine>& places, const CExpect& shipped,
                       const CExpect& tuned) {
-  return {g_sGroup,
+  return {g_sSimultaneousGroup,
           name,
           input,
           "10 impacts, n (n - 1) / 2, and the speeds in the other order",
@@ -228,7 +228,7 @@ double Drop(eColumn column) {
 
 CHardCase DropThatComesToRest() {
   const double step = std::sqrt(2.0 * g_fDropGravity * g_fDropHeight) / g_nDropRate;
-  return {g_sGroup,
+  return {g_sSimultaneousGroup,
           "DropThatComesToRest",
           "Drop from 1, g = 9.81, e = .5, 240 steps a second, for 2 s: largest error of the height",
           "at rest after 1.3545709 s and a way of 5/3",
@@ -279,7 +279,7 @@ double NaiveRest(double e) {
 }
 
 CHardCase RestOf(const std::string& name, const std::string& e, float elasticity, const CExpect& shipped) {
-  return {g_sGroup,
+  return {g_sSimultaneousGroup,
           name,
           "r = .1 at rest on a segment, g = 9.8, e = " + e +
               ", a million steps natively, 200,000 elsewhere: largest way from its place",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Inputs that are no numbers, or of no extent.
+#include "../Numbers.h"
 #include "ShotTesting.h"
 
 #include "reference/Reference.h"
@@ -12,8 +13,7 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const std::string g_sGroup = "Inputs that are no numbers, or of no extent";
-constexpr float g_fNan = std::numeric_limits<float>::quiet_NaN();
+const std::string g_sValidationGroup = "Inputs that are no numbers, or of no extent";
 constexpr float g_fInfinite = std::numeric_limits<float>::infinity();
 
 using CBall = CDynamicCircleDesc;
@@ -72,7 +72,7 @@ double BallRefusal(eColumn column, const CBall& ball) {
 CHardCase RefusedBall(const std::string& name, const std::string& input, const CBall& ball,
                       const std::string& words) {
   CHardCase c;
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sValidationGroup;
   c.m_sName = name;
   c.m_sInput = input;
   c.m_sRight = "refused; of all else no bit changes";
@@ -178,7 +178,7 @@ CHardCase NoRadius() {
   shot.m_stdBalls = {ball};
   shot.m_fSeconds = 1.25f;
   CHardCase c = ShotCase(shot, MeetFloor(ball));
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sValidationGroup;
   c.m_sName = "BallWithoutRadiusMeetsASegment";
   Of(c, eColumn::Native) = Missed("missed: a radius of 0 overlaps nothing");
   Of(c, eColumn::Box2D) = Off(0.005, "as if t = .995: its skin");
@@ -201,7 +201,7 @@ CHardCase PointLike(const CAnyShapeDesc& shape, float x, float y) {
   shot.m_stdBalls = {ball};
   shot.m_fSeconds = 1.75f;
   CHardCase c = ShotCase(shot, MeetFloor(CBall({x, 2.0f}, 0.5f, {0.0f, -1.0f})));
-  c.m_sGroup = g_sGroup;
+  c.m_sGroup = g_sValidationGroup;
   c.m_sRight = "acts as a point: t = 1.5, v' = (0, 1)";
   Of(c, eColumn::Native) = Off(0.125, "as if t = 1.625: the way after the impact is lost");
   Of(c, eColumn::Box2D) = Off(0.01, "as if t = 1.510: it stops a ball .015 deep");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The native world with Continuous: what happens between impacts, and after many of them. Shots at each kind
 // of shape are in tests/compare/ContinuousShotsTest.cpp.
+#include "../Numbers.h"
 #include "Random.h"
 
 #include <Shapes/Shapes.h>
@@ -18,9 +19,6 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
-
-constexpr float g_fDt = 1.0f / 60.0f;
-constexpr float g_fUlp = 1.1920929e-7f;
 
 std::unique_ptr<CWorld> MakeContinuous(const Vector2& g = Vector2::Zero(),
                                        const CEffectChoice& choice = g_cContinuous) {

@@ -5,6 +5,7 @@
 #include "native/Detect.h"
 #include "traps/Traps.h"
 
+#include "../Numbers.h"
 #include "../Random.h"
 
 #include <gtest/gtest.h>
@@ -15,12 +16,7 @@
 namespace Shapes::Native {
 
 using Tests::CRandom;
-using Vector2d = Eigen::Vector2d;
 
-inline constexpr double g_fUlp = 0x1p-23;
-inline constexpr float g_fNan = std::numeric_limits<float>::quiet_NaN();
-
-inline Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
 /// A ball that has not moved in this step.
 inline CBall Ball(const Vector2& p, float r, const Vector2& v = Vector2::Zero()) { return {p, p, v, r}; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "native/Outline.h"
 
+#include "../Numbers.h"
 #include "../Random.h"
 
 #include <Shapes/Shapes.h>
@@ -14,10 +15,6 @@ namespace Shapes::Native {
 namespace {
 
 using Tests::CRandom;
-
-constexpr double g_fUlp = 0x1p-23;
-
-Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
 
 CLineSegDesc RandomLineSeg(CRandom& random) {
   const Vector2 p = random.InSquare(1.0f), q = random.InSquare(1.0f);

@@ -14,9 +14,9 @@ COutline HalfCircle(eSides sides = eSides::Both) {
 }
 
 TEST(SweepCircleArc, AgreesWith50Digits) {
-  ExpectAgrees<CFifty>(eShape::Arc, eSides::Both, false, 40, 20000);
-  ExpectAgrees<CFifty>(eShape::Arc, eSides::Front, false, 41, 10000);
-  ExpectAgrees<CFifty>(eShape::Arc, eSides::Back, false, 42, 10000);
+  ExpectAgrees<CFifty>(eShape::Arc, eSides::Both, false, 40, 8000);
+  ExpectAgrees<CFifty>(eShape::Arc, eSides::Front, false, 41, 4000);
+  ExpectAgrees<CFifty>(eShape::Arc, eSides::Back, false, 42, 4000);
 }
 
 TEST(SweepCircleArc, AnArcIsMetInItsSector) {

@@ -9,7 +9,7 @@ namespace {
 COutline Ring(float R) { return MakeOutline(CCircle(CCircleDesc({0, 0}, R)), 0.0); }
 
 TEST(SweepCircleCircle, AgreesWith50Digits) {
-  ExpectAgrees<CFifty>(eShape::Circle, eSides::Both, false, 30, 20000);
+  ExpectAgrees<CFifty>(eShape::Circle, eSides::Both, false, 30, 8000);
 }
 
 TEST(SweepCircleCircle, ARingIsMetFromBothSides) {

@@ -13,9 +13,9 @@ COutline Floor(eSides sides = eSides::Both) {
 }
 
 TEST(SweepLineSegCircle, AgreesWith50Digits) {
-  ExpectAgrees<CFifty>(eShape::LineSeg, eSides::Both, false, 20, 20000);
-  ExpectAgrees<CFifty>(eShape::LineSeg, eSides::Front, false, 21, 10000);
-  ExpectAgrees<CFifty>(eShape::LineSeg, eSides::Back, false, 22, 10000);
+  ExpectAgrees<CFifty>(eShape::LineSeg, eSides::Both, false, 20, 8000);
+  ExpectAgrees<CFifty>(eShape::LineSeg, eSides::Front, false, 21, 4000);
+  ExpectAgrees<CFifty>(eShape::LineSeg, eSides::Back, false, 22, 4000);
 }
 
 TEST(SweepLineSegCircle, BothFacesAndTheRoundEndsAreMet) {

@@ -9,7 +9,7 @@ namespace {
 COutline PointAt(const Vector2& p) { return MakeOutline(CPoint(CPointDesc(p)), 0.0); }
 
 TEST(SweepPointCircle, AgreesWith50Digits) {
-  ExpectAgrees<CFifty>(eShape::Point, eSides::Both, false, 10, 20000);
+  ExpectAgrees<CFifty>(eShape::Point, eSides::Both, false, 10, 8000);
 }
 
 TEST(SweepPointCircle, ABallThatLeavesIsNotMet) {

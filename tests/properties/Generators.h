@@ -4,6 +4,8 @@
 // toward sizes of 1, the origin, and the first of several kinds.
 #pragma once
 
+#include "../Numbers.h"
+
 #include <Shapes/Shapes.h>
 
 #include <rapidcheck.h>
@@ -32,9 +34,6 @@ inline void showValue(const CArcDesc& d, std::ostream& out) {
 } // namespace Shapes
 
 namespace Shapes::Properties {
-
-using Vector2d = Eigen::Vector2d;
-inline Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
 
 /// An integer of either sign, toward 0.
 inline rc::Gen<int> Whole(int most) {

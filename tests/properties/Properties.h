@@ -5,6 +5,8 @@
 // RC_PARAMS="seed=7" those of that seed.
 #pragma once
 
+#include "../Numbers.h"
+
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -14,9 +16,6 @@
 #include <utility>
 
 namespace Shapes::Properties {
-
-/// One ulp of float, as the error bounds count it (Shapes/ShapeMath.h).
-inline constexpr double g_fUlp = 0x1p-23;
 
 inline rc::detail::TestParams Params(int runs) {
   if (std::getenv("RC_PARAMS") != nullptr) return rc::detail::configuration().testParams;

@@ -9,7 +9,7 @@ namespace Shapes::Properties {
 namespace {
 
 // The closest point of a segment; the naive ones are the controls.
-using CClosest = Vector2 (*)(const CLineSegDesc& seg, const Vector2& q);
+using CClosestOfSegment = Vector2 (*)(const CLineSegDesc& seg, const Vector2& q);
 
 Vector2 Closest(const CLineSegDesc& seg, const Vector2& q) { return CLineSeg(seg).ClosestPt(q); }
 // From the gradient of the segment and the one across it.
@@ -85,7 +85,7 @@ TEST(SegmentProperties, AMirrorThatKeepsTheOrderOfEndsKeepsTheBits) {
 }
 
 TEST(SegmentProperties, AQuarterTurnThatKeepsTheOrderOfEndsKeepsTheBits) {
-  const auto holds = [](CClosest closest) {
+  const auto holds = [](CClosestOfSegment closest) {
     return [=] {
       const CLineSegDesc seg = *Segment();
       // Falling segments keep it counterclockwise, rising ones clockwise.
@@ -103,7 +103,7 @@ TEST(SegmentProperties, AQuarterTurnThatKeepsTheOrderOfEndsKeepsTheBits) {
 }
 
 TEST(SegmentProperties, AnyTurnAndAnyMoveTurnsAndMovesTheClosestPoint) {
-  const auto holds = [](CClosest closest) {
+  const auto holds = [](CClosestOfSegment closest) {
     return [=] {
       const CLineSegDesc seg = *Segment();
       const Vector2 q = Beside(seg);
@@ -130,7 +130,7 @@ TEST(SegmentProperties, AnyTurnAndAnyMoveTurnsAndMovesTheClosestPoint) {
 }
 
 TEST(SegmentProperties, APowerOfTwoScalesTheBits) {
-  const auto holds = [](CClosest closest) {
+  const auto holds = [](CClosestOfSegment closest) {
     return [=] {
       const CLineSegDesc seg = *Segment();
       const Vector2 q = Beside(seg);
@@ -146,7 +146,7 @@ TEST(SegmentProperties, APowerOfTwoScalesTheBits) {
 }
 
 TEST(SegmentProperties, NoPointOfItIsCloserThanTheClosest) {
-  const auto holds = [](CClosest closest) {
+  const auto holds = [](CClosestOfSegment closest) {
     return [=] {
       const CLineSegDesc seg = *Segment();
       const Vector2 q = Beside(seg);

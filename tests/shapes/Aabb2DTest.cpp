@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/Aabb2D.h>
 
+#include "../Numbers.h"
 #include "../Random.h"
 
 #include "traps/Traps.h"
@@ -14,8 +15,6 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
-
-constexpr float g_fNan = std::numeric_limits<float>::quiet_NaN();
 
 // A number on a coarse grid, so that edges often coincide.
 float Coarse(CRandom& random) { return 0.25f * static_cast<float>(random.Below(41)) - 5.0f; }

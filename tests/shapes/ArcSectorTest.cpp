@@ -2,7 +2,9 @@
 // Which points lie in the sector of an arc (Arc.cpp).
 #include <Shapes/Arc.h>
 
+#include "../Numbers.h"
 #include "../Random.h"
+#include "MakeShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +14,6 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
-using Vector2d = Eigen::Vector2d;
-
-constexpr double g_fUlp = 0x1p-23;
-constexpr double g_fPi2 = 6.28318530717958647692; // 2 pi
-
-Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
-CArc Arc(const Vector2& p, float r, float a0, float a1) { return CArc(CArcDesc(p, r, a0, a1)); }
 
 CArc RandomArc(CRandom& random) {
   const float r = random.Scale(-4, 4), a0 = random.Uniform(0.0f, 6.28f), a1 = random.Uniform(0.0f, 6.28f);

@@ -2,7 +2,9 @@
 // Arcs: angles, ends, closest point, box, rotation. The sector has a file of its own.
 #include <Shapes/Arc.h>
 
+#include "../Numbers.h"
 #include "../Random.h"
+#include "MakeShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -14,13 +16,7 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
-using Vector2d = Eigen::Vector2d;
 
-constexpr double g_fUlp = 0x1p-23;
-constexpr double g_fPi2 = 6.28318530717958647692; // 2 pi
-
-Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
-CArc Arc(const Vector2& p, float r, float a0, float a1) { return CArc(CArcDesc(p, r, a0, a1)); }
 float Degrees(float a) { return a * g_fPi / 180.0f; }
 Vector2d OnCircle(const CArc& arc, double a) {
   return Wide(arc.GetPos()) + static_cast<double>(arc.GetRadius()) * Vector2d(std::cos(a), std::sin(a));

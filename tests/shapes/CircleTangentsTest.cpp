@@ -2,7 +2,9 @@
 // Tangents of circles (Circle.cpp), through a point and common to two of them.
 #include <Shapes/Circle.h>
 
+#include "../Numbers.h"
 #include "../Random.h"
+#include "MakeShapes.h"
 
 #include "traps/Traps.h"
 
@@ -15,13 +17,8 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
-using Vector2d = Eigen::Vector2d;
 
-constexpr double g_fUlp = 0x1p-23;
-
-Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
 double Cross2(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-CCircle Circle(const Vector2& p, float r) { return CCircle(CCircleDesc(p, r)); }
 
 // How far |q - u| is from r.
 double OffCircle(const Vector2d& u, double r, const Vector2d& q) { return std::abs((q - u).norm() - r); }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/Circle.h>
 
+#include "../Numbers.h"
 #include "../Random.h"
+#include "MakeShapes.h"
 
 #include "traps/Traps.h"
 
@@ -13,12 +15,6 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
-using Vector2d = Eigen::Vector2d;
-
-constexpr double g_fUlp = 0x1p-23;
-
-Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
-CCircle Circle(const Vector2& p, float r) { return CCircle(CCircleDesc(p, r)); }
 
 TEST(Circle, IsWhatItsDescriptorSays) {
   EXPECT_EQ(CCircleDesc().m_eShapeType, eShape::Circle);

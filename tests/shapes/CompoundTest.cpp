@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "../Numbers.h"
+
 #include <Shapes/Shapes.h>
 
 #include <gtest/gtest.h>
@@ -8,9 +10,6 @@
 
 namespace Shapes {
 namespace {
-
-constexpr double g_fUlp = 0x1p-23;
-constexpr float g_fNan = std::numeric_limits<float>::quiet_NaN();
 
 class Compound : public ::testing::Test {
 protected:

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "../Numbers.h"
+
 #include <Shapes/Shapes.h>
 
 #include <gtest/gtest.h>
@@ -9,8 +11,6 @@
 
 namespace Shapes {
 namespace {
-
-constexpr double g_fUlp = 0x1p-23;
 
 // Gravity and time step as a game sets them, put back at the end.
 class CGame : public CShapeCommon {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/LineSeg.h>
 
+#include "../Numbers.h"
 #include "../Random.h"
 
 #include <gtest/gtest.h>
@@ -13,11 +14,6 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
-using Vector2d = Eigen::Vector2d;
-
-constexpr double g_fUlp = 0x1p-23;
-
-Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
 
 double DistanceToSegment(const Vector2d& p0, const Vector2d& p1, const Vector2d& q) {
   const Vector2d d = p1 - p0;

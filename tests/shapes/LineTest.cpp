@@ -2,6 +2,7 @@
 #include <Shapes/Line.h>
 #include <Shapes/LineSeg.h>
 
+#include "../Numbers.h"
 #include "../Random.h"
 
 #include <gtest/gtest.h>
@@ -13,12 +14,6 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
-using Vector2d = Eigen::Vector2d;
-
-constexpr double g_fUlp = 0x1p-23;
-constexpr float g_fInf = std::numeric_limits<float>::infinity();
-
-Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
 
 // Closest point as the crossing with the line of gradient -1/m through q, all in gradients and intercepts.
 Vector2 NaiveClosestPt(const Vector2& p, float m, const Vector2& q) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/Point.h>
 
+#include "../Numbers.h"
 #include "../Random.h"
 
 #include <gtest/gtest.h>
@@ -9,8 +10,6 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
-
-constexpr double g_fUlp = 0x1p-23;
 
 TEST(Point, IsWhatItsDescriptorSays) {
   const CPointDesc empty;

@@ -3,6 +3,7 @@
 
 #include <Shapes/Tolerances.h>
 
+#include "../Numbers.h"
 #include "../Random.h"
 
 #include <gtest/gtest.h>
@@ -13,12 +14,8 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
-using Vector2d = Eigen::Vector2d;
 
-constexpr double g_fUlp = 0x1p-23;
 const Vector2 g_vUp(0.0f, 1.0f);
-
-Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
 
 Vector2 AfterStatic(float e, const Vector2& v0, const Vector2& n = g_vUp) {
   Vector2 p = Vector2::Zero(), v = v0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/ShapeMath.h>
 
+#include "../Numbers.h"
 #include "../Random.h"
 
 #include <gtest/gtest.h>
@@ -12,14 +13,6 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
-using Vector2d = Eigen::Vector2d;
-
-constexpr double g_fUlp = 0x1p-23; // 1 ulp of 1
-constexpr float g_fInf = std::numeric_limits<float>::infinity();
-constexpr float g_fNan = std::numeric_limits<float>::quiet_NaN();
-
-double Wide(float f) { return static_cast<double>(f); }
-Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
 
 // The macro as a bare if: what it swallows is shown below.
 #define NaiveFailIf(x)                                                                                       \

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What every shape has, tried on each kind.
+#include "../Numbers.h"
+
 #include <Shapes/Shapes.h>
 
 #include <gtest/gtest.h>
@@ -12,8 +14,6 @@
 
 namespace Shapes {
 namespace {
-
-constexpr double g_fUlp = 0x1p-23;
 
 struct SKind {
   std::string m_sName;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every value that no shape can have is refused, with a message that names the field and the value.
+#include "../Numbers.h"
+
 #include "shapes/Validate.h"
 
 #include <Shapes/Shapes.h>
@@ -15,8 +17,6 @@
 namespace Shapes {
 namespace {
 
-constexpr float g_fNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float g_fInf = std::numeric_limits<float>::infinity();
 constexpr float g_fHuge = std::numeric_limits<float>::max();
 const std::string g_sHuge = "3.4028235e+38";
 

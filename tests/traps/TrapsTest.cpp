@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // That what is to stop the program does, and nothing else: the control of a suite that passes with traps.
+#include "../Numbers.h"
 #include "Naive.h"
 
 #include "traps/Traps.h"
@@ -17,7 +18,6 @@ namespace Shapes::Tests {
 namespace {
 
 constexpr float g_fMax = std::numeric_limits<float>::max();
-constexpr float g_fNan = std::numeric_limits<float>::quiet_NaN();
 const testing::KilledBySignal g_cDies(SIGFPE);
 
 TEST(TrapsDeathTest, WhatIsNotANumberStopsTheProgram) {

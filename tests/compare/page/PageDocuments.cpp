@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t g_nHistogramBins = 32;
+constexpr std::size_t g_nBins = 32;
 
 // Figures that differ from scene to scene; what they are does not matter.
 class CFigures {
@@ -44,7 +44,7 @@ json Rate(int count, int n) {
 
 json Histogram(double scale, int n) {
   json counts = json::array();
-  for (std::size_t i = 0; i < g_nHistogramBins; ++i)
+  for (std::size_t i = 0; i < g_nBins; ++i)
     counts.push_back(int(n * std::exp(-25 * std::pow(double(i) / scale - 1, 2)) / (scale * 0.35)));
   return counts;
 }
@@ -341,7 +341,7 @@ CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
            {"scenes", json::array()},
            {"work_precision", json::array()},
            {"effects", json::array()}};
-  for (std::size_t i = 0; i <= g_nHistogramBins; ++i)
+  for (std::size_t i = 0; i <= g_nBins; ++i)
     run["histogram_edges"].push_back(std::pow(10, double(i) / 4 - 6));
   json replay{{"engines", {"native", "native-continuous", "box2d", "box2d-tuned", "exact"}},
               {"scenes", json::array()}};

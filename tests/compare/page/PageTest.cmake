@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The tests of report.html in a browser; GoogleTest is there already.
-find_program(SHAPES_CHROMIUM NAMES chromium chromium-browser google-chrome
+find_program(SHAPES_CHROMIUM NAMES chromium-headless-shell chromium chromium-browser google-chrome
              DOC "A Chromium that runs without a window")
 if(SHAPES_CHROMIUM)
   add_executable(shapes-page-tests ${CMAKE_CURRENT_LIST_DIR}/../ReportPageTest.cpp
@@ -14,5 +14,5 @@ if(SHAPES_CHROMIUM)
   add_dependencies(shapes-page-tests shapes-compare)
   gtest_discover_tests(shapes-page-tests DISCOVERY_TIMEOUT 60)
 else()
-  message(STATUS "report.html is not tested in a browser: there is none; the Debian package is chromium")
+  message(STATUS "report.html is not tested in a browser: there is none; the Debian package is chromium-headless-shell")
 endif()

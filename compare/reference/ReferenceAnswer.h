@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What an impact does to the balls of the reference.
+// What an impact does to the balls of the reference. Included by Reference.cpp, and for 50 digits by the
+// tests.
+#pragma once
+
 #include "Reference.h"
-#include "Scalar.h"
 
 #include <algorithm>
 
 namespace Shapes::Compare {
-namespace {
 
 // How far outside of what it has hit a ball is put, relative to its coordinates: more than the rounding of
 // that place, so that it is not inside, and much less than what counts as touching.
@@ -43,8 +44,6 @@ bool AreInOrder(const CExactEvent<T>& a, const CExactEvent<T>& b) {
   const bool samePair = a.m_nBall == b.m_nBall && a.m_nShape == b.m_nShape && a.m_bIsBall == b.m_bIsBall;
   return samePair || a.m_bIsSensor || b.m_bIsSensor || !SharesBall(a, b);
 }
-
-} // namespace
 
 template <class T>
 void CReference<T>::Answer(std::size_t i, const CNext& next, std::vector<CExactEvent<T>>& events,
@@ -211,12 +210,5 @@ T CReference<T>::Kick(CPair& pair) {
   }
   return first;
 }
-
-template void CReference<double>::Answer(std::size_t, const CNext&, std::vector<CExactEvent<double>>&,
-                                         std::size_t);
-template double CReference<double>::Kick(CPair&);
-template void CReference<CFifty>::Answer(std::size_t, const CNext&, std::vector<CExactEvent<CFifty>>&,
-                                         std::size_t);
-template CFifty CReference<CFifty>::Kick(CPair&);
 
 } // namespace Shapes::Compare

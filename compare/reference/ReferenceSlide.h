@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Contacts of the reference that last: when they begin, and the hops of those that do not simply rest.
+// Included by Reference.cpp, and for 50 digits by the tests.
+#pragma once
+
 #include "Reference.h"
-#include "Scalar.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,16 +97,5 @@ void CReference<T>::Settle() {
     if (most <= T(16) * std::numeric_limits<T>::epsilon() * scale) break;
   }
 }
-
-template bool CReference<double>::Slides(CPair&, const double&, const double&, bool);
-template void CReference<double>::BeginSlide(CPair&);
-template double CReference<double>::HopSpeed(const double&, const double&, const double&) const;
-template double CReference<double>::Press(const CPair&, const CHit<double>&) const;
-template void CReference<double>::Settle();
-template bool CReference<CFifty>::Slides(CPair&, const CFifty&, const CFifty&, bool);
-template void CReference<CFifty>::BeginSlide(CPair&);
-template CFifty CReference<CFifty>::HopSpeed(const CFifty&, const CFifty&, const CFifty&) const;
-template CFifty CReference<CFifty>::Press(const CPair&, const CHit<CFifty>&) const;
-template void CReference<CFifty>::Settle();
 
 } // namespace Shapes::Compare

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What each ball of the reference meets next.
+// What each ball of the reference meets next. Included by Reference.cpp, and for 50 digits by the tests.
+#pragma once
+
 #include "Reference.h"
-#include "Scalar.h"
 
 #include <algorithm>
 #include <cmath>
@@ -192,12 +193,5 @@ void CReference<T>::FindAfter() {
         MeetBall(i, j, next);
   }
 }
-
-template void CReference<double>::FindNext(std::size_t);
-template void CReference<double>::FindAfter();
-template void CReference<double>::CountNearMisses(const double&);
-template void CReference<CFifty>::FindNext(std::size_t);
-template void CReference<CFifty>::FindAfter();
-template void CReference<CFifty>::CountNearMisses(const CFifty&);
 
 } // namespace Shapes::Compare

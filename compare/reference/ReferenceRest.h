@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Balls of the reference that rest: what carries them, and what is left of gravity.
+// Balls of the reference that rest: what carries them, and what is left of gravity. Included by
+// Reference.cpp, and for 50 digits by the tests.
+#pragma once
+
 #include "Reference.h"
-#include "Scalar.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace Shapes::Compare {
-namespace {
 
 // Accelerations below this many roundings of gravity are none.
-constexpr int g_nStill = 4096;
+inline constexpr int g_nStill = 4096;
 // Rounds of the search for the forces; a wedge needs about 37 / log10(1 / cos^2) for its angle.
-constexpr int g_nMaxRounds = 20000;
-
-} // namespace
+inline constexpr int g_nMaxRounds = 20000;
 
 // A relative velocity of the pair that is rounding.
 template <class T>
@@ -155,14 +154,5 @@ bool CReference<T>::LeaveUnsteady() {
   }
   return false;
 }
-
-template double CReference<double>::Slow(const CPair&) const;
-template void CReference<double>::PassEnd(std::size_t, const CNext&);
-template void CReference<double>::CheckRests();
-template void CReference<double>::Support();
-template CFifty CReference<CFifty>::Slow(const CPair&) const;
-template void CReference<CFifty>::PassEnd(std::size_t, const CNext&);
-template void CReference<CFifty>::CheckRests();
-template void CReference<CFifty>::Support();
 
 } // namespace Shapes::Compare

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "FirstImpact.h"
+
+#include "ExactGame.h"
+#include "report/Numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace Shapes::Compare {
+namespace {
+
+constexpr std::uint64_t g_nMostTrials = 1000;
+// Questions whether a ball meets something in a step, some 100 ns each.
+constexpr std::uint64_t g_nMostQuestions = 3'000'000;
+
+bool HasImpact(const CExactGame& game) {
+  const auto& events = game.GetEvents();
+  return std::any_of(events.begin(), events.end(), [](const auto& event) { return !event.m_bIsSensor; });
+}
+
+} // namespace
+
+void RequireImpact(const CScene& scene, std::uint64_t seed) {
+  const std::size_t steps = GetStepsPerTrial(scene), balls = scene.m_stdBalls.size();
+  const std::uint64_t questions = balls * (scene.m_stdShapes.size() + balls);
+  std::uint64_t trials = 0, played = 0;
+  for (; trials < g_nMostTrials && played * questions < g_nMostQuestions; ++trials) {
+    CExactGame game(scene, MakeStart(scene, seed, trials));
+    try {
+      for (std::size_t i = 0; i < steps && game.IsInBounds() && played * questions < g_nMostQuestions; ++i) {
+        game.Step();
+        ++played;
+        if (HasImpact(game)) return;
+      }
+    } catch (const std::exception&) { // something happened that the reference cannot hold: the run reports it
+      return;
+    }
+  }
+  throw CSceneError(fmt::format(
+      "{}: expected balls that meet something, but none met anything in {} random trials ({} steps): are "
+      "position, velocity, spread, duration and bounds as they are meant?",
+      scene.m_cPath.string(), CountText(trials), CountText(played)));
+}
+
+} // namespace Shapes::Compare

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Scenes in which no ball meets anything are refused before a run spends minutes on them.
+#pragma once
+
+#include "Scene.h"
+
+#include <cstdint>
+
+namespace Shapes::Compare {
+
+/// Plays random trials on the exact reference until a ball meets a ball or a shape that is no sensor. Gives
+/// up after 1,000 trials, or fewer where trials are long or shapes are many: after at most half a second or
+/// so.
+/// @throws CSceneError naming the file and what was tried, if no ball met anything
+void RequireImpact(const CScene& scene, std::uint64_t seed);
+
+} // namespace Shapes::Compare
