@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t g_nMostTrials = 1000;
 // Questions whether a ball meets something in a step, some 100 ns each.
-constexpr std::uint64_t g_nMostQuestions = 3'000'000;
+constexpr std::uint64_t g_nMostQuestions = 1'000'000;
 
 bool HasImpact(const CExactGame& game) {
   const auto& events = game.GetEvents();

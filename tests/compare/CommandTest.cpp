@@ -238,13 +238,14 @@ TEST_F(CommandTest, ScenesAreShownAsTheyAreFinished) {
 
 TEST_F(CommandTest, TheNumberOfContactsIsObeyed) {
   for (const int contacts : {30, 2100}) { // less and more than a run has by itself
-    const CResult result =
-        Call(fmt::format("run --scenes head_on_wall --contacts {} --out {}", contacts, m_cFolder.string()));
+    const CResult result = Call(fmt::format(
+        "run --scenes head_on_wall --engines native --contacts {} --out {}", contacts, m_cFolder.string()));
     ASSERT_EQ(result.m_nExit, 0) << result.m_sOutput;
     EXPECT_EQ(nlohmann::json::parse(Read("run.json")).at("/scenes/0/engines/0/contacts"_json_pointer),
               contacts);
   }
-  const CResult full = Call("run --scenes head_on_wall --full --contacts 40 --out " + m_cFolder.string());
+  const CResult full =
+      Call("run --scenes head_on_wall --engines native --full --contacts 40 --out " + m_cFolder.string());
   ASSERT_EQ(full.m_nExit, 0) << full.m_sOutput;
   EXPECT_EQ(nlohmann::json::parse(Read("run.json")).at("/scenes/0/engines/0/contacts"_json_pointer), 40);
 }

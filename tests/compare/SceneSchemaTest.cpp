@@ -49,19 +49,11 @@ json OneOfEach() {
 
 // Each field left out, each field with each of these values, and each of these fields in each object.
 std::vector<json> MakeChanges(const json& good) {
-  const std::vector<json> values = {
-      nullptr, true,        0,  -1,  0.5,    7,       3.1416,    "",       "x",    "arc",
-      "back",  "kinematic", {}, {0}, {0, 0}, {1, -1}, {0, 0, 0}, {0, "x"}, {7, 0}, {{"speed", 1}}};
+  const std::vector<json> values = {nullptr, true, -1,      0.5,       7,        "",     "x",           "arc",
+                                    {},      {0},  {1, -1}, {0, 0, 0}, {0, "x"}, {7, 0}, {{"speed", 1}}};
   const std::vector<std::pair<const char*, json>> fields = {
-      {"surplus", 1},        {"type", "arc"},
-      {"name", "n"},         {"p0", {0, 0}},
-      {"position", {0, 0}},  {"radius", 1},
-      {"angles", {0, 1}},    {"sides", "both"},
-      {"elasticity", 1},     {"sensor", false},
-      {"drain", false},      {"motion", "kinematic"},
-      {"rotation_speed", 0}, {"rotation_center", {0, 0}},
-      {"mass", 1},           {"velocity", {0, 0}},
-      {"phase", 0},          {"spread", json::object()}};
+      {"surplus", 1},    {"name", "n"},           {"radius", 1},         {"sides", "both"},
+      {"sensor", false}, {"motion", "kinematic"}, {"rotation_speed", 0}, {"phase", 0}};
   std::vector<json> changes;
   const auto change = [&](const CPath& path, const json& value) {
     changes.push_back(good);
@@ -133,11 +125,11 @@ TEST(SceneSchemaTest, BundledScenesFitTheSchema) {
 TEST(SceneSchemaTest, ReaderAndSchemaRefuseTheSameChanges) {
   ASSERT_EQ(FindReaderFault(OneOfEach()), "");
   const std::vector<json> docs = MakeChanges(OneOfEach());
-  EXPECT_GT(docs.size(), 2900u);
+  EXPECT_GT(docs.size(), 1500u);
   const auto accepted =
       std::count_if(docs.begin(), docs.end(), [](const json& doc) { return FindReaderFault(doc).empty(); });
-  EXPECT_GT(accepted, 200);
-  EXPECT_GT(static_cast<std::ptrdiff_t>(docs.size()) - accepted, 2000);
+  EXPECT_GT(accepted, 100);
+  EXPECT_GT(static_cast<std::ptrdiff_t>(docs.size()) - accepted, 1000);
   for (const std::string& difference : FindDifferences(Schema(), docs))
     ADD_FAILURE() << difference;
 }

@@ -12,7 +12,7 @@ if(SHAPES_CHROMIUM)
                                                        SHAPES_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                                        SHAPES_COMPARE="$<TARGET_FILE:shapes-compare>")
   add_dependencies(shapes-page-tests shapes-compare)
-  gtest_discover_tests(shapes-page-tests DISCOVERY_TIMEOUT 60)
+  shapes_add_runs(shapes-page-tests 4)
 else()
   message(STATUS "report.html is not tested in a browser: there is none; the Debian package is chromium-headless-shell")
 endif()
