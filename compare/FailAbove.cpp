@@ -27,7 +27,9 @@ CValue RateValue(std::size_t hits, std::size_t n) {
 
 CValue P95Value(const CSummary& s) { return s.m_nCount == 0 ? CValue() : s.m_fP95; }
 
-CValue RateOf(const CMeasured& m, std::size_t hits) { return RateValue(hits, m.m_cEngine.m_cTotals.m_nContacts); }
+CValue RateOf(const CMeasured& m, std::size_t hits) {
+  return RateValue(hits, m.m_cEngine.m_cTotals.m_nContacts);
+}
 
 struct CMetric {
   const char* m_sName;

@@ -21,7 +21,7 @@ constexpr CPartTime g_stdParts[] = {{"restarts", 0.2}, {"settings", 0.45}, {"tim
                                     {"replay", 0.05}};
 
 constexpr std::chrono::milliseconds g_cRedrawInterval(100); // between two lines
-constexpr double g_fFirstGuess = 3.0;              // seconds after which the rest is guessed
+constexpr double g_fFirstGuess = 3.0;                       // seconds after which the rest is guessed
 
 std::string TimeLeft(double seconds) {
   if (seconds < 10.0) return "a few seconds left";

@@ -11,11 +11,12 @@
 
 namespace Shapes::Compare {
 
-// After many turns the rounding of 2 pi counts as many times, so what it leaves out is taken off as well. Error: the
-// rounding of the result, up to 10^15 turns.
+// After many turns the rounding of 2 pi counts as many times, so what it leaves out is taken off as well.
+// Error: the rounding of the result, up to 10^15 turns.
 template <>
 double TakeTurnsOff(const double& angle) {
-  constexpr double tau = 2.0 * std::numbers::pi, rest = 2.4492935982947064e-16; // 2 pi is their sum to 33 digits
+  constexpr double tau = 2.0 * std::numbers::pi,
+                   rest = 2.4492935982947064e-16; // 2 pi is their sum to 33 digits
   const double below = std::fmod(angle, tau);
   if (std::abs(angle) < 4.0 * tau) return below;
   const double turns = (angle - below) / tau;

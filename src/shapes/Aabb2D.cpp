@@ -13,8 +13,7 @@ constexpr float g_fEmptyEdge = std::numeric_limits<float>::infinity();
 
 } // namespace
 
-CAabb2D::CAabb2D()
-    : m_vTopLeft(g_fEmptyEdge, -g_fEmptyEdge), m_vBottomRt(-g_fEmptyEdge, g_fEmptyEdge) {}
+CAabb2D::CAabb2D() : m_vTopLeft(g_fEmptyEdge, -g_fEmptyEdge), m_vBottomRt(-g_fEmptyEdge, g_fEmptyEdge) {}
 
 CAabb2D::CAabb2D(const Vector2& topleft, const Vector2& bottomright)
     : m_vTopLeft(topleft), m_vBottomRt(bottomright) {
