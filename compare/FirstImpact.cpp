@@ -26,11 +26,14 @@ bool HasImpact(const CExactGame& game) {
 void RequireImpact(const CScene& scene, std::uint64_t seed) {
   const std::size_t steps = GetStepsPerTrial(scene), balls = scene.m_stdBalls.size();
   const std::uint64_t questions = balls * (scene.m_stdShapes.size() + balls);
-  std::uint64_t trials = 0, played = 0;
-  for (; trials < g_nMostTrials && played * questions < g_nMostQuestions; ++trials) {
+  std::uint64_t trials = 0, played = 0; // trials that were played to their end
+  const auto isTooLong = [&] { return played * questions >= g_nMostQuestions; };
+  for (; trials < g_nMostTrials && !isTooLong(); ++trials) {
     CExactGame game(scene, MakeStart(scene, seed, trials));
     try {
-      for (std::size_t i = 0; i < steps && game.IsInBounds() && played * questions < g_nMostQuestions; ++i) {
+      for (std::size_t i = 0; i < steps && game.IsInBounds(); ++i) {
+        if (isTooLong() && trials == 0) return; // too large to be told in short
+        if (isTooLong()) break;
         game.Step();
         ++played;
         if (HasImpact(game)) return;

@@ -9,8 +9,8 @@
 namespace Shapes::Compare {
 
 /// Plays random trials on the exact reference until a ball meets a ball or a shape that is no sensor. Gives
-/// up after 1,000 trials, or fewer where trials are long or shapes are many: after at most a fifth of a
-/// second or so.
+/// up after 1,000 trials, or a fifth of a second or so; a scene of which not even one trial can be played in
+/// that time is not refused.
 /// @throws CSceneError naming the file and what was tried, if no ball met anything
 void RequireImpact(const CScene& scene, std::uint64_t seed);
 

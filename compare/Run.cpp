@@ -115,9 +115,11 @@ CRunReport RunScenes(const std::vector<CScene>& scenes, const std::vector<CEngin
   report.m_nSeed = seed;
   report.m_nContacts = sizes.m_nContacts;
   report.m_stdEngines = engines;
+  std::string name;
   try {
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-      progress.BeginScene(i, scenes[i].m_sName);
+      name = scenes[i].m_sName;
+      progress.BeginScene(i, name);
       report.m_stdScenes.push_back(RunScene(scenes[i], engines, sizes, seed, [&](eStage part, double share) {
         check();
         progress.Report(part, share);
@@ -128,7 +130,7 @@ CRunReport RunScenes(const std::vector<CScene>& scenes, const std::vector<CEngin
   } catch (const CInterrupted&) {
     report.m_bInterrupted = true;
   } catch (const std::exception& e) {
-    throw std::runtime_error(scenes.at(report.m_stdScenes.size()).m_sName + ": " + e.what());
+    throw std::runtime_error(name + ": " + e.what());
   }
   progress.Clear();
   return report;

@@ -66,14 +66,18 @@ public:
     fields.Read("description", m_cScene.m_sDescription);
     ReadWorld(fields);
     fields.Has("bounds"); // required: refused where it is read
-    ReadBounds(fields.GetPath() / "bounds");
-    for (const CJsonPath& path : fields.ReadList("shapes", "a list of shapes", 0))
-      ReadShape(path);
-    for (const CJsonPath& path : fields.ReadList("compounds", "a list of compounds", 0))
-      ReadCompound(path);
-    for (const CJsonPath& path : fields.ReadList("balls", "a list of at least one ball", 1))
-      ReadBall(path);
+    const auto shapes = fields.ReadList("shapes", "a list of shapes", 0);
+    const auto compounds = fields.ReadList("compounds", "a list of compounds", 0);
+    const auto balls = fields.ReadList("balls", "a list of at least one ball", 1);
     fields.RefuseOthers();
+    MakeCheckedWorld(fields.GetPath());
+    ReadBounds(fields.GetPath() / "bounds");
+    for (const CJsonPath& path : shapes)
+      ReadShape(path);
+    for (const CJsonPath& path : compounds)
+      ReadCompound(path);
+    for (const CJsonPath& path : balls)
+      ReadBall(path);
     return std::move(m_cScene);
   }
 
@@ -110,9 +114,12 @@ private:
     fields.Read("gravity", world.m_vGravity, g_cVector);
     fields.Read("time_step", world.m_fTimeStep, g_cPositive);
     fields.Read("duration", m_cScene.m_fDuration, g_cPositive, eNeed::Required);
-    m_pWorld = Checked({fields.GetPath()}, [&] { return GetBackend(eBackend::Native)->MakeWorld(world); });
-    if (!(m_cScene.m_fDuration >= world.m_fTimeStep))
-      Refuse(fields.GetPath() / "duration", "at least one time_step");
+  }
+
+  void MakeCheckedWorld(const CJsonPath& path) {
+    m_pWorld = Checked({path}, [&] { return GetBackend(eBackend::Native)->MakeWorld(m_cScene.m_cWorld); });
+    if (!(m_cScene.m_fDuration >= m_cScene.m_cWorld.m_fTimeStep))
+      Refuse(path / "duration", "at least one time_step");
   }
 
   void ReadBounds(const CJsonPath& path) {
@@ -132,17 +139,22 @@ private:
     CSceneRotation turning;
     fields.Read("rotation_speed", turning.m_fRotSpeed, g_cRotSpeed);
     fields.Read("rotation_center", turning.m_vRotCenter, g_cPoint);
-    if (fields.Has("flip")) turning.m_cFlip = ReadFlip(fields.GetPath(), turning.m_fRotSpeed);
+    if (fields.Has("flip")) turning.m_cFlip = ReadFlip(fields.GetPath());
     std::string motion = "static";
     fields.ReadWord("motion", motion, g_stdMotions);
-    if (motion == "kinematic")
-      turning.m_eMotion = eMotion::Kinematic;
-    else if (turning.m_cFlip || turning.m_fRotSpeed != 0.0f)
-      Refuse(fields.GetPath() / "motion", "\"kinematic\" for a shape that turns");
+    if (motion == "kinematic") turning.m_eMotion = eMotion::Kinematic;
     return turning;
   }
 
-  CFlip ReadFlip(const CJsonPath& owner, float rotSpeed) const {
+  // What takes two fields to know, after all fields are read: a misspelled one is the better reason.
+  void CheckTurning(const CJsonPath& path, const CSceneRotation& turning) const {
+    if (turning.m_cFlip && turning.m_fRotSpeed != 0.0f)
+      Refuse(path / "rotation_speed", "none for what has a flip");
+    if (turning.m_eMotion == eMotion::Static && (turning.m_cFlip || turning.m_fRotSpeed != 0.0f))
+      Refuse(path / "motion", "\"kinematic\" for a shape that turns");
+  }
+
+  CFlip ReadFlip(const CJsonPath& owner) const {
     const CJsonPath path = owner / "flip";
     CSceneFields fields = Fields(path, "an object with angle, speed, period and perhaps phase");
     CFlip flip;
@@ -157,7 +169,6 @@ private:
     if (!(flip.m_fPeriod > 0.0f && flip.m_fPeriod >= shortest))
       Refuse(path / "period",
              fmt::format("the time to turn by angle at speed and back, {} or more", shortest));
-    if (rotSpeed != 0.0f) Refuse(owner / "rotation_speed", "none for what has a flip");
     return flip;
   }
 
@@ -167,10 +178,12 @@ private:
     turning.m_eMotion = eMotion::Kinematic;
     fields.Read("rotation_speed", turning.m_fRotSpeed, g_cRotSpeed);
     fields.Read("rotation_center", turning.m_vRotCenter, g_cPoint, eNeed::Required);
-    if (fields.Has("flip")) turning.m_cFlip = ReadFlip(path, turning.m_fRotSpeed);
-    for (const CJsonPath& shape : fields.ReadList("shapes", "a list of at least one shape", 1))
-      ReadShape(shape, &turning, path);
+    if (fields.Has("flip")) turning.m_cFlip = ReadFlip(path);
+    const auto shapes = fields.ReadList("shapes", "a list of at least one shape", 1);
     fields.RefuseOthers();
+    CheckTurning(path, turning);
+    for (const CJsonPath& shape : shapes)
+      ReadShape(shape, &turning, path);
   }
 
   CAnyShapeDesc ReadGeometry(CSceneFields& fields) const {
@@ -244,10 +257,11 @@ private:
           desc.m_eMotionType = turning.m_eMotion;
           desc.m_fRotSpeed = turning.m_fRotSpeed;
           desc.m_vRotCenter = turning.m_vRotCenter;
-          if (shape.m_bIsDrain && !desc.m_bIsSensor) Refuse(path / "sensor", "true for a drain");
         },
         shape.m_cDesc);
     fields.RefuseOthers();
+    if (pCompound == nullptr) CheckTurning(path, turning);
+    if (shape.m_bIsDrain && !GetBase(shape.m_cDesc).m_bIsSensor) Refuse(path / "sensor", "true for a drain");
     Checked({path, turner}, [&] { return m_pWorld->Add(shape.m_cDesc); });
     m_cScene.m_stdShapes.push_back(std::move(shape));
   }

@@ -11,8 +11,8 @@
 
 namespace Shapes::Compare {
 
-// After many turns the rounding of 2 pi counts as many times, so what it leaves out is taken off as well.
-// Error: the rounding of the result, up to 10^15 turns.
+// After many turns the rounding of 2 pi counts as many times, so what it leaves out is taken off as well. The
+// library does the same for its angles; but what judges does not lean on what is judged.
 template <>
 double TakeTurnsOff(const double& angle) {
   constexpr double tau = 2.0 * std::numbers::pi,

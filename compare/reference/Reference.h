@@ -88,7 +88,8 @@ struct CExactBall {
   T GetExtent() const { return m_vPos.cwiseAbs().maxCoeff() + m_fRadius; }
 };
 
-/// The angle without its whole turns, of the same sign and between -2 pi and 2 pi, whatever its size.
+/// The angle without its whole turns, between -2 pi and 2 pi. Up to 10^15 turns the error is a few roundings
+/// of 2 pi.
 template <class T>
 T TakeTurnsOff(const T& angle);
 template <>
@@ -208,14 +209,14 @@ private:
     T m_fTime;
   };
 
-  // Reference.cpp
+  // ReferenceStep.h
   CSweptBall<T> GetSwept(std::size_t ball, const T& t) const;
   void Advance(std::size_t ball, const T& t);
   CPair* FindPair(std::size_t ball, std::size_t other, bool isBall);
   CPair& GetPair(std::size_t ball, std::size_t other, bool isBall);
   [[noreturn]] void Jammed(std::size_t ball) const;
   [[noreturn]] void TooFast(std::size_t ball) const;
-  // ReferenceMeet.cpp: what comes next
+  // ReferenceMeet.h: what comes next
   void FindNext(std::size_t ball);
   void FindAfter();
   void MeetShapes(std::size_t ball, CNext& next);
@@ -226,19 +227,19 @@ private:
                 std::size_t other1, const CHit<T>& hit1) const;
   void Offer(CNext& next, bool found, bool isBall, std::size_t ball, std::size_t other, const CHit<T>& hit);
   void CountNearMisses(const T& now);
-  // ReferenceAnswer.cpp: what an impact does
+  // ReferenceAnswer.h: what an impact does
   void Answer(std::size_t ball, const CNext& next, std::vector<CExactEvent<T>>& events, std::size_t first);
   void AnswerShape(const CHit<T>& hit, CPair& pair, CExactEvent<T>& event);
   void AnswerBall(const CHit<T>& hit, CPair& pair, CExactEvent<T>& event);
   bool Begins(const CHit<T>& hit, const CPair& pair) const;
   T Kick(CPair& pair);
-  // ReferenceSlide.cpp: permanent contacts
+  // ReferenceSlide.h: permanent contacts
   bool Slides(CPair& pair, const T& e, const T& approach, bool pressed);
   void BeginSlide(CPair& pair);
   T HopSpeed(const T& press, const T& size, const T& speeds) const;
   T Press(const CPair& pair, const CHit<T>& hit) const;
   void Settle();
-  // ReferenceRest.cpp: those that rest
+  // ReferenceRest.h: those that rest
   void PassEnd(std::size_t ball, const CNext& next);
   void CheckRests();
   void Support();

@@ -105,12 +105,12 @@ std::string OverallLine(const CEngine& engine, const COverall& overall) {
   std::string against;
   if (engine.m_sName != g_sBox2D && !speed.empty()) {
     const auto [least, most] = std::minmax_element(speed.begin(), speed.end());
-    against =
-        fmt::format("   {} ({} to {})", SpeedText(GeometricMean(speed)), TwoDigits(*least), TwoDigits(*most));
+    against = fmt::format("{:>11} ({} to {})", TwoDigits(GeometricMean(speed)), TwoDigits(*least),
+                          TwoDigits(*most));
   }
-  return fmt::format("{:<18}{:>6}{:>8}{:>9}{:>8.0f}{}\n", engine.m_sName, CountText(overall.m_nLost),
+  return fmt::format("{:<18}{:>11}{:>8}{:>9}{:>7}{}\n", engine.m_sName, CountText(overall.m_nLost),
                      LostText(overall.m_nLost, overall.m_nImpacts), DirectionText(overall.m_cDirection),
-                     overall.m_fNs, against);
+                     TimeText(overall.m_fNs), against);
 }
 
 // Which engine to take: the fastest of those that lose no more than Box2D as it ships.
@@ -168,18 +168,18 @@ std::string MakeSummary(const CRunReport& report) {
   for (std::size_t e = 0; e < report.m_stdEngines.size(); ++e)
     overall.push_back(MakeOverall(report, e));
   if (overall.empty() || overall.front().m_nImpacts == 0) return "\nNothing was judged.\n";
-  const bool hasBox2D = FindEngine(report, g_sBox2D).has_value();
-  std::string text = fmt::format(
-      "\n{:<18}{:>14}{:>9}{:>8}{}\n", fmt::format("{} impacts", CountText(overall.front().m_nImpacts)),
-      "balls lost", "degrees", "ns", hasBox2D ? "   against box2d (in the scenes)" : "");
+  const std::string impacts = fmt::format("{} impacts", CountText(overall.front().m_nImpacts));
+  std::string text = fmt::format("\n{:<18}{:>11}{:>8}{:>9}{:>7}{}\n", impacts, "lost", "", "degrees", "ns",
+                                 FindEngine(report, g_sBox2D) ? "   times as fast as box2d" : "");
   for (std::size_t e = 0; e < overall.size(); ++e)
     text += OverallLine(report.m_stdEngines[e], overall[e]);
   if (const std::string result = Result(report, overall); !result.empty()) text += '\n' + Wrap(result, 0, 2);
-  text += '\n' +
-          Wrap("lost: the exact ball is turned back, this one goes on. degrees: error of the direction after "
-               "an impact, "
-               "in 95% of them less. ns: nanoseconds for one step of one ball, geometric mean of the scenes.",
-               0, 0);
+  std::string legend =
+      "lost: the exact ball is turned back, this one goes on. degrees: error of the direction after an "
+      "impact, in 95% of them less. ns: nanoseconds for one step of one ball.";
+  if (FindEngine(report, g_sBox2D))
+    legend += " Times are geometric means of the scenes, with the extremes in brackets.";
+  text += '\n' + Wrap(legend, 0, 0);
   if (report.m_bInterrupted)
     text += fmt::format("Interrupted: only the scenes that were finished ({}) are here.\n",
                         report.m_stdScenes.size());

@@ -186,6 +186,7 @@ public:
   eShape GetShapeType(CShapeId id) const;
   eMotion GetMotionType(CShapeId id) const;
   const Vector2& GetPos(CShapeId id) const;
+  /// @throws std::invalid_argument if the shape would be beyond the limits of the engine there
   void SetPos(CShapeId id, const Vector2& p);
   float GetElasticity(CShapeId id) const;
   void SetElasticity(CShapeId id, float e);
@@ -197,6 +198,8 @@ public:
   void SetUserPtr(CShapeId id, void* p);
 
   // Of shapes that are not balls.
+  /// All of them, in the order of their ids.
+  std::vector<CShapeId> GetShapeIds() const;
   /// The shape as it is now, to draw it or ask it. Valid until it is removed or a state is loaded.
   const CShape& GetShape(CShapeId id) const;
   float GetOrientation(CShapeId id) const;
@@ -292,6 +295,8 @@ private:
   void PlanSubsteps();
   CShapeId AddShape(std::unique_ptr<CShape> pShape);
   void RequireExtent(const CAabb2D& box) const;
+  template <class F>
+  void ChangePose(CShape& shape, const F& change);
   void RequireHeld(const CWorldState& state) const;
 
   CWorldDesc m_cDesc;

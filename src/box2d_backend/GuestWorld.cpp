@@ -132,6 +132,7 @@ void CGuestWorld::OnRemoved(CShapeId id) {
 void CGuestWorld::OnChanged(CShapeId id, eChange what) {
   const CBusy busy(m_bIsBusy);
   m_pStepper->OnChanged(id, what);
+  if (what == eChange::Properties) m_nPlanned = 0; // elasticities decide whether a listener is needed
 }
 
 bool CGuestWorld::IsBox2DAtWork() const { return m_bIsBusy || m_pWorld->IsLocked() || m_pChain->IsInside(); }

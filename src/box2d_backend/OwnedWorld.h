@@ -23,7 +23,10 @@ private:
   void Substep(float dt) override;
   void OnAdded(CShapeId id) override { m_pStepper->OnAdded(id); }
   void OnRemoved(CShapeId id) override { m_pStepper->OnRemoved(id); }
-  void OnChanged(CShapeId id, eChange what) override { m_pStepper->OnChanged(id, what); }
+  void OnChanged(CShapeId id, eChange what) override {
+    m_pStepper->OnChanged(id, what);
+    if (what == eChange::Properties) m_nPlanned = 0; // elasticities decide whether a listener is needed
+  }
   // Bodies made anew have no contacts and no cached impulses: whoever goes on from a saved state has the same
   // bits.
   void OnSaved() override { Rebuild(); }

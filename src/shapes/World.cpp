@@ -341,15 +341,30 @@ const Vector2& CWorld::GetPos(CShapeId id) const {
   return i != CWorldState::npos ? m_pState->m_cBalls.m_stdPos[i] : FindShape(id).GetPos();
 }
 
+template <class F>
+void CWorld::ChangePose(CShape& shape, const F& change) {
+  // Tried on a copy: what is refused has changed nothing. Limits of native are those of the shape itself.
+  if (m_cLimits.m_fMaxLength != g_fMaxLength) {
+    const auto pCopy = shape.Clone();
+    change(*pCopy);
+    RequireExtent(pCopy->GetAABB());
+  }
+  change(shape);
+  ContentChanged();
+}
+
 void CWorld::SetPos(CShapeId id, const Vector2& p) {
   OnAccess(eAccess::Change);
   RequireVector("m_vPos", p, g_fMaxLength);
-  RequireExtent(CAabb2D(p, p));
-  if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos)
-    m_pState->m_cBalls.m_stdPos[i] = m_pState->m_cBalls.m_stdPrevPos[i] = p;
-  else
-    FindShape(id).SetPos(p);
-  ContentChanged();
+  CBallArrays& b = m_pState->m_cBalls;
+  // Where a ball is changes nothing in what runs, nor in how a substep is planned.
+  if (const std::size_t i = m_pState->FindBall(id); i != CWorldState::npos) {
+    const Vector2 r(b.m_stdRadius[i], b.m_stdRadius[i]);
+    RequireExtent(CAabb2D(p - r, p + r));
+    b.m_stdPos[i] = b.m_stdPrevPos[i] = p;
+  } else {
+    ChangePose(FindShape(id), [&](CShape& shape) { shape.SetPos(p); });
+  }
   OnChanged(id, eChange::Pose);
 }
 
@@ -365,7 +380,6 @@ void CWorld::SetElasticity(CShapeId id, float e) {
     m_pState->m_cBalls.m_stdElasticity[i] = e;
   else
     FindShape(id).SetElasticity(e);
-  ContentChanged();
   OnChanged(id, eChange::Properties);
 }
 
@@ -421,8 +435,8 @@ const Vector2& CWorld::GetRotCenter(CShapeId id) const { return FindShape(id).Ge
 
 void CWorld::SetOrientation(CShapeId id, float angle) {
   OnAccess(eAccess::Change);
-  FindKinematic(id, "a kinematic shape, to be turned").SetOrientation(angle);
-  ContentChanged();
+  ChangePose(FindKinematic(id, "a kinematic shape, to be turned"),
+             [&](CShape& shape) { shape.SetOrientation(angle); });
   OnChanged(id, eChange::Pose);
 }
 
@@ -468,6 +482,13 @@ void CWorld::SetVel(CShapeId id, const Vector2& v) {
   RequireVector("m_vVel", v, m_cLimits.m_fMaxSpeed);
   m_pState->m_cBalls.m_stdVel[i] = v;
   OnChanged(id, eChange::Motion);
+}
+
+std::vector<CShapeId> CWorld::GetShapeIds() const {
+  std::vector<CShapeId> ids;
+  for (const CShapeEntry& entry : Look().m_stdShapes)
+    ids.push_back(entry.m_cId);
+  return ids;
 }
 
 std::span<const CShapeId> CWorld::GetBallIds() const { return Look().m_cBalls.m_stdId; }

@@ -38,6 +38,25 @@ Vector2 Throw(CWorld& world, CShapeId ball, const Vector2& p, const Vector2& v, 
 
 CShapeId AddBall(CWorld& world) { return world.Add(CDynamicCircleDesc({50, 50}, 0.1f)); }
 
+// Up to 1e8 metres; what is refused has not moved.
+TEST(OwnedWorldTest, APoseBeyondTheLimitsIsRefusedByEachSetter) {
+  const auto pWorld = Make();
+  const CShapeId circle = pWorld->Add(CCircleDesc({0, 0}, 1000)),
+                 ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 1000));
+  for (const CShapeId id : {circle, ball}) {
+    EXPECT_THROW(pWorld->SetPos(id, {1e8f - 500, 0}), std::invalid_argument);
+    EXPECT_EQ(pWorld->GetPos(id), Vector2(0, 0));
+    pWorld->SetPos(id, {1e8f - 2000, 0}); // the control
+    EXPECT_EQ(pWorld->GetPos(id), Vector2(1e8f - 2000, 0));
+  }
+  CLineSegDesc desc({0, 0}, {9e7f, 9e7f});
+  desc.m_eMotionType = eMotion::Kinematic;
+  const CShapeId lever = pWorld->Add(desc);
+  EXPECT_THROW(pWorld->SetOrientation(lever, -g_fPi / 4), std::invalid_argument);
+  EXPECT_EQ(pWorld->GetOrientation(lever), 0.0f);
+  pWorld->SetOrientation(lever, g_fPi / 2); // the control
+}
+
 TEST(OwnedWorldTest, PixelsAndMetresGiveTheSameTrajectory) {
   const auto run = [](float unit, bool tellTheWorld) {
     auto pWorld = Make({0, -10 * unit}, tellTheWorld ? unit : 1.0f);

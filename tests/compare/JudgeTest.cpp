@@ -9,12 +9,12 @@
 namespace Shapes::Compare::Tests {
 namespace {
 
-constexpr float g_fRadius = 0.05f;
+constexpr float g_fBallRadius = 0.05f;
 constexpr std::size_t g_nJudgeContacts = 2000;
 
 // The ball flies to the right by this many radii per step.
 CDynamicCircleDesc Flying(const Vector2& p, float radii) {
-  return {p, g_fRadius, {radii * g_fRadius * 60, 0}};
+  return {p, g_fBallRadius, {radii * g_fBallRadius * 60, 0}};
 }
 
 CRestartResult Judge(const CScene& scene, std::size_t contacts = g_nJudgeContacts) {
@@ -34,7 +34,7 @@ TEST(JudgeTest, ARollingBallHasNotAnsweredTheWallThatItMissed) {
   floor.m_fElasticity = 0.0f;
   AddShape(scene, floor);
   AddShape(scene, CLineSegDesc({0, -0.01f}, {0, 1}));
-  AddBall(scene, Flying({-1, g_fRadius}, 6));
+  AddBall(scene, Flying({-1, g_fBallRadius}, 6));
   const CRestartResult result = Judge(scene);
   ASSERT_EQ(result.m_stdContacts.size(), g_nJudgeContacts);
   const CTotals native = MakeTotals(result.m_stdContacts, g_nNative);

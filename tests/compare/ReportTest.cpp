@@ -107,6 +107,50 @@ void ExpectFits(const std::string& table) {
   }
 }
 
+TEST(SummaryTest, ShowsEachSceneInALineAndTheResultOverAll) {
+  CRunReport report = MakeSampleReport();
+  const std::vector<std::string> heading = Lines(MakeHeading(report));
+  EXPECT_EQ(heading.back(), "scene               native   swept   box2d   tuned native  swept  box2d  tuned");
+  EXPECT_EQ(MakeSceneLine(report.m_stdScenes[0]),
+            "spinner              20.3%    1.2%   0.60%    none     50     70    500    800\n");
+  EXPECT_TRUE(Contains(MakeSceneLine(MakeUndecidedScene()), "nothing to judge"));
+
+  // Balls that are lost, their share, 95% of the directions in degrees (2 rad, and 0 on two engines), ns.
+  const std::string summary = MakeSummary(report);
+  EXPECT_TRUE(
+      Contains(summary, "\nnative                    203   20.3%      115     50         10 (10 to 10)\n"))
+      << summary;
+  EXPECT_TRUE(
+      Contains(summary, "\nnative-continuous          12    1.2%    exact     70        7.1 (7.1 to 7.1)\n"))
+      << summary;
+  EXPECT_TRUE(Contains(summary, "\nbox2d                       6   0.60%        -    500\n")) << summary;
+  EXPECT_TRUE(Contains(summary,
+                       "\nbox2d-tuned                 0    none    exact    800       0.62 (0.62 to 0.62)\n"))
+      << summary;
+  // 12 and 6 of 1,000 cannot be told apart, 203 and 6 can.
+  EXPECT_TRUE(Contains(Unwrapped(summary),
+                       "Result: native-continuous loses 12 of 1,000 balls, box2d 6; it is 7.1 "
+                       "times as fast as box2d."))
+      << summary;
+  report.m_stdScenes[0].m_stdEngines[1].m_cTotals.m_nMissed = 100;
+  EXPECT_TRUE(Contains(Unwrapped(MakeSummary(report)),
+                       "Result: no other engine loses as few balls as box2d (6 of "
+                       "1,000) in less time."));
+  EXPECT_FALSE(Contains(summary, "Interrupted"));
+  report.m_bInterrupted = true;
+  EXPECT_TRUE(Contains(MakeSummary(report), "Interrupted: only the scenes that were finished (1) are here."));
+  report.m_stdScenes.clear();
+  EXPECT_TRUE(Contains(MakeSummary(report), "Nothing was judged."));
+}
+
+TEST(SummaryTest, OneEngineAloneIsHeldAgainstNone) {
+  CRunReport report = MakeSampleReport();
+  report.m_stdEngines.resize(1);
+  report.m_stdScenes[0].m_stdEngines.resize(1);
+  EXPECT_FALSE(Contains(MakeSummary(report), "Result"));
+  EXPECT_FALSE(Contains(MakeSummary(report), "box2d"));
+}
+
 TEST(TableTest, FitsATerminalWhateverTheFiguresAndNames) {
   CRunReport report = MakeSampleReport();
   CSceneReport wild = MakeSampleScene();
@@ -129,6 +173,9 @@ TEST(TableTest, FitsATerminalWhateverTheFiguresAndNames) {
   report.m_stdScenes.push_back(MakeUndecidedScene());
   report.m_bInterrupted = true;
   ExpectFits(MakeTable(report));
+  ExpectFits(MakeHeading(report) + MakeSummary(report));
+  for (const CSceneReport& scene : report.m_stdScenes)
+    ExpectFits(MakeSceneLine(scene));
   EXPECT_TRUE(Contains(MakeTable(report), "Interrupted: only the scenes that were finished (4) are here."));
   EXPECT_FALSE(Contains(MakeTable(MakeSampleReport()), "Interrupted"));
   report.m_stdScenes.clear();

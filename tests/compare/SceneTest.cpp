@@ -213,6 +213,13 @@ TEST_F(SceneTest, AWrongFieldIsNamedWithWhatWasExpected) {
       {[](json& d) { d["shapes"][0]["radius"] = 1; },
        " /shapes/0/radius: expected no such field (known are drain, elasticity, flip, motion, name, "
        "position, rotation_center, rotation_speed, sensor, type), got 1"},
+      // A misspelled field comes before what its absence leads to.
+      {[](json& d) {
+         d["shapes"][3].erase("motion");
+         d["shapes"][3]["moton"] = "kinematic";
+       },
+       " /shapes/3/moton: expected no such field (known are angles, drain, elasticity, flip, motion, name, "
+       "position, radius, rotation_center, rotation_speed, sensor, sides, type), got \"kinematic\""},
       {[](json& d) { d["shapes"][1]["a/b: 'c'"] = true; },
        " /shapes/1/a~1b: 'c': expected no such field (known are drain, elasticity, flip, motion, name, p0, "
        "p1, rotation_center, rotation_speed, sensor, sides, type), got true"},

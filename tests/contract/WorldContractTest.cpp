@@ -283,7 +283,11 @@ TEST_P(CWorldContract, ShapesAndBallsAreRemoved) {
   EXPECT_THROW(pWorld->GetPos(other), std::invalid_argument);
   ASSERT_EQ(pWorld->GetBallIds().size(), 1u);
   EXPECT_EQ(pWorld->GetBallIds()[0], ball);
-  EXPECT_GT(pWorld->Add(CPointDesc(Vector2(0, 0))), ball); // ids are not used again
+  EXPECT_TRUE(pWorld->GetShapeIds().empty());
+  const CShapeId next = pWorld->Add(CPointDesc(Vector2(0, 0)));
+  EXPECT_GT(next, ball); // ids are not used again
+  const CShapeId last = pWorld->Add(CCircleDesc({9, 9}, 1));
+  EXPECT_EQ(pWorld->GetShapeIds(), (std::vector<CShapeId>{next, last}));
 }
 
 TEST_P(CWorldContract, UserPointersStayWithTheirShapes) {

@@ -14,7 +14,7 @@ namespace Shapes::HardCases {
 namespace {
 
 const std::string g_sValidationGroup = "Inputs that are no numbers, or of no extent";
-constexpr float g_fInfinite = std::numeric_limits<float>::infinity();
+constexpr float g_fNoSize = std::numeric_limits<float>::infinity();
 
 using CBall = CDynamicCircleDesc;
 
@@ -108,14 +108,14 @@ CHardCase PlaceThatIsNoNumber() {
 }
 
 CHardCase InfiniteVelocity() {
-  const CBall ball({-3.0f, 0.0f}, 1.0f, {g_fInfinite, 0.0f});
+  const CBall ball({-3.0f, 0.0f}, 1.0f, {g_fNoSize, 0.0f});
   CHardCase c =
       RefusedBall("BallOfInfiniteVelocity", "v = (Inf, 0); added, or set", ball, "m_vVel is (inf, 0)");
   c.m_fnError = [ball](eColumn column) {
     if (column != eColumn::Reference) {
       try {
-        return Refusal(
-            column, [](CWorld& world) { world.SetVel(world.GetBallIds()[0], Vector2(g_fInfinite, 0.0f)); });
+        return Refusal(column,
+                       [](CWorld& world) { world.SetVel(world.GetBallIds()[0], Vector2(g_fNoSize, 0.0f)); });
       } catch (const std::invalid_argument&) {
       }
     }
