@@ -28,7 +28,8 @@ CColumnName ColumnName(const CEngine& engine) {
   const std::size_t dash = engine.m_sName.find('-');
   if (dash == engine.m_sName.npos) return {"", engine.m_sName};
   const std::string kind = engine.m_sName.substr(dash + 1);
-  return {engine.m_sName.substr(0, dash), kind == "continuous" ? "swept" : kind};
+  return {engine.m_sName.substr(0, dash),
+          kind.size() < g_nTimeWidth ? kind : kind.substr(0, g_nTimeWidth - 1)};
 }
 
 std::string HeadingLine(const std::vector<CEngine>& engines, const std::string& first,

@@ -110,7 +110,7 @@ void ExpectFits(const std::string& table) {
 TEST(SummaryTest, ShowsEachSceneInALineAndTheResultOverAll) {
   CRunReport report = MakeSampleReport();
   const std::vector<std::string> heading = Lines(MakeHeading(report));
-  EXPECT_EQ(heading.back(), "scene               native   swept   box2d   tuned native  swept  box2d  tuned");
+  EXPECT_EQ(heading.back(), "scene               native  contin   box2d   tuned native contin  box2d  tuned");
   EXPECT_EQ(MakeSceneLine(report.m_stdScenes[0]),
             "spinner              20.3%    1.2%   0.60%    none     50     70    500    800\n");
   EXPECT_TRUE(Contains(MakeSceneLine(MakeUndecidedScene()), "nothing to judge"));
