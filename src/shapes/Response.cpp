@@ -11,13 +11,11 @@ T Kick(T e, T vn) {
   return (T(1) + e) * std::max(vn, -T(g_fMaxApproach));
 }
 
-using Vector2d = Eigen::Vector2d;
-
 // Names of their own: as overloads of Length and Normalize they would make Length({x, y}) ambiguous.
 float GetSpeed(const Vector2& v) { return Length(v); }
-double GetSpeed(const Vector2d& v) { return v.norm(); }
+double GetSpeed(const Eigen::Vector2d& v) { return v.norm(); }
 Vector2 GetDirection(const Vector2& v) { return Normalize(v); }
-Vector2d GetDirection(const Vector2d& v) { return v.normalized(); }
+Eigen::Vector2d GetDirection(const Eigen::Vector2d& v) { return v.normalized(); }
 
 } // namespace
 
@@ -55,12 +53,12 @@ void RespondDynamic(const TVector& n, T setback, T e, T m0, T m1, TVector& p0, T
 }
 
 template bool CapSpeed(Vector2&, float);
-template bool CapSpeed(Vector2d&, float);
+template bool CapSpeed(Eigen::Vector2d&, float);
 template void RespondKinematic(const Vector2&, float, float, const Vector2&, Vector2&, Vector2&);
-template void RespondKinematic(const Vector2d&, double, double, const Vector2d&, Vector2d&, Vector2d&);
+template void RespondKinematic(const Eigen::Vector2d&, double, double, const Eigen::Vector2d&, Eigen::Vector2d&, Eigen::Vector2d&);
 template void RespondDynamic(const Vector2&, float, float, float, float, Vector2&, Vector2&, Vector2&,
                              Vector2&);
-template void RespondDynamic(const Vector2d&, double, double, double, double, Vector2d&, Vector2d&, Vector2d&,
-                             Vector2d&);
+template void RespondDynamic(const Eigen::Vector2d&, double, double, double, double, Eigen::Vector2d&, Eigen::Vector2d&, Eigen::Vector2d&,
+                             Eigen::Vector2d&);
 
 } // namespace Shapes
