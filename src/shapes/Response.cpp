@@ -55,10 +55,11 @@ void RespondDynamic(const TVector& n, T setback, T e, T m0, T m1, TVector& p0, T
 template bool CapSpeed(Vector2&, float);
 template bool CapSpeed(Eigen::Vector2d&, float);
 template void RespondKinematic(const Vector2&, float, float, const Vector2&, Vector2&, Vector2&);
-template void RespondKinematic(const Eigen::Vector2d&, double, double, const Eigen::Vector2d&, Eigen::Vector2d&, Eigen::Vector2d&);
+template void RespondKinematic(const Eigen::Vector2d&, double, double, const Eigen::Vector2d&,
+                               Eigen::Vector2d&, Eigen::Vector2d&);
 template void RespondDynamic(const Vector2&, float, float, float, float, Vector2&, Vector2&, Vector2&,
                              Vector2&);
-template void RespondDynamic(const Eigen::Vector2d&, double, double, double, double, Eigen::Vector2d&, Eigen::Vector2d&, Eigen::Vector2d&,
-                             Eigen::Vector2d&);
+template void RespondDynamic(const Eigen::Vector2d&, double, double, double, double, Eigen::Vector2d&,
+                             Eigen::Vector2d&, Eigen::Vector2d&, Eigen::Vector2d&);
 
 } // namespace Shapes
