@@ -34,7 +34,7 @@ struct CRunSizes {
   CRunSizes ForContacts(std::size_t contacts) const;
 };
 
-/// What a run does unless it is told otherwise, and a long one for figures that go into documents.
+/// The sizes of a usual run, and of a full one, whose figures go into documents.
 inline constexpr CRunSizes g_cFullSizes{20000, 11,      50000, 5000, 100000, 11,   7000, 500,
                                         10000, 1000000, 300,   500,  15,     7000, 300};
 inline constexpr CRunSizes g_cQuickSizes{2000, 11,    2500, 250, 2000, 5,   500, 30,

@@ -146,7 +146,7 @@ private:
     return turning;
   }
 
-  // What takes two fields to know, after all fields are read: a misspelled one is the better reason.
+  // Rules between two fields, checked after all fields are read: a misspelled one is the better reason.
   void CheckTurning(const CJsonPath& path, const CSceneRotation& turning) const {
     if (turning.m_cFlip && turning.m_fRotSpeed != 0.0f)
       Refuse(path / "rotation_speed", "none for what has a flip");

@@ -158,7 +158,7 @@ void ListEngines() {
     fmt::print("{}\n", engine.m_sName);
 }
 
-// What was meant by the first word of the command line that was not expected: an option, or the command
+// Suggests a word for the first one of the command line that was not expected: an option, or the command
 // itself.
 std::string Suggest(const CLI::App& app) {
   const std::vector<std::string> words = app.remaining(true);

@@ -287,7 +287,7 @@ TEST_F(CommandTest, ASceneInWhichNothingIsMetIsRefusedWithinASecond) {
     EXPECT_LT(thousands, 1000);
   };
   refuse(scene(-1, ""));
-  // What only a sensor sees is no impact.
+  // A sensor gives no impact.
   refuse(scene(-1, R"(, {"type": "circle", "position": [-9, 0], "radius": 1, "sensor": true})"));
   EXPECT_FALSE(fs::exists(m_cFolder / "run.json"));
   EXPECT_EQ(Call("scene " + scene(1, "") + " --contacts 5 --out " + m_cFolder.string()).m_nExit, 0);

@@ -89,7 +89,7 @@ std::string FindReaderFault(const json& doc) {
   }
 }
 
-// What a schema cannot say, because it takes two fields, or the shapes themselves, to know.
+// Rules that a schema cannot express: between two fields, or of the shapes themselves.
 bool IsBeyondSchemas(const std::string& fault) {
   constexpr std::string_view reasons[] = {
       "expected at least one time_step", "expected a number above left",
