@@ -110,7 +110,7 @@ private:
 
   void ReadWorld(CSceneFields& fields) {
     CWorldDesc& world = m_cScene.m_cWorld;
-    fields.Read("length_unit", world.m_fLengthUnit, g_cPositive);
+    fields.Read("length_unit", world.m_cBox2D.m_fLengthUnit, g_cPositive);
     fields.Read("gravity", world.m_vGravity, g_cVector);
     fields.Read("time_step", world.m_fTimeStep, g_cPositive);
     fields.Read("duration", m_cScene.m_fDuration, g_cPositive, eNeed::Required);

@@ -33,12 +33,12 @@ CWorldDesc CEngine::MakeWorldDesc(const CScene& scene) const {
   CWorldDesc desc = scene.m_cWorld;
   desc.m_nSubsteps = m_nSubsteps;
   desc.m_cEffects = m_cEffects;
-  desc.m_eProfile = m_eProfile;
-  desc.m_nVelocityIterations = m_nVelocityIterations;
-  desc.m_nPositionIterations = m_nPositionIterations;
-  desc.m_fLengthUnit /= m_fScale;
+  desc.m_cBox2D.m_eProfile = m_eProfile;
+  desc.m_cBox2D.m_nVelocityIterations = m_nVelocityIterations;
+  desc.m_cBox2D.m_nPositionIterations = m_nPositionIterations;
+  desc.m_cBox2D.m_fLengthUnit /= m_fScale;
   // The tolerance is in Box2D's metres: scaled too, so that the scale alone does not change the pieces.
-  desc.m_fSagittaTolerance *= m_fScale * m_fSagittaFactor;
+  desc.m_cBox2D.m_fSagittaTolerance *= m_fScale * m_fSagittaFactor;
   return desc;
 }
 

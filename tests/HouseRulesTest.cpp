@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -68,7 +69,8 @@ std::vector<std::string> BrokenRules(const std::string& path, const std::string&
                          IsIn(path, "examples/box2d_game/");
   const bool seesInterfaceOnly = IsIn(path, "tests/contract/") || IsIn(path, "compare/") ||
                                  IsIn(path, "examples/") || IsIn(path, "tests/consumer/");
-  const bool knowsNoEngine = IsIn(path, "include/") || IsIn(path, "src/shapes/");
+  const bool knowsNoEngine = IsIn(path, "include/") || IsIn(path, "src/shapes/") ||
+                             IsIn(path, "src/geometry/") || IsIn(path, "src/world/");
   bool includesNative = false, includesBox2DBackend = false;
 
   std::istringstream lines(text);
@@ -81,21 +83,69 @@ std::vector<std::string> BrokenRules(const std::string& path, const std::string&
     };
     const bool toNative = LeadsInto(include, "native/"),
                toBox2DBackend = LeadsInto(include, "box2d_backend/"), toBox2D = LeadsInto(include, "box2d/");
-    const bool toSrc = IsIn(include, "src/") || toNative || toBox2DBackend || LeadsInto(include, "shapes/");
+    const bool toSrc = IsIn(include, "src/") || toNative || toBox2DBackend || LeadsInto(include, "shapes/") ||
+                       LeadsInto(include, "world/") || LeadsInto(include, "geometry/");
+    const bool toWorld = LeadsInto(include, "world/") && !toBox2DBackend;
     // Beside a test of its own folder, tests/native/X.h is no engine.
     const bool toTests = IsIn(include, "tests/");
     includesNative |= toNative && !toTests;
     includesBox2DBackend |= toBox2DBackend && !toTests;
     forbid(toBox2D && !seesBox2D, "only src/box2d_backend and a game know Box2D");
-    forbid(knowsNoEngine && (toNative || toBox2DBackend), "the interface and the shapes know no engine");
+    forbid(knowsNoEngine && (toNative || toBox2DBackend),
+           "interface, geometry, shapes and world know no engine");
     forbid(IsIn(path, "src/native/") && toBox2DBackend, "the engines do not know each other");
     forbid(IsIn(path, "src/box2d_backend/") && toNative, "the engines do not know each other");
+    forbid(IsIn(path, "src/geometry/") && toWorld, "geometry knows no world");
+    forbid(IsIn(path, "src/shapes/") && toWorld, "shapes know no world");
     forbid(seesInterfaceOnly && toSrc && !toTests, "only <Shapes/...> is seen here");
     forbid(IsIn(path, "include/") && toSrc, "the interface is whole without the sources");
   }
-  if (includesNative && includesBox2DBackend && path != "src/Backend.cpp")
-    report("includes both engines, as only src/Backend.cpp does");
+  if (includesNative && includesBox2DBackend && path != "src/Engines.cpp")
+    report("includes both engines, as only src/Engines.cpp does");
   return broken;
+}
+
+/// The names of the classes and structures that are defined at the beginning of a line: not nested ones.
+std::set<std::string> ClassesOf(const std::string& text) {
+  static const std::regex pattern(R"((?:^|\n)(?:class|struct) (C\w+)(?![\w:])[^;\n]*\{)");
+  std::set<std::string> names;
+  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it)
+    names.insert((*it)[1]);
+  return names;
+}
+
+/// What a header of the interface shows that it must not: protected members, but for those of CShapeCommon
+/// and the constructors and assignments of bases; hooks for engines; and classes of the sources.
+/// @param internal  the names of those
+std::vector<std::string> ShownInside(const std::string& path, const std::string& text,
+                                     const std::set<std::string>& internal) {
+  std::vector<std::string> shown;
+  std::string className;
+  bool isProtected = false;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string code = line.substr(0, line.find("//"));
+    const auto report = [&](const std::string& what) { shown.push_back(path + ": " + what + ": " + line); };
+    std::smatch match;
+    if (std::regex_search(code, match, std::regex(R"(^(?:class|struct) (C\w+).*\{)"))) className = match[1];
+    if (code.starts_with("};") || code == "public:" || code == "private:") isProtected = false;
+    if (code == "protected:") {
+      isProtected = className != "CShapeCommon";
+      continue;
+    }
+    // A constructor, its initializers, and an assignment have the name of the class at the beginning.
+    const bool isOfBase =
+        std::regex_search(code, std::regex(R"(^\s*(explicit )?)" + className + R"([(&])")) ||
+        std::regex_search(code, std::regex(R"(^\s*:|^\s*$)"));
+    if (isProtected && !isOfBase) report("a protected member");
+    if (line.find("ngines only") != std::string::npos) report("a hook for engines");
+    if (path.ends_with("/World.h") && std::regex_search(code, std::regex(R"(\bvirtual\b)")))
+      report("a virtual function, and the world is closed");
+    static const std::regex aClass(R"(\bC[A-Z]\w+)");
+    for (std::sregex_iterator it(code.begin(), code.end(), aClass), end; it != end; ++it)
+      if (internal.contains(it->str())) report("a class of the sources");
+  }
+  return shown;
 }
 
 bool IsSource(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
@@ -115,7 +165,7 @@ std::set<std::string> AllFiles() {
 TEST(HouseRulesTest, EveryFileKeepsThem) {
   const std::set<std::string> files = AllFiles();
   EXPECT_GT(files.size(), 50u); // found where they are
-  EXPECT_TRUE(files.contains("src/Backend.cpp") && files.contains("tests/HouseRulesTest.cpp"));
+  EXPECT_TRUE(files.contains("src/Engines.cpp") && files.contains("tests/HouseRulesTest.cpp"));
   for (const std::string& path : files) {
     std::ifstream in(fs::path(SHAPES_SOURCE_DIR) / path, std::ios::binary);
     ASSERT_TRUE(in) << path;
@@ -123,6 +173,39 @@ TEST(HouseRulesTest, EveryFileKeepsThem) {
     for (const std::string& broken : BrokenRules(path, text, files))
       ADD_FAILURE() << broken;
   }
+}
+
+std::string Read(const std::string& path) {
+  std::ifstream in(fs::path(SHAPES_SOURCE_DIR) / path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+TEST(HouseRulesTest, TheInterfaceShowsNothingOfTheInside) {
+  const std::set<std::string> files = AllFiles();
+  std::set<std::string> internal;
+  for (const std::string& path : files)
+    if (IsIn(path, "src/")) internal.merge(ClassesOf(Read(path)));
+  EXPECT_TRUE(internal.contains("CEngine") && internal.contains("CWorldState"));
+  for (const std::string& path : files)
+    if (IsIn(path, "include/"))
+      for (const std::string& shown : ShownInside(path, Read(path), internal))
+        ADD_FAILURE() << shown;
+}
+
+TEST(HouseRulesTest, TheInterfaceThatShowsTheInsideIsNoticed) {
+  const auto count = [](const std::string& text) {
+    return ShownInside("include/Shapes/World.h", text, {"CEngine"}).size();
+  };
+  EXPECT_EQ(count("class CWorld {\nprotected:\n  CWorld(int n);\n};\n"), 0u);
+  EXPECT_EQ(count("class CWorld {\nprotected:\n  int m_nSteps;\n};\n"), 1u);
+  EXPECT_EQ(count("class CWorld {\nprotected:\n  void Report();\nprivate:\n  int m_nSteps;\n};\n"), 1u);
+  EXPECT_EQ(count("class CShapeCommon {\nprotected:\n  static float m_fGravity;\n};\n"), 0u);
+  EXPECT_EQ(count("class CWorld {\n  virtual void Step();\n};\n"), 1u);
+  EXPECT_EQ(count("class CWorld {\n  CEngine* m_pEngine;\n};\n"), 1u);
+  EXPECT_EQ(count("class CWorld {\n  int m_nSteps; // of CEngine\n};\n"), 0u);
+  EXPECT_EQ(count("  /// For engines only: the state.\n"), 1u);
+  EXPECT_EQ(ClassesOf("class CA {\n  struct CB {};\n};\nstruct CC : CA {\nclass CD;\n"),
+            (std::set<std::string>{"CA", "CC"}));
 }
 
 // The controls: made-up files, each of which breaks one rule, and their neighbours that break none.
@@ -133,7 +216,8 @@ protected:
     return BrokenRules(path, head + (path.ends_with(".h") ? "#pragma once\n" : "") + lines, m_stdFiles)
         .size();
   }
-  static inline const std::set<std::string> m_stdFiles{"src/native/Detect.h", "src/box2d_backend/Pieces.h",
+  static inline const std::set<std::string> m_stdFiles{"src/native/narrowphase/Collide.h",
+                                                       "src/box2d_backend/world/FixtureShapes.h",
                                                        "src/shapes/Response.h", "compare/Scene.h"};
 };
 
@@ -145,27 +229,30 @@ TEST_F(CHouseRulesControl, Box2DOutsideOfItsFolder) {
   EXPECT_EQ(Count("tests/box2d_backend/X.cpp", "#include <box2d/box2d.h>\n"), 0u);
   EXPECT_EQ(Count("examples/quickstart/main.cpp", "#include <box2d/box2d.h>\n"), 1u);
   EXPECT_EQ(Count("examples/box2d_game/main.cpp", "#include <box2d/box2d.h>\n"), 0u);
-  EXPECT_EQ(Count("examples/box2d_game/main.cpp", "#include \"box2d_backend/Pieces.h\"\n"), 1u);
+  EXPECT_EQ(Count("examples/box2d_game/main.cpp", "#include \"box2d_backend/world/FixtureShapes.h\"\n"), 1u);
   EXPECT_EQ(Count("src/native/X.cpp", "// #include <box2d/box2d.h>\n"), 0u);
 }
 
 TEST_F(CHouseRulesControl, EnginesInWhatKnowsNone) {
-  EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"../native/Detect.h\"\n"), 1u);
-  EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"native/Detect.h\"\n"), 1u);
-  EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"../box2d_backend/Pieces.h\"\n"), 1u);
+  EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"../native/narrowphase/Collide.h\"\n"), 1u);
+  EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"native/narrowphase/Collide.h\"\n"), 1u);
+  EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"../box2d_backend/world/FixtureShapes.h\"\n"), 1u);
   EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"Response.h\"\n"), 0u);
-  EXPECT_GE(Count("include/Shapes/X.h", "#include \"../../src/native/Detect.h\"\n"), 1u);
+  EXPECT_GE(Count("include/Shapes/X.h", "#include \"../../src/native/narrowphase/Collide.h\"\n"), 1u);
   EXPECT_GE(Count("include/Shapes/X.h", "#include \"../../src/shapes/Response.h\"\n"), 1u);
 }
 
 TEST_F(CHouseRulesControl, EnginesInEachOther) {
-  EXPECT_EQ(Count("src/native/X.cpp", "#include \"../box2d_backend/Pieces.h\"\n"), 1u);
-  EXPECT_EQ(Count("src/box2d_backend/X.cpp", "#include \"native/Detect.h\"\n"), 1u);
-  EXPECT_EQ(Count("src/native/X.cpp", "#include \"Detect.h\"\n#include \"../shapes/Response.h\"\n"), 0u);
-  const std::string both = "#include \"native/Detect.h\"\n#include \"box2d_backend/Pieces.h\"\n";
+  EXPECT_EQ(Count("src/native/X.cpp", "#include \"../box2d_backend/world/FixtureShapes.h\"\n"), 1u);
+  EXPECT_EQ(Count("src/box2d_backend/X.cpp", "#include \"native/narrowphase/Collide.h\"\n"), 1u);
+  EXPECT_EQ(
+      Count("src/native/X.cpp", "#include \"narrowphase/Collide.h\"\n#include \"../shapes/Response.h\"\n"),
+      0u);
+  const std::string both =
+      "#include \"native/narrowphase/Collide.h\"\n#include \"box2d_backend/world/FixtureShapes.h\"\n";
   EXPECT_EQ(Count("src/Other.cpp", both), 1u);
   EXPECT_EQ(Count("tests/XTest.cpp", both), 1u);
-  EXPECT_EQ(Count("src/Backend.cpp", both), 0u);
+  EXPECT_EQ(Count("src/Engines.cpp", both), 0u);
 }
 
 TEST_F(CHouseRulesControl, TheInsidesInWhatSeesTheInterface) {
@@ -173,7 +260,7 @@ TEST_F(CHouseRulesControl, TheInsidesInWhatSeesTheInterface) {
        {"tests/contract/X.cpp", "compare/X.cpp", "examples/quickstart/main.cpp", "tests/consumer/main.cpp"}) {
     EXPECT_EQ(Count(pPath, "#include \"shapes/Response.h\"\n"), 1u) << pPath;
     EXPECT_EQ(Count(pPath, "#include \"../../src/shapes/Response.h\"\n"), 1u) << pPath;
-    EXPECT_EQ(Count(pPath, "#include \"native/Detect.h\"\n"), 1u) << pPath;
+    EXPECT_EQ(Count(pPath, "#include \"native/narrowphase/Collide.h\"\n"), 1u) << pPath;
     EXPECT_EQ(Count(pPath, "#include <Shapes/World.h>\n#include <vector>\n"), 0u) << pPath;
   }
   EXPECT_EQ(Count("compare/X.cpp", "#include \"Scene.h\"\n#include \"reference/Reference.h\"\n"), 0u);

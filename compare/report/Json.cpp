@@ -62,11 +62,11 @@ ordered_json Settings(const CEngine& engine, const CScene& scene) {
   settings["forced"] = ToJson(desc.m_cEffects.m_cForced);
   settings["forbidden"] = ToJson(desc.m_cEffects.m_cForbidden);
   if (engine.m_pBackend == GetBackend(eBackend::Box2D)) {
-    settings["profile"] = GetName(desc.m_eProfile);
-    settings["length_unit"] = desc.m_fLengthUnit;
-    settings["sagitta_tolerance"] = desc.m_fSagittaTolerance;
-    settings["velocity_iterations"] = desc.m_nVelocityIterations;
-    settings["position_iterations"] = desc.m_nPositionIterations;
+    settings["profile"] = GetName(desc.m_cBox2D.m_eProfile);
+    settings["length_unit"] = desc.m_cBox2D.m_fLengthUnit;
+    settings["sagitta_tolerance"] = desc.m_cBox2D.m_fSagittaTolerance;
+    settings["velocity_iterations"] = desc.m_cBox2D.m_nVelocityIterations;
+    settings["position_iterations"] = desc.m_cBox2D.m_nPositionIterations;
   }
   return settings;
 }
@@ -177,7 +177,7 @@ ordered_json SceneToJson(const CRunReport& report, const CSceneReport& scene) {
   ordered_json json{
       {"name", s.m_sName},
       {"description", s.m_sDescription},
-      {"length_unit", s.m_cWorld.m_fLengthUnit},
+      {"length_unit", s.m_cWorld.m_cBox2D.m_fLengthUnit},
       {"time_step", s.m_cWorld.m_fTimeStep},
       {"gravity", ordered_json::array({g.x(), g.y()})},
       {"duration", s.m_fDuration},

@@ -47,19 +47,22 @@ int main() {
 
   // What Shapes adds to it.
   Shapes::CWorldDesc desc;
-  desc.m_eProfile = Shapes::eProfile::Tuned;
+  desc.m_cBox2D.m_eProfile = Shapes::eProfile::Tuned;
   const auto pShapes = Shapes::MakeWorld(world, desc);
-  pShapes->Add(Shapes::CArcDesc({2, 2}, 2, Shapes::g_fPi, 1.5f * Shapes::g_fPi)); // a ramp down to the boxes
+  pShapes->GetWorld().Add(
+      Shapes::CArcDesc({2, 2}, 2, Shapes::g_fPi, 1.5f * Shapes::g_fPi)); // a ramp down to the boxes
   for (const float x : {-4.9f, -3.1f}) {
     Shapes::CLineSegDesc flipper({x, 4}, {x + 0.8f, 4});
     flipper.m_eMotionType = Shapes::eMotion::Kinematic;
     flipper.m_vRotCenter = flipper.GetEndPt0();
     flipper.m_fRotSpeed = 1;
-    pShapes->Add(flipper);
+    pShapes->GetWorld().Add(flipper);
   }
-  const auto runner = pShapes->Add(Shapes::CDynamicCircleDesc({0.2f, 2.5f}, 0.15f, {0, -4}, 1, 0.3f));
-  const auto kicked = pShapes->Add(Shapes::CDynamicCircleDesc({-2.6f, 4.15f}, 0.1f, {0, 0}, 0.5f, 0.8f));
-  pShapes->Add(Shapes::CDynamicCircleDesc({-5, 2}, 0.2f, {0, 0}, 5, 0.2f)); // onto the plank
+  const auto runner =
+      pShapes->GetWorld().Add(Shapes::CDynamicCircleDesc({0.2f, 2.5f}, 0.15f, {0, -4}, 1, 0.3f));
+  const auto kicked =
+      pShapes->GetWorld().Add(Shapes::CDynamicCircleDesc({-2.6f, 4.15f}, 0.1f, {0, 0}, 0.5f, 0.8f));
+  pShapes->GetWorld().Add(Shapes::CDynamicCircleDesc({-5, 2}, 0.2f, {0, 0}, 5, 0.2f)); // onto the plank
 
   float fastest = 0, highest = 0, tilt = 0;
   int met = 0;
@@ -68,14 +71,15 @@ int main() {
     pShapes->PreStep(dt);
     world.Step(dt, 8, 3);
     pShapes->PostStep();
-    highest = std::max(highest, pShapes->GetPos(kicked).y());
+    highest = std::max(highest, pShapes->GetWorld().GetPos(kicked).y());
     tilt = std::max(tilt, pPlank->GetAngle());
     for (const b2Body* pBox : pStack)
       fastest = std::max(fastest, pBox->GetLinearVelocity().Length());
-    for (const auto& contact : pShapes->GetContacts()) // no shape of Shapes: one of the game's bodies
+    for (const auto& contact :
+         pShapes->GetWorld().GetContacts()) // no shape of Shapes: one of the game's bodies
       met += contact.m_cBall == runner && contact.m_cShape == Shapes::CShapeId();
   }
-  const Shapes::CWorldStats& stats = pShapes->GetStats();
+  const Shapes::CWorldStats& stats = pShapes->GetWorld().GetStats();
   std::cout << "a ball pushed a box to " << fastest << " m/s\n"
             << "a flipper kicked a ball up to " << highest << " m\n"
             << "a ball tilted the plank by " << tilt << " rad\n"

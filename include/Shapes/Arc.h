@@ -66,7 +66,11 @@ public:
 
 protected:
   CArc(const CArcDesc& desc, eMotion motion);
+
+private:
   void Translate(const Vector2& d) override;
+  Vector2 TurnFromStart(const Vector2& center, float angle) override;
+  void BackToStart() override;
   void Update() override;
 
   float m_fAngle0;
@@ -75,21 +79,16 @@ protected:
   eSides m_eSides;
   Vector2 m_vPt0; // the ends
   Vector2 m_vPt1;
+  Vector2 m_vStartPt0; // at construction
+  Vector2 m_vStartPt1;
+  float m_fStartAngle0;
 };
 
 /// An arc that turns about its rotation centre.
 class CKinematicArc : public CArc {
 public:
-  explicit CKinematicArc(const CArcDesc& desc);
+  explicit CKinematicArc(const CArcDesc& desc) : CArc(desc, eMotion::Kinematic) {}
   std::unique_ptr<CShape> Clone() const override;
-  void Rotate(const Vector2& center, float angle) override;
-  void Reset() override;
-
-private:
-  Vector2 m_vInitPos;
-  Vector2 m_vInitPt0;
-  Vector2 m_vInitPt1;
-  float m_fInitAngle0;
 };
 
 } // namespace Shapes

@@ -21,7 +21,8 @@ namespace Shapes {
 /// dt may differ from step to step. After PostStep contacts, events, positions and velocities are those of
 /// the step. A ball that met a body of the game has a contact event with no shape. What is different from
 /// other worlds:
-/// - Step, SaveState and LoadState throw std::logic_error. The time step, the substeps, the iterations and
+/// - CWorld::Step, SaveState and LoadState throw std::logic_error. The time step, the substeps, the
+/// iterations and
 ///   the gravity of the description are not used; the b2World has the gravity.
 /// - Gravity and Continuous run as the b2World has them (SetGravity, SetContinuousPhysics), and can be
 ///   neither forced nor forbidden. Events always runs unless forbidden: a ball may meet the game's bodies.
@@ -53,22 +54,32 @@ namespace Shapes {
 ///   then.
 ///
 /// Like a b2World it is for one thread at a time.
-class CBox2DWorld : public CWorld {
+class CBox2DWorld final {
 public:
+  struct CImpl;
+  explicit CBox2DWorld(std::unique_ptr<CImpl> pImpl);
+  ~CBox2DWorld();
+  CBox2DWorld(const CBox2DWorld&) = delete;
+  CBox2DWorld& operator=(const CBox2DWorld&) = delete;
+
+  /// The world that shapes and balls are added to and read from.
+  CWorld& GetWorld();
+  const CWorld& GetWorld() const;
+
   /// To be called before b2World::Step.
   /// @param dt  seconds, as b2World::Step will be given
   /// @throws std::invalid_argument unless g_fMinTimeStep <= dt <= g_fMaxTimeStep
   /// @throws std::logic_error if it was called already, in a callback of Box2D, or if the b2World is gone;
   /// nothing has changed then
-  virtual void PreStep(float dt) = 0;
+  void PreStep(float dt);
   /// To be called after b2World::Step.
   /// @throws std::logic_error without PreStep, in a callback of Box2D, or if the b2World is gone
-  virtual void PostStep() = 0;
+  void PostStep();
   /// Whether the b2World is still there, as far as can be told from the bodies in it.
-  virtual bool IsAlive() const = 0;
+  bool IsAlive() const;
 
-protected:
-  using CWorld::CWorld;
+private:
+  std::unique_ptr<CImpl> m_pImpl;
 };
 
 /// An empty world in the b2World of a game.

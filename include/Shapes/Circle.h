@@ -60,6 +60,10 @@ public:
 
 protected:
   CCircle(const CCircleDesc& desc, eShape type, eMotion motion);
+
+private:
+  friend class CArc;
+  friend class CDynamicCircle;
   void Update() override;
 
   float m_fRadius;
@@ -68,14 +72,8 @@ protected:
 /// A circle that turns about its rotation centre.
 class CKinematicCircle : public CCircle {
 public:
-  explicit CKinematicCircle(const CCircleDesc& desc)
-      : CCircle(desc, eShape::Circle, eMotion::Kinematic), m_vInitPos(m_vPos) {}
+  explicit CKinematicCircle(const CCircleDesc& desc) : CCircle(desc, eShape::Circle, eMotion::Kinematic) {}
   std::unique_ptr<CShape> Clone() const override;
-  void Rotate(const Vector2& center, float angle) override;
-  void Reset() override;
-
-private:
-  Vector2 m_vInitPos;
 };
 
 } // namespace Shapes

@@ -47,10 +47,9 @@ public:
   /// @throws std::invalid_argument if c is of another ball
   void CollisionResponse(const CContactDesc& c);
 
-protected:
+private:
   void Translate(const Vector2& d) override;
 
-private:
   Vector2 m_vVel;
   Vector2 m_vPrevPos;
   float m_fMass;

@@ -30,12 +30,12 @@ public:
   float GetXIntercept() const;      ///< c in x = y/m + c; Inf for a horizontal line.
   float GetYIntercept() const;      ///< b in y = m x + b; Inf for a vertical line.
 
-protected:
+private:
+  friend class CLineSeg;
   CLine() : m_vPt(Vector2::Zero()), m_vDir(1.0f, 0.0f) {}
-  /// The line through p along the unit vector dir.
+  // The line through p along the unit vector dir.
   void SetLine(const Vector2& p, const Vector2& dir);
 
-private:
   Vector2 m_vPt;
   Vector2 m_vDir;
 };

@@ -54,7 +54,11 @@ public:
 
 protected:
   CLineSeg(const CLineSegDesc& desc, eMotion motion);
+
+private:
   void Translate(const Vector2& d) override;
+  Vector2 TurnFromStart(const Vector2& center, float angle) override;
+  void BackToStart() override;
   void Update() override;
 
   Vector2 m_vPt0;
@@ -62,22 +66,16 @@ protected:
   Vector2 m_vTangent; // unit, from end 0 to end 1
   Vector2 m_vNormal;
   eSides m_eSides;
+  Vector2 m_vStartPt0; // at construction
+  Vector2 m_vStartPt1;
+  Vector2 m_vStartNormal;
 };
 
 /// A line segment that turns about its rotation centre: flippers, spinners, gates.
 class CKinematicLineSeg : public CLineSeg {
 public:
-  explicit CKinematicLineSeg(const CLineSegDesc& desc);
+  explicit CKinematicLineSeg(const CLineSegDesc& desc) : CLineSeg(desc, eMotion::Kinematic) {}
   std::unique_ptr<CShape> Clone() const override;
-  void Rotate(const Vector2& center, float angle) override;
-  void Reset() override;
-
-private:
-  void SetPose(const Vector2& p0, const Vector2& p1, const Vector2& normal);
-
-  Vector2 m_vInitPt0;
-  Vector2 m_vInitPt1;
-  Vector2 m_vInitNormal;
 };
 
 } // namespace Shapes

@@ -22,19 +22,16 @@ public:
 
 protected:
   CPoint(const CPointDesc& desc, eMotion motion);
+
+private:
   void Update() override;
 };
 
 /// A point that turns about its rotation centre.
 class CKinematicPoint : public CPoint {
 public:
-  explicit CKinematicPoint(const CPointDesc& desc) : CPoint(desc, eMotion::Kinematic), m_vInitPos(m_vPos) {}
+  explicit CKinematicPoint(const CPointDesc& desc) : CPoint(desc, eMotion::Kinematic) {}
   std::unique_ptr<CShape> Clone() const override;
-  void Rotate(const Vector2& center, float angle) override;
-  void Reset() override;
-
-private:
-  Vector2 m_vInitPos;
 };
 
 } // namespace Shapes

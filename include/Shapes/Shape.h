@@ -80,6 +80,11 @@ public:
   void* GetUserPtr() const { return m_pUser; }
   void SetUserPtr(void* p) { m_pUser = p; }
 
+  /// Moves the shape so that its position is p, until Reset: its rotation centre moves along, and rotations
+  /// start from the moved pose.
+  /// @throws std::invalid_argument if p or the moved centre is not finite or too large (g_fMaxLength)
+  void Relocate(const Vector2& p);
+
   /// Turns a kinematic shape about center to `angle` radians from its pose at construction (not from its
   /// present one). Static shapes and balls stay as they are. Error of every point, ends and centres, at most
   /// 3 ulp of |center| + its distance from center, for |angle| up to 1e9.
@@ -92,11 +97,7 @@ public:
   void Advance(float dt);
 
   /// Whether the shape turns by itself: kinematic with a rotation speed other than 0.
-  bool GetRotating() const {
-    return m_eMotionType == eMotion::Kinematic && m_fRotSpeed != 0.0f && !m_bIsHeld;
-  }
-  /// For worlds only: whether the shape stands still whatever its rotation speed.
-  void SetHeld(bool b) { m_bIsHeld = b; }
+  bool GetRotating() const { return m_eMotionType == eMotion::Kinematic && m_fRotSpeed != 0.0f; }
   /// Radians from the pose at construction, in [0, 2 pi).
   float GetOrientation() const { return m_fOrientation; }
   /// Same as Rotate(GetRotCenter(), angle).
@@ -120,38 +121,40 @@ public:
   /// CBackend::CollisionDetected.
   bool CollisionDetected(CContactDesc& c);
 
-  /// For engines only: what an engine has worked out about the shape as it is now; empty after every change
-  /// of pose.
-  std::shared_ptr<const void>& EngineCache() const { return m_pEngineCache; }
-
 protected:
   CShape(const CShapeDesc& desc, eShape type, eMotion motion);
   CShape(const CShape&) = default;
   CShape& operator=(const CShape&) = default;
 
-  /// Moves what the derived class holds by d; called after m_vPos has moved.
-  virtual void Translate(const Vector2& d);
-  /// Box and whatever else follows from the pose.
+private:
+  friend class CPoint;
+  friend class CLineSeg;
+  friend class CCircle;
+  friend class CArc;
+  friend class CDynamicCircle;
+
+  // Each class of shapes keeps its own points beside m_vPos.
+  virtual void Translate(const Vector2&) {} // moves them by d, after m_vPos
+  // Puts them where a turn of the pose at construction, moved by m_vMoved, leaves them. Returns the position.
+  virtual Vector2 TurnFromStart(const Vector2& center, float angle);
+  virtual void BackToStart();
+  // Box and whatever else follows from the pose; ends every change of it.
   virtual void Update() = 0;
-  /// Every change of pose ends here: drops what was known of the old one, then Update.
-  void PoseChanged();
-  /// Remembers a rotation to `angle` radians; @throws std::invalid_argument if an argument is not finite.
-  void SetRotation(const Vector2& center, float angle);
 
   eShape m_eShapeType;
   eMotion m_eMotionType;
   bool m_bIsSensor;
   bool m_bCanCollide = true;
-  bool m_bIsHeld = false;
   float m_fElasticity;
   float m_fRotSpeed;
   float m_fOrientation = 0.0f;
   float m_fLastTurn = 0.0f;
   Vector2 m_vPos;
+  Vector2 m_vStartPos;                // at construction
+  Vector2 m_vMoved = Vector2::Zero(); // by Relocate
   Vector2 m_vRotCenter;
   void* m_pUser = nullptr;
   CAabb2D m_cAabb;
-  mutable std::shared_ptr<const void> m_pEngineCache;
 };
 
 } // namespace Shapes

@@ -10,11 +10,11 @@
 #include <Shapes/Contact.h>
 #include <Shapes/DynamicCircle.h>
 #include <Shapes/Effects.h>
+#include <Shapes/Limits.h>
 #include <Shapes/Line.h>
 #include <Shapes/LineSeg.h>
 #include <Shapes/Point.h>
 #include <Shapes/SceneDesc.h>
 #include <Shapes/Shape.h>
 #include <Shapes/ShapeMath.h>
-#include <Shapes/Tolerances.h>
 #include <Shapes/World.h>

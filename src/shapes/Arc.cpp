@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/Arc.h>
 
-#include <Shapes/Tolerances.h>
+#include "../Tolerances.h"
 
 #include "Validate.h"
 
@@ -48,6 +48,9 @@ CArc::CArc(const CArcDesc& desc, eMotion motion)
   m_fSpan = desc.GetAngle1() - desc.GetAngle0();
   if (m_fSpan <= 0.0f) m_fSpan += g_fTwoPi;
   desc.GetEndPts(m_vPt0, m_vPt1);
+  m_vStartPt0 = m_vPt0;
+  m_vStartPt1 = m_vPt1;
+  m_fStartAngle0 = m_fAngle0;
   CArc::Update();
 }
 
@@ -92,6 +95,21 @@ void CArc::Translate(const Vector2& d) {
   m_vPt1 += d;
 }
 
+Vector2 CArc::TurnFromStart(const Vector2& center, float angle) {
+  // The ends are turned as points: adding the angle to both angles could round a short arc to a full circle.
+  m_vPt0 = RotatePt(m_vStartPt0 + m_vMoved, center, angle);
+  m_vPt1 = RotatePt(m_vStartPt1 + m_vMoved, center, angle);
+  m_fAngle0 = NormalizeAngle(m_fStartAngle0 + angle);
+  return CCircle::TurnFromStart(center, angle);
+}
+
+void CArc::BackToStart() {
+  CCircle::BackToStart();
+  m_vPt0 = m_vStartPt0;
+  m_vPt1 = m_vStartPt1;
+  m_fAngle0 = m_fStartAngle0;
+}
+
 void CArc::Update() {
   m_cAabb = m_vPt0;
   m_cAabb += m_vPt1;
@@ -108,32 +126,6 @@ void CArc::Update() {
   }
 }
 
-CKinematicArc::CKinematicArc(const CArcDesc& desc)
-    : CArc(desc, eMotion::Kinematic),
-      m_vInitPos(m_vPos),
-      m_vInitPt0(m_vPt0),
-      m_vInitPt1(m_vPt1),
-      m_fInitAngle0(m_fAngle0) {}
-
 std::unique_ptr<CShape> CKinematicArc::Clone() const { return std::make_unique<CKinematicArc>(*this); }
-
-void CKinematicArc::Rotate(const Vector2& center, float angle) {
-  SetRotation(center, angle);
-  // The ends are turned as points: adding the angle to both angles could round a short arc to a full circle.
-  m_vPos = RotatePt(m_vInitPos, center, m_fOrientation);
-  m_vPt0 = RotatePt(m_vInitPt0, center, m_fOrientation);
-  m_vPt1 = RotatePt(m_vInitPt1, center, m_fOrientation);
-  m_fAngle0 = NormalizeAngle(m_fInitAngle0 + m_fOrientation);
-  PoseChanged();
-}
-
-void CKinematicArc::Reset() {
-  m_fOrientation = m_fLastTurn = 0.0f;
-  m_vPos = m_vInitPos;
-  m_vPt0 = m_vInitPt0;
-  m_vPt1 = m_vInitPt1;
-  m_fAngle0 = m_fInitAngle0;
-  PoseChanged();
-}
 
 } // namespace Shapes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/Circle.h>
 
-#include <Shapes/Tolerances.h>
+#include "../Tolerances.h"
 
 #include "Validate.h"
 
@@ -74,17 +74,5 @@ void CCircle::Update() {
 }
 
 std::unique_ptr<CShape> CKinematicCircle::Clone() const { return std::make_unique<CKinematicCircle>(*this); }
-
-void CKinematicCircle::Rotate(const Vector2& center, float angle) {
-  SetRotation(center, angle);
-  m_vPos = RotatePt(m_vInitPos, center, m_fOrientation);
-  PoseChanged();
-}
-
-void CKinematicCircle::Reset() {
-  m_fOrientation = m_fLastTurn = 0.0f;
-  m_vPos = m_vInitPos;
-  PoseChanged();
-}
 
 } // namespace Shapes

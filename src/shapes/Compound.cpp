@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/Compound.h>
 
-#include <Shapes/Tolerances.h>
+#include "../Tolerances.h"
 
 #include "Validate.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/DynamicCircle.h>
 
+#include "../Tolerances.h"
 #include <Shapes/Contact.h>
-#include <Shapes/Tolerances.h>
 
 #include "Response.h"
 #include "Validate.h"
@@ -36,7 +36,7 @@ void CDynamicCircle::move() {
   m_vPrevPos = m_vPos;
   Accelerate(m_vVel, Vector2(0.0f, m_fGravity), m_fTimeStep);
   Move(m_vPos, m_vVel, m_fTimeStep);
-  PoseChanged();
+  CCircle::Update();
 }
 
 void CDynamicCircle::CollisionResponse(const CContactDesc& c) {
@@ -56,13 +56,13 @@ void CDynamicCircle::CollisionResponse(const CContactDesc& c) {
     RespondDynamic(c.m_vNorm, c.m_fSetback, e, other.m_fMass, m_fMass, other.m_vPos, other.m_vVel, m_vPos,
                    m_vVel);
     other.m_bSpeedCapped |= CapSpeed(other.m_vVel);
-    other.PoseChanged();
+    other.CCircle::Update();
     break;
   }
   default: RespondStatic(c.m_vNorm, c.m_fSetback, e, m_vPos, m_vVel); break;
   }
   m_bSpeedCapped |= CapSpeed(m_vVel);
-  PoseChanged();
+  CCircle::Update();
 }
 
 } // namespace Shapes

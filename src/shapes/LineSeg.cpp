@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/LineSeg.h>
 
-#include <Shapes/Tolerances.h>
+#include "../Tolerances.h"
 
 #include "Validate.h"
 
@@ -61,9 +61,12 @@ CLineSeg::CLineSeg(const CLineSegDesc& desc, eMotion motion)
       m_vPt0(desc.GetEndPt0()),
       m_vPt1(desc.GetEndPt1()),
       m_vNormal(desc.GetNormal()),
-      m_eSides(desc.m_eSides) {
-  m_vPos = Midpoint(m_vPt0, m_vPt1);
+      m_eSides(desc.m_eSides),
+      m_vStartPt0(m_vPt0),
+      m_vStartPt1(m_vPt1) {
+  m_vPos = m_vStartPos = Midpoint(m_vPt0, m_vPt1);
   CLineSeg::Update();
+  m_vStartNormal = m_vNormal;
 }
 
 std::unique_ptr<CShape> CLineSeg::Clone() const { return std::make_unique<CLineSeg>(*this); }
@@ -89,6 +92,21 @@ void CLineSeg::Translate(const Vector2& d) {
   m_vPt1 += d;
 }
 
+Vector2 CLineSeg::TurnFromStart(const Vector2& center, float angle) {
+  m_vPt0 = RotatePt(m_vStartPt0 + m_vMoved, center, angle);
+  m_vPt1 = RotatePt(m_vStartPt1 + m_vMoved, center, angle);
+  if (Before(m_vPt1, m_vPt0)) std::swap(m_vPt0, m_vPt1);
+  m_vNormal = RotatePt(m_vStartNormal, Vector2::Zero(), angle);
+  return Midpoint(m_vPt0, m_vPt1);
+}
+
+void CLineSeg::BackToStart() {
+  m_vPos = m_vStartPos;
+  m_vPt0 = m_vStartPt0;
+  m_vPt1 = m_vStartPt1;
+  m_vNormal = m_vStartNormal;
+}
+
 void CLineSeg::Update() {
   m_vTangent = Tangent(m_vPt0, m_vPt1);
   // From the ends as they were rounded: a normal that is not across the segment would see balls that are far
@@ -100,31 +118,8 @@ void CLineSeg::Update() {
   m_cAabb += m_vPt1;
 }
 
-CKinematicLineSeg::CKinematicLineSeg(const CLineSegDesc& desc)
-    : CLineSeg(desc, eMotion::Kinematic), m_vInitPt0(m_vPt0), m_vInitPt1(m_vPt1), m_vInitNormal(m_vNormal) {}
-
 std::unique_ptr<CShape> CKinematicLineSeg::Clone() const {
   return std::make_unique<CKinematicLineSeg>(*this);
-}
-
-void CKinematicLineSeg::SetPose(const Vector2& p0, const Vector2& p1, const Vector2& normal) {
-  m_vPt0 = p0;
-  m_vPt1 = p1;
-  if (Before(m_vPt1, m_vPt0)) std::swap(m_vPt0, m_vPt1);
-  m_vPos = Midpoint(m_vPt0, m_vPt1);
-  m_vNormal = normal;
-  PoseChanged();
-}
-
-void CKinematicLineSeg::Rotate(const Vector2& center, float angle) {
-  SetRotation(center, angle);
-  SetPose(RotatePt(m_vInitPt0, center, m_fOrientation), RotatePt(m_vInitPt1, center, m_fOrientation),
-          RotatePt(m_vInitNormal, Vector2::Zero(), m_fOrientation));
-}
-
-void CKinematicLineSeg::Reset() {
-  m_fOrientation = m_fLastTurn = 0.0f;
-  SetPose(m_vInitPt0, m_vInitPt1, m_vInitNormal);
 }
 
 } // namespace Shapes

@@ -18,16 +18,4 @@ void CPoint::Update() { m_cAabb = m_vPos; }
 
 std::unique_ptr<CShape> CKinematicPoint::Clone() const { return std::make_unique<CKinematicPoint>(*this); }
 
-void CKinematicPoint::Rotate(const Vector2& center, float angle) {
-  SetRotation(center, angle);
-  m_vPos = RotatePt(m_vInitPos, center, m_fOrientation);
-  PoseChanged();
-}
-
-void CKinematicPoint::Reset() {
-  m_fOrientation = m_fLastTurn = 0.0f;
-  m_vPos = m_vInitPos;
-  PoseChanged();
-}
-
 } // namespace Shapes

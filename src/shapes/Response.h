@@ -3,8 +3,8 @@
 // same bits. n is the unit normal from the shape to the ball, e the product of both elasticities.
 #pragma once
 
+#include "../Tolerances.h"
 #include <Shapes/ShapeMath.h>
-#include <Shapes/Tolerances.h>
 
 #include <algorithm>
 

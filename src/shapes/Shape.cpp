@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/Shape.h>
 
-#include <Shapes/Tolerances.h>
+#include "../Tolerances.h"
 
 #include "Validate.h"
 
@@ -17,6 +17,7 @@ CShape::CShape(const CShapeDesc& desc, eShape type, eMotion motion)
       m_fElasticity(desc.m_fElasticity),
       m_fRotSpeed(desc.m_fRotSpeed),
       m_vPos(desc.m_vPos),
+      m_vStartPos(desc.m_vPos),
       m_vRotCenter(desc.m_vRotCenter) {
   RequireVector("m_vPos", m_vPos, g_fMaxLength);
   RequireRange("m_fElasticity", m_fElasticity, 0.0f, g_fMaxElasticity);
@@ -30,15 +31,23 @@ void CShape::SetPos(const Vector2& p) {
   m_vPos = p;
   m_fLastTurn = 0.0f;
   Translate(d);
-  PoseChanged();
-}
-
-void CShape::Translate(const Vector2&) {}
-
-void CShape::PoseChanged() {
-  m_pEngineCache.reset();
   Update();
 }
+
+void CShape::Relocate(const Vector2& p) {
+  const Vector2 d = p - m_vPos, center = m_vRotCenter + d;
+  RequireVector("m_vPos", p, g_fMaxLength);
+  RequireVector("m_vRotCenter", center, g_fMaxLength);
+  SetPos(p);
+  m_vRotCenter = center;
+  m_vMoved += d;
+}
+
+Vector2 CShape::TurnFromStart(const Vector2& center, float angle) {
+  return RotatePt(m_vStartPos + m_vMoved, center, angle);
+}
+
+void CShape::BackToStart() { m_vPos = m_vStartPos; }
 
 void CShape::SetElasticity(float e) {
   RequireRange("m_fElasticity", e, 0.0f, g_fMaxElasticity);
@@ -53,18 +62,26 @@ void CShape::SetRotSpeed(float revsPerSecond) {
 void CShape::SetRotCenter(const Vector2& center) {
   RequireVector("m_vRotCenter", center, g_fMaxLength);
   m_vRotCenter = center;
-  m_pEngineCache.reset(); // what it holds is relative to the centre
 }
 
-void CShape::SetRotation(const Vector2& center, float angle) {
+void CShape::Rotate(const Vector2& center, float angle) {
+  if (m_eMotionType != eMotion::Kinematic) return;
   RequireVector("center", center, g_fMaxLength);
   RequireFinite("angle", angle);
   m_fOrientation = NormalizeAngle(angle);
   m_fLastTurn = 0.0f;
+  m_vPos = TurnFromStart(center, m_fOrientation);
+  Update();
 }
 
-void CShape::Rotate(const Vector2&, float) {}
-void CShape::Reset() {}
+void CShape::Reset() {
+  if (m_eMotionType != eMotion::Kinematic) return;
+  m_fOrientation = m_fLastTurn = 0.0f;
+  m_vRotCenter -= m_vMoved;
+  m_vMoved.setZero();
+  BackToStart();
+  Update();
+}
 
 void CShape::Advance(float dt) {
   if (!GetRotating()) {

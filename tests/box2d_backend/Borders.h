@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "Random.h"
-#include "box2d_backend/Tuning.h"
+#include "box2d_backend/world/Tuning.h"
 
 namespace Shapes::Box2D {
 
@@ -20,19 +20,19 @@ public:
 
   CWorldDesc World(eProfile profile) {
     CWorldDesc desc;
-    desc.m_eProfile = profile;
-    desc.m_fLengthUnit =
+    desc.m_cBox2D.m_eProfile = profile;
+    desc.m_cBox2D.m_fLengthUnit =
         Often(1.0f, {1e-45f, 1e-38f, 1e-30f, 1e-18f, 1e-6f, 0.01f, 100.0f, 1e10f, g_fMaxLength});
     desc.m_fTimeStep =
         Often(1.0f / 60.0f, {g_fMinTimeStep, 1e-20f, 1e-6f, 1.0f, 1e3f, g_fMaxTimeStep, 1e-39f, 2e6f});
     desc.m_nSubsteps = m_cRandom.Below(4) > 0 ? 1 : 2;
     // Rarely tiny: thousands of chords for each arc, all at one place, take Box2D seconds.
     if (m_cRandom.Below(16) == 0)
-      desc.m_fSagittaTolerance = Often(1e-5f, {1e-45f, 1e-38f});
+      desc.m_cBox2D.m_fSagittaTolerance = Often(1e-5f, {1e-45f, 1e-38f});
     else
-      desc.m_fSagittaTolerance = Often(g_fSagittaTolerance, {0.001f, 1.0f, 1e9f, g_fMaxLength});
-    desc.m_nVelocityIterations = Count(8);
-    desc.m_nPositionIterations = Count(3);
+      desc.m_cBox2D.m_fSagittaTolerance = Often(g_fSagittaTolerance, {0.001f, 1.0f, 1e9f, g_fMaxLength});
+    desc.m_cBox2D.m_nVelocityIterations = Count(8);
+    desc.m_cBox2D.m_nPositionIterations = Count(3);
     Inside(desc);
     desc.m_vGravity = Gravity();
     return desc;
@@ -40,7 +40,7 @@ public:
 
   /// From now on values are for such a world.
   void Inside(const CWorldDesc& desc) {
-    m_fUnit = desc.m_fLengthUnit / GetTuning(desc.m_eProfile).m_fScale;
+    m_fUnit = desc.m_cBox2D.m_fLengthUnit / GetTuning(desc.m_cBox2D.m_eProfile).m_fScale;
     m_fTimeStep = desc.m_fTimeStep;
   }
 

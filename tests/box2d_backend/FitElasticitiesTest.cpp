@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The larger restitution of two as a product of two elasticities.
-#include "box2d_backend/FitElasticities.h"
+#include "box2d_backend/import/FitElasticities.h"
 
-#include <Shapes/Tolerances.h>
+#include "Tolerances.h"
 
 #include <gtest/gtest.h>
 

@@ -11,32 +11,32 @@ namespace {
 void ExpectGone(CTable& table) {
   CBox2DWorld& guest = *table.m_pGuest;
   EXPECT_FALSE(guest.IsAlive());
-  EXPECT_TRUE(guest.Contains(table.m_cBall)); // what was there last can be read
-  EXPECT_EQ(guest.GetBallPositions().size(), 2u);
-  EXPECT_EQ(guest.GetShape(table.m_cArc).GetShapeType(), eShape::Arc);
+  EXPECT_TRUE(guest.GetWorld().Contains(table.m_cBall)); // what was there last can be read
+  EXPECT_EQ(guest.GetWorld().GetBallPositions().size(), 2u);
+  EXPECT_EQ(guest.GetWorld().GetShape(table.m_cArc).GetShapeType(), eShape::Arc);
   for (const auto& f :
        std::vector<std::function<void()>>{[&] { guest.PreStep(g_fDt); }, [&] { guest.PostStep(); },
                                           [&] {
-                                            guest.Add(CPointDesc({0, 0}));
+                                            guest.GetWorld().Add(CPointDesc({0, 0}));
                                           },
-                                          [&] { guest.Remove(table.m_cBall); },
+                                          [&] { guest.GetWorld().Remove(table.m_cBall); },
                                           [&] {
-                                            guest.SetPos(table.m_cArc, {0, 0});
+                                            guest.GetWorld().SetPos(table.m_cArc, {0, 0});
                                           },
                                           [&] {
-                                            guest.SetVel(table.m_cBall, {0, 0});
+                                            guest.GetWorld().SetVel(table.m_cBall, {0, 0});
                                           },
-                                          [&] { guest.SetUserPtr(table.m_cBall, nullptr); }})
+                                          [&] { guest.GetWorld().SetUserPtr(table.m_cBall, nullptr); }})
     EXPECT_NE(Thrown(f).find("The b2World is gone"), std::string::npos) << Thrown(f);
-  EXPECT_EQ(guest.GetStats().m_nBodiesLost, 0u);
+  EXPECT_EQ(guest.GetWorld().GetStats().m_nBodiesLost, 0u);
 }
 
 TEST(GuestLifetimeTest, TheGameDestroysItsWorldFirst) {
   CTable table;
   EXPECT_TRUE(table.m_pGuest->IsAlive());
-  const Vector2 p = table.m_pGuest->GetPos(table.m_cBall);
+  const Vector2 p = table.m_pGuest->GetWorld().GetPos(table.m_cBall);
   table.m_pGame.reset();
-  EXPECT_EQ(table.m_pGuest->GetPos(table.m_cBall), p);
+  EXPECT_EQ(table.m_pGuest->GetWorld().GetPos(table.m_cBall), p);
   ExpectGone(table);
 }
 
@@ -59,14 +59,15 @@ TEST(GuestLifetimeTest, TheGameDestroysABall) {
   CTable table;
   CBox2DWorld& guest = *table.m_pGuest;
   table.m_pGame->DestroyBody(table.BodyOfBall());
-  EXPECT_FALSE(guest.Contains(table.m_cBall)); // at once
-  EXPECT_EQ(guest.GetBallPositions().size(), 1u);
-  EXPECT_EQ(guest.GetStats().m_nBodiesLost, 1u);
-  EXPECT_THROW(guest.GetPos(table.m_cBall), std::invalid_argument);
-  EXPECT_THROW(guest.Remove(table.m_cBall), std::invalid_argument);
+  EXPECT_FALSE(guest.GetWorld().Contains(table.m_cBall)); // at once
+  EXPECT_EQ(guest.GetWorld().GetBallPositions().size(), 1u);
+  EXPECT_EQ(guest.GetWorld().GetStats().m_nBodiesLost, 1u);
+  EXPECT_THROW(guest.GetWorld().GetPos(table.m_cBall), std::invalid_argument);
+  EXPECT_THROW(guest.GetWorld().Remove(table.m_cBall), std::invalid_argument);
   table.Step(60);
-  EXPECT_TRUE(guest.Contains(table.m_cOther));
-  EXPECT_GT(guest.Add(CDynamicCircleDesc({3, 1}, 0.1f)), table.m_cOther); // ids are never used again
+  EXPECT_TRUE(guest.GetWorld().Contains(table.m_cOther));
+  EXPECT_GT(guest.GetWorld().Add(CDynamicCircleDesc({3, 1}, 0.1f)),
+            table.m_cOther); // ids are never used again
   table.Step(60);
 }
 
@@ -79,9 +80,9 @@ TEST(GuestLifetimeTest, TheGameDestroysABallInTheMiddleOfAStep) {
     table.m_pGame->Step(g_fDt, 8, 3);
     if (!beforeBox2D) table.m_pGame->DestroyBody(table.BodyOfBall());
     guest.PostStep();
-    ASSERT_EQ(guest.GetBallIds().size(), 1u);
-    EXPECT_EQ(guest.GetBallIds()[0], table.m_cOther);
-    EXPECT_NEAR(guest.GetPos(table.m_cOther).x(), 0, 0.01f); // and not the place of the other one
+    ASSERT_EQ(guest.GetWorld().GetBallIds().size(), 1u);
+    EXPECT_EQ(guest.GetWorld().GetBallIds()[0], table.m_cOther);
+    EXPECT_NEAR(guest.GetWorld().GetPos(table.m_cOther).x(), 0, 0.01f); // and not the place of the other one
     table.Step(10);
   }
 }
@@ -89,11 +90,11 @@ TEST(GuestLifetimeTest, TheGameDestroysABallInTheMiddleOfAStep) {
 TEST(GuestLifetimeTest, TheGameDestroysAShapeOfSeveralFixtures) {
   CTable table;
   CBox2DWorld& guest = *table.m_pGuest;
-  const auto pieces = guest.GetStats().m_nArcPieces;
+  const auto fixtures = guest.GetWorld().GetStats().m_nArcPieces;
   table.m_pGame->DestroyBody(table.BodyOfArc());
-  EXPECT_FALSE(guest.Contains(table.m_cArc));
-  EXPECT_EQ(guest.GetStats().m_nBodiesLost, 1u);
-  EXPECT_LT(guest.GetStats().m_nArcPieces, pieces);
+  EXPECT_FALSE(guest.GetWorld().Contains(table.m_cArc));
+  EXPECT_EQ(guest.GetWorld().GetStats().m_nBodiesLost, 1u);
+  EXPECT_LT(guest.GetWorld().GetStats().m_nArcPieces, fixtures);
   table.Step(60); // the segment has lost what it went on in
 }
 
@@ -102,10 +103,10 @@ TEST(GuestLifetimeTest, TheGameDestroysAFixture) {
   b2Body* pArc = table.BodyOfArc();
   ASSERT_NE(pArc->GetFixtureList()->GetNext(), nullptr);
   pArc->DestroyFixture(pArc->GetFixtureList());
-  EXPECT_FALSE(table.m_pGuest->Contains(table.m_cArc));
+  EXPECT_FALSE(table.m_pGuest->GetWorld().Contains(table.m_cArc));
   table.Step(10);
   table.m_pGame->DestroyBody(pArc); // what is left of it is the game's
-  EXPECT_EQ(table.m_pGuest->GetStats().m_nBodiesLost, 1u);
+  EXPECT_EQ(table.m_pGuest->GetWorld().GetStats().m_nBodiesLost, 1u);
   table.Step(10);
 }
 
@@ -116,8 +117,8 @@ TEST(GuestLifetimeTest, TheGameDestroysAllBodies) {
   ExpectGone(table);
   // The next one in the same b2World is none the wiser.
   const auto pNext = MakeGuest(*table.m_pGame);
-  pNext->Add(CLineSegDesc({-1, 0}, {1, 0}));
-  pNext->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -3}));
+  pNext->GetWorld().Add(CLineSegDesc({-1, 0}, {1, 0}));
+  pNext->GetWorld().Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -3}));
   table.m_cListener = CCounting();
   Steps(*table.m_pGame, *pNext, 10);
   EXPECT_EQ(table.m_cListener.m_nBegin, 1); // once: the first one's listener passes on and no more
@@ -136,8 +137,8 @@ TEST(GuestLifetimeTest, TheGameDestroysAllBodiesButABall) {
     }
     EXPECT_TRUE(table.m_pGuest->IsAlive());
     if (goesOn) table.Step(10);
-    EXPECT_EQ(table.m_pGuest->GetStats().m_nBodiesLost, 4u);
-    table.m_pGuest->Remove(table.m_cBall);
+    EXPECT_EQ(table.m_pGuest->GetWorld().GetStats().m_nBodiesLost, 4u);
+    table.m_pGuest->GetWorld().Remove(table.m_cBall);
     EXPECT_TRUE(table.m_pGuest->IsAlive()); // it has made itself another sentinel
     table.m_pGame.reset();
     EXPECT_FALSE(table.m_pGuest->IsAlive());
@@ -157,9 +158,9 @@ TEST(GuestLifetimeTest, TheMemoryOfABodyBecomesOneOfTheGame) {
     table.m_pGame->Step(g_fDt, 8, 3);
     guest.PostStep();
     table.Step(30);
-    EXPECT_FALSE(guest.Contains(table.m_cBall));
-    EXPECT_EQ(guest.GetStats().m_nBodiesLost, 1u);
-    for (const CContactEvent& event : guest.GetContacts())
+    EXPECT_FALSE(guest.GetWorld().Contains(table.m_cBall));
+    EXPECT_EQ(guest.GetWorld().GetStats().m_nBodiesLost, 1u);
+    for (const CContactEvent& event : guest.GetWorld().GetContacts())
       EXPECT_EQ(event.m_cBall, table.m_cOther);
     const b2Vec2 p = pBox->GetPosition();
     EXPECT_NEAR(p.y, 1.01f, 0.02f);
@@ -190,15 +191,15 @@ TEST(GuestLifetimeTest, AnotherListenerIsNoticedAndPassedOnTo) {
   table.m_pGame->SetContactListener(&second);
   table.m_cListener = CCounting();
   table.Step(10);
-  EXPECT_EQ(table.m_pGuest->GetStats().m_nListenersReplaced, 1u);
-  EXPECT_FALSE(table.m_pGuest->GetContacts().empty());
+  EXPECT_EQ(table.m_pGuest->GetWorld().GetStats().m_nListenersReplaced, 1u);
+  EXPECT_FALSE(table.m_pGuest->GetWorld().GetContacts().empty());
   EXPECT_GT(second.m_nPre, 0);
   EXPECT_EQ(table.m_cListener.m_nPre, 0);
   table.m_pGame->SetContactListener(nullptr);
   second = CCounting();
   table.Step(10);
-  EXPECT_EQ(table.m_pGuest->GetStats().m_nListenersReplaced, 2u);
-  EXPECT_FALSE(table.m_pGuest->GetContacts().empty());
+  EXPECT_EQ(table.m_pGuest->GetWorld().GetStats().m_nListenersReplaced, 2u);
+  EXPECT_FALSE(table.m_pGuest->GetWorld().GetContacts().empty());
   EXPECT_EQ(second.m_nPre, 0);
   table.m_pGuest.reset();
   EXPECT_EQ(Installed(*table.m_pGame), nullptr);
@@ -241,7 +242,7 @@ TEST(GuestLifetimeTest, AListenerThatIsInstalledInEachStepCostsNothing) {
     table.m_pGame->Step(g_fDt, 8, 3);
     table.m_pGuest->PostStep();
   }
-  EXPECT_EQ(table.m_pGuest->GetStats().m_nListenersReplaced, 10u);
+  EXPECT_EQ(table.m_pGuest->GetWorld().GetStats().m_nListenersReplaced, 10u);
   table.m_pGuest.reset();
 }
 
@@ -249,7 +250,7 @@ TEST(GuestLifetimeTest, TwoGuestsInOneWorldLeaveInEitherOrder) {
   for (const bool firstLeavesFirst : {true, false}) {
     CTable table;
     auto pSecond = MakeGuest(*table.m_pGame);
-    const CShapeId ball = pSecond->Add(CDynamicCircleDesc({3, 0.9f}, 0.1f, {0, -1}));
+    const CShapeId ball = pSecond->GetWorld().Add(CDynamicCircleDesc({3, 0.9f}, 0.1f, {0, -1}));
     table.m_cListener = CCounting();
     int strangers = 0;
     for (int i = 0; i < 30; ++i) {
@@ -258,20 +259,22 @@ TEST(GuestLifetimeTest, TwoGuestsInOneWorldLeaveInEitherOrder) {
       table.m_pGame->Step(g_fDt, 8, 3);
       pSecond->PostStep();
       table.m_pGuest->PostStep();
-      for (const CContactEvent& event : pSecond->GetContacts())
+      for (const CContactEvent& event : pSecond->GetWorld().GetContacts())
         strangers += event.m_cBall == ball && event.m_cShape == CShapeId();
     }
     EXPECT_GT(strangers, 0); // the ball of the one falls onto the segment of the other
-    EXPECT_GT(table.m_pGuest->GetStats().m_nContacts, 0u);
-    EXPECT_EQ(table.m_pGuest->GetStats().m_nListenersReplaced + pSecond->GetStats().m_nListenersReplaced, 0u);
+    EXPECT_GT(table.m_pGuest->GetWorld().GetStats().m_nContacts, 0u);
+    EXPECT_EQ(table.m_pGuest->GetWorld().GetStats().m_nListenersReplaced +
+                  pSecond->GetWorld().GetStats().m_nListenersReplaced,
+              0u);
     CBox2DWorld& left = firstLeavesFirst ? *pSecond : *table.m_pGuest;
     (firstLeavesFirst ? table.m_pGuest : pSecond).reset();
     EXPECT_TRUE(left.IsAlive());
-    const auto contacts = left.GetStats().m_nContacts;
-    left.Add(CDynamicCircleDesc({7, 0.15f}, 0.1f, {0, -1})); // to the ground
+    const auto contacts = left.GetWorld().GetStats().m_nContacts;
+    left.GetWorld().Add(CDynamicCircleDesc({7, 0.15f}, 0.1f, {0, -1})); // to the ground
     Steps(*table.m_pGame, left, 30);
-    EXPECT_GT(left.GetStats().m_nContacts, contacts);
-    EXPECT_EQ(left.GetStats().m_nListenersReplaced, 0u);
+    EXPECT_GT(left.GetWorld().GetStats().m_nContacts, contacts);
+    EXPECT_EQ(left.GetWorld().GetStats().m_nListenersReplaced, 0u);
     table.m_pGuest.reset();
     pSecond.reset();
     EXPECT_EQ(Installed(*table.m_pGame), &table.m_cListener);
@@ -306,7 +309,7 @@ TEST(GuestLifetimeTest, TheGuestIsDestroyedInTheMiddleOfAStepOfBox2D) {
   Steps(*table.m_pGame, *pNext, 10);
   table.m_pGame->DestroyBody(table.BodyOfBall());
   Steps(*table.m_pGame, *pNext, 10);
-  EXPECT_EQ(pNext->GetStats().m_nBodiesLost, 0u);
+  EXPECT_EQ(pNext->GetWorld().GetStats().m_nBodiesLost, 0u);
 }
 
 TEST(GuestLifetimeTest, TheGuestIsDestroyedWhileABodyIs) {

@@ -21,8 +21,8 @@ namespace Shapes::Tests {
 inline std::unique_ptr<CBox2DWorld> MakeGuest(b2World& game, eProfile e = eProfile::Shipped,
                                               float unit = 1.0f) {
   CWorldDesc desc;
-  desc.m_eProfile = e;
-  desc.m_fLengthUnit = unit;
+  desc.m_cBox2D.m_eProfile = e;
+  desc.m_cBox2D.m_fLengthUnit = unit;
   return MakeWorld(game, desc);
 }
 
@@ -114,14 +114,15 @@ struct CTable {
     AddGround(*m_pGame);
     m_pBox = AddBox(*m_pGame, {0, 0.51f});
     m_pGuest = MakeGuest(*m_pGame, e);
-    m_cSegment = m_pGuest->Add(CLineSegDesc({2, 0.5f}, {4, 0.5f}));
-    m_cArc = m_pGuest->Add(CArcDesc({4, 1.5f}, 1, 1.5f * g_fPi, 0.25f * g_fPi)); // goes on in the segment
-    m_cPoint = m_pGuest->Add(CPointDesc({2, 0.5f}));
-    m_cBall = m_pGuest->Add(CDynamicCircleDesc({3, 0.62f}, 0.1f, {1, 0}, 1, 0.5f));
-    m_cOther = m_pGuest->Add(CDynamicCircleDesc({0, 1.15f}, 0.1f, {0, 0}, 1, 0));
-    m_pGuest->SetUserPtr(m_cBall, &m_nUserData[0]);
-    m_pGuest->SetUserPtr(m_cArc, &m_nUserData[1]);
-    m_pGuest->SetUserPtr(m_cOther, &m_nUserData[2]);
+    m_cSegment = m_pGuest->GetWorld().Add(CLineSegDesc({2, 0.5f}, {4, 0.5f}));
+    m_cArc = m_pGuest->GetWorld().Add(
+        CArcDesc({4, 1.5f}, 1, 1.5f * g_fPi, 0.25f * g_fPi)); // goes on in the segment
+    m_cPoint = m_pGuest->GetWorld().Add(CPointDesc({2, 0.5f}));
+    m_cBall = m_pGuest->GetWorld().Add(CDynamicCircleDesc({3, 0.62f}, 0.1f, {1, 0}, 1, 0.5f));
+    m_cOther = m_pGuest->GetWorld().Add(CDynamicCircleDesc({0, 1.15f}, 0.1f, {0, 0}, 1, 0));
+    m_pGuest->GetWorld().SetUserPtr(m_cBall, &m_nUserData[0]);
+    m_pGuest->GetWorld().SetUserPtr(m_cArc, &m_nUserData[1]);
+    m_pGuest->GetWorld().SetUserPtr(m_cOther, &m_nUserData[2]);
     Step(10);
   }
   void Step(int n = 1) { Steps(*m_pGame, *m_pGuest, n); }

@@ -43,24 +43,24 @@ CLineSegDesc Flipper(const Vector2& p0, const Vector2& p1, float revsPerSecond) 
 
 TEST_P(CGuest, ABallPushesABoxAndIsPushed) {
   b2Body* pBox = AddBox(m_cGame, {2, 0});
-  const CShapeId ball = Join().Add(CDynamicCircleDesc({0, 0}, 0.1f, {4, 0}));
+  const CShapeId ball = Join().GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f, {4, 0}));
   Steps(60); // equal masses, and the larger restitution is that of the ball, 1: they exchange velocities
   EXPECT_NEAR(pBox->GetLinearVelocity().x, 4, 1e-4f);
-  EXPECT_NEAR(m_pGuest->GetVel(ball).x(), 0, 1e-4f);
+  EXPECT_NEAR(m_pGuest->GetWorld().GetVel(ball).x(), 0, 1e-4f);
   pBox->SetTransform({-2, 0}, 0);
   Steps(60);
   EXPECT_NEAR(pBox->GetLinearVelocity().x, 0, 1e-4f);
-  EXPECT_NEAR(m_pGuest->GetVel(ball).x(), 4, 1e-4f);
+  EXPECT_NEAR(m_pGuest->GetWorld().GetVel(ball).x(), 4, 1e-4f);
 }
 
 TEST_P(CGuest, WhatIsNotOfShapesIsReportedAsNoShape) {
   AddBox(m_cGame, {2, 0}, b2_staticBody);
-  const CShapeId ball = Join().Add(CDynamicCircleDesc({0, 0}, 0.1f, {4, 0}));
-  m_pGuest->Add(CLineSegDesc({-2, -1}, {-2, 1}));
+  const CShapeId ball = Join().GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f, {4, 0}));
+  m_pGuest->GetWorld().Add(CLineSegDesc({-2, -1}, {-2, 1}));
   std::vector<CContactEvent> events;
   for (int i = 0; i < 140; ++i) {
     Steps(1);
-    for (const CContactEvent& event : m_pGuest->GetContacts())
+    for (const CContactEvent& event : m_pGuest->GetWorld().GetContacts())
       if (events.empty() || event.m_cShape != events.back().m_cShape) events.push_back(event);
   }
   ASSERT_EQ(events.size(), 3u); // the box, the segment, the box
@@ -78,9 +78,9 @@ TEST_P(CGuest, ABallBouncesOffTheGroundOfTheGameByTheLargerRestitution) {
   const auto bounce = [&](float ofBall, float ofGround) {
     pGround->GetFixtureList()->SetRestitution(ofGround);
     auto& guest = Join();
-    const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {1, -2}, 1, ofBall));
+    const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {1, -2}, 1, ofBall));
     Steps(30);
-    return Vector2(guest.GetVel(ball));
+    return Vector2(guest.GetWorld().GetVel(ball));
   };
   EXPECT_LE((bounce(0.75f, 0.25f) - Vector2(1, 1.5f)).norm(), 1e-4f); // no friction: x stays
   EXPECT_LE((bounce(0.25f, 0.75f) - Vector2(1, 1.5f)).norm(), 1e-4f);
@@ -88,20 +88,21 @@ TEST_P(CGuest, ABallBouncesOffTheGroundOfTheGameByTheLargerRestitution) {
 
 TEST_P(CGuest, TwoOfShapesMeetByTheProductOfTheirElasticities) {
   auto& guest = Join();
-  guest.Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
-  const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}, 1, 0.5f));
+  guest.GetWorld().Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
+  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}, 1, 0.5f));
   Steps(30);
-  EXPECT_NEAR(guest.GetVel(ball).y(), 1, 1e-4f);
+  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), 1, 1e-4f);
 }
 
 TEST_P(CGuest, AFlipperKicksABallAndABox) {
   auto& guest = Join();
-  guest.Add(Flipper({0, 0}, {2, 0}, 1));
-  const CShapeId ball = guest.Add(CDynamicCircleDesc({1, 0.5f}, 0.1f));
+  guest.GetWorld().Add(Flipper({0, 0}, {2, 0}, 1));
+  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({1, 0.5f}, 0.1f));
   b2Body* pBox = AddBox(m_cGame, {-1.5f, 0});
   Steps(15); // a quarter turn
   // Twice the speed of the surface where it meets the ball, sqrt(1.25 - .01) from the centre.
-  EXPECT_NEAR(guest.GetVel(ball).norm(), 2 * g_fTwoPi * std::sqrt(1.24f), IsTuned() ? 0.05f : 0.5f);
+  EXPECT_NEAR(guest.GetWorld().GetVel(ball).norm(), 2 * g_fTwoPi * std::sqrt(1.24f),
+              IsTuned() ? 0.05f : 0.5f);
   EXPECT_EQ(pBox->GetLinearVelocity().Length(), 0);
   Steps(20);
   EXPECT_GT(pBox->GetLinearVelocity().Length(), 1);
@@ -110,20 +111,20 @@ TEST_P(CGuest, AFlipperKicksABallAndABox) {
 TEST_P(CGuest, GravityIsThatOfTheGame) {
   m_cGame.SetGravity({0, -10});
   auto& guest = Join();
-  const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0}, 0.1f));
+  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f));
   Steps(30);
-  EXPECT_NEAR(guest.GetVel(ball).y(), -5, 1e-4f);
+  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), -5, 1e-4f);
   m_cGame.SetGravity({4, 0});
   Steps(30);
-  EXPECT_NEAR(guest.GetVel(ball).y(), -5, 1e-4f);
-  EXPECT_NEAR(guest.GetVel(ball).x(), 2, 1e-4f);
-  EXPECT_EQ(guest.GetDesc().m_vGravity, Vector2(0, 0));
+  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), -5, 1e-4f);
+  EXPECT_NEAR(guest.GetWorld().GetVel(ball).x(), 2, 1e-4f);
+  EXPECT_EQ(guest.GetWorld().GetDesc().m_vGravity, Vector2(0, 0));
 }
 
 TEST_P(CGuest, StepsMayDifferInLength) {
   m_cGame.SetGravity({0, -10});
   auto& guest = Join();
-  const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0}, 0.1f, {1, 5}));
+  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f, {1, 5}));
   CRandom random(3);
   double t = 0;
   while (t < 1) {
@@ -131,9 +132,9 @@ TEST_P(CGuest, StepsMayDifferInLength) {
     Steps(1, dt);
     t += static_cast<double>(dt);
   }
-  const double off = static_cast<double>(guest.GetPos(ball).y()) - (5 * t - 5 * t * t);
-  EXPECT_NEAR(guest.GetPos(ball).x(), t, 1e-5);
-  EXPECT_NEAR(guest.GetVel(ball).y(), 5 - 10 * t, 1e-4);
+  const double off = static_cast<double>(guest.GetWorld().GetPos(ball).y()) - (5 * t - 5 * t * t);
+  EXPECT_NEAR(guest.GetWorld().GetPos(ball).x(), t, 1e-5);
+  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), 5 - 10 * t, 1e-4);
   if (IsTuned())
     EXPECT_NEAR(off, 0, 1e-5); // on the parabola
   else
@@ -145,13 +146,13 @@ TEST_P(CGuest, PixelsAndMetresGiveTheSameWay) {
     b2World game({0, -10});
     AddGround(game);
     auto pGuest = MakeGuest(game, GetParam(), unit);
-    pGuest->Add(CArcDesc({1 * unit, 1 * unit}, 1 * unit, 4, 6));
-    const CShapeId ball =
-        pGuest->Add(CDynamicCircleDesc({1 * unit, 1 * unit}, 0.1f * unit, {0.5f * unit, 0}, 1, 0.8f));
+    pGuest->GetWorld().Add(CArcDesc({1 * unit, 1 * unit}, 1 * unit, 4, 6));
+    const CShapeId ball = pGuest->GetWorld().Add(
+        CDynamicCircleDesc({1 * unit, 1 * unit}, 0.1f * unit, {0.5f * unit, 0}, 1, 0.8f));
     std::vector<Vector2> way;
     for (int i = 0; i < 150; ++i) {
       Tests::Steps(game, *pGuest, 1);
-      way.push_back(pGuest->GetPos(ball) / unit);
+      way.push_back(pGuest->GetWorld().GetPos(ball) / unit);
     }
     return way;
   };
@@ -173,15 +174,16 @@ TEST(GuestWorldTest, AGuestAsShippedHasTheBitsOfAWorldOfItsOwn) {
     shapes.push_back(CDynamicCircleDesc({-2 + 0.2f * static_cast<float>(i), 3}, 0.08f,
                                         {static_cast<float>(4 * random.Unit() - 2), 0}, 1, 0.9f));
   for (const CAnyShapeDesc& shape : shapes)
-    pOwned->Add(shape), pGuest->Add(shape);
+    pOwned->Add(shape), pGuest->GetWorld().Add(shape);
   std::size_t contacts = 0;
   for (int i = 0; i < 600; ++i) {
     pOwned->Step();
     Steps(game, *pGuest, 1);
-    ASSERT_TRUE(std::ranges::equal(pOwned->GetBallPositions(), pGuest->GetBallPositions())) << "step " << i;
-    ASSERT_TRUE(std::ranges::equal(pOwned->GetBallVelocities(), pGuest->GetBallVelocities()));
-    ASSERT_EQ(pOwned->GetContacts().size(), pGuest->GetContacts().size());
-    contacts += pGuest->GetContacts().size();
+    ASSERT_TRUE(std::ranges::equal(pOwned->GetBallPositions(), pGuest->GetWorld().GetBallPositions()))
+        << "step " << i;
+    ASSERT_TRUE(std::ranges::equal(pOwned->GetBallVelocities(), pGuest->GetWorld().GetBallVelocities()));
+    ASSERT_EQ(pOwned->GetContacts().size(), pGuest->GetWorld().GetContacts().size());
+    contacts += pGuest->GetWorld().GetContacts().size();
   }
   EXPECT_GT(contacts, 100u);
 }
@@ -190,14 +192,14 @@ TEST_P(CGuest, ABallThatLiesOnTheGroundOfTheGameRests) {
   m_cGame.SetGravity({0, -10});
   AddGround(m_cGame);
   auto& guest = Join();
-  const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, 0}, 1, 0));
+  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, 0}, 1, 0));
   Steps(60);
-  const float y = guest.GetPos(ball).y();
+  const float y = guest.GetWorld().GetPos(ball).y();
   EXPECT_NEAR(y, 0.1f, 0.02f); // the skins
   for (int i = 0; i < 300; ++i) {
     Steps(1);
-    ASSERT_NEAR(guest.GetPos(ball).y(), y, 1e-3f);
-    ASSERT_NEAR(guest.GetVel(ball).y(), 0, 1e-4f);
+    ASSERT_NEAR(guest.GetWorld().GetPos(ball).y(), y, 1e-3f);
+    ASSERT_NEAR(guest.GetWorld().GetVel(ball).y(), 0, 1e-4f);
   }
 }
 
@@ -206,11 +208,11 @@ TEST(GuestWorldTest, ATunedElasticDropOnTheGroundOfTheGameKeepsItsHeight) {
     b2World game({0, -9.81f});
     AddGround(game);
     const auto pGuest = MakeGuest(game, e);
-    const CShapeId ball = pGuest->Add(CDynamicCircleDesc({0, 2.1f}, 0.1f));
+    const CShapeId ball = pGuest->GetWorld().Add(CDynamicCircleDesc({0, 2.1f}, 0.1f));
     float top = 0;
     for (int i = 0; i < 7200; ++i) {
       Steps(game, *pGuest, 1, 0.5f * g_fDt);
-      if (i >= 6000) top = std::max(top, pGuest->GetPos(ball).y());
+      if (i >= 6000) top = std::max(top, pGuest->GetWorld().GetPos(ball).y());
     }
     return top - 0.1f;
   };
@@ -222,15 +224,15 @@ TEST_P(CGuest, TheListenerOfTheGameHearsEverythingAfterShapes) {
   CCounting& listener = m_cListener;
   m_cGame.SetContactListener(&listener);
   auto& guest = Join();
-  guest.Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
-  const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}, 1, 0.5f));
+  guest.GetWorld().Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
+  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}, 1, 0.5f));
   Steps(30);
   EXPECT_EQ(listener.m_nBegin, 1);
   EXPECT_EQ(listener.m_nEnd, 1);
   EXPECT_GE(listener.m_nPre, 1);
   EXPECT_GE(listener.m_nPost, 1);
   EXPECT_EQ(listener.m_fRestitution, 0.25f); // Shapes has been there before
-  guest.Remove(ball);
+  guest.GetWorld().Remove(ball);
   listener = CCounting();
   AddBox(m_cGame, {5, 0});
   AddBox(m_cGame, {5, 0.9f}); // what has nothing to do with Shapes, too
@@ -242,10 +244,10 @@ TEST_P(CGuest, TheListenerOfTheGameHearsEverythingAfterShapes) {
 TEST_P(CGuest, NoListenerIsFineToo) {
   m_cGame.SetContactListener(nullptr);
   auto& guest = Join();
-  guest.Add(CLineSegDesc({-1, 0}, {1, 0}));
-  const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}));
+  guest.GetWorld().Add(CLineSegDesc({-1, 0}, {1, 0}));
+  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}));
   Steps(30);
-  EXPECT_NEAR(guest.GetVel(ball).y(), 4, 1e-4f);
+  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), 4, 1e-4f);
 }
 
 TEST_P(CGuest, WhatTheGameDisablesIsNotReported) {
@@ -256,35 +258,35 @@ TEST_P(CGuest, WhatTheGameDisablesIsNotReported) {
   m_cGame.SetContactListener(&listener);
   AddGround(m_cGame);
   auto& guest = Join();
-  const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}));
+  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}));
   Steps(30);
-  EXPECT_EQ(guest.GetVel(ball).y(), -4);
-  EXPECT_EQ(guest.GetStats().m_nContacts, 0u);
+  EXPECT_EQ(guest.GetWorld().GetVel(ball).y(), -4);
+  EXPECT_EQ(guest.GetWorld().GetStats().m_nContacts, 0u);
   listener.m_bIsOn = true; // the control
-  guest.SetVel(ball, {0, 4});
+  guest.GetWorld().SetVel(ball, {0, 4});
   Steps(30);
-  EXPECT_NEAR(guest.GetVel(ball).y(), -4, 1e-4f);
-  EXPECT_GE(guest.GetStats().m_nContacts, 1u);
+  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), -4, 1e-4f);
+  EXPECT_GE(guest.GetWorld().GetStats().m_nContacts, 1u);
   m_pGuest.reset(); // before the listener
 }
 
 TEST_P(CGuest, UserDataAreTheUserPointersOfShapes) {
   auto& guest = Join();
   int mine = 0, other = 0;
-  const CShapeId arc = guest.Add(CArcDesc({0, 0}, 1, 0, 2)); // two chains
-  const CShapeId ball = guest.Add(CDynamicCircleDesc({3, 0}, 0.1f));
+  const CShapeId arc = guest.GetWorld().Add(CArcDesc({0, 0}, 1, 0, 2)); // two chains
+  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({3, 0}, 0.1f));
   for (b2Body* p = m_cGame.GetBodyList(); p != nullptr; p = p->GetNext()) {
     EXPECT_EQ(p->GetUserData().pointer, 0u);
     for (b2Fixture* q = p->GetFixtureList(); q != nullptr; q = q->GetNext())
       EXPECT_EQ(q->GetUserData().pointer, 0u);
   }
-  guest.SetUserPtr(arc, &mine);
-  guest.SetUserPtr(ball, &other);
+  guest.GetWorld().SetUserPtr(arc, &mine);
+  guest.GetWorld().SetUserPtr(ball, &other);
   ASSERT_EQ(FindBodies(m_cGame, &mine).size(), 1u);
   ASSERT_EQ(FindBodies(m_cGame, &other).size(), 1u);
   for (b2Fixture* p = FindBody(m_cGame, &mine)->GetFixtureList(); p != nullptr; p = p->GetNext())
     EXPECT_EQ(p->GetUserData().pointer, reinterpret_cast<uintptr_t>(&mine));
-  guest.SetPos(arc, {1, 1}); // made anew
+  guest.GetWorld().SetPos(arc, {1, 1}); // made anew
   EXPECT_EQ(FindBodies(m_cGame, &mine).size(), 1u);
 }
 
@@ -295,9 +297,9 @@ TEST_P(CGuest, TheFilterOfTheGameIsAsked) {
   AddGround(m_cGame);
   const auto fall = [&] {
     auto& guest = Join();
-    const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}));
+    const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}));
     Steps(30);
-    return guest.GetVel(ball).y();
+    return guest.GetWorld().GetVel(ball).y();
   };
   EXPECT_NEAR(fall(), 4, 1e-4f);
   m_cGame.SetContactFilter(&filter);
@@ -317,22 +319,22 @@ TEST_P(CGuest, QueriesFindTheShapesAndNothingElse) {
   };
   auto& guest = Join();
   EXPECT_EQ(count(), 0);
-  guest.Add(CLineSegDesc({-1, 0}, {1, 0}));
+  guest.GetWorld().Add(CLineSegDesc({-1, 0}, {1, 0}));
   EXPECT_EQ(count(), 1);
 }
 
 TEST_P(CGuest, WhatTheGameDoesToTheBodyOfABallCounts) {
   auto& guest = Join();
-  const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0}, 0.1f));
+  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f));
   int mine = 0;
-  guest.SetUserPtr(ball, &mine);
+  guest.GetWorld().SetUserPtr(ball, &mine);
   b2Body* pBody = FindBody(m_cGame, &mine);
   pBody->ApplyLinearImpulseToCenter({3, 0}, true);
   Steps(60);
-  EXPECT_NEAR(guest.GetPos(ball).x(), 3, 1e-4f);
+  EXPECT_NEAR(guest.GetWorld().GetPos(ball).x(), 3, 1e-4f);
   pBody->SetTransform({0, 7}, 0);
   Steps(60);
-  EXPECT_LE((guest.GetPos(ball) - Vector2(3, 7)).norm(), 1e-4f);
+  EXPECT_LE((guest.GetWorld().GetPos(ball) - Vector2(3, 7)).norm(), 1e-4f);
 }
 
 TEST_P(CGuest, ABallDoesNotSleepAndWakesWhatDoes) {
@@ -340,12 +342,12 @@ TEST_P(CGuest, ABallDoesNotSleepAndWakesWhatDoes) {
   AddGround(m_cGame);
   b2Body* pBox = AddBox(m_cGame, {3, 0.51f});
   auto& guest = Join();
-  guest.Add(CLineSegDesc({-5, 0.4f}, {0, 0.4f}, 0));
-  const CShapeId ball = guest.Add(CDynamicCircleDesc({-1, 0.51f}, 0.1f));
+  guest.GetWorld().Add(CLineSegDesc({-5, 0.4f}, {0, 0.4f}, 0));
+  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({-1, 0.51f}, 0.1f));
   Steps(120);
   ASSERT_FALSE(pBox->IsAwake()); // the game's bodies sleep as before
   m_cGame.SetGravity({0, 0});
-  guest.SetVel(ball, {5, 0});
+  guest.GetWorld().SetVel(ball, {5, 0});
   Steps(60);
   EXPECT_GT(pBox->GetLinearVelocity().x, 1);
 }
@@ -353,71 +355,73 @@ TEST_P(CGuest, ABallDoesNotSleepAndWakesWhatDoes) {
 TEST_P(CGuest, ContinuousPhysicsMayBeOff) { // nothing that the tuned profile leaves to it is lost
   m_cGame.SetContinuousPhysics(false);
   auto& guest = Join();
-  guest.Add(CLineSegDesc({-1, 0}, {1, 0}));
-  const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0.503f}, 0.1f, {0, -4}));
+  guest.GetWorld().Add(CLineSegDesc({-1, 0}, {1, 0}));
+  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.503f}, 0.1f, {0, -4}));
   Steps(30); // .067 a step: less than a diameter
-  EXPECT_NEAR(guest.GetVel(ball).y(), 4, 1e-3f);
+  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), 4, 1e-3f);
 }
 
 TEST_P(CGuest, SensorsSeeBallsThatFlyThrough) {
   auto& guest = Join();
   CLineSegDesc desc({0, -1}, {0, 1});
   desc.m_bIsSensor = true;
-  const CShapeId gate = guest.Add(desc);
-  guest.Add(CLineSegDesc({1, -1}, {1, 1}));
-  const CShapeId ball = guest.Add(CDynamicCircleDesc({-1, 0}, 0.1f, {30, 0})); // 2.5 diameters a step
+  const CShapeId gate = guest.GetWorld().Add(desc);
+  guest.GetWorld().Add(CLineSegDesc({1, -1}, {1, 1}));
+  const CShapeId ball =
+      guest.GetWorld().Add(CDynamicCircleDesc({-1, 0}, 0.1f, {30, 0})); // 2.5 diameters a step
   std::vector<CSensorEvent> events;
   std::size_t contacts = 0;
   for (int i = 0; i < 10; ++i) {
     Steps(1);
-    events.insert(events.end(), guest.GetSensorEvents().begin(), guest.GetSensorEvents().end());
-    for (const CContactEvent& event : guest.GetContacts())
+    events.insert(events.end(), guest.GetWorld().GetSensorEvents().begin(),
+                  guest.GetWorld().GetSensorEvents().end());
+    for (const CContactEvent& event : guest.GetWorld().GetContacts())
       contacts += event.m_bIsSensor;
   }
   const std::vector<CSensorEvent> toAndFro{
       {gate, ball, true}, {gate, ball, false}, {gate, ball, true}, {gate, ball, false}};
   EXPECT_EQ(events, toAndFro);
   EXPECT_GE(contacts, 2u);
-  EXPECT_LT(guest.GetPos(ball).x(), -1);
+  EXPECT_LT(guest.GetWorld().GetPos(ball).x(), -1);
 }
 
 TEST_P(CGuest, ASensorLosesABallThatTheGameDestroys) {
   auto& guest = Join();
   CCircleDesc desc({0, 0}, 1);
   desc.m_bIsSensor = true;
-  guest.Add(CDynamicCircleDesc({5, 5}, 0.1f)); // its place is taken by the next
-  const CShapeId lost = guest.Add(CDynamicCircleDesc({0, 0}, 0.1f));
-  const CShapeId stays = guest.Add(CDynamicCircleDesc({0.5f, 0}, 0.1f));
-  const CShapeId zone = guest.Add(desc);
+  guest.GetWorld().Add(CDynamicCircleDesc({5, 5}, 0.1f)); // its place is taken by the next
+  const CShapeId lost = guest.GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f));
+  const CShapeId stays = guest.GetWorld().Add(CDynamicCircleDesc({0.5f, 0}, 0.1f));
+  const CShapeId zone = guest.GetWorld().Add(desc);
   int mine = 0;
-  guest.SetUserPtr(lost, &mine);
+  guest.GetWorld().SetUserPtr(lost, &mine);
   Steps(1);
-  EXPECT_EQ(guest.GetSensorEvents().size(), 2u);
+  EXPECT_EQ(guest.GetWorld().GetSensorEvents().size(), 2u);
   guest.PreStep(g_fDt);
   m_cGame.DestroyBody(FindBody(m_cGame, &mine)); // in the middle of the step
   m_cGame.Step(g_fDt, 8, 3);
   guest.PostStep();
-  ASSERT_EQ(guest.GetSensorEvents().size(), 1u);
-  EXPECT_EQ(guest.GetSensorEvents()[0], (CSensorEvent{zone, lost, false}));
-  ASSERT_EQ(guest.GetContacts().size(), 1u);
-  EXPECT_EQ(guest.GetContacts()[0].m_cBall, stays);
+  ASSERT_EQ(guest.GetWorld().GetSensorEvents().size(), 1u);
+  EXPECT_EQ(guest.GetWorld().GetSensorEvents()[0], (CSensorEvent{zone, lost, false}));
+  ASSERT_EQ(guest.GetWorld().GetContacts().size(), 1u);
+  EXPECT_EQ(guest.GetWorld().GetContacts()[0].m_cBall, stays);
 }
 
 TEST_P(CGuest, WhatBox2DSlowsDownIsCountedByTheLengthOfTheStep) {
   auto& guest = Join();
-  const CShapeId ball = guest.Add(CDynamicCircleDesc({0, 0}, 0.1f, {100, 0}));
-  const CShapeId flipper = guest.Add(Flipper({0, 50}, {1, 50}, 12));
+  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f, {100, 0}));
+  const CShapeId flipper = guest.GetWorld().Add(Flipper({0, 50}, {1, 50}, 12));
   Steps(10);
-  EXPECT_EQ(guest.GetStats().m_nMovesClamped, 0u);
-  EXPECT_EQ(guest.GetStats().m_nTurnsClamped, 0u);
+  EXPECT_EQ(guest.GetWorld().GetStats().m_nMovesClamped, 0u);
+  EXPECT_EQ(guest.GetWorld().GetStats().m_nTurnsClamped, 0u);
   Steps(1, 1.0f / 40); // 2.5 metres, .6 pi radians
-  EXPECT_EQ(guest.GetStats().m_nMovesClamped, 1u);
-  EXPECT_EQ(guest.GetStats().m_nTurnsClamped, 1u);
-  EXPECT_NEAR(guest.GetVel(ball).x(), 80, 1e-3f);
-  EXPECT_EQ(guest.GetStats().m_nEngineSteps, 11u);
-  EXPECT_EQ(guest.GetStats().m_nSteps, 11u);
-  EXPECT_EQ(guest.GetStats().m_nSubsteps, 11u);
-  EXPECT_GT(guest.GetOrientation(flipper), 0);
+  EXPECT_EQ(guest.GetWorld().GetStats().m_nMovesClamped, 1u);
+  EXPECT_EQ(guest.GetWorld().GetStats().m_nTurnsClamped, 1u);
+  EXPECT_NEAR(guest.GetWorld().GetVel(ball).x(), 80, 1e-3f);
+  EXPECT_EQ(guest.GetWorld().GetStats().m_nEngineSteps, 11u);
+  EXPECT_EQ(guest.GetWorld().GetStats().m_nSteps, 11u);
+  EXPECT_EQ(guest.GetWorld().GetStats().m_nSubsteps, 11u);
+  EXPECT_GT(guest.GetWorld().GetOrientation(flipper), 0);
 }
 
 TEST(GuestWorldWayTest, ABallKeepsItsWayFromAnArcOntoTheGroundOfTheGame) {
@@ -430,18 +434,18 @@ TEST(GuestWorldWayTest, ABallKeepsItsWayFromAnArcOntoTheGroundOfTheGame) {
     ground.SetTwoSided({-20, 0}, {20, 0});
     world.CreateBody(&def)->CreateFixture(&ground, 0.0f);
     CWorldDesc desc;
-    desc.m_eProfile = profile;
+    desc.m_cBox2D.m_eProfile = profile;
     const auto pGuest = MakeWorld(world, desc);
-    pGuest->Add(CArcDesc({2, 2}, 2, g_fPi, 1.5f * g_fPi));
-    const CShapeId ball = pGuest->Add(CDynamicCircleDesc({0.2f, 2.5f}, 0.15f, {0, -4}, 1, 0.3f));
+    pGuest->GetWorld().Add(CArcDesc({2, 2}, 2, g_fPi, 1.5f * g_fPi));
+    const CShapeId ball = pGuest->GetWorld().Add(CDynamicCircleDesc({0.2f, 2.5f}, 0.15f, {0, -4}, 1, 0.3f));
     for (int i = 0; i < 45; ++i) {
       pGuest->PreStep(1.0f / 60.0f);
       world.Step(1.0f / 60.0f, 8, 3);
       pGuest->PostStep();
     }
     // Energy makes it 7.9 at the ground; each bounce along the arc takes a little.
-    EXPECT_GT(pGuest->GetVel(ball).x(), profile == eProfile::Tuned ? 7.0f : 6.0f);
-    EXPECT_LT(pGuest->GetVel(ball).x(), 7.9f);
+    EXPECT_GT(pGuest->GetWorld().GetVel(ball).x(), profile == eProfile::Tuned ? 7.0f : 6.0f);
+    EXPECT_LT(pGuest->GetWorld().GetVel(ball).x(), 7.9f);
   }
 }
 

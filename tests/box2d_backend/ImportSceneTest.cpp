@@ -165,7 +165,7 @@ TEST(ImportSceneTest, WorldIsThatOfTheGameInUserUnits) {
   const CSceneDesc scene = ImportScene(game.m_cWorld, {.m_fLengthUnit = 100.0f, .m_fTimeStep = 0.01f});
   EXPECT_EQ(scene.m_cWorld.m_vGravity, Vector2(100, -1000));
   EXPECT_EQ(scene.m_cWorld.m_fTimeStep, 0.01f);
-  EXPECT_EQ(scene.m_cWorld.m_fLengthUnit, 100.0f);
+  EXPECT_EQ(scene.m_cWorld.m_cBox2D.m_fLengthUnit, 100.0f);
   ASSERT_EQ(scene.m_stdBalls.size(), 1u);
   const CDynamicCircleDesc& ball = scene.m_stdBalls[0];
   EXPECT_EQ(ball.m_vPos, Vector2(200, 300));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Where Box2D's larger restitution of two can be made the product of both elasticities.
-#include "box2d_backend/Mixing.h"
+#include "box2d_backend/world/Mixing.h"
 
 #include <box2d/box2d.h>
 #include <gtest/gtest.h>
 
 #include "Random.h"
-#include "box2d_backend/Stepper.h"
+#include "box2d_backend/world/Stepper.h"
 
 namespace Shapes::Tests {
 namespace {
@@ -93,12 +93,17 @@ TEST(MixingTest, WhatIsNotSolidDoesNotCount) {
 
 TEST(MixingTest, NobodyListensWhereNobodyNeedsTo) {
   const auto needsNone = [](const Box2D::CTuning& tuning, CEffects running, float wall) {
-    CWorldState state = MakeState({0.7f, 0.2f}, {0.9f, wall});
-    CWorldStats stats;
-    b2World world({0, 0});
-    Box2D::CStepper stepper(world, state, stats, CWorldDesc(), tuning);
-    stepper.Plan(running);
-    return stepper.NeedsNoListener();
+    bool needsNone = false;
+    const auto ask = [&](CWorldCore& world) -> std::unique_ptr<CEngine> {
+      world.GetState() = MakeState({0.7f, 0.2f}, {0.9f, wall});
+      b2World b2({0, 0});
+      Box2D::CStepper stepper(b2, world, tuning);
+      stepper.Plan(running);
+      needsNone = stepper.NeedsNoListener();
+      return nullptr;
+    };
+    CWorldCore(CWorldDesc(), CWorldLimits(), CEffects(), ask);
+    return needsNone;
   };
   EXPECT_TRUE(needsNone(Box2D::g_cShipped, {}, 0.9f));
   EXPECT_TRUE(needsNone(Box2D::g_cShipped, {eEffect::Gravity, eEffect::Continuous}, 0.9f));

@@ -47,7 +47,7 @@ public:
     const std::uint32_t n = 2 + m_cRandom.Below(10), rounds = 1 + m_cRandom.Below(4);
     for (std::uint32_t i = 0; i < n; ++i)
       Add();
-    // A tuned world cuts the steps of what is fast.
+    // A tuned world parts the steps of what is fast.
     for (std::uint32_t i = 0; i < rounds && m_pWorld->GetStats().m_nEngineSteps < 300; ++i) {
       for (std::uint32_t steps = 1 + m_cRandom.Below(3); steps > 0; --steps)
         m_pWorld->Step(), ExpectFinite();
@@ -208,7 +208,7 @@ TEST(NoAssertRandomPair, ContactsAtTheBordersHaveNumbers) {
     Tests::CRandom random(seed);
     CBorders borders(random);
     CWorldDesc desc;
-    if (random.Below(4) == 0) desc.m_fLengthUnit = 1e10f; // up to the largest lengths of a shape
+    if (random.Below(4) == 0) desc.m_cBox2D.m_fLengthUnit = 1e10f; // up to the largest lengths of a shape
     borders.Inside(desc);
     CGameClock::Set(1.0f / 60.0f, random.Coin() ? 0.0f : -10.0f);
     const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(CWorldDesc());

@@ -3,6 +3,8 @@
 // what it bears is stepped, in both profiles, and everything stays a number; what is beyond is refused.
 #include "../Numbers.h"
 
+#include "Tolerances.h"
+
 #include <Shapes/Shapes.h>
 
 #include <box2d/box2d.h>
@@ -15,7 +17,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "box2d_backend/Tuning.h"
+#include "box2d_backend/world/Tuning.h"
 #include "traps/Traps.h"
 
 namespace Shapes::Box2D {
@@ -42,10 +44,10 @@ class CNoAssert : public testing::TestWithParam<eProfile> {
 protected:
   // What Box2D computes within, at the limits, may be infinite: not what comes out of it.
   const CWithoutTraps m_cInBox2D;
-  CNoAssert() { m_cDesc.m_eProfile = GetParam(); }
+  CNoAssert() { m_cDesc.m_cBox2D.m_eProfile = GetParam(); }
 
   /// User units to a metre of Box2D.
-  float Unit() const { return m_cDesc.m_fLengthUnit / GetTuning(GetParam()).m_fScale; }
+  float Unit() const { return m_cDesc.m_cBox2D.m_fLengthUnit / GetTuning(GetParam()).m_fScale; }
   float MaxLength() const { return std::min(g_fMaxLength, g_fMaxBox2DLength * Unit()); }
   float MaxSpeed() const { return std::min(g_fMaxSpeed, g_fMaxBox2DSpeed * Unit()); }
   void Make() { m_pWorld = GetBackend(eBackend::Box2D)->MakeWorld(m_cDesc); }
@@ -137,7 +139,7 @@ TEST_P(CNoAssert, ShapesThatTurnAboutAPointFarAway) {
 
 TEST_P(CNoAssert, TheLimitsAreTakenAndTheNextFloatIsNot) {
   for (const float unit : {1.0f, 1e-3f, 100.0f}) {
-    m_cDesc.m_fLengthUnit = unit;
+    m_cDesc.m_cBox2D.m_fLengthUnit = unit;
     Make();
     const float length = MaxLength(), speed = MaxSpeed();
     for (const float f : {length, -length}) {
@@ -166,7 +168,7 @@ TEST_P(CNoAssert, TheLimitsAreTakenAndTheNextFloatIsNot) {
 TEST_P(CNoAssert, WorldDescriptionsAtTheirLimits) {
   const auto step = [&](auto change) {
     m_cDesc = CWorldDesc();
-    m_cDesc.m_eProfile = GetParam();
+    m_cDesc.m_cBox2D.m_eProfile = GetParam();
     change(m_cDesc);
     Make();
     m_pWorld->SetGravity({0, -std::min(10 * Unit(), MaxSpeed())});
@@ -179,15 +181,16 @@ TEST_P(CNoAssert, WorldDescriptionsAtTheirLimits) {
   for (const float f : {g_fMinTimeStep, 1e-20f, 1e3f, g_fMaxTimeStep})
     step([&](CWorldDesc& d) { d.m_fTimeStep = f; });
   for (const float f : {g_fMinLengthUnit, 1e-9f, 1e9f, g_fMaxLength})
-    step([&](CWorldDesc& d) { d.m_fLengthUnit = f; });
+    step([&](CWorldDesc& d) { d.m_cBox2D.m_fLengthUnit = f; });
   for (const float f : {g_fDenormal, 1e-30f, 1.0f, g_fMaxLength})
-    step([&](CWorldDesc& d) { d.m_fSagittaTolerance = f; });
-  step([](CWorldDesc& d) { d.m_nVelocityIterations = d.m_nPositionIterations = 1; });
-  step([](CWorldDesc& d) { d.m_nVelocityIterations = d.m_nPositionIterations = 1000; });
+    step([&](CWorldDesc& d) { d.m_cBox2D.m_fSagittaTolerance = f; });
+  step([](CWorldDesc& d) { d.m_cBox2D.m_nVelocityIterations = d.m_cBox2D.m_nPositionIterations = 1; });
+  step([](CWorldDesc& d) { d.m_cBox2D.m_nVelocityIterations = d.m_cBox2D.m_nPositionIterations = 1000; });
   step([](CWorldDesc& d) { d.m_nSubsteps = 64; });
   // A metre of a tuned world would have been infinitely many of these units.
-  EXPECT_THROW(step([](CWorldDesc& d) { d.m_fLengthUnit = Below(g_fMinLengthUnit); }), std::invalid_argument);
-  EXPECT_THROW(step([](CWorldDesc& d) { d.m_fLengthUnit = g_fDenormal; }), std::invalid_argument);
+  EXPECT_THROW(step([](CWorldDesc& d) { d.m_cBox2D.m_fLengthUnit = Below(g_fMinLengthUnit); }),
+               std::invalid_argument);
+  EXPECT_THROW(step([](CWorldDesc& d) { d.m_cBox2D.m_fLengthUnit = g_fDenormal; }), std::invalid_argument);
 }
 
 TEST_P(CNoAssert, ManyShapesAtOnePlace) {
@@ -204,7 +207,7 @@ TEST_P(CNoAssert, ManyShapesAtOnePlace) {
 TEST_P(CNoAssert, TheFastestSurfaceAndTheLargestElasticityGiveASpeedThatIsANumber) {
   for (const float unit : {1.0f, 1e10f, 1e17f})
     for (const float dt : {g_fMinTimeStep, 1.0f / 60.0f, g_fMaxTimeStep}) {
-      m_cDesc.m_fLengthUnit = unit;
+      m_cDesc.m_cBox2D.m_fLengthUnit = unit;
       m_cDesc.m_fTimeStep = dt;
       Make();
       CLineSegDesc desc({-Unit(), 0}, {Unit(), 0}, g_fMaxElasticity);
@@ -228,7 +231,7 @@ TEST_P(CNoAssert, BumpersThatHoldABallFastTakeNoMoreThanTheMostCuts) {
     m_pWorld->Add(CLineSegDesc({x, -1}, {x, 1}, g_fMaxElasticity));
   m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.06f, {1, 0}, 1, g_fMaxElasticity));
   Step(1);
-  EXPECT_LE(m_pWorld->GetStats().m_nEngineSteps, g_nMaxCuts);
+  EXPECT_LE(m_pWorld->GetStats().m_nEngineSteps, g_nMaxAdaptiveSubsteps);
   EXPECT_EQ(m_pWorld->GetStats().m_nEngineSteps > 1, GetParam() == eProfile::Tuned);
 }
 
@@ -301,8 +304,8 @@ TEST_P(CNoAssert, WhatTouchesIsMovedChangedAndRemoved) {
 }
 
 TEST_P(CNoAssert, EndsThatNearlyMeet) {
-  // Within the tolerance of joints in a tuned world, at it and beyond; arcs that are too short for a chord
-  // too.
+  // Within the tolerance of sharedEnds in a tuned world, at it and beyond; arcs that are too short for a
+  // chord too.
   for (const float gap : {0.0f, 1e-6f, Below(b2_linearSlop), b2_linearSlop, Above(b2_linearSlop), 0.02f})
     for (const float length : {0.0f, 1e-3f, b2_linearSlop, g_fShortestEdge, 1.0f}) {
       Make();

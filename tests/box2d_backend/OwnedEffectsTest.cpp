@@ -8,7 +8,7 @@
 
 #include <memory>
 
-#include "box2d_backend/OwnedWorld.h"
+#include "box2d_backend/world/OwnedEngine.h"
 
 namespace Shapes {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 std::unique_ptr<CWorld> Make(eProfile profile, const CEffectChoice& choice = g_cAutomatic) {
   CWorldDesc desc;
   desc.m_fTimeStep = g_fDt;
-  desc.m_eProfile = profile;
+  desc.m_cBox2D.m_eProfile = profile;
   desc.m_cEffects = choice;
   return GetBackend(eBackend::Box2D)->MakeWorld(desc);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Box2D's answer to CollisionDetected, by its time of impact: how far it is from the exact one, and where its
-// skin begins.
-#include "box2d_backend/PairSweep.h"
+// Box2D's resolution to CollisionDetected, by its time of impact: how far it is from the exact one, and where
+// its skin begins.
+#include "box2d_backend/contact/PairSweep.h"
 
 #include <Shapes/Shapes.h>
 
@@ -65,7 +65,7 @@ TEST_F(CPairSweepTest, TheSetbackFromASegmentIsExactWithinTheSlop) {
     const Vector2 way = -(gap + depth) * nhat + along * (gap + depth) * t * 0.3f;
     CDynamicCircle ball = Fly((gap + r) * nhat, way, r);
     CContactDesc c(&seg, &ball);
-    ASSERT_TRUE(DetectPair(c));
+    ASSERT_TRUE(CollidePair(c));
     EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-5f);
     EXPECT_NEAR(depth - c.m_fSetback, g_fIntoEdge, g_fStopTolerance + g_fRounding);
     // The point touched is on the line, as deep as the ball sank.
@@ -85,7 +85,7 @@ TEST_F(CPairSweepTest, TheSetbackFromACircleIsExactWithinTheSlop) {
     const float gap = random.Uniform(0.02f, 1), depth = random.Uniform(0.02f, 2);
     CDynamicCircle ball = Fly((gap + R + g_fR) * nhat, -(gap + depth) * nhat);
     CContactDesc c(&shape, &ball);
-    ASSERT_TRUE(DetectPair(c));
+    ASSERT_TRUE(CollidePair(c));
     EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-4f);
     EXPECT_NEAR(depth - c.m_fSetback, g_fIntoCircle, g_fStopTolerance + g_fRounding);
   }
@@ -102,7 +102,7 @@ TEST_F(CPairSweepTest, AnObliqueImpactIsOnTheWayOfTheBall) {
                   way = random.Uniform(2, 4) * dir;
     CDynamicCircle ball = Fly(from, way);
     CContactDesc c(&circle, &ball);
-    ASSERT_TRUE(DetectPair(c));
+    ASSERT_TRUE(CollidePair(c));
     const Vector2 p = CentreAtImpact(c);
     EXPECT_NEAR(p.norm(), 0.6f - g_fIntoCircle, g_fStopTolerance + g_fRounding);
     EXPECT_NEAR(Cross(p - from, dir), 0, g_fRounding);
@@ -123,7 +123,7 @@ TEST_F(CPairSweepTest, TheSetbackFromAnArcIsExactWithinTheSlopAndTheSagitta) {
                 depth = random.Uniform(0.03f, 0.3f);
     CDynamicCircle ball = Fly((1 + side * (gap + g_fR)) * u, -side * (gap + depth) * u);
     CContactDesc c(&arc, &ball);
-    ASSERT_TRUE(DetectPair(c));
+    ASSERT_TRUE(CollidePair(c));
     const float angle = 0.5f * g_fPi / 16; // between a chord and the arc at its ends
     EXPECT_GT(c.m_vNorm.dot(side * u), std::cos(1.01f * angle));
     // Chords lie inside the arc: seen from outside they are up to a sagitta farther away, from inside nearer.
@@ -146,7 +146,7 @@ TEST_F(CPairSweepTest, BothBallsAreFollowed) {
     CDynamicCircle a = Fly(Vector2(0, 0), wayA * nhat);
     CDynamicCircle b = Fly(0.5f * nhat, -wayB * nhat);
     CContactDesc c(&a, &b);
-    ASSERT_TRUE(DetectPair(c));
+    ASSERT_TRUE(CollidePair(c));
     // They close .3 before they touch, and sink into each other a little.
     const float time = (0.3f + g_fIntoCircle) / (wayA + wayB);
     EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-4f);
@@ -163,12 +163,12 @@ TEST_F(CPairSweepTest, ATurningFlipperIsFollowed) {
   flipper.move();
   CDynamicCircle ball = Fly(0.8f * AngleToVector(0.25f), {0, 0}, 0.05f);
   CContactDesc c(&flipper, &ball);
-  ASSERT_TRUE(DetectPair(c));
+  ASSERT_TRUE(CollidePair(c));
   const Vector2 normal = perp(AngleToVector(0.25f));
   EXPECT_GT(c.m_vNorm.dot(normal), 0.99f); // it came from below
   CContactDesc again(&flipper, &ball);
   flipper.SetOrientation(0.5f); // the control: placed there, it has not passed over anything
-  EXPECT_FALSE(DetectPair(again));
+  EXPECT_FALSE(CollidePair(again));
 }
 
 TEST_F(CPairSweepTest, EdgesHaveASkinAndCirclesHaveNone) {
@@ -179,7 +179,7 @@ TEST_F(CPairSweepTest, EdgesHaveASkinAndCirclesHaveNone) {
   const auto touches = [](CShape& shape, float gap, float& setback) {
     CDynamicCircle ball = Fly({0, g_fR + gap}, {0, 0});
     CContactDesc c(&shape, &ball);
-    const bool found = DetectPair(c);
+    const bool found = CollidePair(c);
     setback = c.m_fSetback;
     return found;
   };
@@ -201,13 +201,13 @@ TEST_F(CPairSweepTest, TheEarliestPieceIsTheOneThatIsMet) {
   CArc bowl(CArcDesc({0, 0}, 1, 0, 0));
   CDynamicCircle through = Fly({-3, 0.2f}, {6, 0});
   CContactDesc c(&bowl, &through);
-  ASSERT_TRUE(DetectPair(c));
+  ASSERT_TRUE(CollidePair(c));
   EXPECT_LT(c.m_vPOI.x(), -0.9f);
   EXPECT_LT(c.m_vNorm.x(), -0.9f);
   // From within: the far side, from inside.
   CDynamicCircle out = Fly({-0.5f, 0.2f}, {6, 0});
   CContactDesc d(&bowl, &out);
-  ASSERT_TRUE(DetectPair(d));
+  ASSERT_TRUE(CollidePair(d));
   EXPECT_GT(d.m_vPOI.x(), 0.9f);
   EXPECT_LT(d.m_vNorm.x(), -0.9f);
 }
@@ -216,10 +216,10 @@ TEST_F(CPairSweepTest, WhatABallLeavesIsNotMet) {
   CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
   CDynamicCircle leaves = Fly({0, 0.05f}, {0, 1}); // overlaps at first
   CContactDesc c(&seg, &leaves);
-  EXPECT_FALSE(DetectPair(c));
+  EXPECT_FALSE(CollidePair(c));
   CDynamicCircle stays = Fly({0, 0.05f}, {0, 0.01f}); // the control
   CContactDesc d(&seg, &stays);
-  ASSERT_TRUE(DetectPair(d));
+  ASSERT_TRUE(CollidePair(d));
   EXPECT_NEAR(d.m_fSetback, g_fR - 0.06f + b2_polygonRadius, 1e-5f); // out to the skin
 }
 
@@ -227,20 +227,20 @@ TEST_F(CPairSweepTest, AShapeThatWasMovedIsMetWhereItIs) {
   CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
   CDynamicCircle ball = Fly({0, 1}, {0, -2});
   CContactDesc c(&seg, &ball);
-  ASSERT_TRUE(DetectPair(c)); // what Box2D needs is kept with the shape from here on
+  ASSERT_TRUE(CollidePair(c)); // what Box2D needs is kept with the shape from here on
   seg.SetPos({5, 0});
-  EXPECT_FALSE(DetectPair(c));
+  EXPECT_FALSE(CollidePair(c));
   seg.SetPos({0, 0.5f});
-  ASSERT_TRUE(DetectPair(c));
+  ASSERT_TRUE(CollidePair(c));
   EXPECT_NEAR(c.m_vPOI.y(), 0.5f - g_fIntoEdge, g_fStopTolerance + g_fRounding);
 
   CLineSegDesc desc({-1, 0}, {1, 0});
   CKinematicLineSeg flipper(desc);
   CContactDesc d(&flipper, &ball);
-  ASSERT_TRUE(DetectPair(d));
+  ASSERT_TRUE(CollidePair(d));
   flipper.SetRotCenter({-1, 0});
   flipper.SetOrientation(-0.5f * g_fPi); // hangs down at x = -1
-  EXPECT_FALSE(DetectPair(d));
+  EXPECT_FALSE(CollidePair(d));
 }
 
 TEST_F(CPairSweepTest, TheAnswerIsTheSameFarFromTheOrigin) {
@@ -254,8 +254,8 @@ TEST_F(CPairSweepTest, TheAnswerIsTheSameFarFromTheOrigin) {
   ballHere.move();
   ballThere.move();
   CContactDesc c(&here, &ballHere), d(&there, &ballThere);
-  ASSERT_TRUE(DetectPair(c));
-  ASSERT_TRUE(DetectPair(d));
+  ASSERT_TRUE(CollidePair(c));
+  ASSERT_TRUE(CollidePair(d));
   EXPECT_NEAR(c.m_fSetback, d.m_fSetback, 1e-6f);
   EXPECT_NEAR((d.m_vPOI - far - c.m_vPOI).norm(), 0, 0x1p-10f);
 }

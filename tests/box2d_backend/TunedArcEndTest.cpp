@@ -11,7 +11,7 @@ constexpr std::uint64_t g_nTunedArcEndSeed = 67;
 
 /// How many of 1,000 shots at the ends of an arc of radius 1, r = .1, up to 85 degrees from the normal and 90
 /// m/s, are off by more than .01 radians and what surfaces that are g_fTunedOffset off explain. Shots that a
-/// surface so little off sends elsewhere altogether have no answer and are left out.
+/// surface so little off sends elsewhere altogether have no resolution and are left out.
 int CountWrong(eProfile profile, double degrees) {
   CRandom random(g_nTunedArcEndSeed);
   CRange range(MakeBox2D(profile), {CArcDesc({0, 0}, 1, 0, static_cast<float>(degrees * g_fDegree))}, 0.1f);

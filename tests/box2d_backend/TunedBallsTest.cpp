@@ -70,14 +70,15 @@ CMeeting MeetBalls(eProfile profile, double speed) {
 
     // In the relative motion one of them is a point, and the other a circle of both radii.
     const Vector2d p = (pWorld->GetPos(ball0) - pWorld->GetPos(ball1)).cast<double>();
-    const auto answer = [&](double sum, const Vector2d& aside) {
+    const auto resolution = [&](double sum, const Vector2d& aside) {
       return Mirror(relative, MeetOutside({p + aside, relative, 0}, {0, 0}, sum).m_vNorm);
     };
     const double sum = 2 * static_cast<double>(0.1f);
-    const Vector2d exact = answer(sum, {0, 0}), across = g_fTunedOffset * Perp(relative.normalized());
+    const Vector2d exact = resolution(sum, {0, 0}), across = g_fTunedOffset * Perp(relative.normalized());
     double allowance = 0;
     for (const double sign : {-1.0, 1.0})
-      for (const Vector2d& other : {answer(sum + sign * g_fTunedOffset, {0, 0}), answer(sum, sign * across)})
+      for (const Vector2d& other :
+           {resolution(sum + sign * g_fTunedOffset, {0, 0}), resolution(sum, sign * across)})
         allowance = std::max(allowance, AngleBetween(other, exact));
 
     const int steps =

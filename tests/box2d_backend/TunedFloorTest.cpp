@@ -15,7 +15,7 @@ struct CStay {
   double m_fSpeed = 0; // fastest
 };
 
-/// Rolls along eleven segments in line, over their ten joints; m_fSpeed is the largest change of speed.
+/// Rolls along eleven segments in line, over their ten sharedEnds; m_fSpeed is the largest change of speed.
 CStay Roll(eProfile profile, float elasticity) {
   auto pWorld = MakeBox2D(profile, g_vGravity);
   for (int i = 0; i < 11; ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the tests of the tuned profile share: worlds of either profile, and shots at static shapes whose exact
-// answer is known.
+// resolution is known.
 #pragma once
 
 #include <Shapes/Shapes.h>
@@ -25,7 +25,7 @@ inline constexpr double g_fTunedOffset = 0.001;
 inline std::unique_ptr<CWorld> MakeBox2D(eProfile profile, const Vector2& gravity = Vector2::Zero(),
                                          float dt = g_fDt) {
   CWorldDesc desc;
-  desc.m_eProfile = profile;
+  desc.m_cBox2D.m_eProfile = profile;
   desc.m_vGravity = gravity;
   desc.m_fTimeStep = dt;
   return GetBackend(eBackend::Box2D)->MakeWorld(desc);
@@ -131,8 +131,8 @@ private:
     return false;
   }
 
-  // Surfaces that are off along their normals are a ball of another radius; near ends and joints it counts
-  // too on which side of them the ball passes.
+  // Surfaces that are off along their normals are a ball of another radius; near ends and sharedEnds it
+  // counts too on which side of them the ball passes.
   double Allowance(const CBallState& start, double t) const {
     const Vector2d exact = VelocityAt(start, t), across = g_fTunedOffset * Perp(start.m_vVel.normalized());
     double most = 0;

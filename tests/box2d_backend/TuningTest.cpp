@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 // What each switch of the tuned profile does: a world that has all of them, and one that lacks just this one.
-#include "box2d_backend/Tuning.h"
+#include "box2d_backend/world/Tuning.h"
+
+#include "Tolerances.h"
 
 #include <gtest/gtest.h>
 
-#include "box2d_backend/OwnedWorld.h"
 #include "box2d_backend/TunedTesting.h"
+#include "box2d_backend/world/OwnedEngine.h"
 
 namespace Shapes::Tests {
 namespace {
 
-using Box2D::COwnedWorld;
 using Box2D::CTuning;
 using Box2D::g_cTuned;
 
@@ -20,7 +21,7 @@ std::unique_ptr<CWorld> Make(const CTuning& tuning, const Vector2& gravity = Vec
   CWorldDesc desc;
   desc.m_vGravity = gravity;
   desc.m_fTimeStep = g_fDt;
-  return std::make_unique<COwnedWorld>(desc, tuning);
+  return Box2D::MakeWorld(desc, tuning);
 }
 
 /// The tuned profile with one switch turned off.
@@ -45,8 +46,8 @@ TEST(TuningTest, BulletsLetNoBallThroughAnother) {
   EXPECT_TRUE(Pass(Without(&CTuning::m_bBullets)));
 }
 
-/// How many of 500 balls that meet a floor of two pieces, within .15 of where they join, are off by more than
-/// .01 radians.
+/// How many of 500 balls that meet a floor of two fixtures, within .15 of where they join, are off by more
+/// than .01 radians.
 int CountWrongAtJoint(const CTuning& tuning) {
   CRandom random(g_nTuningSeed);
   CRange range(Make(tuning), {CLineSegDesc({-1, 0}, {0, 0}), CLineSegDesc({0, 0}, {1, 0})}, 0.1f);
@@ -65,7 +66,7 @@ int CountWrongAtJoint(const CTuning& tuning) {
 TEST(TuningTest, JointsMakeOneFloorOfTwo) {
   SCOPED_TRACE(testing::Message() << "seed " << g_nTuningSeed);
   EXPECT_EQ(CountWrongAtJoint(g_cTuned), 0);
-  EXPECT_GT(CountWrongAtJoint(Without(&CTuning::m_bJoints)), 0);
+  EXPECT_GT(CountWrongAtJoint(Without(&CTuning::m_bGhostVertices)), 0);
 }
 
 /// How high an elastic ball comes a minute after it was dropped from 2.
@@ -104,7 +105,7 @@ TEST(TuningTest, CutsLetAFastBallBeFast) {
   const CFastBall fast = Shoot(g_cTuned, 500);
   EXPECT_EQ(fast.m_fSpeed, 500);
   EXPECT_EQ(fast.m_cStats.m_nMovesClamped, 0u);
-  const CFastBall slowed = Shoot(Without(&CTuning::m_bCuts), 500);
+  const CFastBall slowed = Shoot(Without(&CTuning::m_bAdaptiveSubsteps), 500);
   EXPECT_NEAR(slowed.m_fSpeed, b2_maxTranslation / g_cTuned.m_fScale / g_fDt, 1e-3f);
   EXPECT_GE(slowed.m_cStats.m_nMovesClamped, 1u); // and it is reported
   EXPECT_EQ(slowed.m_cStats.m_nEngineSteps, 6u);
@@ -160,7 +161,7 @@ double WorstInBowl(const CTuning& tuning) {
 TEST(TuningTest, TrueContactsMakeArcsRound) {
   SCOPED_TRACE(testing::Message() << "seed " << g_nTuningSeed);
   EXPECT_LE(WorstInBowl(g_cTuned), 0.02);
-  EXPECT_GT(WorstInBowl(Without(&CTuning::m_bTrueContacts)), 0.05);
+  EXPECT_GT(WorstInBowl(Without(&CTuning::m_bExactContacts)), 0.05);
 }
 
 /// How far from a wall, at most of 20 phases, a ball of .1 m/s turns round, by its ways there and back.

@@ -7,6 +7,8 @@
 #include "compare/ReferenceTesting.h"
 #include "reference/Distance.h"
 
+#include "../../src/Tolerances.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

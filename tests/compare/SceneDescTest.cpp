@@ -33,7 +33,7 @@ protected:
   static CSceneDesc OneOfEach() {
     CSceneDesc desc;
     desc.m_cWorld.m_vGravity = {0.1f, -9.81f};
-    desc.m_cWorld.m_fLengthUnit = 1.1f;
+    desc.m_cWorld.m_cBox2D.m_fLengthUnit = 1.1f;
     desc.m_stdNotes = {"A note with \"quotes\", \\ and \t."};
     CLineSegDesc seg({-3, 0}, {3, 0.1f}, 0.7f);
     seg.m_eSides = eSides::Front;

@@ -86,7 +86,7 @@ TEST_F(SceneTest, EveryFieldArrives) {
   EXPECT_EQ(scene.m_sName, "all");
   EXPECT_EQ(scene.m_sDescription, "one of each");
   EXPECT_EQ(scene.m_cPath, m_cFolder / "s.json");
-  EXPECT_EQ(scene.m_cWorld.m_fLengthUnit, 2.0f);
+  EXPECT_EQ(scene.m_cWorld.m_cBox2D.m_fLengthUnit, 2.0f);
   EXPECT_EQ(scene.m_cWorld.m_vGravity, Vector2(1.0f, -9.5f));
   EXPECT_EQ(scene.m_cWorld.m_fTimeStep, 0.0078125f);
   EXPECT_EQ(scene.m_fDuration, 3.0f);
@@ -161,7 +161,7 @@ TEST_F(SceneTest, LeftOutFieldsAreThoseOfTheDescriptors) {
   EXPECT_EQ(scene.m_sDescription, "");
   EXPECT_EQ(scene.m_cWorld.m_vGravity, world.m_vGravity);
   EXPECT_EQ(scene.m_cWorld.m_fTimeStep, world.m_fTimeStep);
-  EXPECT_EQ(scene.m_cWorld.m_fLengthUnit, world.m_fLengthUnit);
+  EXPECT_EQ(scene.m_cWorld.m_cBox2D.m_fLengthUnit, world.m_cBox2D.m_fLengthUnit);
 
   const auto& segment = As<CLineSegDesc>(scene.m_stdShapes[0]);
   const CLineSegDesc plain;

@@ -22,7 +22,7 @@ std::unique_ptr<CWorld> Make(const CBackend& backend, const CScene& scene, const
   if (scene.m_bGravity) desc.m_vGravity = {0, -2};
   desc.m_fTimeStep = 1.0f / 120.0f;
   desc.m_cEffects = choice;
-  desc.m_eProfile = profile;
+  desc.m_cBox2D.m_eProfile = profile;
   auto pWorld = backend.MakeWorld(desc);
   const Vector2 corners[] = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
   for (std::size_t i = 0; i < 4; ++i)

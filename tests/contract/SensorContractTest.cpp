@@ -104,7 +104,7 @@ TEST_P(CSensorContract, ABallAtRestIsSeenByASensorThatTurnsOverIt) {
       if (!events.empty() && events.back().m_bBegin) ++atTheEnd;
       for (const CContactEvent& contact : pWorld->GetContacts()) {
         if (pWorld->GetSensorEvents().size() != 2) continue; // it is over it at the end, or was at first
-        EXPECT_NEAR((contact.m_vPOI - pWorld->GetPos(ball)).norm(), 0, 0.05f * g_fTurnedWayError * 1.1f);
+        EXPECT_NEAR((contact.m_vPOI - pWorld->GetPos(ball)).norm(), 0, 0.05f * g_fRotatedPathError * 1.1f);
         EXPECT_NEAR(contact.m_vNorm.dot(perp(AngleToVector(angle))), 1, 1e-2f); // from where it came
         EXPECT_NEAR(contact.m_fSpeed, 1.4f / g_fExactDt * 0.9f, 0.5f);
       }

@@ -4,10 +4,12 @@
 #include "Fuzz.h"
 #include "Sound.h"
 
+#include "Tolerances.h"
+
 #include <Shapes/Shapes.h>
 
-#include "native/Detect.h"
-#include "native/Sweep.h"
+#include "geometry/TimeOfImpact.h"
+#include "native/narrowphase/Collide.h"
 #include "traps/Traps.h"
 
 #include <algorithm>
@@ -20,6 +22,7 @@ namespace Shapes::Fuzz {
 namespace {
 
 using namespace Native;
+using namespace Geometry;
 
 /// Sets what CShape::move uses, as a game does it.
 struct CGameClock : CShapeCommon {
@@ -137,9 +140,9 @@ void TryDetect(const CShape& shape, const CBall& ball) {
     (i == 0   ? nowhere.m_vPos.x()
      : i == 1 ? nowhere.m_vPos.y()
               : nowhere.m_fRadius) = std::numeric_limits<float>::quiet_NaN();
-    Require(!Detect(shape, nowhere, hit), "a place or a radius that is no number meets nothing", i);
+    Require(!Collide(shape, nowhere, hit), "a place or a radius that is no number meets nothing", i);
   }
-  if (!Detect(shape, ball, hit)) return;
+  if (!Collide(shape, ball, hit)) return;
 #ifdef SHAPES_PLANTED_FAULT
   // As in a textbook: the direction from the POI to the centre, whatever it is where both are one.
   if (shape.GetShapeType() == eShape::Point) hit.m_vNorm = (ball.m_vPos - hit.m_vPOI).normalized();
@@ -153,14 +156,15 @@ void TryDetect(const CShape& shape, const CBall& ball) {
 // ---- The sweeps ------------------------------------------------------------------------------------------
 
 /// The error bound of Sweep.h, as a gap; touching included.
-double SweepBound(double size, const CLeg& leg, double turn) {
-  const double way = Norm(leg.m_vVel) * leg.m_fDuration;
+double SweepBound(double size, const CMotion& motion, double turn) {
+  const double way = Norm(motion.m_vVel) * motion.m_fDuration;
   return (2.0 * g_nSweepRoundings + 16.0) * 0x1p-52 *
-         (size + Largest(leg.m_vPos) + 2.0 * leg.m_fRadius + way) * (1.0 + turn);
+         (size + Largest(motion.m_vPos) + 2.0 * motion.m_fRadius + way) * (1.0 + turn);
 }
 
 void RequireImpact(const CImpact& impact, double most) {
-  Require(impact.m_fTime >= 0.0 && impact.m_fTime <= most, "an impact is on the leg", impact.m_fTime, most);
+  Require(impact.m_fTime >= 0.0 && impact.m_fTime <= most, "an impact is on the motion", impact.m_fTime,
+          most);
   Require(impact.m_vPOI.allFinite() && impact.m_vSurface.allFinite(), "an impact has a finite place",
           impact.m_vPOI.transpose(), impact.m_vSurface.transpose());
   Require(std::abs(impact.m_vNorm.norm() - 1.0) <= 64.0 * 0x1p-52, "the normal of an impact is a unit vector",
@@ -168,103 +172,104 @@ void RequireImpact(const CImpact& impact, double most) {
   Require(std::isfinite(impact.m_fCurve) && impact.m_fCurve >= 0.0, "a curve is at least 0", impact.m_fCurve);
 }
 
-void RequireTouching(const CImpact& impact, const CLeg& leg, bool overlapped, double bound) {
-  const Vector2d p = leg.m_vPos + leg.m_vVel * impact.m_fTime;
+void RequireTouching(const CImpact& impact, const CMotion& motion, bool overlapped, double bound) {
+  const Vector2d p = motion.m_vPos + motion.m_vVel * impact.m_fTime;
   const double reach = (p - impact.m_vPOI).dot(impact.m_vNorm);
-  Require(reach <= leg.m_fRadius + bound, "at an impact the ball has come to the shape", reach,
-          leg.m_fRadius);
-  Require(overlapped || reach >= leg.m_fRadius - bound, "at an impact the ball overlaps by rounding only",
-          reach, leg.m_fRadius);
+  Require(reach <= motion.m_fRadius + bound, "at an impact the ball has come to the shape", reach,
+          motion.m_fRadius);
+  Require(overlapped || reach >= motion.m_fRadius - bound, "at an impact the ball overlaps by rounding only",
+          reach, motion.m_fRadius);
 }
 
-/// The end of the leg as the approximate way sees it.
-CBall AtEnd(const CBall& ball, const CLeg& leg) {
+/// The end of the motion as the approximate way sees it.
+CBall AtEnd(const CBall& ball, const CMotion& motion) {
   CBall end = ball;
-  end.m_vPos = (leg.m_vPos + leg.m_vVel * leg.m_fDuration).cast<float>();
+  end.m_vPos = (motion.m_vPos + motion.m_vVel * motion.m_fDuration).cast<float>();
   return end;
 }
 
-void TrySweep(const CShape& shape, const CBall& ball, const CLeg& leg) {
+void TrySweep(const CShape& shape, const CBall& ball, const CMotion& motion) {
   const double turnSpeed = 2.0 * std::numbers::pi * Wide(shape.GetRotSpeed());
-  const COutline outline = MakeOutline(shape, turnSpeed);
+  const CShapeGeometry geometry = MakeShapeGeometry(shape, turnSpeed);
   CImpact impact;
   double depth = 0.0;
-  const bool overlaps = Overlap(outline, leg, 0.0, impact, depth);
+  const bool overlaps = Overlap(geometry, motion, 0.0, impact, depth);
   if (overlaps) {
     RequireImpact(impact, 0.0);
     Require(depth > 0.0 && std::isfinite(depth), "an overlap has a depth", depth);
   }
   const CImpact overlap = impact;
-  const eSweep found = Sweep(outline, leg, 0.0, impact);
-  const double bound = SweepBound(outline.m_fSize, leg, std::abs(outline.m_fTurnSpeed) * leg.m_fDuration);
-  if (found == eSweep::Unknown)
-    Require(impact.m_fTime >= 0.0 && impact.m_fTime <= leg.m_fDuration, "what is unknown is on the leg",
+  const eSweep found = Sweep(geometry, motion, 0.0, impact);
+  const double bound =
+      SweepBound(geometry.m_fSize, motion, std::abs(geometry.m_fTurnSpeed) * motion.m_fDuration);
+  if (found == eSweep::OutOfIterations)
+    Require(impact.m_fTime >= 0.0 && impact.m_fTime <= motion.m_fDuration, "what is unknown is on the motion",
             impact.m_fTime);
   const CExtent extent = ExtentOf(shape);
-  const double detectBound = Bound(extent, ball) + bound, r = leg.m_fRadius;
+  const double detectBound = Bound(extent, ball) + bound, r = motion.m_fRadius;
   // A ball that does not fit into an arc goes out of it, whatever it overlaps.
-  const double out = Norm(leg.m_vPos - outline.m_vCenter) - outline.m_fRadius;
-  const bool isUnfit = shape.GetShapeType() == eShape::Arc && r >= outline.m_fRadius && out <= detectBound;
+  const double out = Norm(motion.m_vPos - geometry.m_vCenter) - geometry.m_fRadius;
+  const bool isUnfit = shape.GetShapeType() == eShape::Arc && r >= geometry.m_fRadius && out <= detectBound;
   if (found == eSweep::Impact) {
-    RequireImpact(impact, leg.m_fDuration);
+    RequireImpact(impact, motion.m_fDuration);
     // The ends of one-sided shapes let go whatever overlaps them, which the face meets later.
-    RequireTouching(impact, leg, overlaps || isUnfit || extent.m_bOneSided, bound);
+    RequireTouching(impact, motion, overlaps || isUnfit || extent.m_bOneSided, bound);
   }
 
   // What the approximate way sees, with open ends, is a part of what the sweeps see.
   if (extent.m_bOneSided) return;
   CHit hit;
   // Right on an arc rounding says on which side the ball is.
-  if (!(isUnfit && out >= -detectBound) && Detect(shape, ball, hit) && Wide(hit.m_fSetback) > detectBound) {
+  if (!(isUnfit && out >= -detectBound) && Collide(shape, ball, hit) && Wide(hit.m_fSetback) > detectBound) {
     Require(overlaps, "who is detected overlaps", hit.m_fSetback, hit.m_vNorm.transpose());
     Require(std::abs(depth - Wide(hit.m_fSetback)) <= detectBound, "setback and depth agree", hit.m_fSetback,
             depth, overlap.m_vNorm.transpose());
   }
-  const CBall end = AtEnd(ball, leg);
+  const CBall end = AtEnd(ball, motion);
   if (found != eSweep::None || overlaps || isUnfit || turnSpeed != 0.0 || !end.m_vPos.allFinite()) return;
-  if (Detect(shape, end, hit))
+  if (Collide(shape, end, hit))
     Require(Wide(hit.m_fSetback) <= Bound(extent, end) + bound,
             "who meets nothing on the way is clear at its end", hit.m_fSetback, Bound(extent, end) + bound);
 }
 
 // ---- Two balls -------------------------------------------------------------------------------------------
 
-void TryBalls(const CBall& other, const CBall& ball, const CLeg& otherLeg, const CLeg& leg) {
+void TryBalls(const CBall& other, const CBall& ball, const CMotion& otherMotion, const CMotion& motion) {
   const CExtent extent{Largest(Wide(other.m_vPos)), Wide(other.m_fRadius)};
   CHit hit;
-  const bool detected = DetectBallBall(other, ball, hit);
+  const bool detected = CollideBallBall(other, ball, hit);
   if (detected) RequireHit(hit, ball, extent);
 
   CImpact impact, swapped;
   double depth = 0.0;
-  const bool overlaps = OverlapBallBall(otherLeg, leg, impact, depth);
+  const bool overlaps = OverlapBallBall(otherMotion, motion, impact, depth);
   if (overlaps) Require(depth > 0.0 && std::isfinite(depth), "an overlap has a depth", depth);
-  const double otherWay = Norm(otherLeg.m_vVel) * leg.m_fDuration;
-  const double bound = SweepBound(extent.m_fSize + 2.0 * extent.m_fRadius + otherWay, leg, 0.0);
+  const double otherWay = Norm(otherMotion.m_vVel) * motion.m_fDuration;
+  const double bound = SweepBound(extent.m_fSize + 2.0 * extent.m_fRadius + otherWay, motion, 0.0);
   const double detectBound = Bound(extent, ball) + bound;
   if (detected && Wide(hit.m_fSetback) > detectBound) {
     Require(overlaps, "who is detected overlaps", hit.m_fSetback);
     Require(std::abs(depth - Wide(hit.m_fSetback)) <= detectBound, "setback and depth agree", hit.m_fSetback,
             depth);
   }
-  const eSweep found = SweepBallBall(otherLeg, leg, impact);
-  Require(found != eSweep::Unknown, "two balls are always known");
-  Require(SweepBallBall(leg, otherLeg, swapped) == found, "swapped balls meet where they met");
+  const eSweep found = ImpactBallBall(otherMotion, motion, impact);
+  Require(found != eSweep::OutOfIterations, "two balls are always known");
+  Require(ImpactBallBall(motion, otherMotion, swapped) == found, "swapped balls meet where they met");
   if (found == eSweep::Impact) {
-    RequireImpact(impact, leg.m_fDuration);
-    RequireTouching(impact, leg, overlaps, bound);
+    RequireImpact(impact, motion.m_fDuration);
+    RequireTouching(impact, motion, overlaps, bound);
     Require(swapped.m_fTime == impact.m_fTime, "swapped balls meet when they met", swapped.m_fTime,
             impact.m_fTime);
-    const bool areApart =
-        leg.m_vPos + leg.m_vVel * impact.m_fTime != otherLeg.m_vPos + otherLeg.m_vVel * impact.m_fTime;
+    const bool areApart = motion.m_vPos + motion.m_vVel * impact.m_fTime !=
+                          otherMotion.m_vPos + otherMotion.m_vVel * impact.m_fTime;
     Require(!areApart || swapped.m_vNorm == -impact.m_vNorm, "swapping balls turns the normal",
             swapped.m_vNorm.transpose(), impact.m_vNorm.transpose());
     return;
   }
-  const CBall end = AtEnd(ball, leg), otherEnd = AtEnd(other, otherLeg);
+  const CBall end = AtEnd(ball, motion), otherEnd = AtEnd(other, otherMotion);
   if (overlaps || !end.m_vPos.allFinite() || !otherEnd.m_vPos.allFinite()) return;
   const CExtent endExtent{Largest(Wide(otherEnd.m_vPos)), extent.m_fRadius};
-  if (DetectBallBall(otherEnd, end, hit))
+  if (CollideBallBall(otherEnd, end, hit))
     Require(Wide(hit.m_fSetback) <= Bound(endExtent, end) + bound,
             "who meets nothing on the way is clear at its end", hit.m_fSetback,
             Bound(endExtent, end) + bound);
@@ -308,7 +313,7 @@ void FuzzPairs(std::span<const std::uint8_t> data) {
     return; // there is no such pair
   }
   const auto toLeg = [&](const CDynamicCircle& ball) {
-    return CLeg{Wide(ball.GetPos()), Wide(ball.GetVel()), Wide(ball.GetRadius()), Wide(dt)};
+    return CMotion{Wide(ball.GetPos()), Wide(ball.GetVel()), Wide(ball.GetRadius()), Wide(dt)};
   };
   // Where it was is somewhere else than now in half of the cases.
   CGameClock::Set(dt, 0.0f);

@@ -87,7 +87,7 @@ private:
     CWorldDesc desc;
     m_bIsNative = kind < 3;
     if (m_bIsNative) desc.m_cEffects = choices[kind];
-    desc.m_eProfile = kind == 4 ? eProfile::Tuned : eProfile::Shipped;
+    desc.m_cBox2D.m_eProfile = kind == 4 ? eProfile::Tuned : eProfile::Shipped;
     desc.m_nSubsteps = 1u + m_cBytes.Byte() % 3;
     const unsigned forced = m_cBytes.Byte(), forbidden = m_cBytes.Byte();
     for (unsigned e = 0; e < static_cast<unsigned>(eEffect::Size); ++e) {
@@ -98,10 +98,10 @@ private:
     const unsigned unusual = m_cBytes.Byte();
     if ((unusual & 1) != 0) desc.m_fTimeStep = m_cBytes.Number();
     if ((unusual & 2) != 0) desc.m_vGravity = m_cBytes.Vector();
-    if ((unusual & 4) != 0) desc.m_fLengthUnit = m_cBytes.Number();
-    if ((unusual & 8) != 0) desc.m_fSagittaTolerance = m_cBytes.Number();
-    if ((unusual & 16) != 0) desc.m_nVelocityIterations = m_cBytes.Byte() % 32u;
-    if ((unusual & 32) != 0) desc.m_nPositionIterations = m_cBytes.Byte() % 32u;
+    if ((unusual & 4) != 0) desc.m_cBox2D.m_fLengthUnit = m_cBytes.Number();
+    if ((unusual & 8) != 0) desc.m_cBox2D.m_fSagittaTolerance = m_cBytes.Number();
+    if ((unusual & 16) != 0) desc.m_cBox2D.m_nVelocityIterations = m_cBytes.Byte() % 32u;
+    if ((unusual & 32) != 0) desc.m_cBox2D.m_nPositionIterations = m_cBytes.Byte() % 32u;
     try {
       m_pWorld = GetBackend(m_bIsNative ? eBackend::Native : eBackend::Box2D)->MakeWorld(desc);
     } catch (const std::invalid_argument&) {

@@ -33,7 +33,7 @@ CWorldDesc Desc(eColumn column, const Vector2& gravity, float dt) {
   desc.m_vGravity = gravity;
   desc.m_fTimeStep = dt;
   desc.m_cEffects = column == eColumn::Native ? g_cApproximate : g_cContinuous;
-  if (column == eColumn::Tuned) desc.m_eProfile = eProfile::Tuned;
+  if (column == eColumn::Tuned) desc.m_cBox2D.m_eProfile = eProfile::Tuned;
   return desc;
 }
 

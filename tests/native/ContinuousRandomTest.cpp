@@ -4,6 +4,8 @@
 
 #include <Shapes/Shapes.h>
 
+#include "Tolerances.h"
+
 #include <gtest/gtest.h>
 
 #include <vector>

@@ -6,6 +6,8 @@
 
 #include <Shapes/Shapes.h>
 
+#include "Tolerances.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

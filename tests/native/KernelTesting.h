@@ -2,7 +2,7 @@
 // What the tests of the pair kernels share.
 #pragma once
 
-#include "native/Detect.h"
+#include "native/narrowphase/Collide.h"
 #include "traps/Traps.h"
 
 #include "../Numbers.h"

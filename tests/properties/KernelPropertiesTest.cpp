@@ -4,7 +4,7 @@
 #include "Moved.h"
 #include "Properties.h"
 
-#include "native/Detect.h"
+#include "native/narrowphase/Collide.h"
 
 namespace Shapes::Properties {
 namespace {
@@ -21,14 +21,14 @@ bool Meets(const CPair& pair, CHit& hit) {
   return std::visit(
       [&](const auto& d) {
         using T = std::decay_t<decltype(d)>;
-        if constexpr (std::is_same_v<T, CPointDesc>) return DetectPointCircle(CPoint(d), pair.m_cBall, hit);
+        if constexpr (std::is_same_v<T, CPointDesc>) return CollidePointCircle(CPoint(d), pair.m_cBall, hit);
         if constexpr (std::is_same_v<T, CLineSegDesc>)
-          return DetectLineSegCircle(CLineSeg(d), pair.m_cBall, hit);
+          return CollideLineSegCircle(CLineSeg(d), pair.m_cBall, hit);
         if constexpr (std::is_same_v<T, CCircleDesc>)
-          return DetectCircleCircle(CCircle(d), pair.m_cBall, hit);
-        if constexpr (std::is_same_v<T, CArcDesc>) return DetectCircleArc(CArc(d), pair.m_cBall, hit);
+          return CollideCircleCircle(CCircle(d), pair.m_cBall, hit);
+        if constexpr (std::is_same_v<T, CArcDesc>) return CollideCircleArc(CArc(d), pair.m_cBall, hit);
         if constexpr (std::is_same_v<T, CDynamicCircleDesc>)
-          return DetectBallBall({d.m_vPos, d.m_vPos, d.m_vVel, d.m_fRadius}, pair.m_cBall, hit);
+          return CollideBallBall({d.m_vPos, d.m_vPos, d.m_vVel, d.m_fRadius}, pair.m_cBall, hit);
       },
       pair.m_cShape);
 }
@@ -207,7 +207,7 @@ TEST(KernelProperties, NormalsAreUnitVectorsAndSetbacksAreNotNegative) {
   }
 }
 
-// The error of the setback, by the table in Detect.h, where the ball is.
+// The error of the setback, by the table in Collide.h, where the ball is.
 double SetbackBound(const CPair& pair) {
   const Vector2d p = Wide(pair.m_cBall.m_vPos);
   const double r = pair.m_cBall.m_fRadius;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shapes/Response.h"
 
-#include <Shapes/Tolerances.h>
+#include "Tolerances.h"
 
 #include "../Numbers.h"
 #include "../Random.h"

@@ -113,6 +113,35 @@ TEST(Shape, SetPosDoesNotOutliveARotation) {
   }
 }
 
+TEST(Shape, RelocateOutlivesRotationsUntilReset) {
+  for (const auto& [name, p] : AllKinds()) {
+    SCOPED_TRACE(name);
+    const auto pStill = p->Clone();
+    const Vector2 d(49.0f, 58.0f);
+    pStill->SetRotCenter({1.0f, 0.0f});
+    p->SetRotCenter({1.0f, 0.0f});
+    for (CShape* pShape : {p.get(), pStill.get()})
+      pShape->SetOrientation(1.0f);
+    p->Relocate(p->GetPos() + d);
+    EXPECT_EQ(p->GetRotCenter(), Vector2(1.0f, 0.0f) + d);
+    const auto expectMoved = [&] {
+      CAabb2D moved = pStill->GetAABB();
+      moved.Translate(d);
+      EXPECT_LE((p->GetPos() - pStill->GetPos() - d).norm(), 64 * 16 * g_fUlp);
+      EXPECT_LE((p->GetAABB().GetTopLeft() - moved.GetTopLeft()).norm(), 64 * 16 * g_fUlp);
+      EXPECT_LE((p->GetAABB().GetBottomRt() - moved.GetBottomRt()).norm(), 64 * 16 * g_fUlp);
+    };
+    expectMoved();
+    for (CShape* pShape : {p.get(), pStill.get()})
+      pShape->SetOrientation(2.0f);
+    expectMoved();
+    if (!IsKinematic(*p)) continue;
+    p->Reset();
+    EXPECT_EQ(p->GetPos(), Vector2(1.0f, 2.0f));
+    EXPECT_EQ(p->GetRotCenter(), Vector2(1.0f, 0.0f));
+  }
+}
+
 TEST(Shape, OnlyKinematicShapesTurn) {
   for (const auto& [name, p] : AllKinds()) {
     SCOPED_TRACE(name);
@@ -217,26 +246,6 @@ TEST(Shape, ACloneIsAlikeAndOnItsOwn) {
     if (IsKinematic(*p)) {
       EXPECT_EQ(clone->GetPos(), Vector2(1.0f, 2.0f));
     }
-  }
-}
-
-TEST(Shape, EngineCacheIsDroppedByEveryChangeOfPose) {
-  for (const auto& [name, p] : AllKinds()) {
-    SCOPED_TRACE(name);
-    const CShape& shape = *p;
-    const auto fill = [&shape] { shape.EngineCache() = std::make_shared<int>(1); };
-    fill();
-    p->SetPos({2.0f, 2.0f});
-    EXPECT_EQ(p->EngineCache(), nullptr);
-    fill();
-    p->SetElasticity(0.5f);
-    EXPECT_NE(p->EngineCache(), nullptr); // no change of pose
-    if (!IsKinematic(*p)) continue;
-    p->Rotate({0.0f, 0.0f}, 1.0f);
-    EXPECT_EQ(p->EngineCache(), nullptr);
-    fill();
-    p->Reset();
-    EXPECT_EQ(p->EngineCache(), nullptr);
   }
 }
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Reports of a step: contacts, and sensors that balls begin or cease to touch.
+#pragma once
+
+#include <Shapes/ShapeMath.h>
+
+#include <compare>
+#include <cstdint>
+
+namespace Shapes {
+
+/// Names a shape in its world. Never used again after the shape is removed. The default names none.
+struct CShapeId {
+  std::uint32_t m_nValue = 0;
+  friend auto operator<=>(const CShapeId&, const CShapeId&) = default;
+};
+
+/// A contact of a ball during the last Step. A sensor gives one for each ball that touched it at any time of
+/// a substep, with POI and normal at the end if they touch then, and else where they were closest.
+struct CContactEvent {
+  /// The shape that was met; of two balls the one that was added later. Null (the default) if the ball hit a
+  /// body that the game created in its b2World.
+  CShapeId m_cShape;
+  CShapeId m_cBall; ///< The ball; of two balls the one that was added first.
+  Vector2 m_vPOI;   ///< Point of impact, user units.
+  Vector2 m_vNorm;  ///< Unit normal from the shape to the ball.
+  /// Native: how far along the normal the ball was set back. Box2D worlds do not, sensors do not: 0.
+  float m_fSetback = 0.0f;
+  /// Approach speed before the response, units per second, at least 0. Of sensors by the path of the ball,
+  /// whose places are rounded.
+  float m_fSpeed = 0.0f;
+  bool m_bIsSensor = false; ///< Either of them is a sensor: there was no response.
+};
+
+/// A ball and a sensor (a shape, or a ball that is one) begin or cease to touch. Every begin has its end: it
+/// comes when they part, and in the next Step where one of the two was removed, or is no sensor any more.
+struct CSensorEvent {
+  CShapeId m_cShape; ///< As in CContactEvent.
+  CShapeId m_cBall;
+  bool m_bBegin = false;
+  friend bool operator==(const CSensorEvent&, const CSensorEvent&) = default;
+};
+
+} // namespace Shapes

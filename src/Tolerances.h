@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The tolerances and tuned constants that no user meets: name, unit, reason, consequence. Nothing else in src
+// holds one; those that users meet are in <Shapes/Limits.h>.
+#pragma once
+
+#include <Shapes/Limits.h>
+
+namespace Shapes {
+
+/// Most of an approach speed that a response looks at, in units per second: a surface may be faster than any
+/// ball. What a response adds, at most 1e37 with the largest elasticities, stays finite with what is there;
+/// that is far above g_fMaxSpeed, to which the ball is cut.
+inline constexpr float g_fMaxApproach = 1e25f;
+
+/// Relative error of a cross product that decides on which side of an arc's end ray a point lies,
+/// dimensionless. A point within it counts as in the sector, so rounding cannot open a gap at the end of an
+/// arc.
+inline constexpr float g_fSectorRounding = 4.0f * 1.1920929e-7f;
+
+/// Two angles whose difference is a whole turn to this share of their sizes are a full circle, dimensionless:
+/// two roundings of each. An arc that lacks less than that of a full turn cannot be told from one.
+inline constexpr float g_fFullTurnRounding = 2.0f * 1.1920929e-7f;
+
+/// Padding of boxes in the broad phase, relative to their largest coordinate plus the radius of the ball. The
+/// pair kernels err by less, so a contact that they would report is never lost to a box.
+inline constexpr float g_fBoxPadding = 16.0f * 1.1920929e-7f;
+
+/// How far a ball may be moved by responses before its candidates are collected again, in its radii. The
+/// result is the same for any value. Counted by callgrind: a ball that lies on a floor costs 36% fewer
+/// instructions than with 0, 100 balls among 64 shapes 1% fewer; 1 gains nothing more.
+inline constexpr float g_fCandidateSlack = 0.25f;
+
+/// An overlap, or an approach by the end of a substep, of up to this share of the coordinates and radii
+/// involved is rounding where Continuous runs, dimensionless: places are floats between the substeps, and
+/// what turns is rounded up to eight times. Balls are set back by it without a contact.
+inline constexpr float g_fTouchRounding = 0x1p-21f;
+
+/// Hops in a substep of a ball that slides along the inside of an arc or a turning shape where Continuous
+/// runs. It is off its way by (v dt / g_nHops)^2 / (8 R).
+inline constexpr unsigned g_nHops = 16;
+/// Steepest hop, in radians: bounces that are steeper are never taken for sliding.
+inline constexpr float g_fShallow = 0.01f;
+
+/// Most straight parts of the path of a ball, between two of its vertices, in the frame of a turning sensor:
+/// bounds time where a sensor turns hundreds of times in a substep. The path is coarser than
+/// g_fRotatedPathError then.
+inline constexpr int g_nMaxTurnParts = 1024;
+
+/// A gap of that many roundings (in double) of the coordinates is touching in a sweep, and approach speeds of
+/// as many roundings of the speeds are none, dimensionless. Larger than what some hundred impacts add up to;
+/// at 1 unit from the origin it is 1.4e-14 units.
+inline constexpr int g_nSweepRoundings = 64;
+/// Most steps of the search for an impact with one part of a turning shape. Ten in the mean; some dozen for
+/// each whole turn. Bounds time where a shape turns hundreds of times in a step.
+inline constexpr int g_nMaxAdvancementSteps = 4096;
+
+/// Largest turn, in radians, that is asked of b2TimeOfImpact at once.
+inline constexpr float g_fLargestTurn = 0.125f;
+
+/// Share of Box2D's longest move that a ball is to make in one of its steps in a tuned world, dimensionless:
+/// what gravity and a kick add within the step is taken into account, their rounding is not.
+inline constexpr float g_fSafeMove = 0.95f;
+
+/// Most parts into which a tuned world cuts a substep for Box2D. A ball or a shape that is still too fast is
+/// slowed down by Box2D, and reported: CWorldStats::m_nMovesClamped, m_nTurnsClamped.
+inline constexpr unsigned g_nMaxAdaptiveSubsteps = 256;
+
+/// How far the stand-ins of a ball and of a shape in a tuned world reach beyond them together, in slops of
+/// Box2D
+/// (.005 metres). Box2D stops two of them 3 slops deep, within a quarter of one: at 2.5 the shapes themselves
+/// have just met, and what only touches is not stopped.
+inline constexpr float g_fSkinSlops = 2.5f;
+
+/// A relative move in a step that is shorter than this share of Box2D's slop, or of twice the way that a ball
+/// falls in its first step, is a press and no impact in a tuned world. With a tenth a pile that is pressed
+/// together is taken for impacts and comes apart; with 1 slow elastic impacts gain three times the energy (8%
+/// in 10,000).
+inline constexpr float g_fPressMove = 0.5f;
+
+/// Approach speeds at which a ball in a tuned world lies on what is under it, in kicks that gravity gives it
+/// in a step. A perfect ball only where it would bounce more than once in a step; and what leaves no faster
+/// than g_fLiftSpeed lies still.
+inline constexpr double g_fRestingSpeed = 1.5;
+inline constexpr double g_fElasticRestingSpeed = 0.5;
+inline constexpr double g_fLiftSpeed = 0.25;
+
+/// Two unit tangents that are closer than that are one: rounding of rotation, dimensionless.
+inline constexpr float g_fSameTangent = 1e-4f;
+
+/// Most chords for one arc on Box2D: bounds memory where an arc is huge and the tolerance small. The arc is
+/// coarser than the tolerance then.
+inline constexpr int g_nMaxArcPieces = 4096;
+
+/// Shortest edge that Box2D is given, in metres: twice the distance of vertices below which it stops the
+/// program. Anything shorter becomes a point.
+inline constexpr float g_fShortestEdge = 0.01f;
+
+/// Largest turn, in radians, of a corner of an imported chain, or of two edges that share an end, that gets
+/// no guard point: 20 degrees. A ball that rolls over a guarded corner bounces off the point; at one without
+/// a guard a native ball of radius r falls r (1 / cos(10 degrees) - 1) = .016 r deeper at most before it is
+/// met.
+inline constexpr float g_fSmoothTurn = 0.349f;
+
+/// Restitution that an import aims at for a pair that has 0 in Box2D, but whose members both bounce
+/// elsewhere, so that neither can have elasticity 0. Their partners get elasticities of up to 32 times (the
+/// inverse of the root of it) their restitution.
+inline constexpr float g_fNearlyDead = 0.0009765625f;
+
+/// Eigenvalue below which a direction is free in the equations that elasticities come from, dimensionless.
+/// Their coefficients are 0, 1 and 2: for n unknowns the smallest that is not 0 is about 1/n^2, rounding
+/// gives 1e-15 n^2 at most.
+inline constexpr double g_fFreeEigenvalue = 1e-10;
+
+/// Most that elasticity adds to a velocity on Box2D, in metres per second: above the largest speed, to which
+/// a ball is cut in the end; intermediate values inside Box2D stay finite.
+inline constexpr float g_fMaxBox2DSpeedGain = 4e9f;
+
+/// Length of a motion in which nothing turns, seconds: how far a ball may be pushed is asked as a motion.
+inline constexpr double g_fInstant = 0x1p-80;
+/// Substeps for which the tree of the balls is refitted before it is built anew.
+inline constexpr int g_nMaxRefits = 16;
+/// Rounds in which a ball that overlaps several shapes is set back from all of them: it stays in the last one
+/// if that is not enough.
+inline constexpr int g_nSetBackRounds = 8;
+/// Levels of cells of the hash grid of balls, one for each power of two of the diameter; smaller balls share
+/// the last one.
+inline constexpr int g_nMostLevels = 12;
+/// A ball that is let through may get deeper by this share of its overlap until its approach is found.
+inline constexpr double g_fDeeper = 1e-4;
+/// How far from its parabola a ball lands after a bounce on tuned Box2D, as a share of its move in a step,
+/// and the error of its velocity as a share of that: what is left of the time of impact where the ball meets
+/// the surface at least twice as fast as gravity makes it in a step. Rounding to the floats of Box2D is
+/// added.
+inline constexpr double g_fParabolaError = 1e-6;
+/// Error of FindExactContact: a few roundings in double.
+inline constexpr double g_fExactContactError = 0x1p-50;
+
+} // namespace Shapes

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "ContactGatherer.h"
+
+#include "../../Tolerances.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace Shapes::Box2D {
+
+void CContactGatherer::BeginStep(const b2Vec2& g, float h) {
+  m_vGravity = g;
+  m_fStep = h;
+  m_cOverride.BeginStep(g, h);
+  m_stdPathVertices.clear();
+  if (!Follows()) return;
+  for (CBody* pBall : m_cBodies.GetBalls()) {
+    pBall->m_cStart = pBall->m_pBody->GetTransform();
+    pBall->m_cCorrection.Begin(ToDouble(g), static_cast<double>(h));
+    pBall->m_bWasSupported = std::exchange(pBall->m_bIsSupported, false);
+  }
+  for (CBody* pBody : m_cBodies.GetTurning())
+    pBody->m_cStart = pBody->m_pBody->GetTransform();
+}
+
+void CContactGatherer::PreSolve(b2Contact* pContact, const b2Manifold*) {
+  CBody* pA = m_cBodies.Find(*pContact->GetFixtureA()->GetBody());
+  CBody* pB = m_cBodies.Find(*pContact->GetFixtureB()->GetBody());
+  if (pA == nullptr || pB == nullptr) return;
+  // Of two balls the one that responds is the one that was added first.
+  if (pA->m_bIsBall && (!pB->m_bIsBall || pA->m_cId < pB->m_cId)) std::swap(pA, pB);
+  pContact->SetRestitution(RestitutionOf(*pA, *pB));
+  if (!m_cTuning.m_bExactContacts)
+    ReportAsIs(*pContact, *pA, *pB);
+  else if (const auto resolution = m_cOverride.Override(*pContact, *pA, *pB, CanWait(*pA, *pB)))
+    Report(*pA, *pB, *resolution);
+}
+
+bool CContactGatherer::CanWait(const CBody& shape, const CBody& ball) {
+  return !m_cBodies.IsNearOthers(ball) && !(shape.m_bIsBall && m_cBodies.IsNearOthers(shape));
+}
+
+float CContactGatherer::RestitutionOf(const CBody& shape, const CBody& ball) const {
+  // Box2D takes the larger restitution; here it is the product of both elasticities. Above 1, beyond what any
+  // ball may leave with it is cut, because masses times speeds and squares of speeds would be infinite in
+  // Box2D.
+  const float e = shape.m_fElasticity * ball.m_fElasticity;
+  if (e <= 1.0f) return e;
+  const b2Body &a = *shape.m_pBody, &b = *ball.m_pBody;
+  const b2Vec2 v = b.GetLinearVelocity() - a.GetLinearVelocityFromWorldPoint(b.GetPosition());
+  const float fall = m_fStep * (m_vGravity.Length() + b.GetWorld()->GetGravity().Length());
+  const float speed = v.Length() + fall;
+  return e * speed > g_fMaxBox2DSpeedGain ? g_fMaxBox2DSpeedGain / speed : e;
+}
+
+void CContactGatherer::PostSolve(b2Contact* pContact, const b2ContactImpulse*) {
+  if (!Follows()) return;
+  for (const b2Fixture* pFixture : {pContact->GetFixtureA(), pContact->GetFixtureB()})
+    if (CBody* pBody = m_cBodies.Find(*pFixture->GetBody()); pBody != nullptr && pBody->m_bIsBall)
+      pBody->m_cCorrection.MotionEnds(*pBody->m_pBody);
+  m_cOverride.AfterSolve();
+}
+
+void CContactGatherer::CollideWithOther(b2Contact& contact) {
+  CBody* pA = m_cBodies.Find(*contact.GetFixtureA()->GetBody());
+  CBody* pB = m_cBodies.Find(*contact.GetFixtureB()->GetBody());
+  if ((pA == nullptr) == (pB == nullptr)) return;
+  CBody& ball = pA != nullptr ? *pA : *pB;
+  if (!ball.m_bIsBall) return;
+  CBody other;
+  other.m_pBody = (pA != nullptr ? contact.GetFixtureB() : contact.GetFixtureA())->GetBody();
+  other.m_cStart = other.m_pBody->GetTransform();
+  ReportAsIs(contact, other, ball);
+  if (m_cTuning.m_bParabolas) m_cOverride.FollowOther(contact, other, ball);
+}
+
+void CContactGatherer::ReportAsIs(b2Contact& contact, const CBody& shape, const CBody& ball) {
+  if (!m_bContacts) return;
+  b2WorldManifold manifold;
+  contact.GetWorldManifold(&manifold);
+  const bool ballIsB = contact.GetFixtureB()->GetBody() == ball.m_pBody;
+  const b2Vec2 n = ballIsB ? manifold.normal : -manifold.normal;
+  const b2Vec2 centre = ball.m_pBody->GetPosition();
+  const b2Vec2 poi = centre - ball.m_fRadius * n;
+  const b2Vec2 v = ball.m_pBody->GetLinearVelocity() - shape.m_pBody->GetLinearVelocityFromWorldPoint(poi);
+  Report(shape, ball, {poi, n, -b2Dot(v, n)});
+}
+
+void CContactGatherer::Report(const CBody& shape, const CBody& ball,
+                              const CPreSolveOverride::CResolution& resolution) {
+  if (!m_bContacts) return;
+  const b2Vec2 &poi = resolution.m_vPOI, &n = resolution.m_vNorm;
+  CContactEvent event;
+  event.m_cShape = shape.m_cId;
+  event.m_cBall = ball.m_cId;
+  event.m_vPOI = m_cScale.FromMetres(poi);
+  event.m_vNorm = Vector2(n.x, n.y);
+  event.m_fSpeed = m_cScale.FromMetres(std::max(0.0f, resolution.m_fSpeed));
+  m_stdEvents.push_back(event);
+  if (!m_bPathVertices) return;
+  const double part = m_cOverride.PartAt(shape, ball);
+  m_stdPathVertices.push_back({ball.m_cId, poi + ball.m_fRadius * n, part});
+  if (shape.m_bIsBall) m_stdPathVertices.push_back({shape.m_cId, poi - shape.m_fRadius * n, part});
+}
+
+std::vector<CContactEvent> CContactGatherer::TakeContacts() {
+  const auto pair = [](const CContactEvent& e) { return std::tie(e.m_cBall, e.m_cShape); };
+  std::stable_sort(m_stdEvents.begin(), m_stdEvents.end(),
+                   [&](const CContactEvent& a, const CContactEvent& b) {
+                     return pair(a) != pair(b) ? pair(a) < pair(b) : a.m_fSpeed > b.m_fSpeed;
+                   });
+  m_stdEvents.erase(
+      std::unique(m_stdEvents.begin(), m_stdEvents.end(),
+                  [&](const CContactEvent& a, const CContactEvent& b) { return pair(a) == pair(b); }),
+      m_stdEvents.end());
+  return std::exchange(m_stdEvents, {});
+}
+
+} // namespace Shapes::Box2D

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Shapes/World.h>
+
+#include <box2d/box2d.h>
+
+#include <vector>
+
+#include "../world/Bodies.h"
+#include "PreSolveOverride.h"
+
+namespace Shapes::Box2D {
+
+/// Listens to a b2World: makes the elasticity the product of both, puts contacts right where the tuning says
+/// so, and collects them in the library's terms.
+class CContactGatherer : public b2ContactListener {
+public:
+  CContactGatherer(CBodies& bodies, const CScale& scale, const CTuning& tuning)
+      : m_cBodies(bodies), m_cScale(scale), m_cTuning(tuning) {}
+
+  /// Collects contacts for Events and Sensors, and where balls bend their ways for Sensors, if they run.
+  void Collect(CEffects running) {
+    m_bPathVertices = running.Has(eEffect::Sensors);
+    m_bContacts = m_bPathVertices || running.Has(eEffect::Events);
+  }
+  bool Collects() const { return m_bContacts; }
+
+  /// To be called before each b2World::Step.
+  /// @param g  gravity in metres; of worlds that follow parabolas, else 0
+  /// @param h  length of the step, seconds
+  void BeginStep(const b2Vec2& g, float h);
+
+  void PreSolve(b2Contact* pContact, const b2Manifold* pOld) override;
+  /// After PreSolve, in a game's b2World: one of our balls meets what is not ours. Box2D, or the game,
+  /// answers it.
+  void CollideWithOther(b2Contact& contact);
+  void PostSolve(b2Contact* pContact, const b2ContactImpulse* pImpulse) override;
+
+  /// The contacts since the last call, one for each ball and shape that exact, the fastest of several, by
+  /// ball and then by shape.
+  std::vector<CContactEvent> TakeContacts();
+
+  /// Where a ball was answered on its way through the last step.
+  struct CPathVertex {
+    CShapeId m_cBall;
+    b2Vec2 m_vPos;
+    double m_fPart; ///< of the step, in [0, 1]
+  };
+  const std::vector<CPathVertex>& GetPathVertices() const { return m_stdPathVertices; }
+
+private:
+  bool CanWait(const CBody& shape, const CBody& ball);
+  /// Whether it follows balls on their way through a step.
+  bool Follows() const { return m_bPathVertices || m_cTuning.m_bExactContacts || m_cTuning.m_bParabolas; }
+  float RestitutionOf(const CBody& shape, const CBody& ball) const;
+  void ReportAsIs(b2Contact& contact, const CBody& shape, const CBody& ball);
+  void Report(const CBody& shape, const CBody& ball, const CPreSolveOverride::CResolution& resolution);
+
+  CBodies& m_cBodies;
+  CScale m_cScale;
+  CTuning m_cTuning;
+  b2Vec2 m_vGravity{0.0f, 0.0f};
+  float m_fStep = 0.0f;
+  CPreSolveOverride m_cOverride;
+  bool m_bContacts = true, m_bPathVertices = true;
+  std::vector<CContactEvent> m_stdEvents;
+  std::vector<CPathVertex> m_stdPathVertices;
+};
+
+} // namespace Shapes::Box2D

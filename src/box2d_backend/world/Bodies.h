@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// The shapes of a world as bodies of a b2World.
+#pragma once
+
+#include "../../world/WorldState.h"
+
+#include <box2d/box2d.h>
+
+#include <limits>
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+#include "../Convert.h"
+#include "../contact/ExactContact.h"
+#include "../contact/ParabolicCorrection.h"
+#include "DestructionWatch.h"
+#include "Mixing.h"
+#include "SharedEnds.h"
+#include "Tuning.h"
+
+namespace Shapes::Box2D {
+
+/// The collision group of balls that are not to meet each other. A game's own fixtures are unlikely to have
+/// it, and do not meet them if they do.
+inline constexpr int16 g_nApart = std::numeric_limits<int16>::min();
+
+struct CBody {
+  b2Body* m_pBody = nullptr;
+  CShapeId m_cId;
+  float m_fElasticity = 1.0f;
+  b2Transform m_cStart; ///< at the beginning of the step, of what moves or may turn
+  COutline m_cOutline;
+
+  CParabolicCorrection m_cCorrection; ///< of a ball
+  float m_fRadius = 0.0f;             ///< of a ball, without skin
+  float m_fBaseOrientation = 0.0f;    ///< of a shape when its fixtures were made
+  float m_fTurnSpeed = 0.0f;          ///< of a shape, radians per second
+  int m_nArcPieces = 0;
+  bool m_bIsBall = false;
+  bool m_bIsSupported = false;  ///< the ball lies on something in this step
+  bool m_bWasSupported = false; ///< it did so in the last one
+  CSharedEnds m_cSharedEnds;    ///< of which the outline of a shape knows
+};
+
+/// Makes one b2Body for each shape. What Box2D tells of a body leads back to its shape without the user data
+/// of Box2D, which belong to the user.
+class CBodies {
+public:
+  /// @param sagitta  in the metres of Box2D
+  /// @param pWatch    to which all fixtures are tied; nullptr where nobody else destroys any
+  /// @param pairs    whether balls may meet balls
+  CBodies(b2World& world, const CScale& scale, const CTuning& tuning, float sagitta,
+          CDestructionWatch* pWatch, bool pairs)
+      : m_pWorld(&world),
+        m_cScale(scale),
+        m_cTuning(tuning),
+        m_fSagitta(sagitta),
+        m_pWatch(pWatch),
+        m_bPairs(pairs) {}
+
+  void Create(const CWorldState& state, CShapeId id, const CSharedEnds& sharedEnds = {});
+  void Remove(CShapeId id);
+  void RemoveAll();
+  bool Contains(CShapeId id) const { return m_stdBodies.contains(id); }
+  /// Forgets a body that is gone already.
+  void Forget(CShapeId id);
+  /// Elasticity, sensor, can-collide and user pointer as they are now.
+  void SetProperties(const CWorldState& state, CShapeId id);
+  /// How fast a shape turns, as it is now.
+  void SetTurning(const CWorldState& state, CShapeId id);
+  void SetBullets(bool b);
+  /// What Box2D mixes by itself: for worlds in which nobody sets the restitution of contacts.
+  void SetRestitutions(const CMixing& mixing);
+
+  CBody& Get(CShapeId id) { return m_stdBodies.at(id); }
+  /// The shape that a body is of; nullptr for a body of somebody else.
+  CBody* Find(const b2Body& body);
+  /// In the order of their ids, as everywhere.
+  const std::vector<CBody*>& GetBalls() const { return m_stdBalls; }
+  /// Whether the ball may be touching a body of somebody else.
+  bool IsNearOthers(const CBody& ball);
+  /// Shapes that turn, sensors too.
+  const std::vector<CBody*>& GetTurning() const { return m_stdTurning; }
+  std::uint64_t GetArcPieces() const { return m_nArcPieces; }
+
+private:
+  void CreateBall(const CBallArrays& balls, std::size_t i, CBody& body);
+  void CreateShape(const CShape& shape, const CSharedEnds& sharedEnds, CBody& body);
+  template <class TShape, class F>
+  void AddFixture(CBody& body, F fill);
+
+  b2World* m_pWorld;
+  CScale m_cScale;
+  CTuning m_cTuning;
+  float m_fSagitta;
+  CDestructionWatch* m_pWatch;
+  std::map<CShapeId, CBody> m_stdBodies;
+  std::unordered_map<const b2Body*, CBody*> m_stdByBody;
+  std::vector<CBody*> m_stdBalls, m_stdTurning;
+  bool m_bPairs;
+  bool m_bBullets = false;
+  std::uint64_t m_nArcPieces = 0;
+};
+
+} // namespace Shapes::Box2D

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <box2d/box2d.h>
+
+#include "../contact/ContactGatherer.h"
+
+namespace Shapes::Box2D {
+
+/// Stands before the contact listener of a game, and passes everything on to it. Whoever has got hold of its
+/// address, be it a b2World or another listener that passes on in turn, may call it at any time: it is never
+/// destroyed, but becomes a shell of a few bytes that only passes on.
+class CListenerChain final : public b2ContactListener {
+public:
+  /// A new one before the present listener of the b2World.
+  static CListenerChain* Install(b2World& world);
+  /// Whether the b2World calls it, be it by way of others of this class.
+  bool IsCalledBy(const b2World& world) const;
+  /// Comes before the listener that was put in its place. Not itself, if that one may pass on to it.
+  CListenerChain* InstallAgain(b2World& world);
+  /// Puts back the listener before which it came.
+  void TakeOut(b2World& world);
+
+  /// Who hears of contacts before the game does; nullptr for nobody.
+  void SetGatherer(CContactGatherer* p) { m_pGatherer = p; }
+  /// Whether the game's listener is at work.
+  bool IsInside() const { return m_bIsInside; }
+
+  void BeginContact(b2Contact* pContact) override;
+  void EndContact(b2Contact* pContact) override;
+  void PreSolve(b2Contact* pContact, const b2Manifold* pOld) override;
+  void PostSolve(b2Contact* pContact, const b2ContactImpulse* pImpulse) override;
+
+private:
+  explicit CListenerChain(b2ContactListener* pNext) : m_pNext(pNext) {}
+  template <class F>
+  void PassOn(F f);
+
+  b2ContactListener* m_pNext;
+  CContactGatherer* m_pGatherer = nullptr;
+  bool m_bIsInside = false;
+};
+
+} // namespace Shapes::Box2D

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../../world/WorldCore.h"
+
+#include <box2d/box2d.h>
+
+#include <utility>
+#include <vector>
+
+#include "../Convert.h"
+#include "../contact/ContactGatherer.h"
+#include "Bodies.h"
+#include "Tuning.h"
+
+namespace Shapes::Box2D {
+
+/// The shapes of a world as bodies of a b2World, and what is to be done before and after each of its steps,
+/// whoever makes them.
+class CStepper {
+public:
+  /// What a world with that description can hold.
+  static CWorldLimits GetLimits(const CWorldDesc& desc, const CTuning& tuning);
+
+  /// Makes a body for all that is in the state of the world, in the order of ids. The world and the watch
+  /// have to outlive it.
+  CStepper(b2World& b2, CWorldCore& world, const CTuning& tuning, CDestructionWatch* pWatch = nullptr);
+
+  /// To be told of what happens in the b2World.
+  CContactGatherer& GetListener() { return m_cGatherer; }
+  /// In metres; 0 if it does not run.
+  b2Vec2 GetGravity() const {
+    return m_cRunning.Has(eEffect::Gravity) ? m_cScale.ToMetres(m_cState.m_vGravity) : b2Vec2_zero;
+  }
+
+  /// @return whether it was another one before
+  bool SetGravity(const b2Vec2& g) {
+    const Vector2 before = std::exchange(m_cState.m_vGravity, m_cScale.FromMetres(g));
+    return before != m_cState.m_vGravity;
+  }
+
+  // As of CEngine.
+  void Added(CShapeId id);
+  void Removed(CShapeId id);
+  void Changed(CShapeId id, eChange change);
+  void RemoveAll() { m_cBodies.RemoveAll(); }
+  /// A fixture of that shape was destroyed by somebody else: what is left of its body is no concern of ours.
+  /// @return false if that was known
+  bool OnLost(CShapeId id);
+
+  /// To be told before the first substep, and whenever the content has changed.
+  /// @param running  the effects that run
+  void Plan(CEffects running);
+  /// Makes Box2D's own mixing of restitutions give what the listener gives.
+  /// @return false where there is no way to do so, or where the listener is needed anyway
+  bool NeedsNoListener();
+
+  void BeginSubstep();
+  /// Parts into which dt seconds have to be cut so that Box2D slows nothing down.
+  unsigned CountSubsteps(float dt) const;
+  /// Before each b2World::Step of h seconds, and after it.
+  void BeforeStep(float h);
+  void AfterStep();
+  /// Where balls were answered on their way through the last step.
+  struct CPathVertex {
+    std::size_t m_nBall;
+    Vector2 m_vPos;
+    float m_fPart; ///< of the step, 0 .. 1
+  };
+  std::vector<CPathVertex> GetPathVertices() const;
+  /// Copies the balls into the state after dt seconds, turns the other shapes, and reports the contacts.
+  void EndSubstep(float dt);
+  void TakeBalls();
+
+private:
+  bool HasParabolas() const;
+  void NoteSharedEnds(CShapeId id);
+  void UpdateSharedEnds();
+  void CountClamped(float h);
+  void TurnShapes(float dt);
+
+  CWorldCore& m_cWorld;
+  CWorldState& m_cState;
+  CWorldStats& m_cStats;
+  CTuning m_cTuning;
+  CScale m_cScale;
+  CBodies m_cBodies;
+  CContactGatherer m_cGatherer;
+  CEffects m_cRunning;
+  bool m_bSharedEndsChanged = false;
+};
+
+} // namespace Shapes::Box2D

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// The features that shapes are made of, and where a ball is closest to each. Both are in the frame of the
+// shape.
+#pragma once
+
+#include "ShapeGeometry.h"
+
+#include <algorithm>
+
+namespace Shapes::Geometry {
+
+/// A ball as the shape sees it at some time.
+struct CBallAt {
+  Vector2d m_vPos; ///< centre
+  Vector2d m_vVel;
+  double m_fRadius;
+};
+
+/// Where a ball and a feature are closest.
+struct CSpot {
+  double m_fGap; ///< negative if they overlap
+  Vector2d m_vNorm, m_vPOI;
+
+  double Rate(const CBallAt& ball) const { return m_vNorm.dot(ball.m_vVel); } ///< of the gap
+};
+
+/// Direction of d, which is from a feature to the ball. From exactly on the spot it is back where it came
+/// from.
+inline Vector2d Away(const Vector2d& d, const CBallAt& ball) {
+  if (!(Norm(d) > 0.0)) return Unit(-ball.m_vVel, Vector2d::UnitY());
+  return Unit(d, Vector2d::UnitY());
+}
+
+/// A disc from outside; a point if it has no radius.
+struct CDisk {
+  Vector2d m_vCenter;
+  double m_fRadius;
+
+  CSpot At(const CBallAt& ball) const {
+    const Vector2d d = ball.m_vPos - m_vCenter, n = Away(d, ball);
+    return {Norm(d) - (m_fRadius + ball.m_fRadius), n, m_vCenter + m_fRadius * n};
+  }
+};
+
+/// A circle from inside.
+struct CRing {
+  Vector2d m_vCenter;
+  double m_fRadius;
+
+  CSpot At(const CBallAt& ball) const {
+    const Vector2d d = ball.m_vPos - m_vCenter, out = Away(d, ball);
+    // Right in the middle it is met where it goes.
+    const Vector2d n = d.isZero(0.0) ? out : Vector2d(-out);
+    return {m_fRadius - ball.m_fRadius - Norm(d), n, m_vCenter - m_fRadius * n};
+  }
+};
+
+/// A line from the side of its normal.
+struct CHalfPlane {
+  Vector2d m_vPt, m_vNorm;
+
+  CSpot At(const CBallAt& ball) const {
+    const double s = m_vNorm.dot(ball.m_vPos - m_vPt);
+    return {s - ball.m_fRadius, m_vNorm, ball.m_vPos - s * m_vNorm};
+  }
+};
+
+/// A segment with both faces and its ends, of a length above 0.
+struct CSegment {
+  Vector2d m_vPt0, m_vPt1, m_vFront;
+
+  Vector2d Along() const { return -Perp(m_vFront); }
+
+  CSpot At(const CBallAt& ball) const {
+    const Vector2d from0 = ball.m_vPos - m_vPt0;
+    if (!(Along().dot(from0) > 0.0)) return CDisk{m_vPt0, 0.0}.At(ball);
+    if (!(Along().dot(ball.m_vPos - m_vPt1) < 0.0)) return CDisk{m_vPt1, 0.0}.At(ball);
+    const double s = m_vFront.dot(from0);
+    // Exactly on the line, the side from which it came.
+    const bool front = s > 0.0 || (s == 0.0 && !(m_vFront.dot(ball.m_vVel) > 0.0));
+    const Vector2d n = front ? m_vFront : Vector2d(-m_vFront);
+    return {std::abs(s) - ball.m_fRadius, n, ball.m_vPos - s * m_vFront};
+  }
+};
+
+} // namespace Shapes::Geometry

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The search of a sweep through the features of a shape. It is written once for each shape, in the file of
+// the pair, for all ways to look at a motion: CLinearMotion, CRotatingMotion, and CStandingMotion of these.
+#pragma once
+
+#include "LinearMotion.h"
+#include "RotatingMotion.h"
+
+namespace Shapes::Geometry {
+
+/// Only the beginning of a motion: TimeOfImpact finds overlaps, and the gap stands for the time, so that the
+/// deepest is the first.
+template <class TMotion>
+class CStandingMotion {
+public:
+  explicit CStandingMotion(const TMotion& motion) : m_cMotion(motion) {}
+
+  const CMotion& GetMotion() const { return m_cMotion.GetMotion(); }
+  double GetTouch() const { return m_cMotion.GetTouch(); }
+  CBallAt At(double) const { return m_cMotion.At(0.0); }
+
+  template <class TFeature, class F>
+  eSweep TimeOfImpact(const TFeature& feature, double deepest, const F& counts, double& t) const {
+    const CBallAt ball = m_cMotion.At(0.0);
+    const double gap = feature.At(ball).m_fGap;
+    if (!(gap < t && gap >= -deepest && counts(ball.m_vPos))) return eSweep::None;
+    t = gap;
+    return eSweep::Impact;
+  }
+  template <class TFeature>
+  double GetCurve(const TFeature& feature, const CSpot& spot) const {
+    return m_cMotion.GetCurve(feature, spot);
+  }
+
+private:
+  TMotion m_cMotion;
+};
+
+template <class TMotion>
+class CImpactSearch {
+public:
+  /// Up to the time `end`. The shape and the impact are in the frame of the motion.
+  CImpactSearch(const CShapeGeometry& shape, const TMotion& motion, double end, CImpact& impact)
+      : m_cShape(shape), m_cMotion(motion), m_cImpact(impact) {
+    impact.m_fTime = end;
+  }
+
+  const CShapeGeometry& GetShape() const { return m_cShape; }
+  const TMotion& GetMotion() const { return m_cMotion; }
+  double GetBallRadius() const { return m_cMotion.GetMotion().m_fRadius; }
+  eSweep GetFound() const { return m_eFound; }
+
+  /// Keeps the first. `counts` says where the centre has to be; a ball that overlaps by more than `deepest`
+  /// is let go until it is clear.
+  template <class TFeature, class F>
+  void KeepEarliest(const TFeature& feature, double deepest, const F& counts) {
+    double t = m_cImpact.m_fTime;
+    const eSweep found = m_cMotion.TimeOfImpact(feature, deepest, counts, t);
+    if (found == eSweep::None || (m_eFound != eSweep::None && !(t < m_cImpact.m_fTime))) return;
+    m_eFound = found;
+    const CSpot spot = feature.At(m_cMotion.At(t));
+    m_cImpact = {t, spot.m_vPOI, spot.m_vNorm, Vector2d::Zero(), m_cMotion.GetCurve(feature, spot)};
+  }
+  /// Wherever the centre is, and however deep.
+  template <class TFeature>
+  void KeepEarliest(const TFeature& feature) {
+    KeepEarliest(feature, std::numeric_limits<double>::infinity(), [](const Vector2d&) { return true; });
+  }
+
+private:
+  const CShapeGeometry& m_cShape;
+  TMotion m_cMotion;
+  CImpact& m_cImpact;
+  eSweep m_eFound = eSweep::None;
+};
+
+template <class TMotion>
+void ImpactPointCircle(CImpactSearch<TMotion>& search);
+template <class TMotion>
+void ImpactLineSegCircle(CImpactSearch<TMotion>& search);
+template <class TMotion>
+void ImpactCircleCircle(CImpactSearch<TMotion>& search);
+template <class TMotion>
+void ImpactCircleArc(CImpactSearch<TMotion>& search);
+
+/// At the end of each of these files.
+#define SHAPES_IMPACTS_FOR_ALL_MOTIONS(ImpactPair)                                                           \
+  template void ImpactPair(CImpactSearch<CLinearMotion>&);                                                   \
+  template void ImpactPair(CImpactSearch<CRotatingMotion>&);                                                 \
+  template void ImpactPair(CImpactSearch<CStandingMotion<CLinearMotion>>&);                                  \
+  template void ImpactPair(CImpactSearch<CStandingMotion<CRotatingMotion>>&);
+
+} // namespace Shapes::Geometry

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// A motion as a turning shape sees it, and when it reaches a feature: by steps that are never too long.
+#pragma once
+
+#include "LinearMotion.h"
+
+namespace Shapes::Geometry {
+
+/// The motion in the frame of the shape, which is the world's at time 0. A function f of it with f'' >= -K
+/// cannot reach 0 before the smallest root h of f + f' h - K h^2/2, and that is the step. Close to the impact
+/// it converges as Newton's method does.
+///
+/// K is the least that is known: the centre of what is round moves on a circle, so the distance from it,
+/// which is convex, has K = its acceleration. In the frame the ball is accelerated by at most M = 2|w||v| +
+/// w^2 |x - c|, so the distance from a segment with its ends, which is convex too, has K = M. From inside a
+/// circle it is (rho^2 - |x|^2)/2 that is followed, where rho = R - r.
+class CRotatingMotion {
+public:
+  CRotatingMotion(const CShapeGeometry& shape, const CMotion& motion, const CRoundings& roundings)
+      : m_cMotion(motion),
+        m_cRoundings(roundings),
+        m_vRotCenter(shape.m_vRotCenter),
+        m_fTurn(shape.m_fTurnSpeed),
+        m_fSpeed(Norm(motion.m_vVel)) {
+    m_fReach = std::max(Norm(FromCenter(0.0)), Norm(FromCenter(motion.m_fDuration)));
+  }
+
+  const CMotion& GetMotion() const { return m_cMotion; }
+  double GetTouch() const { return m_cRoundings.m_fTouch; }
+  CBallAt At(double t) const {
+    const Vector2d d = FromCenter(t);
+    const double c = std::cos(m_fTurn * t), s = std::sin(m_fTurn * t);
+    const auto inFrame = [&](const Vector2d& v) -> Vector2d {
+      return {c * v.x() + s * v.y(), c * v.y() - s * v.x()};
+    };
+    return {m_vRotCenter + inFrame(d), inFrame(m_cMotion.m_vVel - m_fTurn * Perp(d)), m_cMotion.m_fRadius};
+  }
+
+  /// As of CLinearMotion, and Unknown if the march did not come to an end: nothing is met before t then.
+  template <class TFeature, class F>
+  eSweep TimeOfImpact(const TFeature& feature, double deepest, const F& counts, double& t) const {
+    const double touch = m_cRoundings.m_fTouch, slow = m_cRoundings.m_fSlow, end = t;
+    // A step in which the gap bends by no more than this.
+    const double root = std::sqrt(GetCurve(feature));
+    const auto bendStep = [&](double bend) { return Quotient(std::sqrt(2.0 * bend), root, end); };
+    const double least = bendStep(touch);
+    bool armed = true; // not while the ball is let through
+    double now = 0.0;
+    for (int i = 0; i < g_nMaxAdvancementSteps; ++i) {
+      const CBallAt ball = At(now);
+      const CSpot spot = feature.At(ball);
+      const double gap = spot.m_fGap, rate = spot.Rate(ball), tick = 4.0 * g_fEps * now;
+      if (i == 0) armed = gap >= -std::max(deepest, touch);
+      armed = armed || gap > touch;
+
+      double step;
+      if (gap > touch)
+        step = SafeStep(Nearing(feature, gap, rate), end);
+      else if (armed) // let go: until it begins to approach
+        step =
+            std::max(SlowStep(Nearing(feature, gap, rate), end), bendStep(std::max(touch, -g_fDeeper * gap)));
+      else
+        step = std::max(SafeStep(Leaving(feature, gap, rate), end), least);
+
+      if (armed && rate < -slow && (gap <= touch || step <= tick)) {
+        if (counts(ball.m_vPos)) {
+          // What is left of the gap.
+          t = std::min(now + std::min(Quotient(std::max(gap, 0.0), -rate, end), least), end);
+          return eSweep::Impact;
+        }
+        armed = false;
+        step = least;
+      }
+      now += std::max({step, tick, g_fTiny});
+      if (now > end) return eSweep::None;
+    }
+    t = now;
+    return eSweep::OutOfIterations;
+  }
+
+  template <class TFeature>
+  double GetCurve(const TFeature& feature, const CSpot&) const {
+    return GetCurve(feature);
+  }
+
+private:
+  static constexpr double g_fEps = std::numeric_limits<double>::epsilon();
+  static constexpr double g_fTiny = std::numeric_limits<double>::min();
+
+  template <class TFeature>
+  double GetCurve(const TFeature& feature) const {
+    const CFollowed f = Nearing(feature, 0.0, 1.0);
+    return f.m_fBend / f.m_fRate;
+  }
+
+  // A function f that has the sign of the gap, or the other one, and a K with f'' >= -K where f > 0.
+  struct CFollowed {
+    double m_fValue, m_fRate, m_fBend;
+  };
+  // f falls to 0 where the ball touches.
+  CFollowed Nearing(const CDisk& feature, double gap, double rate) const {
+    return {gap, rate, Acceleration(feature.m_vCenter)};
+  }
+  // The bound holds as long as the centre of the ball is within the circle.
+  CFollowed Nearing(const CRing& feature, double gap, double rate) const {
+    const double rho = feature.m_fRadius - m_cMotion.m_fRadius, s = Speed(feature.m_vCenter);
+    return {gap * (rho - 0.5 * gap), rate * (rho - gap),
+            s * s + feature.m_fRadius * Acceleration(feature.m_vCenter)};
+  }
+  template <class TFeature>
+  CFollowed Nearing(const TFeature&, double gap, double rate) const {
+    const double w = std::abs(m_fTurn);
+    return {gap, rate, 2.0 * w * m_fSpeed + w * w * m_fReach};
+  }
+  // f falls to 0 where a ball that is let through is clear again. (No ball goes through a whole segment.)
+  CFollowed Leaving(const CDisk& feature, double gap, double rate) const {
+    const double R = feature.m_fRadius + m_cMotion.m_fRadius, s = Speed(feature.m_vCenter);
+    return {-gap * (R + 0.5 * gap), -rate * (R + gap), s * s + R * Acceleration(feature.m_vCenter)};
+  }
+  CFollowed Leaving(const CRing& feature, double gap, double rate) const {
+    const CFollowed f = Nearing(feature, gap, rate);
+    const double reach = m_fReach + Norm(feature.m_vCenter - m_vRotCenter);
+    return {-f.m_fValue, -f.m_fRate, reach * Acceleration(feature.m_vCenter)};
+  }
+  template <class TFeature>
+  CFollowed Leaving(const TFeature& feature, double gap, double rate) const {
+    return Nearing(feature, -gap, -rate);
+  }
+
+  Vector2d FromCenter(double t) const { return m_cMotion.m_vPos - m_vRotCenter + m_cMotion.m_vVel * t; }
+  // Of a point of the shape, and of the ball relative to it.
+  double Acceleration(const Vector2d& p) const { return m_fTurn * m_fTurn * Norm(p - m_vRotCenter); }
+  double Speed(const Vector2d& p) const { return m_fSpeed + std::abs(m_fTurn) * Norm(p - m_vRotCenter); }
+
+  // Smallest h > 0 with f + f' h - K h^2/2 = 0, for f > 0.
+  static double SafeStep(const CFollowed& f, double end) {
+    const double value = std::max(f.m_fValue, 0.0), slope = f.m_fRate, K = f.m_fBend;
+    const double root = std::sqrt(slope * slope + 2.0 * K * value);
+    return slope > 0.0 ? Quotient(slope + root, K, end) : Quotient(2.0 * value, root - slope, end);
+  }
+  // The h with f' - K h = 0.
+  static double SlowStep(const CFollowed& f, double end) {
+    return Quotient(std::max(f.m_fRate, 0.0), f.m_fBend, end);
+  }
+
+  CMotion m_cMotion;
+  CRoundings m_cRoundings;
+  Vector2d m_vRotCenter;
+  double m_fTurn;
+  double m_fSpeed; // of the ball in the world
+  double m_fReach; // how far from the centre of rotation it gets
+};
+
+} // namespace Shapes::Geometry

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "ImpactSearch.h"
+
+namespace Shapes::Geometry {
+namespace {
+
+CRoundings Roundings(const CShapeGeometry& shape, const CMotion& motion) {
+  const double size =
+      std::max(shape.m_fSize, motion.m_vPos.cwiseAbs().maxCoeff() + shape.m_fRadius) + motion.m_fRadius;
+  return {size, Norm(motion.m_vVel) + std::abs(shape.m_fTurnSpeed) * size};
+}
+
+// A ball that is smaller than what is touching would not be seen on the right side of what it has met.
+CMotion Seen(CMotion motion, const CRoundings& roundings) {
+  motion.m_fRadius = std::max(motion.m_fRadius, 0.5 * roundings.m_fTouch);
+  return motion;
+}
+
+// The one place that goes from type to kernel.
+template <class TMotion>
+eSweep Run(const CShapeGeometry& shape, const TMotion& motion, double end, CImpact& impact) {
+  CImpactSearch<TMotion> search(shape, motion, end, impact);
+  switch (shape.m_eShapeType) {
+  case eShape::Point: ImpactPointCircle(search); break;
+  case eShape::LineSeg: ImpactLineSegCircle(search); break;
+  case eShape::Circle: ImpactCircleCircle(search); break;
+  case eShape::Arc: ImpactCircleArc(search); break;
+  case eShape::Unknown:
+  case eShape::Line: break; // no shape that can be made has these types
+  }
+  return search.GetFound();
+}
+
+} // namespace
+
+eSweep Sweep(const CShapeGeometry& shape, const CMotion& ball, double start, CImpact& impact) {
+  const CRoundings roundings = Roundings(shape, ball);
+  const CMotion motion = Seen(ball, roundings);
+  eSweep found;
+  if (shape.m_fTurnSpeed == 0.0) {
+    found = Run(shape, CLinearMotion(motion, roundings), motion.m_fDuration, impact);
+  } else {
+    const CShapeGeometry now = RotatedFor(shape, start);
+    found = Run(now, CRotatingMotion(now, motion, roundings), motion.m_fDuration, impact);
+    if (found != eSweep::Impact) return found;
+    const double angle = shape.m_fTurnSpeed * impact.m_fTime;
+    impact.m_vNorm = Turned(impact.m_vNorm, angle);
+    impact.m_vPOI = shape.m_vRotCenter + Turned(impact.m_vPOI - shape.m_vRotCenter, angle);
+  }
+  if (found == eSweep::Impact) impact.m_vSurface = shape.m_fSpin * Perp(impact.m_vPOI - shape.m_vRotCenter);
+  return found;
+}
+
+bool Overlap(const CShapeGeometry& shape, const CMotion& ball, double start, CImpact& impact, double& depth) {
+  const CRoundings roundings = Roundings(shape, ball);
+  const CMotion motion = Seen(ball, roundings);
+  const CShapeGeometry now = RotatedFor(shape, start);
+  const eSweep found = shape.m_fTurnSpeed == 0.0
+                           ? Run(now, CStandingMotion(CLinearMotion(motion, roundings)), 0.0, impact)
+                           : Run(now, CStandingMotion(CRotatingMotion(now, motion, roundings)), 0.0, impact);
+  FailIf(found != eSweep::Impact);
+  // What it is seen larger by is no overlap.
+  depth = -impact.m_fTime - (motion.m_fRadius - ball.m_fRadius);
+  FailIf(!(depth > 0.0));
+  impact.m_fTime = 0.0;
+  impact.m_vSurface = shape.m_fSpin * Perp(impact.m_vPOI - shape.m_vRotCenter);
+  return true;
+}
+
+} // namespace Shapes::Geometry

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Vectors of any scalar: double where the library needs more than float, 50 digits where tests judge it.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <limits>
+
+namespace Shapes {
+
+using Vector2d = Eigen::Vector2d;
+
+namespace Geometry {
+
+template <class T>
+using CVec = Eigen::Matrix<T, 2, 1>;
+
+/// z component of a x b.
+template <class T>
+T Cross(const CVec<T>& a, const CVec<T>& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+inline double Cross(const Vector2d& a, const Vector2d& b) { return Cross<double>(a, b); }
+
+/// Counterclockwise perpendicular.
+template <class T>
+CVec<T> Perp(const CVec<T>& v) {
+  return {-v.y(), v.x()};
+}
+inline Vector2d Perp(const Vector2d& v) { return Perp<double>(v); }
+
+// These divide only what can be divided: a compiler may compute what is not needed, and that must not raise
+// an exception either.
+
+/// Length, also where the squares underflow. Coordinates up to 1e150.
+inline double Norm(const Vector2d& v) {
+  const bool tiny = v.squaredNorm() < 0x1p-900;
+  const double scale = tiny ? 0x1p500 : 1.0, back = tiny ? 0x1p-500 : 1.0;
+  return back * std::sqrt((scale * v).squaredNorm());
+}
+/// Unit vector along v; `fallback` for the zero vector.
+inline Vector2d Unit(const Vector2d& v, const Vector2d& fallback) {
+  const double d = Norm(v);
+  const Vector2d unit = v / (d > 0.0 ? d : 1.0);
+  return d > 0.0 ? unit : fallback;
+}
+/// above / below, of what is not negative; infinite if that is more than `most`, or if both are 0.
+inline double Quotient(double above, double below, double most) {
+  const bool fits = below > 0.0 && above <= most * below;
+  return (fits ? above : std::numeric_limits<double>::infinity()) / (fits ? below : 1.0);
+}
+/// v turned counterclockwise by `angle` radians.
+inline Vector2d Turned(const Vector2d& v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+}
+
+} // namespace Geometry
+} // namespace Shapes

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "NativeEngine.h"
+
+#include "NativeEntry.h"
+
+#include <Shapes/Contact.h>
+
+#include "../shapes/Response.h"
+
+#include <algorithm>
+
+namespace Shapes::Native {
+
+void CNativeEngine::Added(CShapeId id) { Changed(id, eChange::Sensor); }
+
+void CNativeEngine::Removed(CShapeId) { m_bShapesChanged = true; }
+
+void CNativeEngine::Changed(CShapeId id, eChange change) {
+  // Balls are found where they are in each step; only solid shapes have boxes that are kept.
+  const std::size_t k = m_cState.FindShape(id);
+  if (k == CWorldState::npos || change == eChange::Properties || m_bShapesChanged) return;
+  if (change == eChange::Sensor)
+    m_bShapesChanged = true;
+  else
+    m_cBroadPhase.Update(m_cState.m_stdShapes[k]);
+}
+
+void CNativeEngine::UpdateBroadPhase() {
+  m_cBroadPhase.Build(m_cState.m_stdShapes);
+  m_stdKinematic.clear();
+  for (const CShapeEntry& entry : m_cState.m_stdShapes)
+    if (entry.m_pShape->GetMotionType() == eMotion::Kinematic) m_stdKinematic.push_back(entry.m_pShape.get());
+  m_bShapesChanged = false;
+}
+
+void CNativeEngine::Plan(CEffects running) {
+  m_cRunning = running;
+  const bool reports = Runs(eEffect::Events);
+  m_stdApproximate.clear();
+  m_stdContinuous.clear();
+  const auto add = [](std::vector<CStage>& stages, bool runs, CStage stage) {
+    if (runs) stages.push_back(stage);
+  };
+  add(m_stdApproximate, Runs(eEffect::Gravity), &CNativeEngine::Accelerate);
+  add(m_stdApproximate, Runs(eEffect::Kinematics), &CNativeEngine::TurnShapes);
+  add(m_stdApproximate, true, &CNativeEngine::MoveBalls);
+  add(m_stdApproximate, true,
+      reports ? &CNativeEngine::CollideWithShapes<true> : &CNativeEngine::CollideWithShapes<false>);
+  add(m_stdApproximate, Runs(eEffect::BallPairs),
+      reports ? &CNativeEngine::CollideBalls<true> : &CNativeEngine::CollideBalls<false>);
+  add(m_stdContinuous, Runs(eEffect::Gravity), &CNativeEngine::Accelerate);
+  add(m_stdContinuous, true, &CNativeEngine::Sweep);
+  add(m_stdContinuous, Runs(eEffect::Kinematics), &CNativeEngine::TurnShapes);
+}
+
+void CNativeEngine::Substep(const CSubstep& substep) {
+  if (m_bShapesChanged) UpdateBroadPhase();
+  for (const CStage stage : substep.m_bIsContinuous ? m_stdContinuous : m_stdApproximate)
+    (this->*stage)(substep);
+}
+
+void CNativeEngine::Accelerate(const CSubstep& substep) {
+  CBallArrays& b = m_cState.m_cBalls;
+  for (Vector2& v : b.m_stdVel)
+    Shapes::Accelerate(v, m_cState.m_vGravity, substep.m_fTime);
+  Stats().m_nBallsAccelerated += b.Size();
+}
+
+void CNativeEngine::TurnShapes(const CSubstep& substep) {
+  for (CShape* pShape : m_stdKinematic) {
+    Stats().m_nShapesTurned += pShape->GetRotating();
+    pShape->Advance(substep.m_fTime);
+  }
+  m_cBroadPhase.BoxKinematic();
+}
+
+void CNativeEngine::MoveBalls(const CSubstep& substep) {
+  CBallArrays& b = m_cState.m_cBalls;
+  b.m_stdPrevPos = b.m_stdPos;
+  for (std::size_t i = 0; i < b.Size(); ++i)
+    Move(b.m_stdPos[i], b.m_stdVel[i], substep.m_fTime);
+}
+
+CBall CNativeEngine::Ball(std::size_t i) const {
+  const CBallArrays& b = m_cState.m_cBalls;
+  return {b.m_stdPos[i], b.m_stdPrevPos[i], b.m_stdVel[i], b.m_stdRadius[i]};
+}
+
+void CNativeEngine::CollectShapes(const CBall& ball, std::uint32_t firstOrder) {
+  m_stdCandidates.clear();
+  const CAabb2D box = Padded(CAabb2D(ball.m_vPos, ball.m_vPos), ball.m_fRadius * (1.0f + g_fCandidateSlack));
+  m_cBroadPhase.Query(box, m_stdCandidates);
+  if (firstOrder > 0) std::erase_if(m_stdCandidates, [=](std::uint32_t order) { return order < firstOrder; });
+  std::sort(m_stdCandidates.begin(), m_stdCandidates.end());
+}
+
+template <bool TReports>
+void CNativeEngine::CollideWithShapes(const CSubstep&) {
+  const CBallArrays& b = m_cState.m_cBalls;
+  if (m_cBroadPhase.Size() == 0) return;
+  for (std::size_t i = 0; i < b.Size(); ++i)
+    if (b.IsSolid(i)) CollideWithShapesOf<TReports>(i);
+}
+
+template <bool TReports>
+void CNativeEngine::CollideWithShapesOf(std::size_t ball) {
+  const CBallArrays& b = m_cState.m_cBalls;
+  const float slack = g_fCandidateSlack * b.m_stdRadius[ball];
+  Vector2 collectedAt = b.m_stdPos[ball];
+  CollectShapes(Ball(ball), 0);
+  for (std::size_t k = 0; k < m_stdCandidates.size(); ++k) {
+    const std::uint32_t order = m_stdCandidates[k];
+    CollideWithShape<TReports>(ball, m_cBroadPhase.Get(order));
+    if ((b.m_stdPos[ball] - collectedAt).cwiseAbs().maxCoeff() <= slack) continue;
+    // A response has moved the ball out of the reach of what was collected: the rest again, from where it is
+    // now.
+    collectedAt = b.m_stdPos[ball];
+    CollectShapes(Ball(ball), order + 1);
+    k = static_cast<std::size_t>(-1);
+  }
+}
+
+template <bool TReports>
+void CNativeEngine::CollideWithShape(std::size_t i, const CShapeEntry& entry) {
+  const CShape& shape = *entry.m_pShape;
+  if (!shape.GetCanCollide()) return;
+  ++Stats().m_nShapeTests;
+  CHit hit;
+  if (!Collide(shape, Ball(i), hit)) return;
+
+  CBallArrays& b = m_cState.m_cBalls;
+  const Vector2 surface = shape.GetSurfaceVelocity(hit.m_vPOI);
+  if constexpr (TReports)
+    m_cWorld.Report({entry.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
+                     ApproachSpeed(b.m_stdVel[i], surface, hit.m_vNorm)});
+  ++Stats().m_nContacts;
+  const float e = b.m_stdElasticity[i] * shape.GetElasticity();
+  RespondKinematic(hit.m_vNorm, hit.m_fSetback, e, surface, b.m_stdPos[i], b.m_stdVel[i]);
+  Count(CapSpeed(b.m_stdVel[i]));
+}
+
+void CNativeEngine::CollectBalls(std::size_t i, std::uint32_t first) {
+  const CBallArrays& b = m_cState.m_cBalls;
+  m_stdFound.clear();
+  m_stdCandidates.clear();
+  m_cHashGrid.Query(b.m_stdPos[i], b.m_stdRadius[i], m_stdFound);
+  for (const std::uint32_t j : m_stdFound) {
+    if (j < first || !b.IsSolid(j)) continue;
+    const float reach = (b.m_stdRadius[i] + b.m_stdRadius[j]) * (1.0f + g_fBoxPadding);
+    if ((b.m_stdPos[j] - b.m_stdPos[i]).cwiseAbs().maxCoeff() <= reach) m_stdCandidates.push_back(j);
+  }
+  std::sort(m_stdCandidates.begin(), m_stdCandidates.end());
+  m_stdCandidates.erase(std::unique(m_stdCandidates.begin(), m_stdCandidates.end()), m_stdCandidates.end());
+}
+
+template <bool TReports>
+void CNativeEngine::CollideBalls(const CSubstep&) {
+  const CBallArrays& b = m_cState.m_cBalls;
+  m_cHashGrid.Build(b.m_stdPos, b.m_stdRadius);
+  for (std::uint32_t i = 0; i + 1 < b.Size(); ++i) {
+    if (!b.IsSolid(i)) continue;
+    CollectBalls(i, i + 1);
+    for (std::size_t k = 0; k < m_stdCandidates.size(); ++k) {
+      const std::uint32_t j = m_stdCandidates[k];
+      if (!CollideWithBall<TReports>(i, j)) continue;
+      m_cHashGrid.Move(i, b.m_stdPos[i]);
+      m_cHashGrid.Move(j, b.m_stdPos[j]);
+      CollectBalls(i, j + 1);
+      k = static_cast<std::size_t>(-1);
+    }
+  }
+}
+
+template <bool TReports>
+bool CNativeEngine::CollideWithBall(std::size_t i, std::size_t j) {
+  ++Stats().m_nBallTests;
+  CHit hit;
+  FailIf(!CollideBallBall(Ball(j), Ball(i), hit));
+
+  CBallArrays& b = m_cState.m_cBalls;
+  if constexpr (TReports)
+    m_cWorld.Report({b.m_stdId[j], b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
+                     ApproachSpeed(b.m_stdVel[i], b.m_stdVel[j], hit.m_vNorm)});
+  ++Stats().m_nContacts;
+  RespondDynamic(hit.m_vNorm, hit.m_fSetback, b.m_stdElasticity[i] * b.m_stdElasticity[j], b.m_stdMass[j],
+                 b.m_stdMass[i], b.m_stdPos[j], b.m_stdVel[j], b.m_stdPos[i], b.m_stdVel[i]);
+  Count(CapSpeed(b.m_stdVel[j]));
+  Count(CapSpeed(b.m_stdVel[i]));
+  return true;
+}
+
+void CNativeEngine::Sweep(const CSubstep& substep) {
+  m_cContinuous.Step(m_cState.m_cBalls, m_cBroadPhase, Runs(eEffect::BallPairs), substep.m_vGravityStep,
+                     substep.m_fTime, Stats());
+  for (const CContinuous::CPathVertex& vertex : m_cContinuous.GetPathVertices())
+    m_cWorld.AddPathVertex(vertex.m_nBall, vertex.m_vPos, vertex.m_fPart);
+  if (!Runs(eEffect::Events)) return;
+  for (const CContactEvent& event : m_cContinuous.GetContacts())
+    m_cWorld.Report(event);
+}
+
+namespace {
+
+CBall ToBall(const CDynamicCircle& circle) {
+  return {circle.GetPos(), circle.GetPrevPos(), circle.GetVel(), circle.GetRadius()};
+}
+
+bool CollidePair(CContactDesc& c) {
+  const CBall ball = ToBall(*c.m_pCircle);
+  CHit hit;
+  FailIf(!(c.m_pShape->GetMotionType() == eMotion::Dynamic
+               ? CollideBallBall(ToBall(static_cast<const CDynamicCircle&>(*c.m_pShape)), ball, hit)
+               : Collide(*c.m_pShape, ball, hit)));
+  c.m_vPOI = hit.m_vPOI;
+  c.m_vNorm = hit.m_vNorm;
+  c.m_fSetback = hit.m_fSetback;
+  return true;
+}
+
+std::unique_ptr<CWorld> MakeWorld(const CWorldDesc& desc) {
+  return std::make_unique<CWorld>(
+      std::make_unique<CWorldCore>(desc, CWorldLimits(), CEffects(),
+                                   [](CWorldCore& world) { return std::make_unique<CNativeEngine>(world); }));
+}
+
+} // namespace
+
+const CBackend::CEntry g_cEntry{"native", CollidePair, MakeWorld};
+
+} // namespace Shapes::Native

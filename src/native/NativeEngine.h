@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../world/WorldCore.h"
+
+#include "broadphase/HashGrid.h"
+#include "broadphase/StaticBroadPhase.h"
+#include "continuous/Continuous.h"
+#include "narrowphase/Collide.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace Shapes::Native {
+
+/// The native engine. A substep is a list of stages, those that are called for. Without Continuous it gives
+/// the same bits as the plain loop: kinematic shapes advance by id; balls move by id; each ball by id is
+/// tested against every point by id, then every other shape by id, at its present position, and responds at
+/// once; then every pair of balls i < j responds once. Sensors are left out. Boxes only spare tests that must
+/// fail.
+class CNativeEngine final : public CEngine {
+public:
+  explicit CNativeEngine(CWorldCore& world) : m_cWorld(world), m_cState(world.GetState()) {}
+
+  void Added(CShapeId id) override;
+  void Removed(CShapeId id) override;
+  void Changed(CShapeId id, eChange change) override;
+  void Plan(CEffects running) override;
+  void Substep(const CSubstep& substep) override;
+  void Loaded() override { m_bShapesChanged = true; }
+
+private:
+  using CStage = void (CNativeEngine::*)(const CSubstep&);
+
+  bool Runs(eEffect e) const { return m_cRunning.Has(e); }
+  void UpdateBroadPhase();
+  CWorldStats& Stats() { return m_cWorld.Stats(); }
+
+  // Stages.
+  void Accelerate(const CSubstep& substep);
+  void TurnShapes(const CSubstep& substep);
+  void MoveBalls(const CSubstep& substep);
+  template <bool TReports>
+  void CollideWithShapes(const CSubstep& substep);
+  template <bool TReports>
+  void CollideBalls(const CSubstep& substep);
+  void Sweep(const CSubstep& substep);
+
+  template <bool TReports>
+  void CollideWithShapesOf(std::size_t ball);
+  template <bool TReports>
+  void CollideWithShape(std::size_t ball, const CShapeEntry& entry);
+  template <bool TReports>
+  bool CollideWithBall(std::size_t i, std::size_t j);
+
+  CBall Ball(std::size_t i) const;
+  void CollectShapes(const CBall& ball, std::uint32_t firstOrder);
+  void CollectBalls(std::size_t i, std::uint32_t first);
+  void Count(bool capped) { Stats().m_nSpeedsCapped += capped; }
+
+  CWorldCore& m_cWorld;
+  CWorldState& m_cState;
+  CEffects m_cRunning;
+  std::vector<CStage> m_stdApproximate, m_stdContinuous;
+
+  bool m_bShapesChanged = true; // the broad phase is made anew
+  CStaticBroadPhase m_cBroadPhase;
+  std::vector<CShape*> m_stdKinematic; // sensors too
+  CContinuous m_cContinuous;
+  CHashGrid m_cHashGrid;
+  std::vector<std::uint32_t> m_stdFound, m_stdCandidates;
+};
+
+} // namespace Shapes::Native

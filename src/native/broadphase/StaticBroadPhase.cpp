@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "StaticBroadPhase.h"
+
+#include "../../Tolerances.h"
+#include "../../geometry/Reach.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::Native {
+namespace {
+
+// The kernel of an arc errs by its centre and its radius, and both may be far from its box.
+CAabb2D BoxOf(const CShape& shape, float margin = 0.0f) {
+  if (shape.GetShapeType() != eShape::Arc) return Padded(shape.GetAABB(), margin);
+  const float size = shape.GetPos().cwiseAbs().maxCoeff() + static_cast<const CArc&>(shape).GetRadius();
+  return Padded(shape.GetAABB(), margin + g_fBoxPadding * size);
+}
+
+// As CShape::Advance turns it, radians.
+float TurnIn(const CShape& shape, float dt) { return g_fTwoPi * shape.GetRotSpeed() * dt; }
+
+// No point of a shape moves by more than its turn times its reach, and all stay within their reach.
+CAabb2D BoxOfTurn(const CShape& shape, float dt) {
+  const auto reach = static_cast<float>(GetReach(shape));
+  const float turn = std::abs(TurnIn(shape, dt));
+  if (turn < 1.0f) return BoxOf(shape, turn * reach);
+  const Vector2& c = shape.GetRotCenter();
+  return Padded(CAabb2D(c, c), reach);
+}
+
+} // namespace
+
+void CStaticBroadPhase::Build(const std::vector<CShapeEntry>& shapes) {
+  m_stdByOrder.clear();
+  for (const bool points : {true, false})
+    for (const CShapeEntry& entry : shapes)
+      if ((entry.m_pShape->GetShapeType() == eShape::Point) == points && !entry.m_pShape->GetSensor())
+        m_stdByOrder.push_back(&entry);
+
+  for (CGroup* pGroup : {&m_cStatic, &m_cKinematic}) {
+    pGroup->m_stdOrder.clear();
+    pGroup->m_stdBoxes.clear();
+  }
+  m_stdOldGeometries.clear();
+  for (std::uint32_t order = 0; order < Size(); ++order) {
+    const CShape& shape = GetShape(order);
+    CGroup& group = shape.GetMotionType() == eMotion::Kinematic ? m_cKinematic : m_cStatic;
+    group.m_stdOrder.push_back(order);
+    group.m_stdBoxes.push_back(BoxOf(shape));
+    m_stdOldGeometries.push_back(order);
+  }
+  m_cStatic.m_cTree.Build(m_cStatic.m_stdBoxes);
+  m_cKinematic.m_cTree.Build(m_cKinematic.m_stdBoxes);
+  m_stdGeometries.resize(Size());
+}
+
+void CStaticBroadPhase::Update(const CShapeEntry& entry) {
+  const auto place = [](const CShapeEntry& e) {
+    return std::pair(e.m_pShape->GetShapeType() != eShape::Point, e.m_cId);
+  };
+  const auto it = std::lower_bound(
+      m_stdByOrder.begin(), m_stdByOrder.end(), place(entry),
+      [&](const CShapeEntry* pEntry, const auto& wanted) { return place(*pEntry) < wanted; });
+  if (it == m_stdByOrder.end() || *it != &entry) return; // a sensor
+  const auto order = static_cast<std::uint32_t>(it - m_stdByOrder.begin());
+  const CShape& shape = GetShape(order);
+  CGroup& group = shape.GetMotionType() == eMotion::Kinematic ? m_cKinematic : m_cStatic;
+  const auto item = std::lower_bound(group.m_stdOrder.begin(), group.m_stdOrder.end(), order);
+  const auto i = static_cast<std::uint32_t>(item - group.m_stdOrder.begin());
+  // The box of the old place stays in the tree, which makes it only less selective; those of kinematic shapes
+  // are fitted again as soon as one of them rotates.
+  group.m_stdBoxes[i] = BoxOf(shape);
+  group.m_cTree.Grow(i, group.m_stdBoxes[i]);
+  m_stdOldGeometries.push_back(order);
+}
+
+void CStaticBroadPhase::BoxKinematic() {
+  for (std::size_t i = 0; i < m_cKinematic.m_stdOrder.size(); ++i)
+    m_cKinematic.m_stdBoxes[i] = BoxOf(GetShape(m_cKinematic.m_stdOrder[i]));
+  m_cKinematic.m_cTree.Refit(m_cKinematic.m_stdBoxes);
+}
+
+void CStaticBroadPhase::BoxKinematic(float dt) {
+  for (std::size_t i = 0; i < m_cKinematic.m_stdOrder.size(); ++i)
+    m_cKinematic.m_stdBoxes[i] = BoxOfTurn(GetShape(m_cKinematic.m_stdOrder[i]), dt);
+  m_cKinematic.m_cTree.Refit(m_cKinematic.m_stdBoxes);
+}
+
+void CStaticBroadPhase::Query(const CAabb2D& box, std::vector<std::uint32_t>& orders) {
+  for (const CGroup* pGroup : {&m_cStatic, &m_cKinematic}) {
+    m_stdFound.clear();
+    pGroup->m_cTree.Query(box, m_stdFound);
+    for (const std::uint32_t item : m_stdFound)
+      orders.push_back(pGroup->m_stdOrder[item]);
+  }
+}
+
+void CStaticBroadPhase::MakeGeometries(float dt) {
+  const auto make = [&](std::uint32_t order) {
+    const CShape& shape = GetShape(order);
+    const double speed =
+        shape.GetRotating() ? static_cast<double>(TurnIn(shape, dt)) / static_cast<double>(dt) : 0.0;
+    m_stdGeometries[order] = MakeShapeGeometry(shape, speed);
+  };
+  for (const std::uint32_t order : m_stdOldGeometries)
+    make(order);
+  m_stdOldGeometries.clear();
+  for (const std::uint32_t order : m_cKinematic.m_stdOrder)
+    if (GetShape(order).GetRotating()) make(order);
+}
+
+} // namespace Shapes::Native

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../../geometry/ShapeGeometry.h"
+#include "../../world/WorldState.h"
+
+#include <cstdint>
+#include <vector>
+
+#include "AabbTree.h"
+
+namespace Shapes::Native {
+
+using namespace Geometry;
+
+/// The solid shapes of a world in the order of the plain loop (points by id, then the others by id), with
+/// boxes around them: kinematic shapes apart from static ones, so that only they are boxed anew.
+class CStaticBroadPhase {
+public:
+  /// Takes in the shapes that are no sensors. They have to stay where they are in memory.
+  void Build(const std::vector<CShapeEntry>& shapes);
+  /// A shape has another pose or rotation speed.
+  void Update(const CShapeEntry& entry);
+
+  std::size_t Size() const { return m_stdByOrder.size(); }
+  const CShapeEntry& Get(std::uint32_t order) const { return *m_stdByOrder[order]; }
+
+  /// Puts boxes around the kinematic shapes as they are now, or around all that they sweep in the next dt
+  /// seconds.
+  void BoxKinematic();
+  void BoxKinematic(float dt);
+  /// Appends the orders of all shapes whose box meets this one, in no order.
+  void Query(const CAabb2D& box, std::vector<std::uint32_t>& orders);
+
+  /// Makes the geometries of the shapes that rotate in the next dt seconds, and of those that have changed.
+  void MakeGeometries(float dt);
+  const CShapeGeometry& GetGeometry(std::uint32_t order) const { return m_stdGeometries[order]; }
+
+private:
+  /// Items of the tree index m_stdOrder.
+  struct CGroup {
+    std::vector<std::uint32_t> m_stdOrder;
+    std::vector<CAabb2D> m_stdBoxes;
+    CAabbTree m_cTree;
+  };
+  const CShape& GetShape(std::uint32_t order) const { return *m_stdByOrder[order]->m_pShape; }
+
+  std::vector<const CShapeEntry*> m_stdByOrder;
+  CGroup m_cStatic, m_cKinematic;
+  std::vector<CShapeGeometry> m_stdGeometries;   // by order
+  std::vector<std::uint32_t> m_stdOldGeometries; // orders of those to be made anew
+  std::vector<std::uint32_t> m_stdFound;
+};
+
+} // namespace Shapes::Native

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// An engine behind a world: what it has to do, and in which order it is called.
+#pragma once
+
+#include <Shapes/Backend.h>
+#include <Shapes/Limits.h>
+#include <Shapes/World.h>
+
+#include <memory>
+#include <string_view>
+
+namespace Shapes {
+
+/// The world as its engine sees it: WorldCore.h.
+using CWorldCore = CWorld::CImpl;
+
+/// The lengths, speeds and masses that an engine can hold, in user units; the world refuses anything beyond.
+struct CWorldLimits {
+  float m_fMaxLength = g_fMaxLength;
+  float m_fMaxSpeed = g_fMaxSpeed;
+  float m_fMinMass = g_fMinMass;
+  float m_fMaxMass = g_fMaxMass;
+  friend bool operator==(const CWorldLimits&, const CWorldLimits&) = default;
+};
+
+/// What has changed of a shape or a ball.
+enum class eChange {
+  Pose,      ///< where it is, or its rotation centre
+  Motion,    ///< velocity or rotation speed
+  Sensor,    ///< it became a sensor, or ceases to be one
+  Properties ///< elasticity, can-collide, user pointer
+};
+
+/// What the user is about to do with the world.
+enum class eAccess { Read, Change, SetGravity, Step, SaveLoad };
+
+/// One substep.
+struct CSubstep {
+  float m_fTime;          ///< seconds
+  bool m_bIsContinuous;   ///< whether Continuous runs in it
+  Vector2 m_vGravityStep; ///< what gravity adds to each velocity; zero where Gravity does not run
+};
+
+/// Steps the shapes and balls in the state of its world. It is made with the world, when the state is empty,
+/// and called in this order (tests/world/EngineOrderTest.cpp keeps it):
+///
+///   Access           before everything that the user does
+///   Added, Removed, Changed
+///                    once after each change of the state
+///   Plan             before the first Substep after a change of which effects may depend (and of anything
+///                    but velocities, places of balls, elasticities and user pointers); never else
+///   Substep          m_nSubsteps times for each Step; it leaves in the state where everything is then
+///   Saved            after the state was copied
+///   Loaded           after the state was replaced; instead of Added and Removed for what is in it
+class CEngine {
+public:
+  virtual ~CEngine() = default;
+
+  /// May refuse by an exception; brings the state up to date if something else than this world moves it.
+  virtual void Access(eAccess) {}
+  virtual void Added(CShapeId id) = 0;
+  virtual void Removed(CShapeId id) = 0;
+  virtual void Changed(CShapeId id, eChange change) = 0;
+  /// @param running  the effects that run; Continuous is among them only if it runs in every substep
+  virtual void Plan(CEffects running) = 0;
+  virtual void Substep(const CSubstep& substep) = 0;
+  virtual void Saved() {}
+  virtual void Loaded() = 0;
+};
+
+/// One row of the table of engines.
+struct CBackend::CEntry {
+  std::string_view m_sName;
+  /// CBackend::CollisionDetected for two shapes that can collide: fills in all but the approach speed.
+  bool (*m_pCollide)(CContactDesc& c);
+  /// CBackend::MakeWorld.
+  std::unique_ptr<CWorld> (*m_pMakeWorld)(const CWorldDesc& desc);
+};
+
+} // namespace Shapes

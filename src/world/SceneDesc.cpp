@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include <Shapes/SceneDesc.h>
+
+#include "../shapes/Validate.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+
+namespace Shapes {
+namespace {
+
+std::string Quoted(std::string_view text) {
+  static constexpr char digits[] = "0123456789abcdef";
+  std::string json = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      json += {'\\', c};
+    else if (const auto code = static_cast<unsigned char>(c); code < 0x20)
+      json += {'\\', 'u', '0', '0', digits[code / 16], digits[code % 16]};
+    else
+      json += c;
+  }
+  return json += '"';
+}
+
+// Who reads JSON goes through double, and so rounds twice. Of the shortest texts of all floats that changes
+// 7.038531e-26 alone, which is written as the double that it is.
+std::string Number(float value) {
+  std::string text = ToText(value);
+  double read = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), read);
+  if (static_cast<float>(read) == value) return text;
+  std::array<char, 32> digits;
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<double>(value)).ptr;
+  return {digits.data(), end};
+}
+
+std::string ToJson(const Vector2& v) {
+  return std::string("[").append(Number(v.x())).append(", ").append(Number(v.y())).append("]");
+}
+
+// One object on one line.
+class CObject {
+public:
+  CObject& Add(std::string_view field, const std::string& json) {
+    m_sText.append(m_sText.empty() ? "\"" : ", \"").append(field).append("\": ").append(json);
+    return *this;
+  }
+  CObject& Add(std::string_view field, float value) { return Add(field, Number(value)); }
+  CObject& Add(std::string_view field, const Vector2& v) { return Add(field, Shapes::ToJson(v)); }
+  std::string Text() const { return "{" + m_sText + "}"; }
+
+private:
+  std::string m_sText;
+};
+
+void AddGeometry(CObject& json, const CPointDesc& desc) {
+  json.Add("type", Quoted("point")).Add("position", desc.m_vPos);
+}
+
+void AddSides(CObject& json, eSides sides) {
+  if (sides != eSides::Both) json.Add("sides", Quoted(sides == eSides::Front ? "front" : "back"));
+}
+
+void AddGeometry(CObject& json, const CLineSegDesc& desc) {
+  json.Add("type", Quoted("line_segment")).Add("p0", desc.GetEndPt0()).Add("p1", desc.GetEndPt1());
+  AddSides(json, desc.m_eSides);
+}
+
+void AddGeometry(CObject& json, const CCircleDesc& desc) {
+  json.Add("type", Quoted("circle")).Add("position", desc.m_vPos).Add("radius", desc.m_fRadius);
+}
+
+void AddGeometry(CObject& json, const CArcDesc& desc) {
+  json.Add("type", Quoted("arc")).Add("position", desc.m_vPos).Add("radius", desc.m_fRadius);
+  json.Add("angles", ToJson(Vector2(desc.GetAngle0(), desc.GetAngle1())));
+  AddSides(json, desc.m_eSides);
+}
+
+std::string Written(const CDynamicCircleDesc&) {
+  Refuse("m_stdShapes", "a ball", "static and kinematic shapes; balls are in m_stdBalls");
+}
+
+template <class TDesc>
+std::string Written(const TDesc& desc) {
+  CObject json;
+  AddGeometry(json, desc);
+  json.Add("elasticity", desc.m_fElasticity);
+  if (desc.m_bIsSensor) json.Add("sensor", "true");
+  if (desc.m_eMotionType == eMotion::Kinematic)
+    json.Add("motion", Quoted("kinematic"))
+        .Add("rotation_speed", desc.m_fRotSpeed)
+        .Add("rotation_center", desc.m_vRotCenter);
+  return json.Text();
+}
+
+std::string WrittenBall(const CDynamicCircleDesc& ball) {
+  if (ball.m_bIsSensor) Refuse("m_bIsSensor", "true", "false: a scene file has no balls that are sensors");
+  return CObject()
+      .Add("position", ball.m_vPos)
+      .Add("velocity", ball.m_vVel)
+      .Add("radius", ball.m_fRadius)
+      .Add("mass", ball.m_fMass)
+      .Add("elasticity", ball.m_fElasticity)
+      .Text();
+}
+
+// Made for their checks and their boxes.
+CAabb2D BoxOf(const CPointDesc& desc) { return CPoint(desc).GetAABB(); }
+CAabb2D BoxOf(const CLineSegDesc& desc) { return CLineSeg(desc).GetAABB(); }
+CAabb2D BoxOf(const CCircleDesc& desc) { return CCircle(desc).GetAABB(); }
+CAabb2D BoxOf(const CArcDesc& desc) { return CArc(desc).GetAABB(); }
+CAabb2D BoxOf(const CDynamicCircleDesc& desc) { return CDynamicCircle(desc).GetAABB(); }
+
+void Grow(CAabb2D& box, const CAabb2D& other) {
+  box += other.GetTopLeft();
+  box += other.GetBottomRt();
+}
+
+template <class TDesc>
+CAabb2D ReachOf(const TDesc& desc) {
+  CAabb2D box = BoxOf(desc);
+  if (desc.m_eMotionType != eMotion::Kinematic) return box;
+  const Vector2 &c = desc.m_vRotCenter, &p = box.GetTopLeft(), &q = box.GetBottomRt();
+  const float x = std::max(std::abs(p.x() - c.x()), std::abs(q.x() - c.x()));
+  const float y = std::max(std::abs(p.y() - c.y()), std::abs(q.y() - c.y()));
+  const float r = Length(Vector2(x, y));
+  return CAabb2D(c + Vector2(-r, r), c + Vector2(r, -r));
+}
+
+CAabb2D BoundsOf(const CSceneDesc& scene) {
+  CAabb2D box;
+  for (const CAnyShapeDesc& any : scene.m_stdShapes)
+    Grow(box, std::visit([](const auto& desc) { return ReachOf(desc); }, any));
+  for (const CDynamicCircleDesc& ball : scene.m_stdBalls)
+    Grow(box, BoxOf(ball));
+  const Vector2 &p = box.GetTopLeft(), &q = box.GetBottomRt();
+  // Far from the origin a small scene would get no margin at all: coordinates are rounded there.
+  const float far = std::max(p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff());
+  float margin = std::max(0.5f * std::max(box.GetWidth(), box.GetHt()), 1e-6f * far);
+  if (margin == 0.0f) margin = 1.0f;
+  return CAabb2D(p + Vector2(-margin, margin), q + Vector2(margin, -margin));
+}
+
+template <class T, class F>
+std::string List(const std::vector<T>& items, F write) {
+  std::string text;
+  for (const T& item : items)
+    text.append(text.empty() ? "[\n    " : ",\n    ").append(write(item));
+  return text.empty() ? "[]" : text + "\n  ]";
+}
+
+} // namespace
+
+std::vector<CShapeId> CSceneDesc::AddTo(CWorld& world) const {
+  std::vector<CShapeId> ids;
+  try {
+    for (const CAnyShapeDesc& desc : m_stdShapes)
+      ids.push_back(world.Add(desc));
+    for (const CDynamicCircleDesc& desc : m_stdBalls)
+      ids.push_back(world.Add(desc));
+  } catch (const std::invalid_argument&) {
+    for (const CShapeId id : ids)
+      world.Remove(id);
+    throw;
+  }
+  return ids;
+}
+
+std::string CSceneDesc::ToJson(const std::string& name, float seconds) const {
+  if (name.empty()) Refuse("name", "empty", "a name of at least one letter");
+  if (m_stdBalls.empty()) Refuse("m_stdBalls", "empty", "at least one ball: shapes-compare follows balls");
+  RequireRange("m_fLengthUnit", m_cWorld.m_cBox2D.m_fLengthUnit, g_fMinLengthUnit, g_fMaxLength);
+  RequireVector("m_vGravity", m_cWorld.m_vGravity, g_fMaxSpeed);
+  RequirePositive("m_fTimeStep", m_cWorld.m_fTimeStep, g_fMaxTimeStep);
+  RequireRange("seconds", seconds, m_cWorld.m_fTimeStep, std::numeric_limits<float>::max());
+  const CAabb2D bounds = BoundsOf(*this);
+
+  std::string description;
+  for (const std::string& note : m_stdNotes)
+    description.append(description.empty() ? "" : " ").append(note);
+  const std::string shapes = List(m_stdShapes, [](const CAnyShapeDesc& any) {
+    return std::visit([](const auto& desc) { return Written(desc); }, any);
+  });
+
+  std::string json = "{";
+  const auto add = [&json](const char* field, const std::string& value) {
+    json.append(json.size() > 1 ? ",\n  \"" : "\n  \"").append(field).append("\": ").append(value);
+  };
+  add("name", Quoted(name));
+  if (!description.empty()) add("description", Quoted(description));
+  add("length_unit", Number(m_cWorld.m_cBox2D.m_fLengthUnit));
+  add("gravity", Shapes::ToJson(m_cWorld.m_vGravity));
+  add("time_step", Number(m_cWorld.m_fTimeStep));
+  add("duration", Number(seconds));
+  add("bounds", CObject()
+                    .Add("left", bounds.GetTopLeft().x())
+                    .Add("bottom", bounds.GetBottomRt().y())
+                    .Add("right", bounds.GetBottomRt().x())
+                    .Add("top", bounds.GetTopLeft().y())
+                    .Text());
+  add("shapes", shapes);
+  add("balls", List(m_stdBalls, WrittenBall));
+  return json + "\n}\n";
+}
+
+} // namespace Shapes

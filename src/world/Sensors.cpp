@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "Sensors.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace Shapes {
+namespace {
+
+CSensorEvent Event(const CTouchingPair& pair, bool begin) { return {pair.m_cShape, pair.m_cBall, begin}; }
+
+// Whether a ball and a shape, or two balls, can touch as a sensor and what it sees.
+bool IsPair(const CWorldState& state, const CTouchingPair& pair) {
+  const CBallArrays& b = state.m_cBalls;
+  const std::size_t i = state.FindBall(pair.m_cBall);
+  FailIf(i == CWorldState::npos || !b.m_stdCanCollide[i]);
+  if (const std::size_t j = state.FindBall(pair.m_cShape); j != CWorldState::npos)
+    return b.m_stdCanCollide[j] && (b.m_stdSensor[i] || b.m_stdSensor[j]);
+  const std::size_t k = state.FindShape(pair.m_cShape);
+  FailIf(k == CWorldState::npos);
+  const CShape& shape = *state.m_stdShapes[k].m_pShape;
+  return shape.GetCanCollide() && (b.m_stdSensor[i] || shape.GetSensor());
+}
+
+} // namespace
+
+bool CSensors::Begin(CWorldState& state, std::vector<CSensorEvent>& events) {
+  if (m_bIsInvalid) FindSensors(state);
+  std::erase_if(state.m_stdTouching, [&](const CTouchingPair& pair) {
+    FailIf(IsPair(state, pair));
+    events.push_back(Event(pair, false));
+    return true;
+  });
+  return m_bAny;
+}
+
+void CSensors::FindSensors(const CWorldState& state) {
+  m_stdBalls.clear();
+  m_stdShapes.clear();
+  for (std::uint32_t i = 0; i < state.m_cBalls.Size(); ++i)
+    if (state.m_cBalls.m_stdSensor[i]) m_stdBalls.push_back(i);
+  for (const bool sensors : {true, false})
+    for (std::uint32_t i = 0; i < state.m_stdShapes.size(); ++i)
+      if (state.m_stdShapes[i].m_pShape->GetSensor() == sensors && (sensors || !m_stdBalls.empty()))
+        m_stdShapes.push_back(i);
+  m_bAny = !m_stdBalls.empty() || !m_stdShapes.empty();
+  m_bIsInvalid = false;
+}
+
+std::span<const CContactEvent> CSensors::Sense(CWorldState& state, float dt,
+                                               std::vector<CSensorEvent>& events) {
+  const CBallArrays& b = state.m_cBalls;
+  m_stdSeen.clear();
+  TakePaths(b);
+  TakeShapes(state);
+  for (std::size_t i = 0; i < b.Size(); ++i) {
+    if (!b.m_stdCanCollide[i]) continue;
+    const std::size_t n = b.m_stdSensor[i] ? m_stdSensed.size() : m_nSensors;
+    for (std::size_t k = 0; k < n; ++k)
+      TouchShape(b, i, m_stdSensed[k], dt);
+  }
+  for (const std::size_t i : m_stdBalls) {
+    if (!b.m_stdCanCollide[i]) continue;
+    for (std::size_t j = 0; j < b.Size(); ++j)
+      if (j != i && b.m_stdCanCollide[j] && !(j < i && b.m_stdSensor[j])) // two sensors meet once
+        TouchBall(b, std::min(i, j), std::max(i, j), dt);
+  }
+  ReportChanges(state.m_stdTouching, events);
+  return m_stdContacts;
+}
+
+void CSensors::TakePaths(const CBallArrays& b) {
+  // An engine tells the bends of each ball in order, but may take the balls in any.
+  std::stable_sort(m_stdVertices.begin(), m_stdVertices.end(),
+                   [](const CBallVertex& x, const CBallVertex& y) { return x.m_nBall < y.m_nBall; });
+  m_stdPoints.clear();
+  m_stdFirst.clear();
+  m_stdBoxes.clear();
+  auto bend = m_stdVertices.begin();
+  for (std::size_t i = 0; i < b.Size(); ++i) {
+    m_stdFirst.push_back(m_stdPoints.size());
+    m_stdPoints.push_back({0.0, b.m_stdPrevPos[i].cast<double>()});
+    for (; bend != m_stdVertices.end() && bend->m_nBall == i; ++bend)
+      m_stdPoints.push_back(
+          {std::clamp(bend->m_cPoint.m_fTime, m_stdPoints.back().m_fTime, 1.0), bend->m_cPoint.m_vPos});
+    m_stdPoints.push_back({1.0, b.m_stdPos[i].cast<double>()});
+  }
+  m_stdFirst.push_back(m_stdPoints.size());
+  for (std::size_t i = 0; i < b.Size(); ++i) {
+    const Vector2d r = Vector2d::Constant(b.m_stdRadius[i]);
+    const CBox2d box = GetBox(GetPath(i));
+    m_stdBoxes.emplace_back(box.min() - r, box.max() + r);
+  }
+  m_stdVertices.clear();
+}
+
+CBallPath CSensors::GetPath(std::size_t i) const {
+  return CBallPath(m_stdPoints).subspan(m_stdFirst[i], m_stdFirst[i + 1] - m_stdFirst[i]);
+}
+
+void CSensors::TakeShapes(const CWorldState& state) {
+  m_stdSensed.clear();
+  m_nSensors = 0;
+  for (const std::uint32_t k : m_stdShapes) {
+    const CShape& shape = *state.m_stdShapes[k].m_pShape;
+    if (!shape.GetCanCollide()) continue;
+    CSensed sensed{&state.m_stdShapes[k], CZone(shape), CBox2d(), shape.GetRotCenter().cast<double>(),
+                   shape.GetRotating() ? static_cast<double>(shape.GetLastTurn()) : 0.0};
+    sensed.m_cBox = sensed.m_cZone.GetBox();
+    if (sensed.m_fTurn != 0.0) { // wherever it is within reach of its centre
+      const Vector2d low = (sensed.m_cBox.min() - sensed.m_vRotCenter).cwiseAbs();
+      const Vector2d high = (sensed.m_cBox.max() - sensed.m_vRotCenter).cwiseAbs();
+      const Vector2d reach = Vector2d::Constant(low.cwiseMax(high).norm());
+      sensed.m_cBox = CBox2d(sensed.m_vRotCenter - reach, sensed.m_vRotCenter + reach);
+    }
+    m_stdSensed.push_back(sensed);
+    m_nSensors += shape.GetSensor();
+  }
+}
+
+void CSensors::TouchShape(const CBallArrays& b, std::size_t i, const CSensed& sensed, double dt) {
+  if (!m_stdBoxes[i].intersects(sensed.m_cBox)) return;
+  ++m_nTests;
+  const CBallPath path = GetPath(i);
+  const bool turns = sensed.m_fTurn != 0.0;
+  if (turns) MakeRotatedPath(path, sensed.m_vRotCenter, sensed.m_fTurn, b.m_stdRadius[i], m_stdOtherPath);
+  auto touch = sensed.m_cZone.Touch(turns ? CBallPath(m_stdOtherPath) : path, b.m_stdRadius[i]);
+  if (!touch) return;
+  Vector2d velocity = GetVelocity(path, touch->m_fTime) / dt;
+  if (turns) { // back to the pose at that time
+    const double back = -(1.0 - touch->m_fTime) * sensed.m_fTurn;
+    touch->m_vPOI = Turn(touch->m_vPOI, sensed.m_vRotCenter, back);
+    touch->m_vNorm = Turn(touch->m_vNorm, Vector2d::Zero(), back);
+    const Vector2d d = touch->m_vPOI - sensed.m_vRotCenter;
+    velocity -= sensed.m_fTurn / dt * Vector2d(-d.y(), d.x());
+  }
+  Add(b.m_stdId[i], sensed.m_pEntry->m_cId, *touch, velocity);
+}
+
+void CSensors::TouchBall(const CBallArrays& b, std::size_t i, std::size_t j, double dt) {
+  if (!m_stdBoxes[i].intersects(m_stdBoxes[j])) return;
+  ++m_nTests;
+  MakeRelativePath(GetPath(i), GetPath(j), m_stdOtherPath);
+  auto touch = CZone(Vector2d::Zero(), b.m_stdRadius[j]).Touch(m_stdOtherPath, b.m_stdRadius[i]);
+  if (!touch) return;
+  touch->m_vPOI += GetPos(GetPath(j), touch->m_fTime);
+  Add(b.m_stdId[i], b.m_stdId[j], *touch, GetVelocity(m_stdOtherPath, touch->m_fTime) / dt);
+}
+
+void CSensors::Add(CShapeId ball, CShapeId shape, const CZone::CTouch& touch, const Vector2d& velocity) {
+  CContactEvent event;
+  event.m_cShape = shape;
+  event.m_cBall = ball;
+  event.m_vPOI = touch.m_vPOI.cast<float>();
+  event.m_vNorm = touch.m_vNorm.cast<float>();
+  const double most = std::numeric_limits<float>::max();
+  event.m_fSpeed = static_cast<float>(std::clamp(-velocity.dot(touch.m_vNorm), 0.0, most));
+  event.m_bIsSensor = true;
+  m_stdSeen.push_back({event, touch.m_bAtEnd});
+}
+
+// Tells the pairs that were seen from those that touched before.
+void CSensors::ReportChanges(std::vector<CTouchingPair>& touching, std::vector<CSensorEvent>& events) {
+  const auto pairOf = [](const CSeen& seen) {
+    return CTouchingPair{seen.m_cEvent.m_cBall, seen.m_cEvent.m_cShape};
+  };
+  std::sort(m_stdSeen.begin(), m_stdSeen.end(),
+            [&](const CSeen& a, const CSeen& b) { return pairOf(a) < pairOf(b); });
+  m_stdContacts.clear();
+  m_stdTouching.clear();
+  auto old = touching.begin();
+  const auto endBefore = [&](const auto& isBefore) {
+    for (; old != touching.end() && isBefore(*old); ++old)
+      events.push_back(Event(*old, false));
+  };
+  for (const CSeen& seen : m_stdSeen) {
+    const CTouchingPair pair = pairOf(seen);
+    endBefore([&](const CTouchingPair& other) { return other < pair; });
+    m_stdContacts.push_back(seen.m_cEvent);
+    if (old != touching.end() && *old == pair)
+      ++old;
+    else
+      events.push_back(Event(pair, true));
+    if (seen.m_bAtEnd)
+      m_stdTouching.push_back(pair);
+    else
+      events.push_back(Event(pair, false));
+  }
+  endBefore([](const CTouchingPair&) { return true; });
+  std::swap(touching, m_stdTouching);
+}
+
+} // namespace Shapes

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Shapes/World.h>
+
+#include "BallPath.h"
+#include "WorldState.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace Shapes {
+
+/// Which ball touched which sensor on its path: after each substep, the same for all engines, which only say
+/// where the path of a ball bent. Touching is that the centre came closer than the radius at any time of the
+/// substep. Which pairs touch is kept in the state of the world.
+class CSensors {
+public:
+  /// A shape or a ball came, went or changed: what is known of the indices of sensors is void.
+  void Invalidate() { m_bIsInvalid = true; }
+
+  /// Before the substeps of a step: ends the pairs of which one is gone, or is turned off, or of which
+  /// neither is a sensor any more.
+  /// @return whether there is any sensor; else the others need not be called
+  bool Begin(CWorldState& state, std::vector<CSensorEvent>& events);
+
+  void AddPathVertex(std::size_t ball, const Vector2& p, float t) {
+    if (m_bAny) m_stdVertices.push_back({ball, {static_cast<double>(t), p.cast<double>()}});
+  }
+
+  /// After a substep of dt seconds: appends what began and ended.
+  /// @return the contacts, by ball and then by shape; valid until the next call
+  std::span<const CContactEvent> Sense(CWorldState& state, float dt, std::vector<CSensorEvent>& events);
+
+  /// How many paths of balls were looked at since it was made.
+  std::uint64_t GetTests() const { return m_nTests; }
+
+private:
+  struct CBallVertex {
+    std::size_t m_nBall;
+    CPathVertex m_cPoint;
+  };
+  /// A shape that is a sensor, or may be met by a ball that is one.
+  struct CSensed {
+    const CShapeEntry* m_pEntry;
+    CZone m_cZone;
+    CBox2d m_cBox; // of wherever it was during the substep
+    Vector2d m_vRotCenter;
+    double m_fTurn;
+  };
+  struct CSeen {
+    CContactEvent m_cEvent;
+    bool m_bAtEnd;
+  };
+
+  void FindSensors(const CWorldState& state);
+  void TakePaths(const CBallArrays& balls);
+  void TakeShapes(const CWorldState& state);
+  CBallPath GetPath(std::size_t ball) const;
+  void TouchShape(const CBallArrays& balls, std::size_t i, const CSensed& sensed, double dt);
+  void TouchBall(const CBallArrays& balls, std::size_t i, std::size_t j, double dt);
+  void Add(CShapeId ball, CShapeId shape, const CZone::CTouch& touch, const Vector2d& velocity);
+  void ReportChanges(std::vector<CTouchingPair>& touching, std::vector<CSensorEvent>& events);
+
+  bool m_bIsInvalid = true;
+  bool m_bAny = false;
+  std::uint64_t m_nTests = 0;
+  std::vector<std::uint32_t> m_stdShapes; // sensors; then the others, if a ball is a sensor
+  std::vector<std::uint32_t> m_stdBalls;  // sensors
+
+  // Of the substep.
+  std::vector<CBallVertex> m_stdVertices;
+  std::vector<CPathVertex> m_stdPoints; // the paths of all balls, one after the other
+  std::vector<std::size_t> m_stdFirst;  // where in them that of each ball begins, and where the last one ends
+  std::vector<CBox2d> m_stdBoxes;       // around all places of each ball
+  std::vector<CSensed> m_stdSensed;     // in the order of m_stdShapes
+  std::size_t m_nSensors = 0;           // of them
+  std::vector<CPathVertex> m_stdOtherPath; // a path in another frame
+  std::vector<CSeen> m_stdSeen;
+  std::vector<CContactEvent> m_stdContacts;
+  std::vector<CTouchingPair> m_stdTouching;
+};
+
+} // namespace Shapes

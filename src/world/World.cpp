@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: MIT
+// The public world: checks what is asked of it and finds the shape; WorldCore does it.
+#include <Shapes/World.h>
+
+#include "../shapes/Validate.h"
+#include "WorldCore.h"
+
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace Shapes {
+namespace {
+
+[[noreturn]] void RefuseId(CShapeId id, const char* expected) {
+  Refuse("id", std::to_string(id.m_nValue), expected);
+}
+
+// A shape of the class that the motion in the descriptor asks for.
+template <class TStatic, class TKinematic, class TDesc>
+std::unique_ptr<CShape> MakeShape(const TDesc& desc) {
+  if (desc.m_eMotionType == eMotion::Static) return std::make_unique<TStatic>(desc);
+  if (desc.m_eMotionType == eMotion::Kinematic) return std::make_unique<TKinematic>(desc);
+  Refuse("m_eMotionType", "neither static nor kinematic",
+         "Static or Kinematic; balls are made from CDynamicCircleDesc");
+}
+
+std::unique_ptr<CShape> MakeShape(const CPointDesc& desc) { return MakeShape<CPoint, CKinematicPoint>(desc); }
+std::unique_ptr<CShape> MakeShape(const CLineSegDesc& desc) {
+  return MakeShape<CLineSeg, CKinematicLineSeg>(desc);
+}
+std::unique_ptr<CShape> MakeShape(const CCircleDesc& desc) {
+  return MakeShape<CCircle, CKinematicCircle>(desc);
+}
+std::unique_ptr<CShape> MakeShape(const CArcDesc& desc) { return MakeShape<CArc, CKinematicArc>(desc); }
+std::unique_ptr<CShape> MakeShape(const CDynamicCircleDesc&) {
+  Refuse("m_eMotionType", "Dynamic", "Static or Kinematic: a compound has no balls");
+}
+
+void RequireExtent(const CWorldLimits& limits, const CAabb2D& box) {
+  // A world without limits of its own takes whatever a shape takes, a box that reaches twice as far included.
+  if (limits.m_fMaxLength == g_fMaxLength) return;
+  for (const Vector2& corner : {box.GetTopLeft(), box.GetBottomRt()})
+    RequireVector("m_vPos and extent (a corner of the box of the shape)", corner, limits.m_fMaxLength);
+}
+
+void RequireShape(const CWorldLimits& limits, const CShape& shape) {
+  RequireExtent(limits, shape.GetAABB());
+  RequireVector("m_vRotCenter", shape.GetRotCenter(), limits.m_fMaxLength);
+}
+
+void RequireBall(const CWorldLimits& limits, const Vector2& p, float r, const Vector2& v, float mass) {
+  RequireExtent(limits, CAabb2D(p - Vector2(r, r), p + Vector2(r, r)));
+  RequireVector("m_vVel", v, limits.m_fMaxSpeed);
+  RequireRange("m_fMass", mass, limits.m_fMinMass, limits.m_fMaxMass);
+}
+
+void RequireState(const CWorldLimits& limits, const CWorldState& state) {
+  // A world of the same limits can go on with whatever another one has come to hold.
+  if (state.m_cLimits == limits) return;
+  RequireVector("m_vGravity", state.m_vGravity, limits.m_fMaxSpeed);
+  for (const CShapeEntry& entry : state.m_stdShapes)
+    RequireShape(limits, *entry.m_pShape);
+  const CBallArrays& b = state.m_cBalls;
+  for (std::size_t i = 0; i < b.Size(); ++i)
+    RequireBall(limits, b.m_stdPos[i], b.m_stdRadius[i], b.m_stdVel[i], b.m_stdMass[i]);
+}
+
+bool IsBall(const CWorldState& state, CShapeId id) { return state.FindBall(id) != CWorldState::npos; }
+
+std::size_t FindBall(const CWorldState& state, CShapeId id) {
+  const std::size_t i = state.FindBall(id);
+  if (i == CWorldState::npos) RefuseId(id, "the id of a ball in this world");
+  return i;
+}
+
+const CShapeEntry& FindEntry(const CWorldState& state, CShapeId id) {
+  const std::size_t k = state.FindShape(id);
+  if (k == CWorldState::npos) RefuseId(id, "the id of a shape in this world that is not a ball");
+  return state.m_stdShapes[k];
+}
+CShapeEntry& FindEntry(CWorldState& state, CShapeId id) {
+  return const_cast<CShapeEntry&>(FindEntry(std::as_const(state), id));
+}
+
+const CShape& FindShape(const CWorldState& state, CShapeId id) { return *FindEntry(state, id).m_pShape; }
+
+CShapeEntry& FindKinematic(CWorldState& state, CShapeId id, const char* expected) {
+  CShapeEntry& entry = FindEntry(state, id);
+  if (entry.m_pShape->GetMotionType() != eMotion::Kinematic) RefuseId(id, expected);
+  return entry;
+}
+
+constexpr const char* g_sToBeTurned = "a kinematic shape, to be turned";
+
+// Sets a property of a shape or a ball.
+template <class FBall, class FShape>
+void SetProperty(CWorldCore& core, CShapeId id, eChange what, const FBall& ofBall, const FShape& ofShape) {
+  core.Access(eAccess::Change);
+  CWorldState& state = core.GetState();
+  if (const std::size_t i = state.FindBall(id); i != CWorldState::npos)
+    core.ChangeBall(i, what, ofBall);
+  else
+    core.ChangeShape(FindEntry(state, id), what, [&](CShapeEntry& entry) { ofShape(*entry.m_pShape); });
+}
+
+// Changes the pose of a shape, unless the engine could not hold it there.
+template <class F>
+void SetPose(CWorldCore& core, CShapeEntry& entry, const F& change) {
+  if (core.GetLimits().m_fMaxLength != g_fMaxLength) {
+    const auto pCopy = entry.m_pShape->Clone();
+    change(*pCopy);
+    RequireShape(core.GetLimits(), *pCopy);
+  }
+  core.ChangeShape(entry, eChange::Pose, [&](CShapeEntry& changed) { change(*changed.m_pShape); });
+}
+
+CShapeId AddShape(CWorldCore& core, std::unique_ptr<CShape> pShape) {
+  core.Access(eAccess::Change);
+  RequireShape(core.GetLimits(), *pShape);
+  return core.Add(std::move(pShape));
+}
+
+} // namespace
+
+struct CSavedState::CImpl {
+  CWorldState m_cState;
+};
+
+CWorld::CWorld(std::unique_ptr<CImpl> pImpl) : m_pImpl(std::move(pImpl)) {}
+CWorld::~CWorld() = default;
+
+const CWorldDesc& CWorld::GetDesc() const { return m_pImpl->GetDesc(); }
+const CWorldStats& CWorld::GetStats() const { return m_pImpl->GetStats(); }
+CEffects CWorld::GetEffects() const { return m_pImpl->GetEffects(); }
+std::string CWorld::ExplainEffects() const { return m_pImpl->ExplainEffects(); }
+void CWorld::Step() { m_pImpl->Step(); }
+std::span<const CContactEvent> CWorld::GetContacts() const { return m_pImpl->GetContacts(); }
+std::span<const CSensorEvent> CWorld::GetSensorEvents() const { return m_pImpl->GetSensorEvents(); }
+
+void CWorld::SetGravity(const Vector2& g) {
+  m_pImpl->Access(eAccess::SetGravity);
+  RequireVector("m_vGravity", g, m_pImpl->GetLimits().m_fMaxSpeed);
+  m_pImpl->SetGravity(g);
+}
+
+CShapeId CWorld::Add(const CPointDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc)); }
+CShapeId CWorld::Add(const CLineSegDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc)); }
+CShapeId CWorld::Add(const CCircleDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc)); }
+CShapeId CWorld::Add(const CArcDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc)); }
+
+CShapeId CWorld::Add(const CDynamicCircleDesc& desc) {
+  m_pImpl->Access(eAccess::Change);
+  const CDynamicCircle checked(desc);
+  RequireBall(m_pImpl->GetLimits(), desc.m_vPos, desc.m_fRadius, desc.m_vVel, desc.m_fMass);
+  return m_pImpl->Add(desc);
+}
+
+CShapeId CWorld::Add(const CAnyShapeDesc& desc) {
+  return std::visit([this](const auto& d) { return Add(d); }, desc);
+}
+
+std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, const Vector2& rotCenter,
+                                          float revsPerSecond) {
+  m_pImpl->Access(eAccess::Change);
+  RequireVector("m_vRotCenter", rotCenter, m_pImpl->GetLimits().m_fMaxLength);
+  std::vector<std::unique_ptr<CShape>> shapes;
+  for (const CAnyShapeDesc& any : descs)
+    shapes.push_back(std::visit(
+        [&](auto desc) {
+          desc.m_eMotionType = eMotion::Kinematic;
+          desc.m_vRotCenter = rotCenter;
+          desc.m_fRotSpeed = revsPerSecond;
+          return MakeShape(desc);
+        },
+        any));
+  for (const auto& pShape : shapes)
+    RequireShape(m_pImpl->GetLimits(), *pShape);
+  std::vector<CShapeId> ids;
+  for (auto& pShape : shapes)
+    ids.push_back(m_pImpl->Add(std::move(pShape)));
+  return ids;
+}
+
+void CWorld::Remove(CShapeId id) {
+  m_pImpl->Access(eAccess::Change);
+  if (!m_pImpl->Remove(id)) RefuseId(id, "the id of a shape in this world");
+}
+
+bool CWorld::Contains(CShapeId id) const {
+  const CWorldState& state = m_pImpl->ReadState();
+  return IsBall(state, id) || state.FindShape(id) != CWorldState::npos;
+}
+
+eShape CWorld::GetShapeType(CShapeId id) const {
+  const CWorldState& state = m_pImpl->ReadState();
+  return IsBall(state, id) ? eShape::Circle : FindShape(state, id).GetShapeType();
+}
+
+eMotion CWorld::GetMotionType(CShapeId id) const {
+  const CWorldState& state = m_pImpl->ReadState();
+  return IsBall(state, id) ? eMotion::Dynamic : FindShape(state, id).GetMotionType();
+}
+
+const Vector2& CWorld::GetPos(CShapeId id) const {
+  const CWorldState& state = m_pImpl->ReadState();
+  const std::size_t i = state.FindBall(id);
+  return i != CWorldState::npos ? state.m_cBalls.m_stdPos[i] : FindShape(state, id).GetPos();
+}
+
+void CWorld::SetPos(CShapeId id, const Vector2& p) {
+  m_pImpl->Access(eAccess::Change);
+  RequireVector("m_vPos", p, g_fMaxLength);
+  CWorldState& state = m_pImpl->GetState();
+  const std::size_t i = state.FindBall(id);
+  if (i == CWorldState::npos)
+    return SetPose(*m_pImpl, FindEntry(state, id), [&](CShape& shape) { shape.Relocate(p); });
+  const Vector2 r = Vector2::Constant(state.m_cBalls.m_stdRadius[i]);
+  RequireExtent(m_pImpl->GetLimits(), CAabb2D(p - r, p + r));
+  m_pImpl->ChangeBall(i, eChange::Pose,
+                      [&](CBallArrays& b, std::size_t ball) { b.m_stdPos[ball] = b.m_stdPrevPos[ball] = p; });
+}
+
+float CWorld::GetElasticity(CShapeId id) const {
+  const CWorldState& state = m_pImpl->ReadState();
+  const std::size_t i = state.FindBall(id);
+  return i != CWorldState::npos ? state.m_cBalls.m_stdElasticity[i] : FindShape(state, id).GetElasticity();
+}
+
+void CWorld::SetElasticity(CShapeId id, float e) {
+  RequireRange("m_fElasticity", e, 0.0f, g_fMaxElasticity);
+  SetProperty(
+      *m_pImpl, id, eChange::Properties, [&](CBallArrays& b, std::size_t i) { b.m_stdElasticity[i] = e; },
+      [&](CShape& shape) { shape.SetElasticity(e); });
+}
+
+bool CWorld::GetSensor(CShapeId id) const {
+  const CWorldState& state = m_pImpl->ReadState();
+  const std::size_t i = state.FindBall(id);
+  return i != CWorldState::npos ? state.m_cBalls.m_stdSensor[i] != 0 : FindShape(state, id).GetSensor();
+}
+
+void CWorld::SetSensor(CShapeId id, bool is) {
+  SetProperty(
+      *m_pImpl, id, eChange::Sensor, [&](CBallArrays& b, std::size_t i) { b.m_stdSensor[i] = is; },
+      [&](CShape& shape) { shape.SetSensor(is); });
+}
+
+bool CWorld::GetCanCollide(CShapeId id) const {
+  const CWorldState& state = m_pImpl->ReadState();
+  const std::size_t i = state.FindBall(id);
+  return i != CWorldState::npos ? state.m_cBalls.m_stdCanCollide[i] != 0
+                                : FindShape(state, id).GetCanCollide();
+}
+
+void CWorld::SetCanCollide(CShapeId id, bool can) {
+  SetProperty(
+      *m_pImpl, id, eChange::Properties, [&](CBallArrays& b, std::size_t i) { b.m_stdCanCollide[i] = can; },
+      [&](CShape& shape) { shape.SetCanCollide(can); });
+}
+
+void* CWorld::GetUserPtr(CShapeId id) const {
+  const CWorldState& state = m_pImpl->ReadState();
+  const std::size_t i = state.FindBall(id);
+  return i != CWorldState::npos ? state.m_cBalls.m_stdUser[i] : FindShape(state, id).GetUserPtr();
+}
+
+void CWorld::SetUserPtr(CShapeId id, void* p) {
+  SetProperty(
+      *m_pImpl, id, eChange::Properties, [&](CBallArrays& b, std::size_t i) { b.m_stdUser[i] = p; },
+      [&](CShape& shape) { shape.SetUserPtr(p); });
+}
+
+std::vector<CShapeId> CWorld::GetShapeIds() const {
+  std::vector<CShapeId> ids;
+  for (const CShapeEntry& entry : m_pImpl->ReadState().m_stdShapes)
+    ids.push_back(entry.m_cId);
+  return ids;
+}
+
+const CShape& CWorld::GetShape(CShapeId id) const { return FindShape(m_pImpl->ReadState(), id); }
+float CWorld::GetOrientation(CShapeId id) const { return GetShape(id).GetOrientation(); }
+const Vector2& CWorld::GetRotCenter(CShapeId id) const { return GetShape(id).GetRotCenter(); }
+float CWorld::GetRotSpeed(CShapeId id) const { return FindEntry(m_pImpl->ReadState(), id).m_fRotSpeed; }
+
+void CWorld::SetOrientation(CShapeId id, float angle) {
+  m_pImpl->Access(eAccess::Change);
+  SetPose(*m_pImpl, FindKinematic(m_pImpl->GetState(), id, g_sToBeTurned),
+          [&](CShape& shape) { shape.SetOrientation(angle); });
+}
+
+void CWorld::SetRotSpeed(CShapeId id, float revsPerSecond) {
+  m_pImpl->Access(eAccess::Change);
+  CShapeEntry& entry = FindKinematic(m_pImpl->GetState(), id, g_sToBeTurned);
+  RequireRange("m_fRotSpeed", revsPerSecond, -g_fMaxRotSpeed, g_fMaxRotSpeed);
+  if (revsPerSecond == entry.m_fRotSpeed) return;
+  m_pImpl->ChangeShape(entry, eChange::Motion,
+                       [&](CShapeEntry& changed) { changed.SetRotSpeed(revsPerSecond); });
+}
+
+void CWorld::SetRotCenter(CShapeId id, const Vector2& center) {
+  m_pImpl->Access(eAccess::Change);
+  RequireVector("m_vRotCenter", center, m_pImpl->GetLimits().m_fMaxLength);
+  CShapeEntry& entry = FindKinematic(m_pImpl->GetState(), id, g_sToBeTurned);
+  m_pImpl->InvalidateSurfaces(entry);
+  m_pImpl->ChangeShape(entry, eChange::Pose,
+                       [&](CShapeEntry& changed) { changed.m_pShape->SetRotCenter(center); });
+}
+
+void CWorld::Reset(CShapeId id) {
+  m_pImpl->Access(eAccess::Change);
+  SetPose(*m_pImpl, FindKinematic(m_pImpl->GetState(), id, "a kinematic shape, to be put back"),
+          [](CShape& shape) { shape.Reset(); });
+}
+
+const Vector2& CWorld::GetVel(CShapeId id) const {
+  const CWorldState& state = m_pImpl->ReadState();
+  return state.m_cBalls.m_stdVel[FindBall(state, id)];
+}
+
+float CWorld::GetRadius(CShapeId id) const {
+  const CWorldState& state = m_pImpl->ReadState();
+  return state.m_cBalls.m_stdRadius[FindBall(state, id)];
+}
+
+float CWorld::GetMass(CShapeId id) const {
+  const CWorldState& state = m_pImpl->ReadState();
+  return state.m_cBalls.m_stdMass[FindBall(state, id)];
+}
+
+void CWorld::SetVel(CShapeId id, const Vector2& v) {
+  m_pImpl->Access(eAccess::Change);
+  const std::size_t i = FindBall(m_pImpl->GetState(), id);
+  RequireVector("m_vVel", v, m_pImpl->GetLimits().m_fMaxSpeed);
+  m_pImpl->ChangeBall(i, eChange::Motion, [&](CBallArrays& b, std::size_t ball) { b.m_stdVel[ball] = v; });
+}
+
+std::span<const CShapeId> CWorld::GetBallIds() const { return m_pImpl->ReadState().m_cBalls.m_stdId; }
+std::span<const Vector2> CWorld::GetBallPositions() const { return m_pImpl->ReadState().m_cBalls.m_stdPos; }
+std::span<const Vector2> CWorld::GetBallVelocities() const { return m_pImpl->ReadState().m_cBalls.m_stdVel; }
+
+CSavedState CWorld::SaveState() {
+  m_pImpl->Access(eAccess::SaveLoad);
+  CSavedState saved;
+  saved.m_pImpl = std::make_shared<const CSavedState::CImpl>(CSavedState::CImpl{m_pImpl->SaveState()});
+  return saved;
+}
+
+void CWorld::LoadState(const CSavedState& state) {
+  m_pImpl->Access(eAccess::SaveLoad);
+  if (!state.m_pImpl) Refuse("state", "empty", "what SaveState returned");
+  RequireState(m_pImpl->GetLimits(), state.m_pImpl->m_cState);
+  m_pImpl->LoadState(state.m_pImpl->m_cState);
+}
+
+} // namespace Shapes

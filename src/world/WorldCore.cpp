@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "WorldCore.h"
+
+#include "../shapes/Validate.h"
+
+#include <algorithm>
+
+namespace Shapes {
+namespace {
+
+// Effects that are compiled in. All, but for builds that measure what an effect costs where it does not run.
+#ifdef SHAPES_WITHOUT_EFFECTS
+constexpr CEffects g_cBuilt = CEffects::All() - CEffects{SHAPES_WITHOUT_EFFECTS};
+#else
+constexpr CEffects g_cBuilt = CEffects::All();
+#endif
+constexpr bool IsBuilt(eEffect e) { return g_cBuilt.Has(e); }
+
+void RequireCount(const char* field, unsigned value, unsigned most) {
+  if (value < 1 || value > most)
+    Refuse(field, std::to_string(value), "a whole number from 1 to " + std::to_string(most));
+}
+
+// Seconds of one substep.
+float GetSubstep(const CWorldDesc& desc) { return desc.m_fTimeStep / static_cast<float>(desc.m_nSubsteps); }
+
+} // namespace
+
+CWorld::CImpl::CImpl(const CWorldDesc& desc, const CWorldLimits& limits, CEffects needs,
+                     const CMakeEngine& makeEngine)
+    : m_cDesc(desc), m_cLimits(limits), m_cNeeds(needs) {
+  const CBox2DSettings& box2D = desc.m_cBox2D;
+  RequireRange("m_fLengthUnit", box2D.m_fLengthUnit, g_fMinLengthUnit,
+               g_fMaxLength); // first: the limits follow from it
+  RequireVector("m_vGravity", desc.m_vGravity, limits.m_fMaxSpeed);
+  RequirePositive("m_fTimeStep", desc.m_fTimeStep, g_fMaxTimeStep);
+  RequireCount("m_nSubsteps", desc.m_nSubsteps, g_nMaxSubsteps);
+  RequireRange("m_fTimeStep / m_nSubsteps", GetSubstep(desc), g_fMinTimeStep, g_fMaxTimeStep);
+  RequirePositive("m_fSagittaTolerance", box2D.m_fSagittaTolerance, g_fMaxLength);
+  RequireCount("m_nVelocityIterations", box2D.m_nVelocityIterations, 1000);
+  RequireCount("m_nPositionIterations", box2D.m_nPositionIterations, 1000);
+  for (int i = 0; i < static_cast<int>(eEffect::Size); ++i) {
+    const auto e = static_cast<eEffect>(i);
+    if (desc.m_cEffects.m_cForced.Has(e) && desc.m_cEffects.m_cForbidden.Has(e))
+      Refuse("m_cEffects", std::string(GetName(e)) + " both forced and forbidden", "at most one of both");
+  }
+  m_cState.m_vGravity = desc.m_vGravity;
+  m_cState.m_cLimits = limits;
+  m_pEngine = makeEngine(*this);
+}
+
+const CWorldState& CWorld::CImpl::ReadState() const {
+  // The engine may have to find out what has happened already; that changes nothing that was true.
+  m_pEngine->Access(eAccess::Read);
+  return m_cState;
+}
+
+const CWorldStats& CWorld::CImpl::GetStats() {
+  Access(eAccess::Read);
+  CountEffects();
+  return m_cStats;
+}
+
+void CWorld::CImpl::CountEffects() {
+  const std::uint64_t substeps = m_cStats.m_nSubsteps - std::exchange(m_nCounted, m_cStats.m_nSubsteps);
+  for (std::size_t i = 0; i < m_cStats.m_stdSubstepsWith.size(); ++i)
+    if (m_cRunning.Has(static_cast<eEffect>(i))) m_cStats.m_stdSubstepsWith[i] += substeps;
+  m_cStats.m_stdSubstepsWith[static_cast<std::size_t>(eEffect::Continuous)] +=
+      std::exchange(m_nContinuous, 0);
+}
+
+void CWorld::CImpl::PlanSubsteps() {
+  m_bPlanIsOld = false;
+  CountEffects();
+  const CEffectChoice& choice = m_cDesc.m_cEffects;
+  const CEffects called = GetCalledFor(m_cContent, m_cState) | choice.m_cForced | m_cNeeds;
+  const CEffects running = (called - choice.m_cForbidden) & g_cBuilt;
+  m_bEngineIsPlanned = m_bEngineIsPlanned && running == m_cRunning;
+  m_cRunning = running;
+  const eEffect e = eEffect::Continuous;
+  const bool isOpen = !m_cRunning.Has(e) && !IsForbidden(e) && !m_cSetByHost.Has(e);
+  m_bIsContinuousOpen = IsBuilt(e) && isOpen && m_cContent.CanMeet();
+  if (!m_bIsContinuousOpen) return;
+  const float dt = GetSubstep(m_cDesc);
+  if (std::exchange(m_bBallsChanged, false)) m_cFastMoves.SetBalls(m_cState.m_cBalls, dt);
+  if (std::exchange(m_bSurfacesChanged, false)) m_cFastMoves.SetSurfaces(m_cState, dt);
+}
+
+void CWorld::CImpl::UpdateContent(const CContent& before, const CContent& after) {
+  if (before != after) InvalidatePlan();
+  m_bBallsChanged |= before.m_nSolidBalls != after.m_nSolidBalls;
+  m_cContent -= before;
+  m_cContent += after;
+}
+
+void CWorld::CImpl::InvalidateSurfaces(const CShapeEntry& entry) {
+  if (entry.m_pShape->GetMotionType() != eMotion::Kinematic) return;
+  m_bSurfacesChanged = true;
+  InvalidatePlan();
+}
+
+void CWorld::CImpl::SetContinuousByHost(bool runs) {
+  if (m_cSetByHost.Has(eEffect::Continuous) && m_cNeeds.Has(eEffect::Continuous) == runs) return;
+  m_cSetByHost.Set(eEffect::Continuous);
+  m_cNeeds.Set(eEffect::Continuous, runs);
+  InvalidatePlan();
+}
+
+bool CWorld::CImpl::MovesFast(const Vector2& gravityStep) const {
+  return m_cFastMoves.IsAny(m_cState.m_cBalls.m_stdVel, gravityStep);
+}
+
+Vector2 CWorld::CImpl::GetGravityStep() const {
+  if (!m_cRunning.Has(eEffect::Gravity)) return Vector2::Zero();
+  return m_cState.m_vGravity * GetSubstep(m_cDesc);
+}
+
+CEffects CWorld::CImpl::GetEffects() {
+  Access(eAccess::Read);
+  // As it would be found in the next step.
+  if (m_bPlanIsOld) PlanSubsteps();
+  CEffects running = m_cRunning;
+  if (m_bIsContinuousOpen && MovesFast(GetGravityStep())) running.Set(eEffect::Continuous);
+  return running;
+}
+
+std::string CWorld::CImpl::ExplainEffects() {
+  const CEffects running = GetEffects();
+  return Explain(running, m_cDesc.m_cEffects, m_cNeeds, m_cSetByHost, m_cContent, m_cState,
+                 FindLongestMoves(m_cState, GetGravityStep(), GetSubstep(m_cDesc)));
+}
+
+void CWorld::CImpl::SetGravity(const Vector2& g) {
+  m_cState.m_vGravity = m_cDesc.m_vGravity = g;
+  InvalidatePlan();
+}
+
+CShapeId CWorld::CImpl::Add(std::unique_ptr<CShape> pShape) {
+  const CShapeId id{m_cState.m_nNextId++};
+  CShapeEntry entry(id, std::move(pShape));
+  entry.SetHeld(IsForbidden(eEffect::Kinematics));
+  InvalidateSurfaces(entry);
+  UpdateContent({}, CContent::Of(entry));
+  m_cState.m_stdShapes.push_back(std::move(entry));
+  m_cSensors.Invalidate();
+  m_pEngine->Added(id);
+  return id;
+}
+
+CShapeId CWorld::CImpl::Add(const CDynamicCircleDesc& desc) {
+  const CShapeId id{m_cState.m_nNextId++};
+  CBallArrays& b = m_cState.m_cBalls;
+  b.Add(id, desc);
+  m_bBallsChanged = true;
+  UpdateContent({}, CContent::Of(b, b.Size() - 1));
+  m_cSensors.Invalidate();
+  m_pEngine->Added(id);
+  return id;
+}
+
+bool CWorld::CImpl::Erase(CShapeId id) {
+  if (const std::size_t i = m_cState.FindBall(id); i != CWorldState::npos) {
+    m_bBallsChanged = true;
+    UpdateContent(CContent::Of(m_cState.m_cBalls, i), {});
+    m_cState.m_cBalls.Remove(i);
+  } else if (const std::size_t k = m_cState.FindShape(id); k != CWorldState::npos) {
+    const auto entry = m_cState.m_stdShapes.begin() + static_cast<std::ptrdiff_t>(k);
+    InvalidateSurfaces(*entry);
+    UpdateContent(CContent::Of(*entry), {});
+    m_cState.m_stdShapes.erase(entry);
+  } else {
+    return false;
+  }
+  m_cSensors.Invalidate();
+  return true;
+}
+
+bool CWorld::CImpl::Remove(CShapeId id) {
+  FailIf(!Erase(id));
+  m_pEngine->Removed(id);
+  return true;
+}
+
+CSubstep CWorld::CImpl::BeginSubstep(float dt) {
+  if (!m_bEngineIsPlanned) m_pEngine->Plan(m_cRunning);
+  m_bEngineIsPlanned = true;
+  const Vector2 gravityStep = GetGravityStep();
+  const bool isFast = m_bIsContinuousOpen && MovesFast(gravityStep);
+  m_nContinuous += isFast;
+  return {dt, isFast || Runs(eEffect::Continuous), gravityStep};
+}
+
+void CWorld::CImpl::BeginStep() {
+  if (m_bPlanIsOld) PlanSubsteps();
+  m_stdContacts.clear();
+  m_stdSensorEvents.clear();
+  if (IsBuilt(eEffect::Sensors) && Runs(eEffect::Sensors)) m_cSensors.Begin(m_cState, m_stdSensorEvents);
+}
+
+void CWorld::CImpl::EndSubstep(float dt) {
+  ++m_cStats.m_nSubsteps;
+  if (IsBuilt(eEffect::Sensors) && Runs(eEffect::Sensors)) Sense(dt);
+}
+
+void CWorld::CImpl::Sense(float dt) {
+  // Asked again: the host may have destroyed bodies in the middle of the step.
+  const bool any = m_cSensors.Begin(m_cState, m_stdSensorEvents);
+  // Ends of pairs were all that was left to report.
+  if (!any && !m_cDesc.m_cEffects.m_cForced.Has(eEffect::Sensors)) InvalidatePlan();
+  if (!any) return;
+  for (const CContactEvent& event : m_cSensors.Sense(m_cState, dt, m_stdSensorEvents)) {
+    Report(event);
+    ++m_cStats.m_nSensorHits;
+  }
+  m_cStats.m_nSensorTests = m_cSensors.GetTests();
+}
+
+void CWorld::CImpl::EndStep() { ++m_cStats.m_nSteps; }
+
+void CWorld::CImpl::Step() {
+  Access(eAccess::Step);
+  BeginStep();
+  const float dt = GetSubstep(m_cDesc);
+  for (unsigned i = 0; i < m_cDesc.m_nSubsteps; ++i) {
+    m_pEngine->Substep(BeginSubstep(dt));
+    EndSubstep(dt);
+  }
+  EndStep();
+}
+
+void CWorld::CImpl::Report(const CContactEvent& event) {
+  if (!Runs(eEffect::Events)) return;
+  m_stdContacts.push_back(event);
+  ++m_cStats.m_nReported;
+}
+
+void CWorld::CImpl::AddPathVertex(std::size_t ball, const Vector2& p, float t) {
+  if (Runs(eEffect::Sensors)) m_cSensors.AddPathVertex(ball, p, t);
+}
+
+CWorldState CWorld::CImpl::SaveState() {
+  CWorldState saved = m_cState;
+  m_pEngine->Saved();
+  return saved;
+}
+
+void CWorld::CImpl::LoadState(const CWorldState& state) {
+  // Ids that were given since are not given again.
+  const std::uint32_t nextId = std::max(m_cState.m_nNextId, state.m_nNextId);
+  m_cState = state;
+  m_cState.m_nNextId = nextId;
+  m_cState.m_cLimits = m_cLimits;
+  for (CShapeEntry& entry : m_cState.m_stdShapes)
+    entry.SetHeld(IsForbidden(eEffect::Kinematics));
+  m_cDesc.m_vGravity = m_cState.m_vGravity;
+  m_stdContacts.clear();
+  m_stdSensorEvents.clear();
+  m_cSensors.Invalidate();
+  m_cContent = CountContent(m_cState);
+  m_bBallsChanged = m_bSurfacesChanged = true;
+  InvalidatePlan();
+  m_pEngine->Loaded();
+}
+
+} // namespace Shapes

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// A world behind its interface: the state, the effects that run, the reports of the step, and the engine.
+#pragma once
+
+#include "Effects.h"
+#include "Engine.h"
+#include "Sensors.h"
+#include "WorldState.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Shapes {
+
+struct CWorld::CImpl {
+public:
+  using CMakeEngine = std::function<std::unique_ptr<CEngine>(CWorldCore&)>;
+  /// @param needs  effects that the engine runs wherever they are not forbidden
+  /// @throws std::invalid_argument naming the field of the description that is not valid
+  CImpl(const CWorldDesc& desc, const CWorldLimits& limits, CEffects needs, const CMakeEngine& makeEngine);
+
+  // For the engine.
+  CWorldState& GetState() { return m_cState; }
+  const CWorldState& GetState() const { return m_cState; }
+  CWorldStats& Stats() { return m_cStats; }
+  const CWorldDesc& GetDesc() const { return m_cDesc; }
+  const CWorldLimits& GetLimits() const { return m_cLimits; }
+  /// Takes up a contact that was responded to, for GetContacts if Events runs.
+  void Report(const CContactEvent& event);
+  /// A ball (its index) was at p when the share t of the substep was over, 0 .. 1; in the order of time for
+  /// each ball. The sensors take its path for straight in between.
+  void AddPathVertex(std::size_t ball, const Vector2& p, float t);
+
+  // For an engine that is stepped by the host, who owns the b2World: the parts of Step.
+  void BeginStep();
+  CSubstep BeginSubstep(float dt);
+  void EndSubstep(float dt);
+  void EndStep();
+  /// Called when the owner of the b2World decides whether continuous physics is on.
+  void SetContinuousByHost(bool runs);
+  /// Effects and the plan of the engine are found anew before the next substep.
+  void InvalidatePlan() { m_bPlanIsOld = true; }
+  /// The reach or the speed of a kinematic shape has changed.
+  void InvalidateSurfaces(const CShapeEntry& entry);
+  /// Erases a shape or a ball from the state.
+  /// @return false if there is none of that id
+  bool Erase(CShapeId id);
+
+  // For the interface.
+  void Access(eAccess access) { m_pEngine->Access(access); }
+  /// The state, up to date.
+  const CWorldState& ReadState() const;
+  void Step();
+  const CWorldStats& GetStats();
+  CEffects GetEffects();
+  std::string ExplainEffects();
+  std::span<const CContactEvent> GetContacts() const { return m_stdContacts; }
+  std::span<const CSensorEvent> GetSensorEvents() const { return m_stdSensorEvents; }
+  void SetGravity(const Vector2& g);
+  CShapeId Add(std::unique_ptr<CShape> pShape);
+  CShapeId Add(const CDynamicCircleDesc& desc);
+  /// @return false if there is none of that id
+  bool Remove(CShapeId id);
+  /// Applies `change` to a shape that is not a ball, or to a ball (the arrays and its index), counts what
+  /// effects depend on anew, and tells the engine. Where `change` throws nothing has changed.
+  template <class F>
+  void ChangeShape(CShapeEntry& entry, eChange what, const F& change);
+  template <class F>
+  void ChangeBall(std::size_t i, eChange what, const F& change);
+  CWorldState SaveState();
+  void LoadState(const CWorldState& state);
+
+private:
+  bool Runs(eEffect e) const { return m_cRunning.Has(e); }
+  bool IsForbidden(eEffect e) const { return m_cDesc.m_cEffects.m_cForbidden.Has(e); }
+  void UpdateContent(const CContent& before, const CContent& after);
+  void PlanSubsteps();
+  bool MovesFast(const Vector2& gravityStep) const;
+  Vector2 GetGravityStep() const;
+  void CountEffects();
+  void Sense(float dt);
+
+  CWorldDesc m_cDesc;
+  CWorldLimits m_cLimits;
+  CEffects m_cNeeds;
+  CEffects m_cSetByHost; // they run if they are among the needs
+  CEffects m_cRunning;
+  bool m_bIsContinuousOpen = false; // decided in each substep by the speeds
+  bool m_bPlanIsOld = true;
+  bool m_bEngineIsPlanned = false;
+  bool m_bBallsChanged = true, m_bSurfacesChanged = true; // of what is fast
+  std::uint64_t m_nCounted = 0;                           // substeps whose effects are in the statistics
+  std::uint64_t m_nContinuous = 0; // substeps since the last plan in which Continuous was decided
+  CContent m_cContent;
+  CFastMoves m_cFastMoves;
+  CWorldState m_cState;
+  CSensors m_cSensors;
+  std::vector<CContactEvent> m_stdContacts;
+  std::vector<CSensorEvent> m_stdSensorEvents;
+  CWorldStats m_cStats;
+  std::unique_ptr<CEngine> m_pEngine; // last: it is made from the rest, and goes before it
+};
+
+template <class F>
+void CWorld::CImpl::ChangeShape(CShapeEntry& entry, eChange what, const F& change) {
+  const CContent before = CContent::Of(entry);
+  change(entry);
+  const CContent after = CContent::Of(entry);
+  if (what == eChange::Motion || before != after) InvalidateSurfaces(entry);
+  UpdateContent(before, after);
+  if (what == eChange::Sensor) m_cSensors.Invalidate();
+  m_pEngine->Changed(entry.m_cId, what);
+}
+
+template <class F>
+void CWorld::CImpl::ChangeBall(std::size_t i, eChange what, const F& change) {
+  CBallArrays& b = m_cState.m_cBalls;
+  const CContent before = CContent::Of(b, i);
+  change(b, i);
+  UpdateContent(before, CContent::Of(b, i));
+  if (what == eChange::Sensor) m_cSensors.Invalidate();
+  m_pEngine->Changed(b.m_stdId[i], what);
+}
+
+} // namespace Shapes

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// All that a world holds, in the order of ids. Both engines keep their worlds here; saving a world copies it.
+#pragma once
+
+#include "Engine.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace Shapes {
+
+/// Balls as one array for each property; the same index in each is the same ball.
+struct CBallArrays {
+  std::vector<CShapeId> m_stdId;
+  std::vector<Vector2> m_stdPos;
+  std::vector<Vector2> m_stdPrevPos; // at the beginning of the substep
+  std::vector<Vector2> m_stdVel;
+  std::vector<float> m_stdRadius;
+  std::vector<float> m_stdMass;
+  std::vector<float> m_stdElasticity;
+  std::vector<std::uint8_t> m_stdSensor;
+  std::vector<std::uint8_t> m_stdCanCollide;
+  std::vector<void*> m_stdUser;
+
+  std::size_t Size() const { return m_stdId.size(); }
+  bool IsSolid(std::size_t i) const { return m_stdCanCollide[i] && !m_stdSensor[i]; }
+  void Add(CShapeId id, const CDynamicCircleDesc& desc);
+  void Remove(std::size_t i);
+};
+
+/// A shape that is not a ball.
+struct CShapeEntry {
+  CShapeId m_cId;
+  std::unique_ptr<CShape> m_pShape; ///< Its rotation speed is 0 where Kinematics is forbidden.
+  float m_fRotSpeed;                ///< The one that the user gave it, revolutions per second.
+  bool m_bIsHeld = false;
+
+  CShapeEntry(CShapeId id, std::unique_ptr<CShape> pShape)
+      : m_cId(id), m_pShape(std::move(pShape)), m_fRotSpeed(m_pShape->GetRotSpeed()) {}
+  CShapeEntry(const CShapeEntry& entry)
+      : m_cId(entry.m_cId),
+        m_pShape(entry.m_pShape->Clone()),
+        m_fRotSpeed(entry.m_fRotSpeed),
+        m_bIsHeld(entry.m_bIsHeld) {}
+  CShapeEntry(CShapeEntry&&) = default;
+  CShapeEntry& operator=(const CShapeEntry& entry) { return *this = CShapeEntry(entry); }
+  CShapeEntry& operator=(CShapeEntry&&) = default;
+
+  void SetRotSpeed(float revsPerSecond) {
+    m_fRotSpeed = revsPerSecond;
+    m_pShape->SetRotSpeed(m_bIsHeld ? 0.0f : revsPerSecond);
+  }
+  /// Stands still whatever its rotation speed.
+  void SetHeld(bool b) {
+    m_bIsHeld = b;
+    SetRotSpeed(m_fRotSpeed);
+  }
+};
+
+/// A ball and a sensor that touch: named as in CContactEvent.
+struct CTouchingPair {
+  CShapeId m_cBall;
+  CShapeId m_cShape;
+  friend auto operator<=>(const CTouchingPair&, const CTouchingPair&) = default;
+};
+
+class CWorldState {
+public:
+  std::uint32_t m_nNextId = 1;
+  Vector2 m_vGravity = Vector2::Zero();
+  CWorldLimits m_cLimits; // of the world that it is from
+  std::vector<CShapeEntry> m_stdShapes;
+  CBallArrays m_cBalls;
+  std::vector<CTouchingPair> m_stdTouching; // whose end was not told yet, in order
+
+  static constexpr std::size_t npos = static_cast<std::size_t>(-1);
+  /// Index in m_stdShapes or in the ball arrays; npos if there is none. Ids ascend in both.
+  std::size_t FindShape(CShapeId id) const;
+  std::size_t FindBall(CShapeId id) const;
+};
+
+} // namespace Shapes

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+// Where a ball meets the outline of one shape, against an oracle that knows distances only.
+#include "Tolerances.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+#include "box2d_backend/ExactContactTesting.h"
+
+namespace Shapes::Tests {
+namespace {
+
+constexpr std::uint64_t g_nTrueContactSeed = 61;
+// A normal that is given is compared with that of a place, which errs by as much.
+constexpr double g_fSlack = 4;
+// The oracle stops 1e-13 of all sizes away from what it touches.
+constexpr double g_fMarched = 4e-13;
+
+constexpr eOutline g_eAll[] = {eOutline::Point, eOutline::Disk, eOutline::LineSeg, eOutline::Arc,
+                               eOutline::Ring};
+
+std::string Print(const CApproach& a) {
+  const COutline& o = a.m_cOutline;
+  std::ostringstream out;
+  out.precision(17);
+  out << "kind " << static_cast<int>(o.m_eKind) << ", centre " << o.m_vCentre.transpose() << ", R "
+      << o.m_fRadius << ", ends " << o.m_cEnd0.m_vPos.transpose() << " and " << o.m_cEnd1.m_vPos.transpose()
+      << ", q " << a.m_vPos.transpose() << ", w " << a.m_vVel.transpose() << ", r " << a.m_fRadius;
+  return out.str();
+}
+
+/// Calls f for a number of random approaches that are near, on the given side of touching.
+template <class F>
+void ForEach(eOutline kind, bool clear, int count, F f) {
+  CRandom random(g_nTrueContactSeed);
+  const auto countFailures = [] {
+    return testing::UnitTest::GetInstance()->current_test_info()->result()->total_part_count();
+  };
+  const int failures = countFailures();
+  for (int k = 0; k < count && countFailures() == failures;) { // one is enough
+    const CApproach a = MakeApproach(random, kind);
+    const double gap = a.Gap();
+    if (clear ? gap < 1e-9 * a.Size() || gap > 0.25 * a.m_fSmallest
+              : gap > -1e-9 * a.Size() || gap < -0.05 * a.m_fSmallest)
+      continue;
+    SCOPED_TRACE(testing::Message() << "seed " << g_nTrueContactSeed << ", case " << k << ": " << Print(a));
+    f(a), ++k;
+  }
+}
+
+/// The largest error of a normal, by the documented bound and the slack.
+double NormalBound(const CApproach& a) { return g_fSlack * g_fExactContactError * a.Size() / a.m_fSmallest; }
+
+void ExpectTouch(const CApproach& a, const CExactContact& met) {
+  const Vector2d p = a.At(met.m_fTime);
+  EXPECT_LE(std::abs(a.Distance(p) - a.m_fRadius), g_fSlack * g_fExactContactError * a.Size());
+  EXPECT_LE((met.m_vNorm - GradientAt(a.m_cOutline, p)).norm(), NormalBound(a));
+}
+
+TEST(TrueContactTest, AClearBallMeetsWhatIsFirstOnItsWay) {
+  for (const eOutline kind : g_eAll) {
+    int touched = 0, grazed = 0, missed = 0;
+    ForEach(kind, true, 4000, [&](const CApproach& a) {
+      const CExactContact met = a.Find();
+      const double speed = a.m_vVel.norm(), most = 0.5 * a.m_fSmallest;
+      EXPECT_NEAR(met.m_fGap, a.Gap(), g_fSlack * g_fExactContactError * a.Size());
+      EXPECT_NEAR(met.m_vNorm.norm(), 1, 1e-15);
+      const double cosine = -met.m_vNorm.dot(a.m_vVel) / speed;
+      const auto exact = a.March(most);
+      if (exact && *exact * speed > 0.99 * most) return; // about to be not near any more
+      if (!exact) {
+        // Nothing is answered but grazing, or later.
+        EXPECT_TRUE(cosine <= 1e-4 || met.m_fTime * speed >= 0.99 * most) << cosine << ", " << met.m_fTime;
+        missed += met.m_bMisses;
+        return;
+      }
+      if (met.m_bMisses) { // may be where the oracle sees a touch within its tolerance
+        const Vector2d p = a.At(*exact);
+        EXPECT_LE(std::abs(GradientAt(a.m_cOutline, p).dot(a.m_vVel)) / speed, 1e-4);
+        return;
+      }
+      ExpectTouch(a, met);
+      ++touched;
+      grazed += cosine < 0.01;
+      if (cosine < 0.01) return; // the oracle cannot tell when
+      EXPECT_NEAR(met.m_fTime * speed * cosine, *exact * speed * cosine, g_fMarched * a.Size());
+    });
+    EXPECT_GT(touched, 1000) << static_cast<int>(kind);
+    EXPECT_GT(grazed, 2) << static_cast<int>(kind);
+    if (kind != eOutline::Ring) {
+      EXPECT_GT(missed, 20) << static_cast<int>(kind);
+    }
+  }
+}
+
+TEST(TrueContactTest, ABallThatHasComeTooFarIsTracedBack) {
+  for (const eOutline kind : g_eAll) {
+    int traced = 0, bare = 0, deeper = 0;
+    ForEach(kind, false, 3000, [&](const CApproach& a) {
+      const CExactContact met = a.Find();
+      EXPECT_NEAR(met.m_fGap, a.Gap(), g_fSlack * g_fExactContactError * a.Size());
+      const Vector2d now = GradientAt(a.m_cOutline, a.m_vPos);
+      if (met.m_fTime == 0) {
+        EXPECT_LE((met.m_vNorm - now).norm(), NormalBound(a));
+        bare += now.dot(a.m_vVel) < 0; // past an end
+        return;
+      }
+      EXPECT_LT(met.m_vNorm.dot(a.m_vVel), 0);
+      const double speed = a.m_vVel.norm(), cosine = -met.m_vNorm.dot(a.m_vVel) / speed;
+      if (met.m_fTime * speed > 0.5 * a.m_fSmallest) return; // it will meet something else far ahead
+      const Vector2d between = a.m_cOutline.m_cEnd1.m_vPos - a.m_cOutline.m_cEnd0.m_vPos;
+      if (kind == eOutline::Arc && between.norm() < 2 * a.m_fRadius) return; // may touch both ends at once
+      if (a.Distance(a.At(met.m_fTime)) < a.m_fRadius - 1e-9 * a.Size()) {
+        ++deeper; // came out of an end, but along an arc
+        return;
+      }
+      ExpectTouch(a, met);
+      const auto exact = a.March(a.m_fSmallest);
+      if (met.m_fTime > 0 || !exact || cosine < 0.01) return;
+      EXPECT_NEAR(met.m_fTime * speed * cosine, *exact * speed * cosine, g_fMarched * a.Size());
+      ++traced;
+    });
+    EXPECT_GT(traced, 300) << static_cast<int>(kind);
+    EXPECT_LE(bare, 25) << static_cast<int>(kind);
+    EXPECT_LE(deeper, kind == eOutline::Arc ? 5 : 0) << static_cast<int>(kind);
+  }
+}
+
+TEST(TrueContactTest, TheNormalOfNowIsAnotherOne) { // the control
+  for (const eOutline kind : g_eAll) {
+    int off = 0;
+    ForEach(kind, false, 2000, [&](const CApproach& a) {
+      const CExactContact met = a.Find();
+      off += met.m_fTime < 0 && (met.m_vNorm - GradientAt(a.m_cOutline, a.m_vPos)).norm() > 0.01;
+    });
+    EXPECT_GT(off, 50) << static_cast<int>(kind);
+  }
+}
+
+TEST(TrueContactTest, WithoutVelocityItIsTheDistance) {
+  for (const eOutline kind : g_eAll)
+    for (const bool clear : {true, false})
+      ForEach(kind, clear, 1000, [&](CApproach a) {
+        a.m_vVel.setZero();
+        const CExactContact met = a.Find();
+        EXPECT_EQ(met.m_fTime, 0);
+        EXPECT_FALSE(met.m_bMisses);
+        EXPECT_NEAR(met.m_fGap, a.Gap(), g_fSlack * g_fExactContactError * a.Size());
+        EXPECT_LE((met.m_vNorm - GradientAt(a.m_cOutline, a.m_vPos)).norm(), NormalBound(a));
+      });
+}
+
+TEST(TrueContactTest, WhereThereIsNoDirectionItIsAgainstTheVelocityOrUp) {
+  const COutline point = MakeDisk({1, 2}, 0), disk = MakeDisk({1, 2}, 0.5);
+  for (const COutline& o : {point, disk}) {
+    const CExactContact met = FindExactContact(o, {1, 2}, {3, -4}, 0.1);
+    EXPECT_LE((met.m_vNorm - Vector2d(-0.6, 0.8)).norm(), 1e-15);
+    EXPECT_EQ(met.m_fGap, -0.1 - o.m_fRadius);
+    EXPECT_EQ(FindExactContact(o, {1, 2}, {0, 0}, 0.1).m_vNorm, Vector2d(0, 1));
+  }
+  const CExactContact met = FindExactContact(MakeArcOutline({1, 2}, 1, 0, 7), {1, 2}, {3, -4}, 0.9);
+  EXPECT_LE((met.m_vNorm - Vector2d(-0.6, 0.8)).norm(), 1e-15);
+  EXPECT_NEAR(met.m_fGap, 0.1, 1e-15);
+}
+
+TEST(TrueContactTest, PowersOfTwoAndQuarterTurnsChangeNoBit) {
+  const auto quarter = [](const Vector2d& v) { return Perp(v); };
+  for (const eOutline kind : g_eAll)
+    ForEach(kind, true, 1000, [&](const CApproach& a) {
+      const CExactContact met = a.Find();
+      for (const double scale : {0x1p-20, 0x1p30}) {
+        CApproach b = a;
+        COutline& o = b.m_cOutline;
+        for (Vector2d* pV : {&b.m_vPos, &b.m_vVel, &o.m_vCentre, &o.m_cEnd0.m_vPos, &o.m_cEnd1.m_vPos})
+          *pV *= scale;
+        b.m_fRadius *= scale, o.m_fRadius *= scale;
+        const CExactContact same = b.Find();
+        EXPECT_EQ(same.m_vNorm, met.m_vNorm);
+        EXPECT_EQ(same.m_fTime, met.m_fTime);
+        EXPECT_EQ(same.m_fGap, scale * met.m_fGap);
+        b = a;
+        b.m_vVel *= scale; // faster, and as much sooner
+        EXPECT_EQ(b.Find().m_vNorm, met.m_vNorm);
+        EXPECT_EQ(b.Find().m_fTime * scale, met.m_fTime);
+      }
+      CApproach b = a;
+      COutline& o = b.m_cOutline;
+      for (Vector2d* pV : {&b.m_vPos, &b.m_vVel, &o.m_vCentre, &o.m_cEnd0.m_vPos, &o.m_cEnd1.m_vPos,
+                           &o.m_cEnd0.m_vOut, &o.m_cEnd1.m_vOut})
+        *pV = quarter(*pV);
+      EXPECT_EQ(b.Find().m_vNorm, quarter(met.m_vNorm));
+      EXPECT_EQ(b.Find().m_fTime, met.m_fTime);
+      EXPECT_EQ(b.Find().m_fGap, met.m_fGap);
+    });
+}
+
+TEST(TrueContactTest, TheNormalGoesOverFromFaceToEnd) {
+  // Balls side by side, a thousandth of the radius apart, that come down over the whole shape and past it.
+  // On a bend of radius r, met at up to 45 degrees, a step of s turns the normal by s / (r cos 45).
+  const double r = 0.1, step = 0.001 * r;
+  for (const COutline& o : {MakeSegment({-0.3, 0}, {0.3, 0}), MakeArcOutline({0, -1}, 1, 1.3, 0.6),
+                            MakeArcOutline({0, 1}, 1, 4.4, 0.6)})
+    for (const double aside : {-1.0, 0.0, 0.5}) {
+      Vector2d last(0, 0);
+      for (double x = -0.5; x < 0.5; x += step) {
+        const CExactContact met = FindExactContact(o, {x, 0.11}, {aside, -1}, r);
+        if (met.m_bMisses || met.m_vNorm.dot(Vector2d(aside, -1).normalized()) > -0.70) {
+          last.setZero();
+          continue;
+        }
+        if (last.norm() > 0) {
+          ASSERT_LE((met.m_vNorm - last).norm(), 2 * step / (0.7 * r)) << x << " " << aside;
+        }
+        last = met.m_vNorm;
+      }
+    }
+}
+
+TEST(TrueContactTest, WhatItCameThroughAndLeftIsOver) {
+  // Clear of the end and parting from it, though it would have come through the face.
+  const COutline o = MakeSegment({-1, 0}, {0, 0});
+  const CExactContact met = FindExactContact(o, {0.05, 0.09}, {20, -5}, 0.1);
+  EXPECT_EQ(met.m_fTime, 0);
+  EXPECT_GT(met.m_vNorm.dot(Vector2d(20, -5)), 0);
+  EXPECT_NEAR(met.m_fGap, std::hypot(0.05, 0.09) - 0.1, 1e-15);
+  // The control: a little deeper it has not left yet.
+  EXPECT_LT(FindExactContact(o, {0.04, 0.09}, {20, -5}, 0.1).m_fTime, 0);
+}
+
+TEST(TrueContactTest, AnEndIsInTheWayOfTheArcBehindIt) {
+  // From beyond an end, along the inside: the circle is met far behind the end.
+  const COutline o = MakeArcOutline({0, 0}, 1, std::numbers::pi / 2 + 0.22 - 1.5, 1.5);
+  const CApproach a{o, {-0.4, 0.899}, {10, 0}, 0.1, 0.1};
+  const CExactContact met = a.Find();
+  ASSERT_TRUE(a.March(1));
+  EXPECT_NEAR(met.m_fTime, *a.March(1), 1e-12);
+  EXPECT_LT(met.m_vNorm.x(), -0.5);
+}
+
+} // namespace
+} // namespace Shapes::Tests

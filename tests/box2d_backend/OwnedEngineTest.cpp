@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: MIT
+// What is particular to a world on Box2D: its scale, its limits, what stands for shapes in it, and what was
+// changed of the way Box2D ships.
+#include "../Numbers.h"
+
+#include <Shapes/Shapes.h>
+
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace Shapes {
+namespace {
+
+std::unique_ptr<CWorld> Make(const Vector2& gravity = Vector2::Zero(), float unit = 1.0f) {
+  CWorldDesc desc;
+  desc.m_vGravity = gravity;
+  desc.m_fTimeStep = g_fDt;
+  desc.m_cBox2D.m_fLengthUnit = unit;
+  return GetBackend(eBackend::Box2D)->MakeWorld(desc);
+}
+
+void Steps(CWorld& world, int n) {
+  for (int i = 0; i < n; ++i)
+    world.Step();
+}
+
+/// Puts the ball at p with velocity v, makes n steps and gives its velocity.
+Vector2 Throw(CWorld& world, CShapeId ball, const Vector2& p, const Vector2& v, int n = 20) {
+  world.SetPos(ball, p);
+  world.SetVel(ball, v);
+  Steps(world, n);
+  return world.GetVel(ball);
+}
+
+CShapeId AddBall(CWorld& world) { return world.Add(CDynamicCircleDesc({50, 50}, 0.1f)); }
+
+// Up to 1e8 metres; what is refused has not moved.
+TEST(OwnedWorldTest, APoseBeyondTheLimitsIsRefusedByEachSetter) {
+  const auto pWorld = Make();
+  const CShapeId circle = pWorld->Add(CCircleDesc({0, 0}, 1000)),
+                 ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 1000));
+  for (const CShapeId id : {circle, ball}) {
+    EXPECT_THROW(pWorld->SetPos(id, {1e8f - 500, 0}), std::invalid_argument);
+    EXPECT_EQ(pWorld->GetPos(id), Vector2(0, 0));
+    pWorld->SetPos(id, {1e8f - 2000, 0}); // the control
+    EXPECT_EQ(pWorld->GetPos(id), Vector2(1e8f - 2000, 0));
+  }
+  CLineSegDesc desc({0, 0}, {9e7f, 9e7f});
+  desc.m_eMotionType = eMotion::Kinematic;
+  const CShapeId lever = pWorld->Add(desc);
+  EXPECT_THROW(pWorld->SetOrientation(lever, -g_fPi / 4), std::invalid_argument);
+  EXPECT_EQ(pWorld->GetOrientation(lever), 0.0f);
+  pWorld->SetOrientation(lever, g_fPi / 2); // the control
+}
+
+TEST(OwnedWorldTest, PixelsAndMetresGiveTheSameTrajectory) {
+  const auto run = [](float unit, bool tellTheWorld) {
+    auto pWorld = Make({0, -10 * unit}, tellTheWorld ? unit : 1.0f);
+    pWorld->Add(CLineSegDesc({-5 * unit, 0}, {5 * unit, 0.3f * unit}));
+    pWorld->Add(CCircleDesc({-1 * unit, 1 * unit}, 0.3f * unit));
+    pWorld->Add(CArcDesc({1 * unit, 1 * unit}, 1 * unit, 4, 6));
+    std::vector<CShapeId> balls;
+    for (int i = 0; i < 3; ++i)
+      balls.push_back(pWorld->Add(CDynamicCircleDesc({(-1.05f + static_cast<float>(i)) * unit, 1.8f * unit},
+                                                     0.1f * unit, {0.5f * unit, 0}, 1, 0.8f)));
+    std::size_t contacts = 0;
+    std::vector<Vector2> path;
+    for (int k = 0; k < 150; ++k) {
+      pWorld->Step();
+      contacts += pWorld->GetContacts().size();
+      for (const CShapeId id : balls)
+        path.push_back(pWorld->GetPos(id) / unit);
+    }
+    EXPECT_GE(contacts, 6u); // each ball bounces, some of them several times
+    return path;
+  };
+  const auto difference = [](const std::vector<Vector2>& a, const std::vector<Vector2>& b) {
+    float most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      most = std::max(most, (a[i] - b[i]).norm());
+    return most;
+  };
+  const auto metres = run(1, true);
+  EXPECT_LE(difference(metres, run(100, true)), 1e-4f);
+  EXPECT_EQ(difference(metres, run(64, true)), 0); // a power of two rounds nothing
+  // The control: if Box2D is not told, its tolerances are a hundred times smaller to the scene and its limit
+  // of 2 metres a step parts in.
+  EXPECT_GT(difference(metres, run(100, false)), 1e-2f);
+}
+
+TEST(OwnedWorldTest, ClampedMovesAreCounted) {
+  auto pWorld = Make();
+  const CShapeId ball = AddBall(*pWorld);
+  // Slow: nothing is counted. 119 m/s is 1.98 metres a step.
+  EXPECT_NEAR(Throw(*pWorld, ball, {0, 0}, {119, 0}, 10).x(), 119, 1e-4f);
+  EXPECT_EQ(pWorld->GetStats().m_nMovesClamped, 0u);
+  // Fast: Box2D parts the velocity itself, to 2 metres a step.
+  EXPECT_NEAR(Throw(*pWorld, ball, {0, 0}, {200, 0}, 1).x(), b2_maxTranslation / g_fDt, 1e-3f);
+  EXPECT_EQ(pWorld->GetStats().m_nMovesClamped, 1u);
+  Throw(*pWorld, ball, {0, 0}, {0, -200}, 1);
+  EXPECT_EQ(pWorld->GetStats().m_nMovesClamped, 2u);
+}
+
+TEST(OwnedWorldTest, ClampedMovesAreCountedInMetres) {
+  // 200 pixels per second at 100 pixels per metre are slow, 20000 are not.
+  auto pWorld = Make({0, 0}, 100);
+  const CShapeId ball = AddBall(*pWorld);
+  EXPECT_NEAR(Throw(*pWorld, ball, {0, 0}, {200, 0}, 5).x(), 200, 1e-3f);
+  EXPECT_EQ(pWorld->GetStats().m_nMovesClamped, 0u);
+  EXPECT_NEAR(Throw(*pWorld, ball, {0, 0}, {20000, 0}, 1).x(), 12000, 1e-1f);
+  EXPECT_EQ(pWorld->GetStats().m_nMovesClamped, 1u);
+}
+
+TEST(OwnedWorldTest, ClampedTurnsAreCounted) {
+  auto pWorld = Make();
+  CLineSegDesc desc({0, 0}, {1, 0});
+  desc.m_eMotionType = eMotion::Kinematic;
+  desc.m_fRotSpeed = 14; // 1.47 rad a step
+  const CShapeId id = pWorld->Add(desc);
+  Steps(*pWorld, 10);
+  EXPECT_EQ(pWorld->GetStats().m_nTurnsClamped, 0u);
+  pWorld->SetRotSpeed(id, -16); // 1.68 rad, more than pi / 2
+  Steps(*pWorld, 10);
+  EXPECT_EQ(pWorld->GetStats().m_nTurnsClamped, 10u);
+}
+
+TEST(OwnedWorldTest, NativeClampsNothing) { // the control of the counters
+  CWorldDesc desc;
+  auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, {200, 0}));
+  pWorld->Step();
+  EXPECT_EQ(pWorld->GetVel(ball).x(), 200);
+  EXPECT_EQ(pWorld->GetStats().m_nMovesClamped, 0u);
+}
+
+TEST(OwnedWorldTest, ArcPiecesAreCountedAsArcsComeAndGo) {
+  auto pWorld = Make();
+  const auto fixtures = [&] { return pWorld->GetStats().m_nArcPieces; };
+  const CShapeId half = pWorld->Add(CArcDesc({0, 0}, 1, 0, g_fPi));
+  EXPECT_EQ(fixtures(), 16u);
+  const CShapeId bowl = pWorld->Add(CArcDesc({0, 0}, 1, 0, 0));
+  EXPECT_EQ(fixtures(), 48u);
+  pWorld->Add(CCircleDesc({0, 0}, 1));         // is no arc
+  pWorld->Add(CArcDesc({0, 0}, 0.001f, 0, 1)); // becomes a point
+  pWorld->SetPos(half, {3, 4});                // is made anew
+  pWorld->SetElasticity(bowl, 0.5f);
+  EXPECT_EQ(fixtures(), 48u);
+  const CSavedState saved = pWorld->SaveState();
+  pWorld->Remove(half);
+  EXPECT_EQ(fixtures(), 32u);
+  pWorld->LoadState(saved);
+  EXPECT_EQ(fixtures(), 48u);
+  pWorld->Remove(bowl);
+  pWorld->Remove(half);
+  EXPECT_EQ(fixtures(), 0u);
+}
+
+TEST(OwnedWorldTest, TheSagittaToleranceOfTheWorldIsUsed) {
+  CWorldDesc desc;
+  desc.m_cBox2D.m_fSagittaTolerance = g_fSagittaTolerance / 4;
+  auto pWorld = GetBackend(eBackend::Box2D)->MakeWorld(desc);
+  pWorld->Add(CArcDesc({0, 0}, 1, 0, g_fPi));
+  EXPECT_EQ(pWorld->GetStats().m_nArcPieces, 32u); // half the chord for a quarter of the sagitta
+}
+
+TEST(OwnedWorldTest, ABallOfRadius0HasAMassAndFalls) { // by density it would have none, and would float
+  auto pWorld = Make({0, -10});
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 1}, 0));
+  Steps(*pWorld, 10);
+  EXPECT_NEAR(pWorld->GetVel(ball).y(), -10.0f / 6.0f, 1e-5f);
+  Steps(*pWorld, 30);
+  EXPECT_GT(pWorld->GetVel(ball).y(), 0);
+  // It pushes another ball by its mass: equal masses exchange their velocities.
+  auto pLine = Make();
+  const CShapeId dot = pLine->Add(CDynamicCircleDesc({0, 0}, 0, {2, 0}));
+  const CShapeId other = pLine->Add(CDynamicCircleDesc({0.5f, 0}, 0.2f));
+  Steps(*pLine, 20);
+  EXPECT_NEAR(pLine->GetVel(dot).x(), 0, 1e-4f);
+  EXPECT_NEAR(pLine->GetVel(other).x(), 2, 1e-4f);
+}
+
+TEST(OwnedWorldTest, BothFacesOfASegmentAreSolid) {
+  auto pWorld = Make();
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  const CShapeId ball = AddBall(*pWorld);
+  EXPECT_NEAR(Throw(*pWorld, ball, {0, 0.5f}, {0, -4}).y(), 4, 1e-4f);
+  EXPECT_NEAR(Throw(*pWorld, ball, {0, -0.5f}, {0, 4}).y(), -4, 1e-4f);
+}
+
+TEST(OwnedWorldTest, BothFacesOfAnArcAreSolidUnlessOneIsOpen) {
+  for (const eSides sides : {eSides::Both, eSides::Front, eSides::Back}) {
+    SCOPED_TRACE(static_cast<int>(sides));
+    auto pWorld = Make();
+    CArcDesc desc({0, 0}, 1, 0, g_fPi);
+    desc.m_eSides = sides;
+    pWorld->Add(desc);
+    const CShapeId ball = AddBall(*pWorld);
+    // Chords are up to .1 rad off: some of the speed may go sideways, 4 (1 - cos .2) at most.
+    const float fromOutside = Throw(*pWorld, ball, {0, 1.5f}, {0, -4}, 15).y();
+    EXPECT_NEAR(fromOutside, sides == eSides::Back ? -4 : 4, 0.08f);
+    const float fromInside = Throw(*pWorld, ball, {0, 0.5f}, {0, 4}, 15).y();
+    EXPECT_NEAR(fromInside, sides == eSides::Front ? 4 : -4, 0.08f);
+  }
+}
+
+TEST(OwnedWorldTest, ABallStaysInABowlOfAnArc) {
+  for (const CEffectChoice& choice : {g_cContinuous, g_cAutomatic}) {
+    CWorldDesc desc;
+    desc.m_vGravity = {0, -10};
+    desc.m_cEffects = choice;
+    auto pWorld = GetBackend(eBackend::Box2D)->MakeWorld(desc);
+    pWorld->Add(CArcDesc({0, 0}, 2, 0, 0));
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.7f, 0}, 0.1f, {3, 1}, 1, 0.9f));
+    // 3 slops and a bit; where Continuous does not run, the way of a substep is added.
+    const float beyond = 0.016f + (choice == g_cContinuous ? 0.0f : g_fFastMove * 0.1f);
+    for (int i = 0; i < 2000; ++i) {
+      pWorld->Step();
+      ASSERT_LE(pWorld->GetPos(ball).norm(), 1.9f + beyond) << "after step " << i;
+    }
+  }
+}
+
+TEST(OwnedWorldTest, ElasticityIsTheProductAndNotTheLarger) {
+  auto pWorld = Make();
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
+  const CShapeId ball = AddBall(*pWorld);
+  EXPECT_NEAR(Throw(*pWorld, ball, {0, 0.5f}, {0, -4}).y(), 2, 1e-4f); // the larger, 1, would give 4
+  pWorld->SetElasticity(ball, 0.5f);
+  EXPECT_NEAR(Throw(*pWorld, ball, {0, 0.5f}, {0, -4}).y(), 1, 1e-4f);
+
+  auto pPair = Make(); // of two balls too
+  const CShapeId a = pPair->Add(CDynamicCircleDesc({0, 0}, 0.1f, {2, 0}, 1, 0.5f));
+  const CShapeId b = pPair->Add(CDynamicCircleDesc({0.5f, 0}, 0.1f));
+  Steps(*pPair, 30);
+  EXPECT_NEAR(pPair->GetVel(a).x(), 0.5f, 1e-4f);
+  EXPECT_NEAR(pPair->GetVel(b).x(), 1.5f, 1e-4f);
+}
+
+TEST(OwnedWorldTest, AThrownBallDoesNotTurnOrRub) { // Box2D ships with friction .2
+  auto pWorld = Make({0, -10});
+  pWorld->Add(CLineSegDesc({-50, 0}, {50, 0}, 0));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.105f}, 0.1f, {3, 0}));
+  Steps(*pWorld, 300);
+  EXPECT_NEAR(pWorld->GetVel(ball).x(), 3, 1e-4f);
+  EXPECT_NEAR(pWorld->GetPos(ball).y(), 0.105f, 0.011f);
+}
+
+TEST(OwnedWorldTest, ABallThatRestsDoesNotSleep) {
+  auto pWorld = Make({0, -10});
+  const CShapeId floor = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, 0));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.11f}, 0.1f));
+  Steps(*pWorld, 300); // Box2D would have put it to sleep after half a second
+  EXPECT_FALSE(pWorld->GetContacts().empty());
+  pWorld->Remove(floor);
+  Steps(*pWorld, 60);
+  EXPECT_NEAR(pWorld->GetVel(ball).y(), -10, 1e-3f);
+}
+
+std::size_t StepAndCountSensorHits(CWorld& world) {
+  world.Step();
+  std::size_t n = 0;
+  for (const CContactEvent& event : world.GetContacts())
+    n += event.m_bIsSensor;
+  return n;
+}
+
+TEST(OwnedWorldTest, ASensorThatBecomesSolidInTouchIsNoSensorAnyMore) {
+  auto pWorld = Make();
+  CCircleDesc desc({0, 0}, 1);
+  desc.m_bIsSensor = true;
+  const CShapeId zone = pWorld->Add(desc);
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.95f}, 0.1f));
+  EXPECT_EQ(StepAndCountSensorHits(*pWorld), 1u);
+  EXPECT_EQ(StepAndCountSensorHits(*pWorld), 1u); // for as long as they touch
+  EXPECT_EQ(pWorld->GetStats().m_nContacts, 0u);
+  pWorld->SetSensor(zone, false);
+  EXPECT_EQ(StepAndCountSensorHits(*pWorld), 0u);
+  EXPECT_EQ(pWorld->GetStats().m_nContacts, 1u);
+  pWorld->SetPos(ball, {5, 5});
+  EXPECT_EQ(StepAndCountSensorHits(*pWorld), 0u);
+}
+
+TEST(OwnedWorldTest, ASolidThatBecomesASensorInTouchIsSeenAtOnce) {
+  for (const bool theBall : {false, true}) { // either of them may be the sensor
+    auto pWorld = Make();
+    const CShapeId zone = pWorld->Add(CCircleDesc({0, 0}, 1));
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.95f}, 0.1f));
+    EXPECT_EQ(StepAndCountSensorHits(*pWorld), 0u);
+    EXPECT_EQ(pWorld->GetStats().m_nContacts, 1u);
+    pWorld->SetPos(ball, {0, 0.95f});
+    pWorld->SetSensor(theBall ? ball : zone, true);
+    EXPECT_EQ(StepAndCountSensorHits(*pWorld), 1u);
+    EXPECT_EQ(StepAndCountSensorHits(*pWorld), 1u);
+    EXPECT_EQ(pWorld->GetStats().m_nContacts, 1u);
+  }
+}
+
+TEST(OwnedWorldTest, AShapeAddedDuringTheRunIsMet) {
+  auto pWorld = Make();
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 1}, 0.1f, {0, -1}));
+  Steps(*pWorld, 30);
+  EXPECT_EQ(pWorld->GetVel(ball).y(), -1);
+  pWorld->Add(CLineSegDesc({-1, 0.2f}, {1, 0.2f}));
+  Steps(*pWorld, 30);
+  EXPECT_NEAR(pWorld->GetVel(ball).y(), 1, 1e-4f);
+  pWorld->Add(CDynamicCircleDesc({0, 2}, 0.1f)); // and a ball
+  Steps(*pWorld, 120);
+  EXPECT_NEAR(pWorld->GetVel(ball).y(), 0, 1e-4f);
+}
+
+TEST(OwnedWorldTest, AKinematicShapeIsMetWhereItWasPut) {
+  auto pWorld = Make();
+  CLineSegDesc desc({0, 0}, {1, 0});
+  desc.m_eMotionType = eMotion::Kinematic;
+  const CShapeId flipper = pWorld->Add(desc);
+  const CShapeId ball = AddBall(*pWorld);
+  const auto isMetAt = [&](float x) { return Throw(*pWorld, ball, {x, 0.5f}, {0, -4}).y() > 3.9f; };
+  const auto isMetFromTheSideAt = [&](float y) {
+    return Throw(*pWorld, ball, {-0.5f, y}, {4, 0}).x() < -3.9f;
+  };
+  EXPECT_TRUE(isMetAt(0.5f));
+  pWorld->SetPos(flipper, {3, 0}); // its middle
+  EXPECT_FALSE(isMetAt(0.5f));
+  EXPECT_TRUE(isMetAt(3));
+  pWorld->Reset(flipper);
+  EXPECT_TRUE(isMetAt(0.5f));
+  pWorld->SetOrientation(flipper, 0.5f * g_fPi); // stands up from the origin
+  EXPECT_FALSE(isMetAt(0.5f));
+  EXPECT_TRUE(isMetFromTheSideAt(0.5f));
+  pWorld->SetOrientation(flipper, 0);
+  pWorld->SetRotCenter(flipper, {1, 0});
+  pWorld->SetOrientation(flipper, g_fPi); // turned over about its right end
+  EXPECT_FALSE(isMetAt(0.5f));
+  EXPECT_TRUE(isMetAt(1.5f));
+}
+
+TEST(OwnedWorldTest, ATurningShapeIsMetWhereTheLibrarySaysItIs) {
+  // A bar that turns for 500 steps, a little more than 3 turns and a quarter: the angle that Box2D adds up
+  // has to stay with the library's, which is reduced to one turn.
+  auto pWorld = Make();
+  CLineSegDesc desc({-1, 0}, {1, 0});
+  desc.m_eMotionType = eMotion::Kinematic;
+  desc.m_fRotSpeed = 3.25f * 60 / 500;
+  const CShapeId bar = pWorld->Add(desc);
+  Steps(*pWorld, 500);
+  EXPECT_NEAR(pWorld->GetOrientation(bar), 0.5f * g_fPi, 1e-3f);
+  pWorld->SetRotSpeed(bar, 0);
+  const CShapeId ball = AddBall(*pWorld);
+  EXPECT_NEAR(Throw(*pWorld, ball, {-0.5f, 0.9f}, {4, 0}).x(), -4, 0.01f);
+  EXPECT_EQ(Throw(*pWorld, ball, {0.5f, 0.5f}, {0, -4}).y(), -4); // where it lay at first nothing is
+}
+
+TEST(OwnedWorldTest, ShapesTooShortForAnEdgeStillStopABall) {
+  // Box2D would stop the program if it were given them as they are.
+  const std::vector<CAnyShapeDesc> shorts{CLineSegDesc({-0.002f, 0}, {0.002f, 0}),
+                                          CLineSegDesc({0, 0}, {0, 0}), CArcDesc({0, -0.002f}, 0.002f, 1, 2),
+                                          CArcDesc({0, -0.001f}, 0.001f, 0, 0), CArcDesc({0, 0}, 0, 1, 2)};
+  for (std::size_t i = 0; i < shorts.size(); ++i) {
+    SCOPED_TRACE(i);
+    auto pWorld = Make();
+    const CShapeId shape = pWorld->Add(shorts[i]);
+    const CShapeId ball = AddBall(*pWorld);
+    EXPECT_NEAR(Throw(*pWorld, ball, {0, 0.5f}, {0, -4}).y(), 4, 0.01f);
+    pWorld->Remove(shape); // the control
+    EXPECT_EQ(Throw(*pWorld, ball, {0, 0.5f}, {0, -4}).y(), -4);
+  }
+}
+
+} // namespace
+} // namespace Shapes

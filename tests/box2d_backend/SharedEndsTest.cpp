@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+// Which ends go on in another shape, and how.
+#include "box2d_backend/world/SharedEnds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "../Numbers.h"
+#include "Random.h"
+#include "box2d_backend/TunedExact.h"
+
+namespace Shapes::Tests {
+namespace {
+
+using Box2D::CSharedEnd;
+using Box2D::CSharedEnds;
+using Box2D::FindSharedEnds;
+
+constexpr float g_fTolerance = 0.005f;
+
+/// Shapes with the ids 1, 2, ... as a world holds them.
+class CTable {
+public:
+  CShapeId Add(std::unique_ptr<CShape> pShape) {
+    const CShapeId id{m_cState.m_nNextId++};
+    m_cState.m_stdShapes.emplace_back(id, std::move(pShape));
+    return id;
+  }
+  CShapeId Segment(const Vector2& p0, const Vector2& p1, eSides sides = eSides::Both) {
+    CLineSegDesc desc(p0, p1);
+    desc.m_eSides = sides;
+    return Add(std::make_unique<CLineSeg>(desc));
+  }
+  CShapeId Arc(const Vector2& c, float r, float a0, float a1, eSides sides = eSides::Both) {
+    CArcDesc desc(c, r, a0, a1);
+    desc.m_eSides = sides;
+    return Add(std::make_unique<CArc>(desc));
+  }
+  CShapeId Turning(const Vector2& p0, const Vector2& p1, const Vector2& center, float revsPerSecond) {
+    CLineSegDesc desc(p0, p1);
+    desc.m_eMotionType = eMotion::Kinematic;
+    desc.m_vRotCenter = center;
+    desc.m_fRotSpeed = revsPerSecond;
+    return Add(std::make_unique<CKinematicLineSeg>(desc));
+  }
+  CShape& Get(CShapeId id) { return *m_cState.m_stdShapes[m_cState.FindShape(id)].m_pShape; }
+
+  std::map<CShapeId, CSharedEnds> Find() const { return FindSharedEnds(m_cState, g_fTolerance); }
+  std::size_t Count() const {
+    std::size_t n = 0;
+    for (const auto& [id, sharedEnds] : Find())
+      n += sharedEnds[0].has_value() + sharedEnds[1].has_value();
+    return n;
+  }
+
+private:
+  CWorldState m_cState;
+};
+
+/// What goes on beyond an end; fails if nothing does.
+CSharedEnd At(const CTable& table, CShapeId id, std::size_t end) {
+  const auto sharedEnds = table.Find();
+  const auto it = sharedEnds.find(id);
+  if (it != sharedEnds.end() && it->second[end]) return *it->second[end];
+  ADD_FAILURE() << "shape " << id.m_nValue << " has no joint at end " << end;
+  return {};
+}
+
+void ExpectJoint(const CSharedEnd& joint, CShapeId neighbour, const Vector2& tangent, float bend) {
+  EXPECT_EQ(joint.m_cNeighbour, neighbour);
+  EXPECT_LE((joint.m_vTangent - tangent).norm(), 4 * g_fUlp);
+  EXPECT_EQ(joint.m_fBend, bend);
+}
+
+TEST(JointsTest, TwoSegmentsGoOnInEachOther) {
+  CTable table;
+  const CShapeId a = table.Segment({-1, 0}, {0, 0}), b = table.Segment({0, 0}, {3, 4});
+  ExpectJoint(At(table, a, 1), b, {0.6f, 0.8f}, 0);
+  ExpectJoint(At(table, b, 0), a, {-1, 0}, 0);
+  EXPECT_EQ(table.Count(), 2u); // the other ends are free
+}
+
+TEST(JointsTest, EndsCountAsOneWithinTheTolerance) {
+  for (const Vector2& u : {Vector2(1, 0), Vector2(-1, 0), Vector2(0, 1), Vector2(0.6f, -0.8f)}) {
+    CTable table, apart;
+    table.Segment({-2, -2}, {0, 0});
+    table.Segment(0.9f * g_fTolerance * u, {2, -2});
+    EXPECT_EQ(table.Count(), 2u) << u;
+    apart.Segment({-2, -2}, {0, 0});
+    apart.Segment(1.1f * g_fTolerance * u, {2, -2});
+    EXPECT_EQ(apart.Count(), 0u) << u;
+  }
+}
+
+TEST(JointsTest, WhereThreeMeetNoneIsJoined) {
+  CTable table;
+  const CShapeId a = table.Segment({-1, 0}, {0, 0}), b = table.Segment({0, 0}, {1, 0});
+  EXPECT_EQ(table.Count(), 2u);
+  const CShapeId c = table.Segment({0, 0}, {0, 1});
+  EXPECT_EQ(table.Count(), 0u);
+  table.Segment({1, 0}, {2, 1}); // elsewhere two of them do
+  ExpectJoint(At(table, b, 1), CShapeId{4}, Vector2(1, 1).normalized(), 0);
+  EXPECT_EQ(table.Count(), 2u);
+  // What cannot be met does not count.
+  table.Get(c).SetCanCollide(false);
+  ExpectJoint(At(table, a, 1), b, {1, 0}, 0);
+  table.Get(c).SetCanCollide(true);
+  table.Get(c).SetSensor(true);
+  ExpectJoint(At(table, a, 1), b, {1, 0}, 0);
+}
+
+TEST(JointsTest, SensorsAndWhatIsSwitchedOffAreNotJoined) {
+  CTable table;
+  const CShapeId a = table.Segment({-1, 0}, {0, 0});
+  table.Segment({0, 0}, {1, 0});
+  EXPECT_EQ(table.Count(), 2u); // the control
+  table.Get(a).SetSensor(true);
+  EXPECT_EQ(table.Count(), 0u);
+  table.Get(a).SetSensor(false);
+  table.Get(a).SetCanCollide(false);
+  EXPECT_EQ(table.Count(), 0u);
+}
+
+TEST(JointsTest, OnlyWhatMovesTogetherIsJoined) {
+  const auto count = [](const Vector2& center, float speed) {
+    CTable table;
+    table.Turning({-1, 0}, {0, 0}, {0.5f, 0.5f}, 2);
+    table.Turning({0, 0}, {1, 0}, center, speed);
+    return table.Count();
+  };
+  EXPECT_EQ(count({0.5f, 0.5f}, 2), 2u);
+  EXPECT_EQ(count({0.5f, 0.5f}, -2), 0u);
+  EXPECT_EQ(count({0.5f, 0.4f}, 2), 0u);
+  CTable table; // not a static one and one that turns, even if it stands still
+  table.Turning({-1, 0}, {0, 0}, {0, 0}, 0);
+  table.Segment({0, 0}, {1, 0});
+  EXPECT_EQ(table.Count(), 0u);
+}
+
+TEST(JointsTest, TangentsAreThoseOfNow) {
+  CTable table;
+  const CShapeId a = table.Turning({-1, 0}, {0, 0}, {0, 0}, 1), b = table.Turning({0, 0}, {1, 1}, {0, 0}, 1);
+  for (const CShapeId id : {a, b})
+    table.Get(id).SetOrientation(g_fPi); // the ends change places
+  ExpectJoint(At(table, a, 0), b, Vector2(-1, -1).normalized(), 0);
+  ExpectJoint(At(table, b, 1), a, {1, 0}, 0);
+}
+
+TEST(JointsTest, SolidSidesGoOnInSolidSides) {
+  const auto count = [](eSides first, eSides second) {
+    CTable table;
+    table.Segment({-1, 0}, {0, 0}, first);
+    table.Segment({0, 0}, {1, 0}, second);
+    return table.Count();
+  };
+  for (const eSides first : {eSides::Both, eSides::Front, eSides::Back})
+    for (const eSides second : {eSides::Both, eSides::Front, eSides::Back})
+      EXPECT_EQ(count(first, second), first == second ? 2u : 0u);
+}
+
+TEST(JointsTest, SidesAreComparedAlongTheWayNotByName) {
+  // Two segments that fold back: both fronts are above, but one follows the way and one does not.
+  const auto fold = [](eSides first, eSides second) {
+    CTable table;
+    table.Segment({0, 0}, {1, 1}, first);
+    table.Segment({0, 0}, {1, -1}, second);
+    return table.Count();
+  };
+  EXPECT_EQ(fold(eSides::Front, eSides::Front), 0u);
+  EXPECT_EQ(fold(eSides::Front, eSides::Back), 2u);
+  // A floor whose front is above goes on in the inside of a bowl, or in the outside of a hill.
+  const auto floor = [](const Vector2& c, float a0, float a1, eSides sides) {
+    CTable table;
+    table.Segment({-1, 0}, {0, 0}, eSides::Front);
+    table.Arc(c, 1, a0, a1, sides);
+    return table.Count();
+  };
+  EXPECT_EQ(floor({0, 1}, 1.5f * g_fPi, 0, eSides::Back), 2u);
+  EXPECT_EQ(floor({0, 1}, 1.5f * g_fPi, 0, eSides::Front), 0u);
+  EXPECT_EQ(floor({0, -1}, 0, 0.5f * g_fPi, eSides::Front), 2u);
+  EXPECT_EQ(floor({0, -1}, 0, 0.5f * g_fPi, eSides::Back), 0u);
+}
+
+TEST(JointsTest, TheBendOfAnArcIsToTheLeftFromItsFirstEnd) {
+  // Radius 2: from end 0 it goes counterclockwise, to the left; from end 1 clockwise.
+  CTable table;
+  const CShapeId arc = table.Arc({0, 0}, 2, 0, 0.5f * g_fPi);
+  const CShapeId below = table.Segment({2, -1}, {2, 0}), left = table.Segment({-1, 2}, {0, 2});
+  ExpectJoint(At(table, below, 1), arc, {0, 1}, 0.5f);
+  ExpectJoint(At(table, left, 1), arc, {1, 0}, -0.5f);
+  ExpectJoint(At(table, arc, 0), below, {0, -1}, 0);
+  ExpectJoint(At(table, arc, 1), left, {-1, 0}, 0);
+}
+
+TEST(JointsTest, TheBendLeadsAlongTheNeighbour) {
+  // From the end along the tangent, with that curvature: that is where the arc is.
+  CRandom random(63);
+  int found = 0;
+  for (int k = 0; k < 2000; ++k) {
+    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+    CTable table;
+    const float R = random.Scale(-2, 3), a0 = random.Uniform(0, 6.28f), span = random.Uniform(0.5f, 6);
+    const Vector2 c = random.InSquare(10);
+    const CShapeId id = table.Arc(c, R, a0, a0 + span);
+    const auto& arc = static_cast<const CArc&>(table.Get(id));
+    const std::size_t end = random.Below(2);
+    const Vector2 p = end == 0 ? arc.GetEndPt0() : arc.GetEndPt1();
+    const CShapeId seg = table.Segment(p, p + random.VectorOfLength(1, 2));
+    const auto sharedEnds = table.Find();
+    if (!sharedEnds.contains(seg)) continue; // the other end of the arc is too near
+    ++found;
+    const CSharedEnds& ofSeg = sharedEnds.at(seg);
+    const CSharedEnd& joint = ofSeg[0] ? *ofSeg[0] : *ofSeg[1];
+    EXPECT_EQ(joint.m_cNeighbour, id);
+    const double bend = joint.m_fBend, s = 0.1;
+    const Vector2d t = joint.m_vTangent.cast<double>(), from = p.cast<double>();
+    const Vector2d there = from + std::sin(s) / std::abs(bend) * t + (1 - std::cos(s)) / bend * Perp(t);
+    EXPECT_NEAR((there - c.cast<double>()).norm(), static_cast<double>(R), 16e-7 * (10 + double(R)));
+    EXPECT_TRUE(arc.PtInSector(there.cast<float>()));
+  }
+  EXPECT_GT(found, 1900);
+}
+
+TEST(JointsTest, FullCirclesAndWhatHasNoLengthHaveNoEnds) {
+  CTable table;
+  table.Arc({0, 0}, 1, 0, 0);
+  table.Segment({1, 0}, {2, 0});
+  table.Segment({2, 0}, {2, 0});
+  table.Arc({2, 0}, 0, 0, 1);
+  table.Arc({5, 0}, 1, 1.002f, 1.001f); // its own ends are one
+  EXPECT_EQ(table.Count(), 0u);
+  table.Segment({2, 1}, {2, 2}); // the control
+  table.Segment({2, 2}, {3, 2});
+  EXPECT_EQ(table.Count(), 2u);
+}
+
+TEST(JointsTest, TheOrderInWhichTheyWereAddedDoesNotMatter) {
+  // A closed chain of 12 segments and arcs, and the same in random orders.
+  struct CLink {
+    int m_nName;
+    CSharedEnds m_cSharedEnds;
+  };
+  CRandom random(64);
+  const auto make = [](const std::vector<int>& order) {
+    CTable table;
+    std::map<int, CShapeId> ids;
+    for (const int i : order) {
+      const float a0 = g_fTwoPi * static_cast<float>(i) / 12, a1 = g_fTwoPi * static_cast<float>(i + 1) / 12;
+      const CArcDesc desc({1, 2}, 3, a0, a1);
+      Vector2 p0, p1;
+      desc.GetEndPts(p0, p1);
+      ids[i] = i % 3 == 0 ? table.Segment(p0, p1) : table.Arc({1, 2}, 3, a0, a1);
+    }
+    std::vector<CLink> links;
+    std::map<CShapeId, int> names;
+    for (const auto& [i, id] : ids)
+      names[id] = i;
+    for (const auto& [i, id] : ids) {
+      CSharedEnds sharedEnds = table.Find()[id];
+      for (auto& joint : sharedEnds)
+        if (joint) joint->m_cNeighbour = CShapeId{static_cast<std::uint32_t>(names[joint->m_cNeighbour])};
+      links.push_back({i, sharedEnds});
+    }
+    return links;
+  };
+  std::vector<int> order{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  const std::vector<CLink> links = make(order);
+  for (const CLink& link : links) {
+    ASSERT_TRUE(link.m_cSharedEnds[0] && link.m_cSharedEnds[1]) << link.m_nName;
+    const auto isNext = [&](const CSharedEnd& j) {
+      const int step = std::abs(static_cast<int>(j.m_cNeighbour.m_nValue) - link.m_nName);
+      return step == 1 || step == 11;
+    };
+    EXPECT_TRUE(isNext(*link.m_cSharedEnds[0]) && isNext(*link.m_cSharedEnds[1])) << link.m_nName;
+  }
+  for (int k = 0; k < 50; ++k) {
+    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+    for (std::size_t i = order.size() - 1; i > 0; --i)
+      std::swap(order[i], order[random.Below(static_cast<std::uint32_t>(i + 1))]);
+    const std::vector<CLink> others = make(order);
+    for (std::size_t i = 0; i < links.size(); ++i)
+      for (std::size_t end = 0; end < 2; ++end)
+        ExpectJoint(*others[i].m_cSharedEnds[end], links[i].m_cSharedEnds[end]->m_cNeighbour,
+                    links[i].m_cSharedEnds[end]->m_vTangent, links[i].m_cSharedEnds[end]->m_fBend);
+  }
+}
+
+} // namespace
+} // namespace Shapes::Tests

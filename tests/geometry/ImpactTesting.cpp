@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "Tolerances.h"
+
+#include "ImpactTesting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace Shapes::Geometry {
+namespace {
+
+double Between(CRandom& random, double least, double most) { return least + (most - least) * random.Unit(); }
+/// 10^least .. 10^most.
+double Power(CRandom& random, double least, double most) {
+  return std::pow(10.0, Between(random, least, most));
+}
+/// The same, of either sign.
+double SignedPower(CRandom& random, double least, double most) {
+  const double sign = random.Coin() ? 1.0 : -1.0;
+  return sign * Power(random, least, most);
+}
+Vector2d Direction(CRandom& random) {
+  const double a = Between(random, 0.0, 6.2831853);
+  return {std::cos(a), std::sin(a)};
+}
+/// Of a length 10^least .. 10^most.
+Vector2d Vector(CRandom& random, double least, double most) {
+  const double length = Power(random, least, most);
+  return length * Direction(random);
+}
+
+template <class TShape, class TKinematic, class TDesc>
+std::unique_ptr<CShape> Make(TDesc desc, bool turns, const Vector2& center) {
+  if (!turns) return std::make_unique<TShape>(desc);
+  desc.m_eMotionType = eMotion::Kinematic;
+  desc.m_vRotCenter = center;
+  return std::make_unique<TKinematic>(desc);
+}
+
+// A circle about which something happens: the shape's own, or none about a point of it.
+struct CRim {
+  Vector2d m_vCenter;
+  double m_fRadius;
+};
+CRim RandomRim(CRandom& random, const CShapeGeometry& o) {
+  if (o.m_eShapeType == eShape::Point) return {o.m_vCenter, 0.0};
+  if (o.m_eShapeType == eShape::LineSeg) {
+    const double share = random.Coin() ? static_cast<double>(random.Below(2)) : random.Unit();
+    return {o.m_vPt0 + share * (o.m_vPt1 - o.m_vPt0), 0.0};
+  }
+  if (o.m_eShapeType == eShape::Arc && random.Coin()) return {random.Coin() ? o.m_vPt0 : o.m_vPt1, 0.0};
+  return {o.m_vCenter, o.m_fRadius};
+}
+
+} // namespace
+
+CShapeGeometry RandomOutline(CRandom& random, eShape type, eSides sides, bool turns) {
+  const Vector2 p = random.InSquare(1.0f), q = random.InSquare(1.0f);
+  const Vector2 center = random.Below(4) == 0 ? p : random.InSquare(1.0f);
+  const float R = random.Below(4) == 0 ? random.Scale(-8, -1) : random.Uniform(0.05f, 1.0f);
+  std::unique_ptr<CShape> shape;
+  if (type == eShape::Point) {
+    shape = Make<CPoint, CKinematicPoint>(CPointDesc(p), turns, center);
+  } else if (type == eShape::LineSeg) {
+    CLineSegDesc desc(p, random.Below(4) == 0 ? Vector2(p + random.Vector(-12, -2)) : q);
+    desc.m_eSides = sides;
+    shape = Make<CLineSeg, CKinematicLineSeg>(desc, turns, center);
+  } else if (type == eShape::Circle) {
+    shape = Make<CCircle, CKinematicCircle>(CCircleDesc(p, R), turns, center);
+  } else {
+    // Sectors that wrap around, short ones, half circles, almost full and full ones.
+    const float spans[] = {random.Uniform(1e-3f, 6.28f), random.Scale(-12, -1), g_fPi, 6.28f, 0.0f};
+    const float a0 = random.Coin() ? random.Uniform(0.0f, 6.28f) : 0.0f;
+    CArcDesc desc(p, R, a0, a0 + spans[random.Below(5)]);
+    desc.m_eSides = sides;
+    shape = Make<CArc, CKinematicArc>(desc, turns, center);
+  }
+  return MakeShapeGeometry(*shape, turns ? Between(random, -60.0, 60.0) : 0.0);
+}
+
+CTrial RandomTrial(CRandom& random, eShape type, eSides sides, bool turns) {
+  CTrial trial{RandomOutline(random, type, sides, turns), {}};
+  const CRim rim = RandomRim(random, trial.m_cShape);
+  const Vector2d u = Direction(random), across = Perp(u);
+  CMotion& motion = trial.m_cMotion;
+  motion.m_fRadius = Power(random, -3.0, -0.4);
+  if (rim.m_fRadius > 0.0 && random.Below(4) == 0) // almost as large as the ring, or a bit larger
+    motion.m_fRadius = rim.m_fRadius * (1.0 + SignedPower(random, -6.0, -1.0));
+  const double r = motion.m_fRadius;
+  const double inside = r < rim.m_fRadius && random.Coin() ? -1.0 : 1.0;
+  const double contact = rim.m_fRadius + inside * r; // of the centres
+  const double off = SignedPower(random, -7.0, -1.0);
+  switch (random.Below(6)) {
+  case 0: // grazes the rim, or misses it closely
+    motion.m_vVel = Between(random, 0.5, 3.0) * u;
+    motion.m_vPos = rim.m_vCenter + contact * (1.0 + off) * across - Between(random, 0.0, 1.5) * u;
+    break;
+  case 1: // touches, almost
+    motion.m_vVel = r * Vector(random, -2.0, 4.0);
+    motion.m_vPos = rim.m_vCenter + (contact + (random.Coin() ? 0.0 : off * r)) * u;
+    break;
+  case 2: // hardly beside the shape, or exactly at a centre
+    motion.m_vVel = Vector(random, -0.3, 0.5);
+    motion.m_vPos = trial.m_cShape.m_vCenter;
+    if (type == eShape::LineSeg || random.Coin())
+      motion.m_vPos = rim.m_vCenter + (rim.m_fRadius + off * r) * u;
+    break;
+  case 3: { // comes to the rim at a given place, such as an end
+    const Vector2d way = Vector(random, -1.0, 0.3);
+    motion.m_vPos = rim.m_vCenter + contact * u - way;
+    motion.m_vVel = way * Between(random, 0.9, 2.0);
+    break;
+  }
+  case 4: { // fast: over 10,000 radii
+    motion.m_vPos = 2.0 * Direction(random);
+    const Vector2d target = rim.m_vCenter + 0.5 * random.Unit() * u;
+    motion.m_vVel = (target - motion.m_vPos) * Power(random, 0.0, 1.5);
+    break;
+  }
+  default: { // anywhere
+    const Vector2d from = random.InSquare(1.0f).cast<double>();
+    motion.m_vPos = rim.m_vCenter + from;
+    motion.m_vVel = r * Vector(random, -2.0, 3.0);
+  }
+  }
+  motion.m_fDuration = 1.0;
+  if (turns) { // up to two turns of the shape
+    motion.m_fDuration = Between(random, 0.01, 0.2);
+    motion.m_vVel *= Between(random, 0.0, 8.0);
+  }
+  return trial;
+}
+
+double GapBound(const CTrial& trial) {
+  const CShapeGeometry& o = trial.m_cShape;
+  const CMotion& motion = trial.m_cMotion;
+  const double way = motion.m_vVel.norm() * motion.m_fDuration,
+               angle = std::abs(o.m_fTurnSpeed) * motion.m_fDuration;
+  const double size =
+      std::max(o.m_fSize, motion.m_vPos.cwiseAbs().maxCoeff() + o.m_fRadius) + motion.m_fRadius;
+  return (o.m_fTurnSpeed == 0.0 ? 16.0 : g_nSweepRoundings + 16.0) * 0x1p-52 * (size + way) * (1.0 + angle);
+}
+
+bool OverlapsInside(const CTrial& trial) {
+  CImpact impact;
+  double depth;
+  const CShapeGeometry& o = trial.m_cShape;
+  if (o.m_eShapeType != eShape::Circle && o.m_eShapeType != eShape::Arc) return false;
+  return Overlap(o, trial.m_cMotion, 0.0, impact, depth) &&
+         impact.m_vNorm.dot(impact.m_vPOI - o.m_vCenter) < 0.0;
+}
+
+namespace {
+
+// The reference tells this much.
+struct CAnswer {
+  bool m_bMet;
+  double m_fTime; // after the end if it is not met
+  Vector2d m_vNorm;
+  bool m_bBegins;
+};
+template <class T>
+CAnswer Ask(const CTrial& trial, double more) {
+  Compare::CHit<T> hit;
+  const bool met = SweepExactly<T>(trial, hit, more);
+  return {met,
+          met ? static_cast<double>(hit.m_fTime) : std::numeric_limits<double>::infinity(),
+          {static_cast<double>(hit.m_vNorm.x()), static_cast<double>(hit.m_vNorm.y())},
+          hit.m_bBegins};
+}
+
+} // namespace
+
+template <class T>
+void ExpectAgrees(eShape type, eSides sides, bool turns, std::uint64_t seed, int trials) {
+  CRandom random(seed);
+  int hits = 0, misses = 0, ambiguous = 0, unanswered = 0;
+  for (int i = 0; i < trials; ++i) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(i));
+    const CTrial trial = RandomTrial(random, type, sides, turns);
+    const CMotion& motion = trial.m_cMotion;
+    // What is let go in the beginning is met a bit later or earlier, or by another part.
+    CShapeGeometry whole = trial.m_cShape;
+    whole.m_eSides = eSides::Both;
+    CImpact impact;
+    double depth;
+    const bool covers =
+        motion.m_fRadius >= whole.m_fRadius && (motion.m_vPos - whole.m_vCenter).norm() < whole.m_fRadius;
+    const bool overlaps = Overlap(whole, motion, 0.0, impact, depth) || covers;
+    if (overlaps && (turns || OverlapsInside(trial))) continue;
+    const eSweep found = Sweep(trial.m_cShape, motion, 0.0, impact);
+    ASSERT_NE(found, eSweep::OutOfIterations);
+    const bool met = found == eSweep::Impact;
+    CAnswer exact;
+    try {
+      exact = Ask<T>(trial, 0.0);
+    } catch (const std::runtime_error&) { // an arc that turns about its own centre, a slow ball beside it
+      ++unanswered;
+      continue;
+    }
+    if (exact.m_bBegins) continue; // it was let go at first
+    const double bound = GapBound(trial);
+    const Vector2d surface = met ? impact.m_vSurface : Vector2d(Vector2d::Zero());
+    const double approach = met ? -(motion.m_vVel - surface).dot(impact.m_vNorm) : 0.0;
+    // Away from tangents the gap is linear in the time.
+    const double rounding = 4.0 * 0x1p-52 * motion.m_fDuration;
+    double error = std::abs(impact.m_fTime - exact.m_fTime);
+    if (met != exact.m_bMet || (met && !(error * approach <= bound + rounding * approach))) {
+      const double more = 4.0 * std::max(bound, g_nSweepRoundings * 0x1p-52 * trial.m_cShape.m_fSize);
+      const CAnswer larger = Ask<T>(trial, more), smaller = Ask<T>(trial, -more);
+      const double time = met ? impact.m_fTime : std::numeric_limits<double>::infinity();
+      // One-sided ends let go what overlaps by more than rounding: there the smaller one may be the first.
+      const auto [first, last] = std::minmax({larger.m_fTime, exact.m_fTime, smaller.m_fTime});
+      const double slack = rounding + (sides == eSides::Both || !met ? 0.0 : 2.0 * more / approach);
+      ++ambiguous;
+      ASSERT_TRUE(time >= first - slack && time <= last + slack)
+          << "at " << time << " instead of " << larger.m_fTime << " .. " << exact.m_fTime << " .. "
+          << smaller.m_fTime;
+      continue;
+    }
+    ++(met ? hits : misses);
+    if (!met) continue;
+    ASSERT_GT(approach, 0.0);
+    ASSERT_NEAR(impact.m_vNorm.norm(), 1.0, 8.0 * 0x1p-52);
+    const Vector2d center = motion.m_vPos + motion.m_vVel * impact.m_fTime;
+    // How far along the shape it is off, by the smallest circle on which that can be.
+    const double least = std::min(motion.m_fRadius, trial.m_cShape.m_fRadius > motion.m_fRadius
+                                                        ? trial.m_cShape.m_fRadius - motion.m_fRadius
+                                                        : motion.m_fRadius);
+    const double turning =
+        std::abs(trial.m_cShape.m_fTurnSpeed) * (trial.m_cShape.m_fSize + motion.m_fRadius);
+    const double speed = (motion.m_vVel - surface).norm() + turning;
+    if (overlaps) continue; // perhaps several parts
+    ASSERT_LE((impact.m_vNorm - exact.m_vNorm).norm() * least, 2.0 * (error * speed + bound));
+    ASSERT_LE((center - impact.m_vPOI - motion.m_fRadius * impact.m_vNorm).norm(), 2.0 * bound);
+  }
+  EXPECT_GT(hits, trials / 20);
+  EXPECT_GT(misses, trials / 20);
+  EXPECT_LT(ambiguous, trials / 100);
+  EXPECT_LE(unanswered, trials / 1000);
+  testing::Test::RecordProperty("ambiguous", ambiguous);
+  testing::Test::RecordProperty("hits", hits);
+}
+
+template void ExpectAgrees<double>(eShape, eSides, bool, std::uint64_t, int);
+template void ExpectAgrees<CFifty>(eShape, eSides, bool, std::uint64_t, int);
+
+} // namespace Shapes::Geometry

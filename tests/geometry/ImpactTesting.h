@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What the tests of the sweeps share: trials that seek the hard region, and the exact reference as judge.
+#pragma once
+
+#include "geometry/TimeOfImpact.h"
+
+#include "../Random.h"
+#include "reference/Scalar.h"
+#include "reference/Sweep.h"
+
+#include <Shapes/Shapes.h>
+
+#include <gtest/gtest.h>
+
+namespace Shapes::Geometry {
+
+using Compare::CFifty;
+using Tests::CRandom;
+
+/// A motion, and the shape that it may meet.
+struct CTrial {
+  CShapeGeometry m_cShape;
+  CMotion m_cMotion;
+};
+
+/// One of this kind, static unless it `turns`, at a random place. Coordinates up to 2.
+CShapeGeometry RandomOutline(CRandom& random, eShape type, eSides sides, bool turns);
+/// Against such a shape: ways of 0.01 to 10,000 radii, at random, or grazing, or from almost touching, or
+/// from exactly on the shape, or right at an end.
+CTrial RandomTrial(CRandom& random, eShape type, eSides sides, bool turns = false);
+
+/// The error bound of Sweep.h as a gap: of the time it is this divided by the approach speed.
+double GapBound(const CTrial& trial);
+
+/// Whether the ball is within a ring or the sector of an arc, and overlaps its inside. The reference lets
+/// such a ball go for good if its way does not lead inward by as much as it overlaps.
+bool OverlapsInside(const CTrial& trial);
+
+template <class T>
+Compare::CVec<T> To(const Vector2d& v) {
+  return {T(v.x()), T(v.y())};
+}
+/// The reference, the radius of the ball being larger by `more`.
+template <class T>
+bool SweepExactly(const CTrial& trial, Compare::CHit<T>& hit, double more = 0.0) {
+  const CShapeGeometry& o = trial.m_cShape;
+  const CMotion& motion = trial.m_cMotion;
+  const Compare::CFigure<double> f{o.m_eShapeType, o.m_eSides, o.m_bFull, o.m_bWide,
+                                   o.m_vCenter,    o.m_vPt0,   o.m_vPt1,  o.m_fRadius};
+  return Compare::Sweep<T>(f.template Cast<T>(), {To<T>(o.m_vRotCenter), T(o.m_fTurnSpeed)},
+                           {To<T>(motion.m_vPos), To<T>(motion.m_vVel), T(motion.m_fRadius) + T(more)},
+                           T(motion.m_fDuration), hit);
+}
+
+/// Runs trials against the reference with T. Wherever the answer of a ball that is larger or smaller by the
+/// bound is the same, so is the one of Sweep; and its time is between theirs.
+template <class T>
+void ExpectAgrees(eShape type, eSides sides, bool turns, std::uint64_t seed, int trials);
+
+} // namespace Shapes::Geometry

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// Sweeps against shapes that turn: against the exact reference, against distances alone, and how long they
+// take.
+#include "ImpactTesting.h"
+
+#include "compare/SweepOracle.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+
+namespace Shapes::Geometry {
+namespace {
+
+using Compare::Tests::CSweepOracle;
+using Compare::Tests::real;
+
+TEST(SweepTurning, AgreesWithTheReference) {
+  const bool turns = true;
+  ExpectAgrees<double>(eShape::Point, eSides::Both, turns, 101, 20000);
+  ExpectAgrees<double>(eShape::LineSeg, eSides::Both, turns, 102, 20000);
+  ExpectAgrees<double>(eShape::LineSeg, eSides::Front, turns, 103, 10000);
+  ExpectAgrees<double>(eShape::LineSeg, eSides::Back, turns, 104, 10000);
+  ExpectAgrees<double>(eShape::Circle, eSides::Both, turns, 105, 20000);
+  ExpectAgrees<double>(eShape::Arc, eSides::Both, turns, 106, 10000);
+  ExpectAgrees<double>(eShape::Arc, eSides::Front, turns, 107, 5000);
+  ExpectAgrees<double>(eShape::Arc, eSides::Back, turns, 108, 5000);
+}
+
+// Sines of 50 digits take their time.
+TEST(SweepTurning, AgreesWith50Digits) {
+  const eShape types[] = {eShape::Point, eShape::LineSeg, eShape::Circle, eShape::Arc};
+  for (const eShape type : types)
+    ExpectAgrees<CFifty>(type, eSides::Both, true, 110, 100);
+}
+
+CSweepOracle MakeOracle(const CTrial& trial) {
+  const CShapeGeometry& o = trial.m_cShape;
+  const CMotion& motion = trial.m_cMotion;
+  const Compare::CFigure<double> f{o.m_eShapeType, o.m_eSides, o.m_bFull, o.m_bWide,
+                                   o.m_vCenter,    o.m_vPt0,   o.m_vPt1,  o.m_fRadius};
+  return {f,
+          {o.m_vRotCenter, o.m_fTurnSpeed},
+          {motion.m_vPos, motion.m_vVel, motion.m_fRadius},
+          motion.m_fDuration};
+}
+
+// A trial against something with both sides, clear of it at the beginning.
+CTrial ClearTrial(CRandom& random) {
+  const eShape types[] = {eShape::Point, eShape::LineSeg, eShape::Circle, eShape::Arc};
+  for (;;) {
+    const CTrial trial = RandomTrial(random, types[random.Below(4)], eSides::Both, true);
+    const bool fits = trial.m_cMotion.m_fRadius < trial.m_cShape.m_fRadius;
+    if (trial.m_cShape.m_fTurnSpeed != 0.0 && MakeOracle(trial).Gap(0) > 1e-9L &&
+        (fits || trial.m_cShape.m_eShapeType != eShape::Arc))
+      return trial;
+  }
+}
+
+TEST(SweepTurning, TheGapIsOpenUntilTheImpactAndClosedThen) {
+  CRandom random(61);
+  int hits = 0, misses = 0;
+  for (int i = 0; i < 4000; ++i) {
+    SCOPED_TRACE("seed 61 trial " + std::to_string(i));
+    const CTrial trial = ClearTrial(random);
+    const CSweepOracle oracle = MakeOracle(trial);
+    const double bound = GapBound(trial);
+    CImpact impact;
+    const eSweep found = Sweep(trial.m_cShape, trial.m_cMotion, 0.0, impact);
+    ASSERT_NE(found, eSweep::OutOfIterations);
+    const bool met = found == eSweep::Impact;
+    ++(met ? hits : misses);
+    const double end = met ? impact.m_fTime : trial.m_cMotion.m_fDuration;
+    real least = oracle.Gap(0);
+    for (int k = 1; k <= 1000; ++k)
+      least = std::min(least, oracle.Gap(end * k / 1000.0L));
+    ASSERT_GE(static_cast<double>(least), -bound);
+    if (!met) continue;
+    ASSERT_LE(static_cast<double>(oracle.Gap(end)), bound);
+    // The point of impact is on the shape, and the ball there.
+    ASSERT_LE(static_cast<double>(oracle.DistanceOf(impact.m_vPOI, end)), 2.0 * bound);
+    const Vector2d center = trial.m_cMotion.m_vPos + trial.m_cMotion.m_vVel * end;
+    ASSERT_LE((center - impact.m_vPOI - trial.m_cMotion.m_fRadius * impact.m_vNorm).norm(), 2.0 * bound);
+    // With the velocity of the surface the ball approaches as fast as the gap closes.
+    const double approach = -(trial.m_cMotion.m_vVel - impact.m_vSurface).dot(impact.m_vNorm);
+    ASSERT_GT(approach, 0.0);
+  }
+  EXPECT_GT(hits, 1000);
+  EXPECT_GT(misses, 1000);
+}
+
+// The control: Newton's method on the same gap steps over impacts.
+TEST(SweepTurning, NewtonMissesImpacts) {
+  CRandom random(62);
+  int hits = 0, missed = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const CTrial trial = ClearTrial(random);
+    CImpact impact;
+    if (Sweep(trial.m_cShape, trial.m_cMotion, 0.0, impact) != eSweep::Impact) continue;
+    ++hits;
+    const CSweepOracle oracle = MakeOracle(trial);
+    real t = 0, gap = oracle.Gap(t);
+    for (int k = 0; k < 100 && gap > 1e-12L && t < trial.m_cMotion.m_fDuration; ++k) {
+      const real slope = (oracle.Gap(t + 1e-9L) - gap) / 1e-9L;
+      if (slope >= 0) break;
+      t -= gap / slope;
+      gap = oracle.Gap(t);
+    }
+    missed += std::abs(gap) > 1e-9L || std::abs(static_cast<double>(t) - impact.m_fTime) > 1e-6;
+  }
+  EXPECT_GT(hits, 200);
+  EXPECT_GT(missed, hits / 20);
+}
+
+// The same shape, turned before.
+TEST(SweepTurning, TheLegMayBeginLater) {
+  CRandom random(63);
+  int hits = 0;
+  for (int i = 0; i < 2000; ++i) {
+    SCOPED_TRACE("seed 63 trial " + std::to_string(i));
+    const CTrial trial = ClearTrial(random);
+    const double start = random.Unit();
+    CImpact later, turned;
+    const eSweep found = Sweep(trial.m_cShape, trial.m_cMotion, start, later);
+    ASSERT_EQ(found, Sweep(RotatedFor(trial.m_cShape, start), trial.m_cMotion, 0.0, turned));
+    if (found != eSweep::Impact) continue;
+    ++hits;
+    ASSERT_EQ(later.m_fTime, turned.m_fTime);
+    ASSERT_EQ(later.m_vPOI, turned.m_vPOI);
+    ASSERT_EQ(later.m_vNorm, turned.m_vNorm);
+  }
+  EXPECT_GT(hits, 400);
+}
+
+// A paddle at rest at first, with its end 1 unit from the axis, comes down on a ball that lies there.
+TEST(SweepTurning, APaddleComesDownOnABall) {
+  CLineSegDesc desc({0, 0}, {1, 0});
+  desc.m_eMotionType = eMotion::Kinematic;
+  const double w = -2.0, r = 0.125;
+  const CShapeGeometry paddle = MakeShapeGeometry(CKinematicLineSeg(desc), w);
+  // The line is r from the centre when it is asin(r / distance) short of the direction of the centre.
+  const Vector2d p(0.5, -0.5);
+  const double distance = p.norm(), angle = -std::numbers::pi / 4 + std::asin(r / distance);
+  CImpact impact;
+  ASSERT_EQ(Sweep(paddle, {p, Vector2d::Zero(), r, 1.0}, 0.0, impact), eSweep::Impact);
+  EXPECT_NEAR(impact.m_fTime, angle / w, 80 * 0x1p-52);
+  EXPECT_NEAR(std::atan2(impact.m_vNorm.y(), impact.m_vNorm.x()), angle - std::numbers::pi / 2, 1e-14);
+  const double along = std::sqrt(distance * distance - r * r);
+  EXPECT_NEAR(impact.m_vSurface.dot(impact.m_vNorm), -w * along, 1e-14);
+  // A ball that is slower than the paddle is met again at once, one that is as fast soon, because the paddle
+  // turns on. From a faster one the gap opens for long: 2 u / m_fCurve at least, where the curve is that of
+  // its own speed.
+  const auto whenAgain = [&](double share) {
+    CImpact again;
+    const CMotion motion{p, share * impact.m_vSurface, r, 1.0};
+    return Sweep(paddle, motion, impact.m_fTime, again) == eSweep::Impact ? again.m_fTime : 1.0;
+  };
+  EXPECT_EQ(whenAgain(0.9), 0.0);
+  EXPECT_LT(whenAgain(1.0), 1e-6);
+  EXPECT_GE(whenAgain(1.5), 2.0 * 0.5 * -w * along / (1.5 * impact.m_fCurve));
+  EXPECT_GT(impact.m_fCurve, 0.0);
+}
+
+// A ball that lies on a drum which turns about its own centre, for all gaps down to none, is followed by few
+// steps: their number would be Unknown if it grew with the smallness of the gap.
+TEST(SweepTurning, ABallBesideATurningDrumIsQuick) {
+  CArcDesc desc({0, 0}, 0.5f, 0.5f, 6.0f);
+  desc.m_eMotionType = eMotion::Kinematic;
+  const CShapeGeometry drum = MakeShapeGeometry(CKinematicArc(desc), 50.0);
+  for (double gap = 1e-3; gap > 1e-18; gap /= 8.0)
+    for (const double side : {1.0, -1.0})
+      for (const double speed : {0.0, 1e-6}) {
+        const Vector2d p(0.0, 0.5 + side * (0.1 + gap));
+        const Vector2d v(speed, 0.0);
+        CImpact impact;
+        const eSweep found = Sweep(drum, {p, v, 0.1, 0.001}, 0.0, impact);
+        EXPECT_NE(found, eSweep::OutOfIterations) << "gap " << gap << " side " << side;
+      }
+}
+
+// What turns billions of times is not looked at to the end, but nothing is missed before that: motions that
+// begin where one was left come to the same impact.
+TEST(SweepTurning, WhatIsNotKnownIsSaid) {
+  CLineSegDesc desc({-0.5f, 0}, {0.5f, 0});
+  desc.m_eMotionType = eMotion::Kinematic;
+  CImpact impact;
+  const double r = 0.1;
+  // From 3 units away the ball comes to the circle of the spinner 2.4 seconds later.
+  const CShapeGeometry fastest = MakeShapeGeometry(CKinematicLineSeg(desc), 6e9);
+  ASSERT_EQ(Sweep(fastest, {{3, 0}, {-1, 0}, r, 10.0}, 0.0, impact), eSweep::OutOfIterations);
+  EXPECT_GT(impact.m_fTime, 0.0);
+  EXPECT_LT(impact.m_fTime, 2.4 + 1e-6);
+
+  const CShapeGeometry fast = MakeShapeGeometry(CKinematicLineSeg(desc), 6e4);
+  double t = 0.0;
+  int motions = 0;
+  eSweep found;
+  do {
+    found = Sweep(fast, {{3.0 - t, 0}, {-1, 0}, r, 10.0 - t}, t, impact);
+    ASSERT_GT(impact.m_fTime, 0.0);
+    t += impact.m_fTime;
+  } while (found == eSweep::OutOfIterations && ++motions < 100000);
+  EXPECT_EQ(found, eSweep::Impact);
+  EXPECT_GT(motions, 1);
+  EXPECT_NEAR(t, 2.4, 1.1e-4); // within the turn in which it comes there
+  RecordProperty("motions", motions);
+}
+
+} // namespace
+} // namespace Shapes::Geometry

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "native/broadphase/AabbTree.h"
+
+#include "../Random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::Native {
+namespace {
+
+using Tests::CRandom;
+
+std::vector<std::uint32_t> Sorted(std::vector<std::uint32_t> v) {
+  std::sort(v.begin(), v.end());
+  return v;
+}
+
+std::vector<std::uint32_t> BruteForce(const std::vector<CAabb2D>& boxes, const CAabb2D& box) {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+    if (boxes[i] && box) found.push_back(i);
+  return found;
+}
+
+CAabb2D RandomBox(CRandom& random, float spread) {
+  Vector2 p = random.InSquare(spread);
+  if (random.Below(3) == 0) p = {std::round(p.x()), std::round(p.y())}; // many alike, edges in common
+  switch (random.Below(4)) {
+  case 0: return {p, p};                                      // points
+  case 1: return {p, p + Vector2(random.Scale(-8, 8), 0.0f)}; // flat ones
+  default: return {p, p + random.Vector(-8, 5)};
+  }
+}
+
+// Each query gives exactly what a look at every box gives, each item once.
+void ExpectSame(const CAabbTree& tree, const std::vector<CAabb2D>& boxes, CRandom& random, float spread) {
+  std::size_t total = 0;
+  for (int q = 0; q < 200; ++q) {
+    const CAabb2D box = RandomBox(random, 1.2f * spread);
+    std::vector<std::uint32_t> found;
+    tree.Query(box, found);
+    const std::vector<std::uint32_t> expected = BruteForce(boxes, box);
+    ASSERT_EQ(Sorted(found), expected) << "seed " << random.GetSeed();
+    total += expected.size();
+  }
+  if (boxes.size() > 50 && spread < 100.0f) {
+    EXPECT_GT(total, 0u);
+  }
+}
+
+TEST(AabbTree, QueryEqualsBruteForce) {
+  CRandom random(241);
+  for (const std::size_t n : {1u, 2u, 3u, 5u, 16u, 100u, 1000u}) {
+    for (const float spread : {1.0f, 30.0f, 1e6f}) {
+      std::vector<CAabb2D> boxes;
+      for (std::size_t i = 0; i < n; ++i)
+        boxes.push_back(RandomBox(random, spread));
+      CAabbTree tree;
+      tree.Build(boxes);
+      ExpectSame(tree, boxes, random, spread);
+    }
+  }
+}
+
+TEST(AabbTree, QueryEqualsBruteForceAfterRefit) {
+  CRandom random(242);
+  std::vector<CAabb2D> boxes;
+  for (int i = 0; i < 300; ++i)
+    boxes.push_back(RandomBox(random, 30.0f));
+  CAabbTree tree;
+  tree.Build(boxes);
+  for (int k = 0; k < 5; ++k) {
+    for (CAabb2D& box : boxes)
+      if (random.Coin()) box = RandomBox(random, 30.0f); // not only a little
+    tree.Refit(boxes);
+    ExpectSame(tree, boxes, random, 30.0f);
+  }
+  // Without the refit it would answer by the old boxes.
+  std::vector<CAabb2D> moved = boxes;
+  for (CAabb2D& box : moved)
+    box.Translate({1000.0f, 0.0f});
+  const CAabb2D there({900.0f, 100.0f}, {1100.0f, -100.0f});
+  std::vector<std::uint32_t> found;
+  tree.Query(there, found);
+  EXPECT_TRUE(found.empty());
+  tree.Refit(moved);
+  tree.Query(there, found);
+  EXPECT_EQ(found.size(), moved.size());
+}
+
+TEST(AabbTree, QueryEqualsBruteForceAfterSomeHaveGrown) {
+  CRandom random(243);
+  for (const std::size_t n : {1u, 2u, 3u, 100u}) {
+    std::vector<CAabb2D> boxes;
+    for (std::size_t i = 0; i < n; ++i)
+      boxes.push_back(RandomBox(random, 30.0f));
+    CAabbTree tree;
+    tree.Build(boxes);
+    for (int k = 0; k < 20; ++k) {
+      const std::uint32_t item = random.Below(static_cast<std::uint32_t>(n));
+      const CAabb2D more = RandomBox(random, 60.0f);
+      boxes[item] += more.GetTopLeft();
+      boxes[item] += more.GetBottomRt();
+      tree.Grow(item, more);
+      ExpectSame(tree, boxes, random, 60.0f);
+    }
+  }
+}
+
+TEST(AabbTree, CanBeBuiltAgainAndBeEmpty) {
+  CAabbTree tree;
+  std::vector<std::uint32_t> found;
+  const CAabb2D all({-1e18f, 1e18f}, {1e18f, -1e18f});
+  tree.Query(all, found);
+  EXPECT_TRUE(found.empty());
+  tree.Build(std::vector<CAabb2D>{all, all, all});
+  tree.Query(all, found);
+  EXPECT_EQ(Sorted(found), (std::vector<std::uint32_t>{0, 1, 2}));
+  tree.Build({});
+  tree.Refit({});
+  found.clear();
+  tree.Query(all, found);
+  EXPECT_TRUE(found.empty());
+}
+
+TEST(AabbTree, QueryAppends) {
+  CAabbTree tree;
+  const CAabb2D box({0.0f, 1.0f}, {1.0f, 0.0f});
+  tree.Build(std::vector<CAabb2D>{box});
+  std::vector<std::uint32_t> found{7};
+  tree.Query(box, found);
+  EXPECT_EQ(found, (std::vector<std::uint32_t>{7, 0}));
+}
+
+TEST(AabbTree, IdenticalBoxesAreAllFound) {
+  const std::vector<CAabb2D> boxes(257, CAabb2D({0.0f, 1.0f}, {1.0f, 0.0f}));
+  CAabbTree tree;
+  tree.Build(boxes);
+  std::vector<std::uint32_t> found;
+  tree.Query(boxes[0], found);
+  EXPECT_EQ(Sorted(found), BruteForce(boxes, boxes[0]));
+}
+
+TEST(Padded, LeavesRoomForTheRoundingOfAKernel) {
+  CRandom random(243);
+  for (int i = 0; i < 10000; ++i) {
+    const CAabb2D box = RandomBox(random, random.Scale(-10, 40));
+    const float margin = random.Coin() ? 0.0f : random.Scale(-10, 40);
+    const CAabb2D padded = Padded(box, margin);
+    const double size = std::max({std::abs(box.GetTopLeft().x()), std::abs(box.GetTopLeft().y()),
+                                  std::abs(box.GetBottomRt().x()), std::abs(box.GetBottomRt().y())});
+    const double least = static_cast<double>(margin) + 8 * 0x1p-23 * (size + static_cast<double>(margin));
+    EXPECT_LE(padded.GetTopLeft().x(), box.GetTopLeft().x() - least) << "seed " << random.GetSeed();
+    EXPECT_GE(padded.GetTopLeft().y(), box.GetTopLeft().y() + least) << "seed " << random.GetSeed();
+    EXPECT_GE(padded.GetBottomRt().x(), box.GetBottomRt().x() + least) << "seed " << random.GetSeed();
+    EXPECT_LE(padded.GetBottomRt().y(), box.GetBottomRt().y() - least) << "seed " << random.GetSeed();
+  }
+}
+
+} // namespace
+} // namespace Shapes::Native
