@@ -36,14 +36,8 @@ private:
   std::string m_sOld;
 };
 
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef SHAPES_SANITIZED
 constexpr bool g_bHasSanitizer = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr bool g_bHasSanitizer = true;
-#else
-constexpr bool g_bHasSanitizer = false;
-#endif
 #else
 constexpr bool g_bHasSanitizer = false;
 #endif

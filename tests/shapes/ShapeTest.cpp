@@ -124,12 +124,12 @@ TEST(Shape, RelocateOutlivesRotationsUntilReset) {
       pShape->SetOrientation(1.0f);
     p->Relocate(p->GetPos() + d);
     EXPECT_EQ(p->GetRotCenter(), Vector2(1.0f, 0.0f) + d);
-    const auto expectMoved = [&] {
+    const auto expectMoved = [&, &shape = *p] {
       CAabb2D moved = pStill->GetAABB();
       moved.Translate(d);
-      EXPECT_LE((p->GetPos() - pStill->GetPos() - d).norm(), 64 * 16 * g_fUlp);
-      EXPECT_LE((p->GetAABB().GetTopLeft() - moved.GetTopLeft()).norm(), 64 * 16 * g_fUlp);
-      EXPECT_LE((p->GetAABB().GetBottomRt() - moved.GetBottomRt()).norm(), 64 * 16 * g_fUlp);
+      EXPECT_LE((shape.GetPos() - pStill->GetPos() - d).norm(), 64 * 16 * g_fUlp);
+      EXPECT_LE((shape.GetAABB().GetTopLeft() - moved.GetTopLeft()).norm(), 64 * 16 * g_fUlp);
+      EXPECT_LE((shape.GetAABB().GetBottomRt() - moved.GetBottomRt()).norm(), 64 * 16 * g_fUlp);
     };
     expectMoved();
     for (CShape* pShape : {p.get(), pStill.get()})

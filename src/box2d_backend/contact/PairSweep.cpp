@@ -145,8 +145,8 @@ bool MayMeet(const CShape& shape, const CDynamicCircle& ball) {
   const CAabb2D path(ball.GetPrevPos(), ball.GetPos());
   const float size = std::max(ball.GetPos().cwiseAbs().maxCoeff(), ball.GetPrevPos().cwiseAbs().maxCoeff());
   const float reach = ball.GetRadius() + 4.0f * b2_polygonRadius + g_fBoxPadding * (size + ball.GetRadius());
-  const Vector2 r(reach, reach), tl = path.GetTopLeft(), br = path.GetBottomRt();
-  return CAabb2D({tl.x() - r.x(), tl.y() + r.y()}, {br.x() + r.x(), br.y() - r.y()}) && shape.GetAABB();
+  const Vector2 up(-reach, reach);
+  return CAabb2D(path.GetTopLeft() + up, path.GetBottomRt() - up) && shape.GetAABB();
 }
 
 b2CircleShape MakeBall(const CDynamicCircle& ball) {

@@ -42,14 +42,14 @@ void CStaticBroadPhase::Build(const std::vector<CShapeEntry>& shapes) {
     pGroup->m_stdOrder.clear();
     pGroup->m_stdBoxes.clear();
   }
-  m_stdOldGeometries.clear();
   for (std::uint32_t order = 0; order < Size(); ++order) {
     const CShape& shape = GetShape(order);
     CGroup& group = shape.GetMotionType() == eMotion::Kinematic ? m_cKinematic : m_cStatic;
     group.m_stdOrder.push_back(order);
     group.m_stdBoxes.push_back(BoxOf(shape));
-    m_stdOldGeometries.push_back(order);
   }
+  m_stdIsOld.assign(Size(), 1);
+  m_bIsAnyOld = true;
   m_cStatic.m_cTree.Build(m_cStatic.m_stdBoxes);
   m_cKinematic.m_cTree.Build(m_cKinematic.m_stdBoxes);
   m_stdGeometries.resize(Size());
@@ -72,7 +72,7 @@ void CStaticBroadPhase::Update(const CShapeEntry& entry) {
   // are fitted again as soon as one of them rotates.
   group.m_stdBoxes[i] = BoxOf(shape);
   group.m_cTree.Grow(i, group.m_stdBoxes[i]);
-  m_stdOldGeometries.push_back(order);
+  m_stdIsOld[order] = m_bIsAnyOld = true;
 }
 
 void CStaticBroadPhase::BoxKinematic() {
@@ -103,9 +103,12 @@ void CStaticBroadPhase::MakeGeometries(float dt) {
         shape.GetRotating() ? static_cast<double>(TurnIn(shape, dt)) / static_cast<double>(dt) : 0.0;
     m_stdGeometries[order] = MakeShapeGeometry(shape, speed);
   };
-  for (const std::uint32_t order : m_stdOldGeometries)
-    make(order);
-  m_stdOldGeometries.clear();
+  if (m_bIsAnyOld) {
+    for (std::uint32_t order = 0; order < Size(); ++order)
+      if (m_stdIsOld[order]) make(order);
+    m_stdIsOld.assign(Size(), 0);
+    m_bIsAnyOld = false;
+  }
   for (const std::uint32_t order : m_cKinematic.m_stdOrder)
     if (GetShape(order).GetRotating()) make(order);
 }

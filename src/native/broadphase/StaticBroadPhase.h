@@ -47,8 +47,9 @@ private:
 
   std::vector<const CShapeEntry*> m_stdByOrder;
   CGroup m_cStatic, m_cKinematic;
-  std::vector<CShapeGeometry> m_stdGeometries;   // by order
-  std::vector<std::uint32_t> m_stdOldGeometries; // orders of those to be made anew
+  std::vector<CShapeGeometry> m_stdGeometries; // by order
+  std::vector<std::uint8_t> m_stdIsOld;        // whether that geometry is to be made anew
+  bool m_bIsAnyOld = false;
   std::vector<std::uint32_t> m_stdFound;
 };
 
