@@ -65,7 +65,7 @@ TEST_F(SceneDescTest, TheLoaderReadsWhatWasWrittenBitForBit) {
 }
 
 TEST_F(SceneDescTest, EveryFloatSurvives) {
-  Tests::CRandom random(5);
+  Shapes::Tests::CRandom random(5);
   for (int n = 0; n < 20; ++n) {
     CSceneDesc desc;
     desc.m_stdBalls = {CDynamicCircleDesc({0, 0}, 1)};
