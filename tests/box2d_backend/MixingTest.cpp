@@ -92,7 +92,7 @@ TEST(MixingTest, WhatIsNotSolidDoesNotCount) {
 }
 
 TEST(MixingTest, NobodyListensWhereNobodyNeedsTo) {
-  const auto needsNone = [](const Box2D::CTuning& tuning, CEffects running, float wall) {
+  const auto asksForNone = [](const Box2D::CTuning& tuning, CEffects running, float wall) {
     bool needsNone = false;
     const auto ask = [&](CWorldCore& world) -> std::unique_ptr<CEngine> {
       world.GetState() = MakeState({0.7f, 0.2f}, {0.9f, wall});
@@ -105,13 +105,13 @@ TEST(MixingTest, NobodyListensWhereNobodyNeedsTo) {
     CWorldCore(CWorldDesc(), CWorldLimits(), CEffects(), ask);
     return needsNone;
   };
-  EXPECT_TRUE(needsNone(Box2D::g_cShipped, {}, 0.9f));
-  EXPECT_TRUE(needsNone(Box2D::g_cShipped, {eEffect::Gravity, eEffect::Continuous}, 0.9f));
-  EXPECT_FALSE(needsNone(Box2D::g_cShipped, {}, 0.8f));
-  EXPECT_FALSE(needsNone(Box2D::g_cShipped, {eEffect::BallPairs}, 0.9f));
-  EXPECT_FALSE(needsNone(Box2D::g_cShipped, {eEffect::Events}, 0.9f));
-  EXPECT_FALSE(needsNone(Box2D::g_cShipped, {eEffect::Sensors}, 0.9f));
-  EXPECT_FALSE(needsNone(Box2D::g_cTuned, {}, 0.9f));
+  EXPECT_TRUE(asksForNone(Box2D::g_cShipped, {}, 0.9f));
+  EXPECT_TRUE(asksForNone(Box2D::g_cShipped, {eEffect::Gravity, eEffect::Continuous}, 0.9f));
+  EXPECT_FALSE(asksForNone(Box2D::g_cShipped, {}, 0.8f));
+  EXPECT_FALSE(asksForNone(Box2D::g_cShipped, {eEffect::BallPairs}, 0.9f));
+  EXPECT_FALSE(asksForNone(Box2D::g_cShipped, {eEffect::Events}, 0.9f));
+  EXPECT_FALSE(asksForNone(Box2D::g_cShipped, {eEffect::Sensors}, 0.9f));
+  EXPECT_FALSE(asksForNone(Box2D::g_cTuned, {}, 0.9f));
 }
 
 } // namespace
