@@ -274,18 +274,20 @@ TEST(NativeWorldTest, AChangeOfOneShapeCostsNoMoreAmongMany) {
   const CChange changes[] = {
       {"the place of a ball",
        [](CWorld& w, CShapeId ball, CShapeId, int i) {
-         w.SetPos(ball, {-100.0f, 1.0f * i});
+         w.SetPos(ball, {-100.0f, static_cast<float>(i)});
        }},
-      {"the elasticity of a ball",
-       [](CWorld& w, CShapeId ball, CShapeId, int i) { w.SetElasticity(ball, 0.1f * (i % 5)); }},
+      {"the elasticity of a ball", [](CWorld& w, CShapeId ball, CShapeId,
+                                      int i) { w.SetElasticity(ball, 0.1f * static_cast<float>(i % 5)); }},
       {"a ball that cannot collide",
        [](CWorld& w, CShapeId ball, CShapeId, int i) { w.SetCanCollide(ball, i % 2 == 0); }},
       {"the place of a flipper",
        [](CWorld& w, CShapeId, CShapeId flipper, int i) {
-         w.SetPos(flipper, {-100.0f, 50.0f + 0.01f * (i % 9)});
+         w.SetPos(flipper, {-100.0f, 50.0f + 0.01f * static_cast<float>(i % 9)});
        }},
       {"the orientation of a flipper",
-       [](CWorld& w, CShapeId, CShapeId flipper, int i) { w.SetOrientation(flipper, 0.1f * (i % 9)); }},
+       [](CWorld& w, CShapeId, CShapeId flipper, int i) {
+         w.SetOrientation(flipper, 0.1f * static_cast<float>(i % 9));
+       }},
       {"a post that sinks",
        [](CWorld& w, CShapeId, CShapeId, int i) { w.SetCanCollide(CShapeId{2}, i % 2 == 0); }},
       {"a shape that comes and goes",
