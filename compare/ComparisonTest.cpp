@@ -3,7 +3,7 @@
 // the bounds that docs/accuracy.md documents.
 #include "compare/MadeScenes.h"
 #include "metrics/Cost.h"
-#include "metrics/Restart.h"
+#include "metrics/ImpactTrials.h"
 #include "metrics/Totals.h"
 
 #include <gtest/gtest.h>
@@ -24,13 +24,13 @@ using Tests::LoadBundled;
 constexpr std::size_t g_nContacts = 3000;
 constexpr std::uint64_t g_nSeed = 7;
 
-CRestartResult Judge(const CScene& scene, const std::vector<CEngine>& engines, std::uint64_t seed,
+CImpactTrialResult Judge(const CScene& scene, const std::vector<CEngine>& engines, std::uint64_t seed,
                      std::size_t contacts) {
-  CRestartOptions options;
+  CImpactTrialOptions options;
   options.m_nSeed = seed;
   options.m_nContacts = contacts;
   options.m_nMostTrials = 20 * contacts;
-  return RunRestarts(scene, engines, options);
+  return RunImpactTrials(scene, engines, options);
 }
 
 // docs/accuracy.md, "Bounds": tunneled rate and 95th percentile of the setback error, in radii, of native and
@@ -80,7 +80,7 @@ void ExpectRateWithin(std::size_t hits, std::size_t n, double bound) {
 
 TEST_P(CEveryScene, StaysWithinTheDocumentedBounds) {
   const CBounds& bounds = GetParam();
-  const CRestartResult result = Judge(LoadBundled(bounds.m_sScene), GetEngines(), g_nSeed, g_nContacts);
+  const CImpactTrialResult result = Judge(LoadBundled(bounds.m_sScene), GetEngines(), g_nSeed, g_nContacts);
   ASSERT_EQ(result.m_stdContacts.size(), g_nContacts);
   const CTotals native = MakeTotals(result.m_stdContacts, g_nNative),
                 box2d = MakeTotals(result.m_stdContacts, g_nBox2D),
@@ -89,28 +89,28 @@ TEST_P(CEveryScene, StaysWithinTheDocumentedBounds) {
   Record("native_tunneled", static_cast<double>(native.GetTunneled()));
   Record("box2d_tunneled", static_cast<double>(box2d.GetTunneled()));
   Record("tuned_tunneled", static_cast<double>(tuned.GetTunneled()));
-  Record("tuned_direction_error_p95", tuned.m_cDirectionError.m_fP95);
-  Record("native_setback_median", native.m_cSetback.m_fMedian);
-  Record("box2d_setback_median", box2d.m_cSetback.m_fMedian);
+  Record("tuned_direction_error_p95", tuned["direction_error"].m_fP95);
+  Record("native_setback_median", native["setback"].m_fMedian);
+  Record("box2d_setback_median", box2d["setback"].m_fMedian);
   Record("setback_difference_median", apart.m_fMedian);
   Record("setback_difference_p95", apart.m_fP95);
   Record("setback_difference_max", apart.m_fMax);
-  Record("native_setback_error_p95", native.m_cSetbackError.m_fP95);
-  Record("box2d_setback_error_p95", box2d.m_cSetbackError.m_fP95);
+  Record("native_setback_error_p95", native["setback_error"].m_fP95);
+  Record("box2d_setback_error_p95", box2d["setback_error"].m_fP95);
 
   ExpectRateWithin(native.GetTunneled(), g_nContacts, bounds.m_fNativeTunneled);
   ExpectRateWithin(box2d.GetTunneled(), g_nContacts, bounds.m_fBox2DTunneled);
-  EXPECT_LE(native.m_cSetbackError.m_fP95, bounds.m_fNativeError);
-  EXPECT_LE(box2d.m_cSetbackError.m_fP95, bounds.m_fBox2DError);
+  EXPECT_LE(native["setback_error"].m_fP95, bounds.m_fNativeError);
+  EXPECT_LE(box2d["setback_error"].m_fP95, bounds.m_fBox2DError);
   EXPECT_LE(apart.m_fP95, bounds.m_fApart);
-  EXPECT_LE(native.m_cDirectionError.m_fP95, bounds.m_fNativeDirection);
-  EXPECT_LE(box2d.m_cDirectionError.m_fP95, bounds.m_fBox2DDirection);
+  EXPECT_LE(native["direction_error"].m_fP95, bounds.m_fNativeDirection);
+  EXPECT_LE(box2d["direction_error"].m_fP95, bounds.m_fBox2DDirection);
   ExpectRateWithin(tuned.GetTunneled(), g_nContacts, bounds.m_fTunedTunneled);
-  EXPECT_LE(tuned.m_cDirectionError.m_fP95, bounds.m_fTunedDirection);
-  EXPECT_EQ(tuned.m_cSetbackError.m_fP95, box2d.m_cSetbackError.m_fP95); // CollisionDetected has no profile
+  EXPECT_LE(tuned["direction_error"].m_fP95, bounds.m_fTunedDirection);
+  EXPECT_EQ(tuned["setback_error"].m_fP95, box2d["setback_error"].m_fP95); // CollisionDetected has no profile
   // Both saw enough pairs for these to mean something.
-  EXPECT_GT(native.m_cSetbackError.m_nCount, g_nContacts / 3);
-  EXPECT_GT(box2d.m_cSetbackError.m_nCount, g_nContacts / 2);
+  EXPECT_GT(native["setback_error"].m_nCount, g_nContacts / 3);
+  EXPECT_GT(box2d["setback_error"].m_nCount, g_nContacts / 2);
 }
 
 TEST(ComparisonTest, EveryBundledSceneHasBounds) {
@@ -121,7 +121,7 @@ TEST(ComparisonTest, EveryBundledSceneHasBounds) {
 }
 
 // The head-on wall at a speed that makes v dt = ratio * r.
-CRestartResult HeadOn(double ratio, unsigned substeps, std::size_t contacts) {
+CImpactTrialResult HeadOn(double ratio, unsigned substeps, std::size_t contacts) {
   CScene scene = LoadBundled("head_on_wall");
   CDynamicCircleDesc& ball = scene.m_stdBalls[0].m_cDesc;
   ball.m_vVel.x() = static_cast<float>(ratio) * ball.m_fRadius / scene.m_cWorld.m_fTimeStep;
@@ -136,7 +136,7 @@ TEST(ComparisonTest, HeadOnTunnelingOfNativeMatchesTheFormula) {
   constexpr std::size_t n = 10000;
   for (const double ratio : {0.5, 0.9, 1.25, 2.0, 3.0, 5.0}) {
     SCOPED_TRACE(ratio);
-    const CRestartResult result = HeadOn(ratio, 1, n);
+    const CImpactTrialResult result = HeadOn(ratio, 1, n);
     ASSERT_EQ(result.m_stdContacts.size(), n);
     const CTotals native = MakeTotals(result.m_stdContacts, g_nNative);
     EXPECT_TRUE(Holds(native.GetTunneled(), n, std::max(0.0, 1 - 1 / ratio))) << native.GetTunneled();

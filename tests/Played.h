@@ -2,7 +2,7 @@
 // Scenes that are played on the native engine step by step, and what came out of them in one number.
 #pragma once
 
-#include "Trial.h"
+#include "scene/Trial.h"
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Cost.h"
 
-#include "../ExactGame.h"
+#include "scene/ExactGame.h"
 
 #include <algorithm>
 #include <chrono>

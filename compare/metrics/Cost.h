@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../Trial.h"
 #include "Statistics.h"
+#include "scene/Trial.h"
 
 #include <functional>
 #include <optional>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "Effects.h"
 
-#include "../ExactGame.h"
+#include "ImpactTrials.h"
 #include "Instructions.h"
-#include "Restart.h"
+#include "scene/ExactGame.h"
 
 #include <algorithm>
 #include <array>
@@ -182,7 +182,7 @@ private:
 std::vector<CEffectWorld> MeasureWorlds(const CScene& scene, const std::vector<CEngine>& worlds,
                                         const CEffectOptions& options, CEffectCosts& report) {
   std::vector<CEffectWorld> measured(worlds.size());
-  CRestartOptions restart;
+  CImpactTrialOptions restart;
   restart.m_nSeed = options.m_nSeed;
   restart.m_nContacts = options.m_nContacts;
   restart.m_nMostTrials = options.m_nMostTrials;
@@ -190,7 +190,7 @@ std::vector<CEffectWorld> MeasureWorlds(const CScene& scene, const std::vector<C
   restart.m_stdProgress = [&](double done) { options.m_stdProgress(g_fImpactShare * done); };
   const CTouches touches(scene, worlds, options);
   CFlights flights(scene, worlds, options);
-  const CRestartResult result = RunRestarts(scene, worlds, restart);
+  const CImpactTrialResult result = RunImpactTrials(scene, worlds, restart);
   report.m_nTouches = touches.GetTouches();
   const std::vector<CCost> costs =
       MeasureCost(scene, worlds, options.m_nSeed, options.m_nRepeats, options.m_nBallSteps,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Ghosts.h"
 
-#include "../reference/Distance.h"
 #include "EngineResponse.h"
+#include "reference/Distance.h"
 
 #include <algorithm>
 #include <exception>
@@ -27,7 +27,8 @@ constexpr double g_fMostPieces = 4096.0;
 
 // Whether the disc of this radius about a centre that moves from p0 to p1 meets the figure. As far as the
 // figure is away the centre may move without meeting it.
-bool Passes(const CFigure<double>& figure, const CVec2d& p0, const CVec2d& p1, double reach, double piece) {
+bool Passes(const CShapeGeometry<double>& figure, const CVec2d& p0, const CVec2d& p1, double reach,
+            double piece) {
   const double way = Norm(CVec2d(p1 - p0));
   for (double done = 0.0;;) {
     const CVec2d p = way > 0.0 ? CVec2d(p0 + (p1 - p0) * (done / way)) : p0;
@@ -40,7 +41,7 @@ bool Passes(const CFigure<double>& figure, const CVec2d& p0, const CVec2d& p1, d
 
 // The least distance from the origin of a point that moves from x0 to x1.
 double LeastDistance(const CVec2d& x0, const CVec2d& x1) {
-  CFigure<double> way;
+  CShapeGeometry<double> way;
   way.m_eShapeType = eShape::LineSeg;
   way.m_vPt0 = x0;
   way.m_vPt1 = x1;
@@ -60,7 +61,7 @@ bool CGhostHunter::IsQuiet(const CExactGame& game, std::size_t ball) const {
   bool passes = false;
   for (std::size_t i = 0; i < m_cScene.m_stdShapes.size(); ++i) {
     if (GetBase(m_cScene.m_stdShapes[i].m_cDesc).m_bIsSensor) continue;
-    const CFigure<double> figure = reference.GetFigure(i);
+    const CShapeGeometry<double> figure = reference.GetGeometry(i);
     if (std::min(Distance(figure, p0), Distance(figure, p1)) <= r * (1.0 + g_fTouching)) return false;
     passes = passes || Passes(figure, p0, p1, r * (1.0 + g_fPass), r * g_fPiece);
   }
@@ -86,7 +87,7 @@ bool CGhostHunter::IsDrawn(std::size_t contacts) {
   return unit * static_cast<double>(m_nSeen) < static_cast<double>(contacts);
 }
 
-void CGhostHunter::Judge(const CExactGame& game, CRestartResult& result) {
+void CGhostHunter::Judge(const CExactGame& game, CImpactTrialResult& result) {
   // An impact of one ball that an engine misses may bring that ball to another one, which is no ghost.
   if (!game.GetEvents().empty()) return;
   const std::size_t contacts = result.m_stdContacts.size();
@@ -96,7 +97,7 @@ void CGhostHunter::Judge(const CExactGame& game, CRestartResult& result) {
       m_stdQuiet.push_back(i);
   if (m_stdQuiet.empty()) return;
   Ask(game);
-  if (!m_stdAnswers.empty()) {
+  if (!m_stdRecommendations.empty()) {
     CExactGame ahead = game;
     try {
       for (int i = 0; i < g_nLookAhead && ahead.IsInBounds(); ++i) {
@@ -113,7 +114,7 @@ void CGhostHunter::Judge(const CExactGame& game, CRestartResult& result) {
 
 // Every response of a quiet ball, on every engine.
 void CGhostHunter::Ask(const CExactGame& game) {
-  m_stdAnswers.clear();
+  m_stdRecommendations.clear();
   for (std::size_t e = 0; e < m_stdEngines.size(); ++e) {
     CTrialWorld world(m_cScene, m_stdEngines[e], game.GetBalls(), game.GetTime());
     world.m_pWorld->Step();
@@ -128,7 +129,7 @@ void CGhostHunter::Ask(const CExactGame& game) {
         const auto other =
             isBall ? std::lower_bound(balls.begin(), balls.end(), response->m_cShape) - balls.begin()
                    : it - shapes.begin();
-        m_stdAnswers.push_back({e, ball, static_cast<std::size_t>(other), isBall});
+        m_stdRecommendations.push_back({e, ball, static_cast<std::size_t>(other), isBall});
       }
   }
 }
@@ -136,7 +137,7 @@ void CGhostHunter::Ask(const CExactGame& game) {
 // Takes away the answers to what the exact ball touched in the last step of the game.
 void CGhostHunter::MarkTouched(const CExactGame& game) {
   const CReference<double>& reference = game.GetReference();
-  std::erase_if(m_stdAnswers, [&](const CAnswer& a) {
+  std::erase_if(m_stdRecommendations, [&](const CAnswer& a) {
     const bool met =
         std::any_of(game.GetEvents().begin(), game.GetEvents().end(), [&](const CExactEvent<double>& e) {
           if (e.m_bIsBall != a.m_bIsBall) return false;
@@ -146,19 +147,20 @@ void CGhostHunter::MarkTouched(const CExactGame& game) {
     if (met) return true;
     const auto& ball = reference.GetBall(a.m_nBall);
     const double slack = ball.m_fRadius * g_fTouching;
-    if (!a.m_bIsBall) return Distance(reference.GetFigure(a.m_nOther), ball.m_vPos) <= ball.m_fRadius + slack;
+    if (!a.m_bIsBall)
+      return Distance(reference.GetGeometry(a.m_nOther), ball.m_vPos) <= ball.m_fRadius + slack;
     const auto& other = reference.GetBall(a.m_nOther);
     return Norm(CVec2d(ball.m_vPos - other.m_vPos)) <= ball.m_fRadius + other.m_fRadius + slack;
   });
 }
 
 // One for each ball and engine, however many shapes it answered.
-void CGhostHunter::CountGhosts(CRestartResult& result) {
+void CGhostHunter::CountGhosts(CImpactTrialResult& result) {
   const auto same = [](const CAnswer& a, const CAnswer& b) {
     return a.m_nEngine == b.m_nEngine && a.m_nBall == b.m_nBall;
   };
-  for (auto it = m_stdAnswers.begin(); it != m_stdAnswers.end(); ++it)
-    if (std::none_of(m_stdAnswers.begin(), it, [&](const CAnswer& a) { return same(a, *it); }))
+  for (auto it = m_stdRecommendations.begin(); it != m_stdRecommendations.end(); ++it)
+    if (std::none_of(m_stdRecommendations.begin(), it, [&](const CAnswer& a) { return same(a, *it); }))
       ++result.m_stdGhosts[it->m_nEngine];
 }
 

@@ -3,8 +3,8 @@
 // and a ball passes something closely.
 #pragma once
 
-#include "../ExactGame.h"
-#include "Restart.h"
+#include "ImpactTrials.h"
+#include "scene/ExactGame.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +21,7 @@ public:
   /// many as there are contacts in the result at most, and judges them: adds to m_nQuietSteps and
   /// m_stdGhosts.
   /// @throws std::invalid_argument if an engine refuses the state; nothing is added then
-  void Judge(const CExactGame& game, CRestartResult& result);
+  void Judge(const CExactGame& game, CImpactTrialResult& result);
 
 private:
   struct CAnswer { // what an engine said about a quiet ball
@@ -33,13 +33,13 @@ private:
   bool IsQuiet(const CExactGame& game, std::size_t ball) const;
   void Ask(const CExactGame& game);
   void MarkTouched(const CExactGame& game);
-  void CountGhosts(CRestartResult& result);
+  void CountGhosts(CImpactTrialResult& result);
 
   const CScene& m_cScene;
   const std::vector<CEngine>& m_stdEngines;
   std::uint64_t m_nSeen = 0;           // quiet steps
   std::vector<std::size_t> m_stdQuiet; // balls
-  std::vector<CAnswer> m_stdAnswers;
+  std::vector<CAnswer> m_stdRecommendations;
 };
 
 } // namespace Shapes::Compare

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "HeatMap.h"
 
-#include "Restart.h"
+#include "ImpactTrials.h"
 #include "Totals.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ CHeatMap MeasureHeatMap(const CScene& scene, const std::vector<CEngine>& engines
   map.m_stdSpeeds = {0.125, 0.25, 0.5, 1, 2, 4};
   map.m_stdSizes = {0.25, 0.5, 1, 2};
 
-  CRestartOptions options;
+  CImpactTrialOptions options;
   options.m_nSeed = seed;
   options.m_nContacts = contacts;
   options.m_nMostTrials = 4 * contacts;
@@ -41,7 +41,7 @@ CHeatMap MeasureHeatMap(const CScene& scene, const std::vector<CEngine>& engines
       const double done = static_cast<double>(map.m_stdCells.size());
       const double all = static_cast<double>(map.m_stdSpeeds.size() * map.m_stdSizes.size());
       options.m_stdProgress = [&](double part) { progress((done + part) / all); };
-      const CRestartResult result = RunRestarts(Vary(scene, speed, size), engines, options);
+      const CImpactTrialResult result = RunImpactTrials(Vary(scene, speed, size), engines, options);
       CHeatCell cell;
       cell.m_nContacts = result.m_stdContacts.size();
       for (std::size_t e = 0; e < engines.size(); ++e)

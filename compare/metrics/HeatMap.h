@@ -2,7 +2,7 @@
 // How often each engine tunnels, by how fast the ball is and how large.
 #pragma once
 
-#include "../Trial.h"
+#include "scene/Trial.h"
 
 #include <cstdint>
 #include <functional>
@@ -24,7 +24,7 @@ struct CHeatMap {
 };
 
 /// `contacts` impacts in each cell. The map is empty unless the scene has one ball, which moves at the start.
-/// @param progress as in CRestartOptions
+/// @param progress as in CImpactTrialOptions
 CHeatMap MeasureHeatMap(const CScene& scene, const std::vector<CEngine>& engines, std::uint64_t seed,
                         std::size_t contacts, const std::function<void(double)>& progress);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Instructions.h"
 
-#include "../Child.h"
 #include "Effects.h"
+#include "app/Child.h"
 
 #include <algorithm>
 #include <charconv>

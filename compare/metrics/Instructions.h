@@ -2,7 +2,7 @@
 // How many instructions a step takes: unlike a time that is the same again, and small differences show.
 #pragma once
 
-#include "../Trial.h"
+#include "scene/Trial.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "LongRun.h"
 
-#include "../reference/Reference.h"
 #include "EngineResponse.h"
+#include "reference/Reference.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // keeps has to be kept. docs/accuracy.md defines every figure.
 #pragma once
 
-#include "../Trial.h"
+#include "scene/Trial.h"
 
 #include <cstdint>
 #include <optional>

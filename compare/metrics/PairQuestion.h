@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../Trial.h"
-#include "../reference/Vec2.h"
+#include "reference/Vec2.h"
+#include "scene/Trial.h"
 
 namespace Shapes::Compare {
 

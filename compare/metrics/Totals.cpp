@@ -9,10 +9,6 @@
 namespace Shapes::Compare {
 namespace {
 
-bool HasTunneled(const CEngineContact& c) {
-  return c.m_eOutcome == eOutcome::Missed || c.m_eOutcome == eOutcome::WrongSide;
-}
-
 double AsDouble(float x) { return static_cast<double>(x); }
 
 // Gathers contacts of one engine until they are summarised.
@@ -23,52 +19,29 @@ public:
     m_cTotals.m_nMissed += c.m_eOutcome == eOutcome::Missed;
     m_cTotals.m_nWrongSide += c.m_eOutcome == eOutcome::WrongSide;
     m_cTotals.m_nLate += c.m_eOutcome == eOutcome::Late;
-    if (!HasTunneled(c)) {
-      m_cTotals.m_nOverlapped += c.m_fPenetration > g_fOverlap;
-      m_stdPenetration.push_back(AsDouble(c.m_fPenetration));
-    }
-    if (c.m_bDetected) {
-      m_stdSetback.push_back(AsDouble(c.m_fSetback));
-      m_stdSetbackError.push_back(AsDouble(c.m_fSetbackError));
-      m_stdSetbackErrorNormal.push_back(AsDouble(c.m_fSetbackErrorNormal));
-      m_stdTimeError.push_back(AsDouble(c.m_fTimeError));
-    }
-    if (c.HasTurnedBack()) {
-      m_stdPOIError.push_back(AsDouble(c.m_fPOIError));
-      m_stdNormalError.push_back(AsDouble(c.m_fNormalError));
-    }
-    if (c.m_bCompared) {
-      m_stdDirectionError.push_back(AsDouble(c.m_fDirectionError));
-      m_stdSpeedError.push_back(AsDouble(c.m_fSpeedError));
-      m_stdEnergyError.push_back(AsDouble(c.m_fEnergyError));
-      m_stdPositionError.push_back(AsDouble(c.m_fPositionError));
-    }
+    m_cTotals.m_nOverlapped += !c.HasTunneled() && c.m_fPenetration > g_fOverlap;
+    const auto figures = GetImpactFigures();
+    for (std::size_t i = 0; i < figures.size(); ++i)
+      if (figures[i].m_pIsMeasured(c) &&
+          (figures[i].m_pIsSummarised == nullptr || figures[i].m_pIsSummarised(c)))
+        m_stdValues[i].push_back(AsDouble(c.*figures[i].m_pOfImpact));
   }
 
   bool IsEmpty() const { return m_cTotals.m_nContacts == 0; }
 
   // Once only: hands over what was gathered.
   CTotals Summarised() {
-    m_cTotals.m_cSetback = Summarise(std::move(m_stdSetback));
-    m_cTotals.m_cSetbackError = Summarise(std::move(m_stdSetbackError));
-    m_cTotals.m_cSetbackErrorNormal = SummariseSigned(std::move(m_stdSetbackErrorNormal));
-    m_cTotals.m_cTimeError = SummariseSigned(std::move(m_stdTimeError));
-    m_cTotals.m_cPOIError = Summarise(std::move(m_stdPOIError));
-    m_cTotals.m_cNormalError = Summarise(std::move(m_stdNormalError));
-    m_cTotals.m_cDirectionError = Summarise(std::move(m_stdDirectionError));
-    m_cTotals.m_cSpeedError = SummariseSigned(std::move(m_stdSpeedError));
-    m_cTotals.m_cEnergyError = SummariseSigned(std::move(m_stdEnergyError));
-    m_cTotals.m_cPositionError = Summarise(std::move(m_stdPositionError));
-    m_cTotals.m_cPenetration = Summarise(std::move(m_stdPenetration));
+    const auto figures = GetImpactFigures();
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+      const auto summarise = figures[i].m_bIsSigned ? SummariseSigned : Summarise;
+      m_cTotals.m_stdSummaries[i] = summarise(std::move(m_stdValues[i]));
+    }
     return m_cTotals;
   }
 
 private:
   CTotals m_cTotals;
-  std::vector<double> m_stdSetback, m_stdSetbackError, m_stdSetbackErrorNormal, m_stdTimeError;
-  std::vector<double> m_stdPOIError, m_stdNormalError;
-  std::vector<double> m_stdDirectionError, m_stdSpeedError, m_stdEnergyError, m_stdPositionError;
-  std::vector<double> m_stdPenetration;
+  std::vector<std::vector<double>> m_stdValues = std::vector<std::vector<double>>(GetImpactFigures().size());
 };
 
 constexpr double g_fDegree = std::numbers::pi / 180.0;
@@ -164,7 +137,7 @@ CHistogram MakeHistogram(std::span<const CContact> contacts, std::size_t engine)
   for (const CContact& contact : contacts) {
     const CEngineContact& c = contact.m_stdEngines[engine];
     if (c.m_bDetected) Count(c.m_fSetbackError, histogram.m_stdSetbackError);
-    if (!HasTunneled(c)) Count(c.m_fPenetration, histogram.m_stdPenetration);
+    if (!c.HasTunneled()) Count(c.m_fPenetration, histogram.m_stdPenetration);
   }
   return histogram;
 }

@@ -2,7 +2,8 @@
 // What the contacts of a scene amount to for one engine: counts, summaries, and the same by bins.
 #pragma once
 
-#include "Restart.h"
+#include "Figures.h"
+#include "ImpactTrials.h"
 #include "Statistics.h"
 
 #include <span>
@@ -17,10 +18,12 @@ struct CTotals {
   std::size_t m_nContacts = 0;
   std::size_t m_nMissed = 0, m_nWrongSide = 0, m_nLate = 0;
   std::size_t m_nOverlapped = 0; ///< did not tunnel, but left the ball in the shape by more than g_fOverlap
-  CSummary m_cSetback, m_cSetbackError, m_cSetbackErrorNormal, m_cTimeError;
-  CSummary m_cPOIError, m_cNormalError;
-  CSummary m_cDirectionError, m_cSpeedError, m_cEnergyError, m_cPositionError;
-  CSummary m_cPenetration; ///< of the contacts that did not tunnel
+  std::vector<CSummary> m_stdSummaries; ///< of GetImpactFigures
+
+  CTotals() : m_stdSummaries(GetImpactFigures().size()) {}
+  /// The summary of a figure of each impact: totals["setback_error"].
+  CSummary& operator[](std::string_view key) { return m_stdSummaries[GetImpactFigureIndex(key)]; }
+  const CSummary& operator[](std::string_view key) const { return m_stdSummaries[GetImpactFigureIndex(key)]; }
 
   /// The exact ball was turned back and this one went on: missed or wrong side.
   std::size_t GetTunneled() const { return m_nMissed + m_nWrongSide; }

@@ -2,7 +2,7 @@
 #include "WorkPrecision.h"
 
 #include "Cost.h"
-#include "Restart.h"
+#include "ImpactTrials.h"
 #include "Totals.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace Shapes::Compare {
 
-std::vector<CEngine> GetLadder() {
+std::vector<CEngine> GetParameterSweep() {
   const std::vector<CEngine> engines = GetEngines();
   const auto settings = [&](std::size_t e) {
     return [engine = engines.at(e)](unsigned substeps, unsigned velocityIterations = 8,
@@ -74,71 +74,73 @@ std::vector<CEngine> GetLadder() {
 
 namespace {
 
-// Shares of the time of a ladder, for the progress.
+// Shares of the time of a sweep, for the progress.
 constexpr double g_fRestartShare = 0.5, g_fTimingShare = 0.3;
 
-void MeasureErrors(const CScene& scene, const std::vector<CEngine>& ladder, const CLadderOptions& options,
-                   std::vector<CRung>& rungs) {
-  CRestartOptions restart;
+void MeasureErrors(const CScene& scene, const std::vector<CEngine>& sweep,
+                   const CParameterSweepOptions& options, std::vector<CSetting>& settings) {
+  CImpactTrialOptions restart;
   restart.m_nSeed = options.m_nSeed;
   restart.m_nContacts = options.m_nContacts;
   restart.m_nMostTrials = options.m_nMostTrials;
   restart.m_bAsk = restart.m_bGhosts = false;
   restart.m_stdProgress = [&](double done) { options.m_stdProgress(g_fRestartShare * done); };
-  const CRestartResult result = RunRestarts(scene, ladder, restart);
-  for (std::size_t i = 0; i < ladder.size(); ++i) {
-    CRung& rung = rungs[i];
-    rung.m_cEngine = ladder[i];
-    rung.m_nContacts = result.m_stdContacts.size();
+  const CImpactTrialResult result = RunImpactTrials(scene, sweep, restart);
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    CSetting& setting = settings[i];
+    setting.m_cEngine = sweep[i];
+    setting.m_nContacts = result.m_stdContacts.size();
     std::vector<double> errors;
     for (const CContact& contact : result.m_stdContacts) {
       const CEngineContact& c = contact.m_stdEngines[i];
-      rung.m_nMissed += c.m_eOutcome == eOutcome::Missed;
-      rung.m_nTunneled += !c.HasTurnedBack();
+      setting.m_nMissed += c.m_eOutcome == eOutcome::Missed;
+      setting.m_nTunneled += !c.HasTurnedBack();
       if (c.m_bCompared || !c.HasTurnedBack())
         errors.push_back(c.HasTurnedBack() ? static_cast<double>(c.m_fDirectionError) : std::numbers::pi);
     }
     if (const CSummary summary = Summarise(std::move(errors)); summary.m_nCount > 0)
-      rung.m_fDirectionErrorP95 = summary.m_fP95;
+      setting.m_fDirectionErrorP95 = summary.m_fP95;
   }
 }
 
-void MeasureCosts(const CScene& scene, const CLadderOptions& options, std::vector<CRung>& rungs) {
+void MeasureCosts(const CScene& scene, const CParameterSweepOptions& options,
+                  std::vector<CSetting>& settings) {
   std::vector<CEngine> engines;
-  for (const CRung& rung : rungs)
-    engines.push_back(rung.m_cEngine);
+  for (const CSetting& setting : settings)
+    engines.push_back(setting.m_cEngine);
   const std::vector<CCost> costs =
       MeasureCost(scene, engines, options.m_nSeed, options.m_nRepeats, options.m_nBallSteps,
                   [&](double done) { options.m_stdProgress(g_fRestartShare + g_fTimingShare * done); });
   const double steps = 1.0 / static_cast<double>(scene.m_cWorld.m_fTimeStep);
-  for (std::size_t i = 0; i < rungs.size(); ++i) {
+  for (std::size_t i = 0; i < settings.size(); ++i) {
     const CMedian& ns = costs[i].m_cNsPerBallStep;
-    rungs[i].m_cNsPerBallSecond = {ns.m_fMedian * steps,
-                                   {ns.m_cInterval.m_fLow * steps, ns.m_cInterval.m_fHigh * steps}};
+    settings[i].m_cNsPerBallSecond = {ns.m_fMedian * steps,
+                                      {ns.m_cInterval.m_fLow * steps, ns.m_cInterval.m_fHigh * steps}};
   }
 }
 
-// Goes on with a rung until it has had `proof` impacts or a loss.
-void Prove(const CScene& scene, const CLadderOptions& options, CRung& rung) {
-  CRestartOptions restart;
+// Goes on with a setting until it has had `proof` impacts or a loss.
+void Prove(const CScene& scene, const CParameterSweepOptions& options, CSetting& setting) {
+  CImpactTrialOptions restart;
   restart.m_nContacts = std::max<std::size_t>(options.m_nContacts, 1);
   restart.m_nMostTrials = options.m_nMostTrials;
   restart.m_bAsk = restart.m_bGhosts = false;
   restart.m_stdProgress = [&](double) { options.m_stdProgress(g_fRestartShare + g_fTimingShare); };
   for (restart.m_nSeed = options.m_nSeed + 1;
-       rung.GetAllContacts() < options.m_nProof && rung.GetAllTunneled() == 0; ++restart.m_nSeed) {
-    const CRestartResult result = RunRestarts(scene, {rung.m_cEngine}, restart);
+       setting.GetAllContacts() < options.m_nConfirmation && setting.GetAllTunneled() == 0;
+       ++restart.m_nSeed) {
+    const CImpactTrialResult result = RunImpactTrials(scene, {setting.m_cEngine}, restart);
     if (result.m_stdContacts.empty()) return;
-    rung.m_nProofContacts += result.m_stdContacts.size();
-    rung.m_nProofTunneled += MakeTotals(result.m_stdContacts, 0).GetTunneled();
+    setting.m_nConfirmationContacts += result.m_stdContacts.size();
+    setting.m_nConfirmationTunneled += MakeTotals(result.m_stdContacts, 0).GetTunneled();
   }
 }
 
-std::vector<CRung*> ByCost(std::vector<CRung>& rungs) {
-  std::vector<CRung*> sorted;
-  for (CRung& rung : rungs)
-    sorted.push_back(&rung);
-  std::sort(sorted.begin(), sorted.end(), [](const CRung* a, const CRung* b) {
+std::vector<CSetting*> ByCost(std::vector<CSetting>& settings) {
+  std::vector<CSetting*> sorted;
+  for (CSetting& setting : settings)
+    sorted.push_back(&setting);
+  std::sort(sorted.begin(), sorted.end(), [](const CSetting* a, const CSetting* b) {
     return a->m_cNsPerBallSecond.m_fMedian < b->m_cNsPerBallSecond.m_fMedian;
   });
   return sorted;
@@ -146,51 +148,51 @@ std::vector<CRung*> ByCost(std::vector<CRung>& rungs) {
 
 } // namespace
 
-void MarkFronts(std::vector<CRung>& rungs) {
-  const auto mark = [&](auto value, bool CRung::*pFront) {
+void MarkFronts(std::vector<CSetting>& settings) {
+  const auto mark = [&](auto value, bool CSetting::*pFront) {
     // The reference is no engine that one could choose.
-    const auto figure = [&](const CRung& rung) {
-      return rung.m_cEngine.m_sName == g_sExact ? std::optional<double>() : value(rung);
+    const auto figure = [&](const CSetting& setting) {
+      return setting.m_cEngine.m_sName == g_sExact ? std::optional<double>() : value(setting);
     };
-    for (CRung& rung : rungs)
-      rung.*pFront = figure(rung) && std::none_of(rungs.begin(), rungs.end(), [&](const CRung& other) {
-                       if (!figure(other)) return false;
-                       const double dc =
-                           other.m_cNsPerBallSecond.m_fMedian - rung.m_cNsPerBallSecond.m_fMedian;
-                       const double df = *figure(other) - *figure(rung);
-                       return dc <= 0 && df <= 0 && (dc < 0 || df < 0);
-                     });
+    for (CSetting& setting : settings)
+      setting.*pFront =
+          figure(setting) && std::none_of(settings.begin(), settings.end(), [&](const CSetting& other) {
+            if (!figure(other)) return false;
+            const double dc = other.m_cNsPerBallSecond.m_fMedian - setting.m_cNsPerBallSecond.m_fMedian;
+            const double df = *figure(other) - *figure(setting);
+            return dc <= 0 && df <= 0 && (dc < 0 || df < 0);
+          });
   };
-  mark([](const CRung& r) { return r.m_fDirectionErrorP95; }, &CRung::m_bFrontByError);
+  mark([](const CSetting& r) { return r.m_fDirectionErrorP95; }, &CSetting::m_bFrontByError);
   mark(
-      [](const CRung& r) {
+      [](const CSetting& r) {
         return r.m_nContacts == 0 ? std::optional<double>()
                                   : static_cast<double>(r.m_nTunneled) / static_cast<double>(r.m_nContacts);
       },
-      &CRung::m_bFrontByMisses);
+      &CSetting::m_bFrontByMisses);
 }
 
-CWorkPrecision MeasureWorkPrecision(const CScene& scene, const std::vector<CEngine>& ladder,
-                                    const CLadderOptions& options) {
+CWorkPrecision MeasureWorkPrecision(const CScene& scene, const std::vector<CEngine>& sweep,
+                                    const CParameterSweepOptions& options) {
   CWorkPrecision work;
-  work.m_stdRungs.resize(ladder.size() + 1);
-  CRung& exact = work.m_stdRungs.back();
+  work.m_stdSettings.resize(sweep.size() + 1);
+  CSetting& exact = work.m_stdSettings.back();
   exact.m_cEngine = {g_sExact, nullptr};
   exact.m_fDirectionErrorP95 = 0.0;
 
-  MeasureErrors(scene, ladder, options, work.m_stdRungs);
-  exact.m_nContacts = work.m_stdRungs.front().m_nContacts;
-  MeasureCosts(scene, options, work.m_stdRungs);
+  MeasureErrors(scene, sweep, options, work.m_stdSettings);
+  exact.m_nContacts = work.m_stdSettings.front().m_nContacts;
+  MeasureCosts(scene, options, work.m_stdSettings);
 
   std::map<std::string, bool> proven;
-  for (CRung* pRung : ByCost(work.m_stdRungs)) {
-    bool& done = proven[pRung->m_cEngine.m_sName];
-    if (done || pRung == &exact || pRung->m_nTunneled > 0 || pRung->m_nContacts == 0) continue;
-    Prove(scene, options, *pRung);
-    done = pRung->GetAllTunneled() == 0 && pRung->GetAllContacts() >= options.m_nProof;
+  for (CSetting* pSetting : ByCost(work.m_stdSettings)) {
+    bool& done = proven[pSetting->m_cEngine.m_sName];
+    if (done || pSetting == &exact || pSetting->m_nTunneled > 0 || pSetting->m_nContacts == 0) continue;
+    Prove(scene, options, *pSetting);
+    done = pSetting->GetAllTunneled() == 0 && pSetting->GetAllContacts() >= options.m_nConfirmation;
   }
-  MarkFronts(work.m_stdRungs);
-  work.m_stdAnswers = MakeAnswers(work.m_stdRungs, options.m_nProof);
+  MarkFronts(work.m_stdSettings);
+  work.m_stdRecommendations = MakeRecommendations(work.m_stdSettings, options.m_nConfirmation);
   options.m_stdProgress(1.0);
   return work;
 }

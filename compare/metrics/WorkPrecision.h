@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Work and precision: a scene on a ladder of settings of each engine, what each costs and how exact it is.
+// Work and precision: a scene on a sweep of settings of each engine, what each costs and how exact it is.
 #pragma once
 
-#include "../Trial.h"
 #include "Statistics.h"
+#include "scene/Trial.h"
 
 #include <cstdint>
 #include <functional>
@@ -15,13 +15,13 @@ namespace Shapes::Compare {
 
 /// All settings that are tried. A new one is a line in WorkPrecision.cpp.
 /// @throws std::runtime_error if the Box2D engine was not built
-std::vector<CEngine> GetLadder();
+std::vector<CEngine> GetParameterSweep();
 
 /// The name of the exact reference, which has no backend.
 inline constexpr const char* g_sExact = "exact";
 
 /// One setting on one scene.
-struct CRung {
+struct CSetting {
   CEngine m_cEngine;
   CMedian m_cNsPerBallSecond; ///< time for a simulated second of one ball
   /// 95th percentile, radians, of the contacts that were compared, with pi for each that tunneled: what goes
@@ -30,42 +30,42 @@ struct CRung {
   std::size_t m_nContacts = 0;
   std::size_t m_nMissed = 0, m_nTunneled = 0;
   /// Further impacts, which only settings without a loss are given, and how many of them tunneled.
-  std::size_t m_nProofContacts = 0, m_nProofTunneled = 0;
+  std::size_t m_nConfirmationContacts = 0, m_nConfirmationTunneled = 0;
   /// No other setting of an engine costs no more and is no worse, in this figure, without being the same in
   /// both.
   bool m_bFrontByError = false, m_bFrontByMisses = false;
 
-  std::size_t GetAllTunneled() const { return m_nTunneled + m_nProofTunneled; }
-  std::size_t GetAllContacts() const { return m_nContacts + m_nProofContacts; }
+  std::size_t GetAllTunneled() const { return m_nTunneled + m_nConfirmationTunneled; }
+  std::size_t GetAllContacts() const { return m_nContacts + m_nConfirmationContacts; }
 };
 
 struct CWorkPrecision {
-  std::vector<CRung> m_stdRungs; ///< the ladder in its order, then the reference
+  std::vector<CSetting> m_stdSettings; ///< the sweep in its order, then the reference
   /// What a user wants to know, a sentence each: the cheapest setting below 1%, below .1%, and without a
   /// miss.
-  std::vector<std::string> m_stdAnswers;
+  std::vector<std::string> m_stdRecommendations;
 };
 
-struct CLadderOptions {
+struct CParameterSweepOptions {
   std::uint64_t m_nSeed = 1;
-  std::size_t m_nContacts = 0;               ///< impacts on each rung
-  std::uint64_t m_nMostTrials = 0;           ///< as in CRestartOptions
-  std::size_t m_nProof = 0;                  ///< impacts without a miss that are called "no miss"
+  std::size_t m_nContacts = 0;               ///< impacts on each setting
+  std::uint64_t m_nMostTrials = 0;           ///< as in CImpactTrialOptions
+  std::size_t m_nConfirmation = 0;           ///< impacts without a miss that are called "no miss"
   std::size_t m_nBallSteps = 0;              ///< length of one timing
-  int m_nRepeats = 11;                       ///< timings of each rung, taking turns
-  std::function<void(double)> m_stdProgress; ///< as in CRestartOptions
+  int m_nRepeats = 11;                       ///< timings of each setting, taking turns
+  std::function<void(double)> m_stdProgress; ///< as in CImpactTrialOptions
 };
 
 /// Settings that lost nothing in m_nContacts impacts are given further ones, the cheapest of each engine
-/// first, until one of that engine has lost nothing in m_nProof. Which ones these are depends on the times;
-/// all other counts do not.
-CWorkPrecision MeasureWorkPrecision(const CScene& scene, const std::vector<CEngine>& ladder,
-                                    const CLadderOptions& options);
+/// first, until one of that engine has lost nothing in m_nConfirmation. Which ones these are depends on the
+/// times; all other counts do not.
+CWorkPrecision MeasureWorkPrecision(const CScene& scene, const std::vector<CEngine>& sweep,
+                                    const CParameterSweepOptions& options);
 
-/// Marks the rungs on the Pareto fronts.
-void MarkFronts(std::vector<CRung>& rungs);
+/// Marks the settings on the Pareto fronts.
+void MarkFronts(std::vector<CSetting>& settings);
 
-/// The sentences about rungs that are measured and marked.
-std::vector<std::string> MakeAnswers(const std::vector<CRung>& rungs, std::size_t proof);
+/// The sentences about settings that are measured and marked.
+std::vector<std::string> MakeRecommendations(const std::vector<CSetting>& settings, std::size_t proof);
 
 } // namespace Shapes::Compare

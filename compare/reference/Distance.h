@@ -2,7 +2,7 @@
 // How far a point is from what a ball may hit.
 #pragma once
 
-#include "Figure.h"
+#include "ShapeGeometry.h"
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ namespace Shapes::Compare {
 /// Distance of p to the nearest point of the figure as it is: point, segment with its ends, ring of a circle,
 /// arc with its ends. Which sides are solid does not matter. Error of a few roundings of the coordinates.
 template <class T>
-T Distance(const CFigure<T>& f, const CVec<T>& p) {
+T Distance(const CShapeGeometry<T>& f, const CVec<T>& p) {
   using std::abs;
   const CVec<T> x = p - f.m_vCenter;
   const auto ends = [&] { return std::min(Norm(CVec<T>(p - f.m_vPt0)), Norm(CVec<T>(p - f.m_vPt1))); };

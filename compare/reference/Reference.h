@@ -117,7 +117,7 @@ public:
   T GetOrientation(std::size_t shape) const { return m_stdShapes.at(shape).m_fAngle; }
   T GetRotSpeed(std::size_t shape) const { return m_stdShapes.at(shape).m_fRevs; }
   /// The shape as it is now.
-  CFigure<T> GetFigure(std::size_t shape) const { return m_stdShapes.at(shape).GetFigure(T(0)); }
+  CShapeGeometry<T> GetGeometry(std::size_t shape) const { return m_stdShapes.at(shape).GetGeometry(T(0)); }
   /// @throws std::invalid_argument unless the shape is kinematic and the value is finite
   void SetOrientation(std::size_t shape, const T& angle);
   void SetRotSpeed(std::size_t shape, const T& revsPerSecond);
@@ -160,7 +160,7 @@ public:
 
 private:
   struct CSolid {
-    CFigure<T> m_cFigure; // as described
+    CShapeGeometry<T> m_cGeometry; // as described
     CVec<T> m_vRotCenter;
     T m_fRevs;
     T m_fAngle;
@@ -173,7 +173,7 @@ private:
 
     T GetSpeed() const;
     bool Turns() const { return m_bKinematic && m_fRevs != T(0); }
-    CFigure<T> GetFigure(const T& t) const;
+    CShapeGeometry<T> GetGeometry(const T& t) const;
     void SetBox();
   };
   struct CNext { // the next event of a ball, at m_cHit.m_fTime in the step

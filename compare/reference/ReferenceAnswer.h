@@ -127,7 +127,7 @@ void CReference<T>::AnswerShape(const CHit<T>& hit, CPair& pair, CExactEvent<T>&
     pair.m_fOut = T(0);
     ++m_nRests;
   } else {
-    const T R = solid.m_cFigure.m_fRadius, r = ball.m_fRadius;
+    const T R = solid.m_cGeometry.m_fRadius, r = ball.m_fRadius;
     const T size = hit.m_ePart == ePart::Inside ? T(R - r) : T(R + r);
     pair.m_fOut = HopSpeed(Press(pair, hit), size, m_fSpeeds);
     BeginSlide(pair);
@@ -135,10 +135,10 @@ void CReference<T>::AnswerShape(const CHit<T>& hit, CPair& pair, CExactEvent<T>&
 
   const bool lifts = slides && hit.m_fDepth <= T(g_fRounded) * ball.GetExtent();
   const CSweptBall<T> swept{ball.m_vPos, ball.m_vVel, ball.m_fRadius};
-  const T extent = GetExtent(solid.m_cFigure, swept, CTurning<T>());
+  const T extent = GetExtent(solid.m_cGeometry, swept, CTurning<T>());
   const T clear = Clear(extent, T(Norm(ball.m_vVel) * m_fStep));
   const CVec<T> fromShape = hit.m_vCenter - hit.m_vPOI,
-                fromMiddle = hit.m_vCenter - solid.GetFigure(T(0)).m_vCenter;
+                fromMiddle = hit.m_vCenter - solid.GetGeometry(T(0)).m_vCenter;
   ball.m_vPos = hit.m_vCenter;
   if (std::min(Norm(fromShape), Norm(fromMiddle)) < clear) ball.m_vPos += clear * n;
   if (!event.m_bOverlapped || lifts) {

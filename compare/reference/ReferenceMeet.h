@@ -28,7 +28,7 @@ void CReference<T>::MeetEnds(std::size_t i, CNext& next) const {
     if (!pair.m_bRests || pair.m_bIsBall || pair.m_nBall != i) continue;
     const T now = m_stdTime[i], left = m_fStep - now;
     const CSweptBall<T> ball = GetSwept(i, now);
-    const CFigure<T> f = m_stdShapes[pair.m_nOther].GetFigure(now);
+    const CShapeGeometry<T> f = m_stdShapes[pair.m_nOther].GetGeometry(now);
     for (const bool first : {true, false}) {
       const CVec<T>&end = first ? f.m_vPt0 : f.m_vPt1, &start = first ? f.m_vPt1 : f.m_vPt0;
       const CVec<T> out = (end - start) / Norm(CVec<T>(end - start));
@@ -80,9 +80,9 @@ void CReference<T>::MeetShapes(std::size_t i, CNext& next) {
     CHit<T> hit;
     const eMeet meet = sensor && now == T(0) ? eMeet::Touching : eMeet::Approaching;
     const bool found = solid.m_bKinematic
-                           ? Sweep(solid.GetFigure(now), CTurning<T>{solid.m_vRotCenter, solid.GetSpeed()},
+                           ? Sweep(solid.GetGeometry(now), CTurning<T>{solid.m_vRotCenter, solid.GetSpeed()},
                                    ball, left, hit, meet)
-                           : Sweep(solid.m_cFigure, ball, left, hit, meet);
+                           : Sweep(solid.m_cGeometry, ball, left, hit, meet);
     hit.m_fTime += now;
     Offer(next, found && !IsNegligible(i, k, false, hit), false, i, k, hit);
   }

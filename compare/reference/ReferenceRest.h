@@ -28,7 +28,7 @@ template <class T>
 void CReference<T>::PassEnd(std::size_t i, const CNext& next) {
   Advance(i, m_fNow);
   CPair& pair = GetPair(i, next.m_nOther, false);
-  const CFigure<T> f = m_stdShapes[next.m_nOther].GetFigure(m_fNow);
+  const CShapeGeometry<T> f = m_stdShapes[next.m_nOther].GetGeometry(m_fNow);
   const T touch =
       T(g_nTouchRoundings) * std::numeric_limits<T>::epsilon() *
       GetExtent(f, GetSwept(i, m_fNow), CTurning<T>{m_stdShapes[next.m_nOther].m_vRotCenter, T(0)});

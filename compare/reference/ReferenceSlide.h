@@ -50,7 +50,7 @@ T CReference<T>::Press(const CPair& pair, const CHit<T>& hit) const {
   if (pair.m_bIsBall) return -(m_stdAcc[pair.m_nBall] - m_stdAcc[pair.m_nOther]).dot(n);
   const CExactBall<T>& ball = m_stdBalls[pair.m_nBall];
   const CSolid& solid = m_stdShapes[pair.m_nOther];
-  const T w = solid.GetSpeed(), R = solid.m_cFigure.m_fRadius;
+  const T w = solid.GetSpeed(), R = solid.m_cGeometry.m_fRadius;
   const CVec<T> q = hit.m_vCenter - solid.m_vRotCenter, rel = ball.m_vVel - w * Perp(q);
   T press = -m_stdAcc[pair.m_nBall].dot(n);
   if (w != T(0)) press += T(2) * abs(w) * Norm(ball.m_vVel) + w * w * Norm(q);

@@ -28,10 +28,10 @@ T CReference<T>::CSolid::GetSpeed() const {
 }
 
 template <class T>
-CFigure<T> CReference<T>::CSolid::GetFigure(const T& t) const {
+CShapeGeometry<T> CReference<T>::CSolid::GetGeometry(const T& t) const {
   const T angle = m_fAngle + GetSpeed() * t;
-  if (angle == T(0)) return m_cFigure;
-  CFigure<T> f = m_cFigure;
+  if (angle == T(0)) return m_cGeometry;
+  CShapeGeometry<T> f = m_cGeometry;
   for (CVec<T>* p : {&f.m_vCenter, &f.m_vPt0, &f.m_vPt1})
     *p = m_vRotCenter + Turned(CVec<T>(*p - m_vRotCenter), angle);
   return f;
@@ -39,7 +39,7 @@ CFigure<T> CReference<T>::CSolid::GetFigure(const T& t) const {
 
 template <class T>
 void CReference<T>::CSolid::SetBox() {
-  const CFigure<T> f = GetFigure(T(0));
+  const CShapeGeometry<T> f = GetGeometry(T(0));
   const T padded = f.m_fRadius * T(1.0 + 4.0 * g_fGraze);
   const CVec<T> r(padded, padded);
   if (f.m_eShapeType == eShape::LineSeg) {
@@ -65,7 +65,7 @@ CReference<T>::CReference(std::span<const CAnyShapeDesc> shapes, std::span<const
   if (!gravity.allFinite()) throw std::invalid_argument("gravity is not finite");
   for (const CAnyShapeDesc& any : shapes) {
     CSolid solid{};
-    solid.m_cFigure = MakeFigure(any).Cast<T>();
+    solid.m_cGeometry = MakeShapeGeometry(any).Cast<T>();
     std::visit(
         [&](const CShapeDesc& desc) {
           if (desc.m_eMotionType != eMotion::Static && desc.m_eMotionType != eMotion::Kinematic)
@@ -75,7 +75,7 @@ CReference<T>::CReference(std::span<const CAnyShapeDesc> shapes, std::span<const
           solid.m_fRevs = T(desc.m_fRotSpeed);
           solid.m_fElasticity = T(desc.m_fElasticity);
           solid.m_bIsSensor = desc.m_bIsSensor;
-          if (desc.m_bIsSensor) solid.m_cFigure.m_eSides = eSides::Both; // sensors are seen from anywhere
+          if (desc.m_bIsSensor) solid.m_cGeometry.m_eSides = eSides::Both; // sensors are seen from anywhere
         },
         any);
     solid.m_fAngle = T(0);

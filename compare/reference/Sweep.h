@@ -13,7 +13,7 @@ namespace Shapes::Compare {
 
 /// The size of the coordinates among which a ball meets a figure; g_nTouchRoundings of it are touching.
 template <class T>
-T GetExtent(const CFigure<T>& f, const CSweptBall<T>& ball, const CTurning<T>& turning) {
+T GetExtent(const CShapeGeometry<T>& f, const CSweptBall<T>& ball, const CTurning<T>& turning) {
   T size = ball.m_vPos.cwiseAbs().maxCoeff();
   for (const CVec<T>* p : {&f.m_vCenter, &f.m_vPt0, &f.m_vPt1, &turning.m_vCenter})
     size = std::max(size, p->cwiseAbs().maxCoeff());
@@ -33,7 +33,7 @@ CPathDesc<T> MakePathDesc(const CSweptBall<T>& ball, const T& tMax, const T& siz
 /// speed + 4 eps t; without rotation 16 instead of the first factor, unless the ball touches at time 0.
 /// @return whether there is one; hit.m_bGraze is set in any case
 template <class T>
-bool Sweep(const CFigure<T>& f, const CTurning<T>& turning, const CSweptBall<T>& ball, const T& tMax,
+bool Sweep(const CShapeGeometry<T>& f, const CTurning<T>& turning, const CSweptBall<T>& ball, const T& tMax,
            CHit<T>& hit, eMeet meet = eMeet::Approaching) {
   using std::abs;
   const T size = GetExtent(f, ball, turning), w = turning.m_fSpeed;
@@ -60,7 +60,7 @@ bool Sweep(const CFigure<T>& f, const CTurning<T>& turning, const CSweptBall<T>&
 
 /// The same for a figure at rest.
 template <class T>
-bool Sweep(const CFigure<T>& f, const CSweptBall<T>& ball, const T& tMax, CHit<T>& hit,
+bool Sweep(const CShapeGeometry<T>& f, const CSweptBall<T>& ball, const T& tMax, CHit<T>& hit,
            eMeet meet = eMeet::Approaching) {
   return Sweep(f, CTurning<T>(), ball, tMax, hit, meet);
 }

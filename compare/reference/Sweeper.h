@@ -13,8 +13,8 @@
 // that overlaps go in any case. Overlap is looked at in the beginning only.
 #pragma once
 
-#include "Figure.h"
 #include "ParabolicPath.h"
+#include "ShapeGeometry.h"
 #include "StraightPath.h"
 #include "TurningPath.h"
 
@@ -74,7 +74,7 @@ public:
     hit = CHit<T>();
   }
 
-  bool Run(const CFigure<T>& f) {
+  bool Run(const CShapeGeometry<T>& f) {
     switch (f.m_eShapeType) {
     case eShape::Point: Round(f.m_vCenter, T(0), ePart::Point); break;
     case eShape::LineSeg: LineSeg(f); break;
@@ -184,7 +184,7 @@ private:
     }
   }
 
-  void LineSeg(const CFigure<T>& f) {
+  void LineSeg(const CShapeGeometry<T>& f) {
     const V &a = f.m_vPt0, along = f.m_vPt1 - f.m_vPt0;
     const T L = Norm(along);
     if (!(L > T(0))) return Round(a, T(0), ePart::Point);
@@ -237,7 +237,7 @@ private:
     return Start(R - m_fRadius - Norm(x), n, c - R * n, ePart::Inside, sides);
   }
 
-  void Ring(const CFigure<T>& f) {
+  void Ring(const CShapeGeometry<T>& f) {
     const V &c = f.m_vCenter, x = m_cPath.GetPos(T(0)) - c;
     const T& R = f.m_fRadius;
     if (m_eMeet == eMeet::Touching || !(m_fRadius < R && BeginsInside(x, R)))
@@ -250,7 +250,7 @@ private:
       NearMiss(cross);
   }
 
-  void Arc(const CFigure<T>& f) {
+  void Arc(const CShapeGeometry<T>& f) {
     const V& c = f.m_vCenter;
     const T &R = f.m_fRadius, slack = Touch() / std::max(R, Touch());
     const bool outside = f.m_eSides != eSides::Back, inside = f.m_eSides != eSides::Front && m_fRadius < R;

@@ -32,30 +32,12 @@ private:
   std::string& m_sText;
 };
 
-constexpr const char* g_stdEngineFields[] = {"outcome",
-                                             "setback_radii",
-                                             "setback_error_radii",
-                                             "setback_error_normal_radii",
-                                             "time_error_steps",
-                                             "poi_error_radii",
-                                             "normal_error_rad",
-                                             "direction_error_rad",
-                                             "speed_error_relative",
-                                             "energy_error_relative",
-                                             "position_error_radii",
-                                             "penetration_radii"};
-
 void Append(const CEngineContact& e, std::string& text) {
   text += ',';
   text += GetName(e.m_eOutcome);
   CRow row(text);
-  for (const float x : {e.m_fSetback, e.m_fSetbackError, e.m_fSetbackErrorNormal, e.m_fTimeError})
-    row.Add(e.m_bDetected, x);
-  for (const float x : {e.m_fPOIError, e.m_fNormalError})
-    row.Add(e.HasTurnedBack(), x);
-  for (const float x : {e.m_fDirectionError, e.m_fSpeedError, e.m_fEnergyError, e.m_fPositionError})
-    row.Add(e.m_bCompared, x);
-  row.Add(true, e.m_fPenetration);
+  for (const CFigure& figure : GetImpactFigures())
+    row.Add(figure.m_pIsMeasured(e), e.*figure.m_pOfImpact);
 }
 
 } // namespace
@@ -63,13 +45,15 @@ void Append(const CEngineContact& e, std::string& text) {
 std::string MakeCsv(const CRunReport& report) {
   std::string text = "scene,trial,step,ball,pair,time_in_step,travel_radii,approach_speed_units_per_s,"
                      "incidence_rad,elasticity,apart_radii";
-  for (const CEngine& engine : report.m_stdEngines)
-    for (const char* pField : g_stdEngineFields)
-      text += fmt::format(",{}_{}", engine.m_sName, pField);
+  for (const CEngine& engine : report.m_stdEngines) {
+    text += fmt::format(",{}_outcome", engine.m_sName);
+    for (const CFigure& figure : GetImpactFigures())
+      text += fmt::format(",{}_{}_{}", engine.m_sName, figure.m_sKey, figure.m_sUnit);
+  }
   text += '\n';
   for (const CSceneReport& scene : report.m_stdScenes) {
     const std::string name = Quoted(scene.m_cScene.m_sName);
-    for (const CContact& c : scene.m_cRestart.m_stdContacts) {
+    for (const CContact& c : scene.m_cImpactTrials.m_stdContacts) {
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{}", name, c.m_nTrial, c.m_nStep, c.m_nBall,
                      GetName(c.m_ePair));
       CRow row(text);

@@ -56,9 +56,9 @@ public:
       AddCount("loses {} instead of {}", a.GetTunneled(), b.GetTunneled(), a.m_nContacts);
     AddError("flies {} radii off to the first impact instead of {}", m_cOther.m_cFlightError,
              m_cCalled.m_cFlightError, 1.0, g_fFlightToTell);
-    AddError("directions within {} rad instead of {}", a.m_cDirectionError, b.m_cDirectionError, 1.0,
+    AddError("directions within {} rad instead of {}", a["direction_error"], b["direction_error"], 1.0,
              g_fErrorToTell);
-    AddError("speeds within {}% instead of {}%", a.m_cSpeedError, b.m_cSpeedError, 100.0, g_fErrorToTell);
+    AddError("speeds within {}% instead of {}%", a["speed_error"], b["speed_error"], 100.0, g_fErrorToTell);
     AddCount("misses {} of the touches of sensors instead of {}", m_cOther.m_nTouchesMissed,
              m_cCalled.m_nTouchesMissed, touches);
   }

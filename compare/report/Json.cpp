@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <string_view>
 #include <variant>
 
 namespace Shapes::Compare {
@@ -101,56 +102,59 @@ ordered_json ToJson(const CBin& bin) {
           {"label", bin.m_sLabel},
           {"contacts", t.m_nContacts},
           {"tunneled", Rate(t.GetTunneled(), t.m_nContacts)},
-          {"setback_error", ToJson(t.m_cSetbackError)},
-          {"direction_error", ToJson(t.m_cDirectionError)}};
+          {"setback_error", ToJson(t["setback_error"])},
+          {"direction_error", ToJson(t["direction_error"])}};
+}
+
+ordered_json FigureToJson(const CFigure& figure, const CSceneReport& scene, const CEngineReport& report) {
+  if (figure.m_pRate != nullptr) {
+    const CHits rate = figure.m_pRate(scene, report);
+    return Rate(rate.m_nHits, rate.m_nOf);
+  }
+  if (figure.m_pOfImpact != nullptr) return ToJson(report.m_cTotals[figure.m_sKey]);
+  const auto value = figure.m_pOfRun(scene, report);
+  const bool isCount = std::string_view(figure.m_sUnit) == "balls";
+  return isCount ? ordered_json(static_cast<std::size_t>(*value)) : Number(value);
 }
 
 ordered_json EngineToJson(const CEngine& engine, const CSceneReport& scene, const CEngineReport& report) {
   const CTotals& t = report.m_cTotals;
   const CCost& cost = report.m_cCost;
-  const CLongRun& run = report.m_cLongRun;
   const std::size_t n = t.m_nContacts;
   ordered_json json{{"name", engine.m_sName},
                     {"settings", Settings(engine, scene.m_cScene)},
                     {"features", Features(engine, scene.m_cScene)},
                     {"contacts", n},
-                    {"correct", n - t.GetTunneled() - t.m_nLate},
-                    {"late", t.m_nLate},
-                    {"missed", Rate(t.m_nMissed, n)},
-                    {"wrong_side", Rate(t.m_nWrongSide, n)},
-                    {"tunneled", Rate(t.GetTunneled(), n)},
-                    {"overlapped", Rate(t.m_nOverlapped, n)},
-                    {"ghost", Rate(report.m_nGhosts, scene.m_cRestart.m_nQuietSteps)},
-                    {"setback", ToJson(t.m_cSetback)},
-                    {"setback_error", ToJson(t.m_cSetbackError)},
-                    {"setback_error_normal", ToJson(t.m_cSetbackErrorNormal)},
-                    {"time_error", ToJson(t.m_cTimeError)},
-                    {"poi_error", ToJson(t.m_cPOIError)},
-                    {"normal_error", ToJson(t.m_cNormalError)},
-                    {"direction_error", ToJson(t.m_cDirectionError)},
-                    {"speed_error", ToJson(t.m_cSpeedError)},
-                    {"energy_error", ToJson(t.m_cEnergyError)},
-                    {"position_error", ToJson(t.m_cPositionError)},
-                    {"penetration", ToJson(t.m_cPenetration)},
-                    {"setback_error_histogram", report.m_cHistogram.m_stdSetbackError},
-                    {"penetration_histogram", report.m_cHistogram.m_stdPenetration},
-                    {"bins", ordered_json::array()},
-                    {"bounces", run.m_nBounces},
-                    {"energy_drift", Number(run.m_fEnergyDrift)},
-                    {"free_path_error", Number(run.m_fFreePathError)},
-                    {"angular_momentum_drift", Number(run.m_fAngularMomentumDrift)},
-                    {"ns_per_ball_step", Number(cost.m_cNsPerBallStep.m_fMedian)},
-                    {"ns_per_ball_step_interval", ToJson(cost.m_cNsPerBallStep.m_cInterval)},
-                    {"ns_per_contact", Number(cost.GetNsPerContact())},
-                    {"simulated_seconds", Number(cost.m_fSimulatedSeconds)},
-                    {"escaped", cost.m_nEscaped},
-                    {"not_finite", cost.m_nNotFinite}};
+                    {"correct", n - t.GetTunneled() - t.m_nLate}};
+  for (const CFigure& figure : GetFigures())
+    json[figure.m_sKey] = FigureToJson(figure, scene, report);
+  json["setback_error_histogram"] = report.m_cHistogram.m_stdSetbackError;
+  json["penetration_histogram"] = report.m_cHistogram.m_stdPenetration;
+  json["bins"] = ordered_json::array();
   for (const CBin& bin : report.m_stdBins)
     json["bins"].push_back(ToJson(bin));
+  json["bounces"] = report.m_cLongRun.m_nBounces;
+  json["ns_per_ball_step_interval"] = ToJson(cost.m_cNsPerBallStep.m_cInterval);
+  json["simulated_seconds"] = Number(cost.m_fSimulatedSeconds);
   return json;
 }
 
-ordered_json ToJson(const CSetAside& aside) {
+// What the page draws them by.
+ordered_json FiguresToJson() {
+  ordered_json json = ordered_json::array();
+  for (const CFigure& figure : GetFigures())
+    json.push_back({{"key", figure.m_sKey},
+                    {"kind", figure.m_pRate != nullptr       ? "rate"
+                             : figure.m_pOfImpact != nullptr ? "impact"
+                                                             : "run"},
+                    {"group", figure.m_sGroup},
+                    {"label", figure.m_sLabel},
+                    {"unit", figure.m_sUnit},
+                    {"signed", figure.m_bIsSigned}});
+  return json;
+}
+
+ordered_json ToJson(const CExcluded& aside) {
   return {{"resting", aside.m_nResting},
           {"ambiguous", aside.m_nAmbiguous},
           {"simultaneous", aside.m_nSimultaneous},
@@ -184,12 +188,12 @@ ordered_json SceneToJson(const CRunReport& report, const CSceneReport& scene) {
       {"features", Features(s)},
       {"shapes", s.m_stdShapes.size()},
       {"balls", s.m_stdBalls.size()},
-      {"trials", scene.m_cRestart.m_nTrials},
-      {"quiet_steps", scene.m_cRestart.m_nQuietSteps},
-      {"set_aside", ToJson(scene.m_cRestart.m_cSetAside)},
+      {"trials", scene.m_cImpactTrials.m_nTrials},
+      {"quiet_steps", scene.m_cImpactTrials.m_nQuietSteps},
+      {"set_aside", ToJson(scene.m_cImpactTrials.m_cExcluded)},
       {"apart", FindOther(report.m_stdEngines) ? ToJson(scene.m_cDifference) : ordered_json(nullptr)},
       {"verdict", MakeVerdict(report, scene)},
-      {"answers", scene.m_cWork.m_stdAnswers},
+      {"answers", scene.m_cWork.m_stdRecommendations},
       {"engines", ordered_json::array()},
       {"heat_map", ToJson(scene.m_cHeatMap)},
       {"sensor_touches", scene.m_cEffects.m_nTouches},
@@ -200,23 +204,23 @@ ordered_json SceneToJson(const CRunReport& report, const CSceneReport& scene) {
   return json;
 }
 
-ordered_json ToJson(const CRung& rung, const CScene& scene) {
+ordered_json ToJson(const CSetting& setting, const CScene& scene) {
   ordered_json proof;
-  if (rung.m_nProofContacts > 0)
-    proof = {{"contacts", rung.m_nProofContacts}, {"tunneled", rung.m_nProofTunneled}};
+  if (setting.m_nConfirmationContacts > 0)
+    proof = {{"contacts", setting.m_nConfirmationContacts}, {"tunneled", setting.m_nConfirmationTunneled}};
   return {{"scene", scene.m_sName},
-          {"engine", rung.m_cEngine.m_sName},
-          {"label", rung.m_cEngine.GetLabel()},
-          {"settings", Settings(rung.m_cEngine, scene)},
-          {"ns_per_ball_second", Number(rung.m_cNsPerBallSecond.m_fMedian)},
-          {"ns_per_ball_second_interval", ToJson(rung.m_cNsPerBallSecond.m_cInterval)},
-          {"direction_error_p95", Number(rung.m_fDirectionErrorP95)},
-          {"contacts", rung.m_nContacts},
-          {"miss_rate", Rate(rung.m_nMissed, rung.m_nContacts)},
-          {"tunneled_rate", Rate(rung.m_nTunneled, rung.m_nContacts)},
+          {"engine", setting.m_cEngine.m_sName},
+          {"label", setting.m_cEngine.GetLabel()},
+          {"settings", Settings(setting.m_cEngine, scene)},
+          {"ns_per_ball_second", Number(setting.m_cNsPerBallSecond.m_fMedian)},
+          {"ns_per_ball_second_interval", ToJson(setting.m_cNsPerBallSecond.m_cInterval)},
+          {"direction_error_p95", Number(setting.m_fDirectionErrorP95)},
+          {"contacts", setting.m_nContacts},
+          {"miss_rate", Rate(setting.m_nMissed, setting.m_nContacts)},
+          {"tunneled_rate", Rate(setting.m_nTunneled, setting.m_nContacts)},
           {"proof", std::move(proof)},
-          {"front_by_error", rung.m_bFrontByError},
-          {"front_by_misses", rung.m_bFrontByMisses}};
+          {"front_by_error", setting.m_bFrontByError},
+          {"front_by_misses", setting.m_bFrontByMisses}};
 }
 
 ordered_json ToJson(const CEffectWorld& world, std::size_t touches) {
@@ -226,8 +230,8 @@ ordered_json ToJson(const CEffectWorld& world, std::size_t touches) {
           {"instructions_per_ball_step", Number(world.m_fInstructions)},
           {"contacts", t.m_nContacts},
           {"tunneled", Rate(t.GetTunneled(), t.m_nContacts)},
-          {"direction_error", ToJson(t.m_cDirectionError)},
-          {"speed_error", ToJson(t.m_cSpeedError)},
+          {"direction_error", ToJson(t["direction_error"])},
+          {"speed_error", ToJson(t["speed_error"])},
           {"flight_error", ToJson(world.m_cFlightError)},
           {"touches_missed", Rate(world.m_nTouchesMissed, touches)}};
 }
@@ -257,7 +261,7 @@ ordered_json HistogramEdges() {
 
 std::string MakeJson(const CRunReport& report) {
   const CMachine machine = DescribeMachine();
-  ordered_json json{{"version", 2},
+  ordered_json json{{"version", 3},
                     {"command", report.m_sCommand},
                     {"seed", report.m_nSeed},
                     {"contacts_per_scene", report.m_nContacts},
@@ -268,14 +272,15 @@ std::string MakeJson(const CRunReport& report) {
                       {"compiler", machine.m_sCompiler},
                       {"cpu", machine.m_sCpu},
                       {"cores", machine.m_nCores}}},
+                    {"figures", FiguresToJson()},
                     {"histogram_edges", HistogramEdges()},
                     {"scenes", ordered_json::array()},
                     {"work_precision", ordered_json::array()},
                     {"effects", ordered_json::array()}};
   for (const CSceneReport& scene : report.m_stdScenes) {
     json["scenes"].push_back(SceneToJson(report, scene));
-    for (const CRung& rung : scene.m_cWork.m_stdRungs)
-      json["work_precision"].push_back(ToJson(rung, scene.m_cScene));
+    for (const CSetting& setting : scene.m_cWork.m_stdSettings)
+      json["work_precision"].push_back(ToJson(setting, scene.m_cScene));
     for (const CEffectCost& cost : scene.m_cEffects.m_stdCosts)
       json["effects"].push_back(ToJson(cost, scene));
   }

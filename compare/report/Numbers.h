@@ -2,7 +2,7 @@
 // Numbers as people read them, for the table and the verdicts.
 #pragma once
 
-#include "../metrics/Statistics.h"
+#include "metrics/Statistics.h"
 
 #include <cstddef>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Replay.h"
 
-#include "../ExactGame.h"
+#include "scene/ExactGame.h"
 
 #include <fmt/format.h>
 
@@ -114,7 +114,7 @@ private:
 } // namespace
 
 std::vector<CClip> MakeClips(const CScene& scene, const std::vector<CEngine>& engines,
-                             const CRestartResult& restarts, std::uint64_t seed, std::size_t frames) {
+                             const CImpactTrialResult& restarts, std::uint64_t seed, std::size_t frames) {
   const CClipMaker maker(scene, engines, seed);
   std::vector<CClip> clips;
   const auto steps = static_cast<std::size_t>(scene.m_fDuration / scene.m_cWorld.m_fTimeStep) + 1;

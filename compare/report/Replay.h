@@ -2,7 +2,7 @@
 // Trajectories for the replay in the report: all engines and the exact reference side by side.
 #pragma once
 
-#include "../metrics/Restart.h"
+#include "metrics/ImpactTrials.h"
 
 #include <cstddef>
 #include <string>
@@ -26,6 +26,6 @@ struct CClip {
 /// The first `frames` steps of the first trial, and for each engine the surroundings of its worst contact:
 /// all tracks start together from the exact state after the ball's last impact before it.
 std::vector<CClip> MakeClips(const CScene& scene, const std::vector<CEngine>& engines,
-                             const CRestartResult& restarts, std::uint64_t seed, std::size_t frames);
+                             const CImpactTrialResult& restarts, std::uint64_t seed, std::size_t frames);
 
 } // namespace Shapes::Compare

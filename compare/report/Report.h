@@ -2,14 +2,14 @@
 // What a run found, and the forms in which it is handed out.
 #pragma once
 
-#include "../metrics/Cost.h"
-#include "../metrics/Effects.h"
-#include "../metrics/HeatMap.h"
-#include "../metrics/LongRun.h"
-#include "../metrics/Restart.h"
-#include "../metrics/Totals.h"
-#include "../metrics/WorkPrecision.h"
 #include "Replay.h"
+#include "metrics/Cost.h"
+#include "metrics/Effects.h"
+#include "metrics/HeatMap.h"
+#include "metrics/ImpactTrials.h"
+#include "metrics/LongRun.h"
+#include "metrics/Totals.h"
+#include "metrics/WorkPrecision.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -30,7 +30,7 @@ struct CEngineReport {
 
 struct CSceneReport {
   CScene m_cScene;
-  CRestartResult m_cRestart;
+  CImpactTrialResult m_cImpactTrials;
   CSummary m_cDifference; ///< between the first engine and FindOther
   std::vector<CEngineReport> m_stdEngines;
   CWorkPrecision m_cWork;

@@ -80,7 +80,7 @@ COverall MakeOverall(const CRunReport& report, std::size_t e) {
     if (box2d)
       overall.m_stdSpeedUp.push_back(
           CompareCosts(scene.m_stdEngines[*box2d].m_cCost, scene.m_stdEngines[e].m_cCost).m_fMedian);
-    for (const CContact& contact : scene.m_cRestart.m_stdContacts)
+    for (const CContact& contact : scene.m_cImpactTrials.m_stdContacts)
       if (contact.m_stdEngines[e].m_bCompared)
         directions.push_back(static_cast<double>(contact.m_stdEngines[e].m_fDirectionError));
   }
@@ -155,7 +155,7 @@ std::string MakeSceneLine(const CSceneReport& scene) {
   std::string name = Ascii(scene.m_cScene.m_sName);
   if (name.size() >= g_nNameWidth) name = name.substr(0, g_nNameWidth - 3) + "..";
   std::string line = fmt::format("{:<{}}", name, g_nNameWidth);
-  if (scene.m_cRestart.m_stdContacts.empty()) return line + "  nothing to judge: see the report\n";
+  if (scene.m_cImpactTrials.m_stdContacts.empty()) return line + "  nothing to judge: see the report\n";
   for (const CEngineReport& engine : scene.m_stdEngines)
     line += fmt::format("{:>{}}", LostText(engine.m_cTotals.GetTunneled(), engine.m_cTotals.m_nContacts),
                         g_nLostWidth);

@@ -28,11 +28,11 @@ std::string Rows(const CRunReport& report, const CSceneReport& scene) {
     const CEngineReport& engine = scene.m_stdEngines[e];
     const CTotals& t = engine.m_cTotals;
     const std::size_t n = t.m_nContacts;
-    text +=
-        fmt::format(g_sColumns, " " + report.m_stdEngines[e].m_sName, RateText(t.m_nMissed, n),
-                    RateTextWithError(t.GetTunneled(), n), RateText(t.m_nLate, n), P95Text(t.m_cSetbackError),
-                    P95Text(t.m_cDirectionError), RateText(engine.m_nGhosts, scene.m_cRestart.m_nQuietSteps),
-                    TimeText(engine.m_cCost.m_cNsPerBallStep.m_fMedian));
+    text += fmt::format(g_sColumns, " " + report.m_stdEngines[e].m_sName, RateText(t.m_nMissed, n),
+                        RateTextWithError(t.GetTunneled(), n), RateText(t.m_nLate, n),
+                        P95Text(t["setback_error"]), P95Text(t["direction_error"]),
+                        RateText(engine.m_nGhosts, scene.m_cImpactTrials.m_nQuietSteps),
+                        TimeText(engine.m_cCost.m_cNsPerBallStep.m_fMedian));
   }
   return text;
 }
@@ -52,10 +52,10 @@ std::string Engines(const CRunReport& report) {
 std::string Verdict(const CRunReport& report, const CSceneReport& scene) {
   std::string text = Wrap(Ascii(scene.m_cScene.m_sName), 0, 2);
   std::vector<std::string> sentences = MakeVerdict(report, scene);
-  const CSetAside& aside = scene.m_cRestart.m_cSetAside;
-  if (aside.m_nUndecided > 0 && !scene.m_cRestart.m_stdContacts.empty())
+  const CExcluded& aside = scene.m_cImpactTrials.m_cExcluded;
+  if (aside.m_nUndecided > 0 && !scene.m_cImpactTrials.m_stdContacts.empty())
     sentences.push_back(fmt::format("The exact reference gave up {} of {} trials, the first at {}.",
-                                    aside.m_nUndecided, scene.m_cRestart.m_nTrials, aside.m_sUndecided));
+                                    aside.m_nUndecided, scene.m_cImpactTrials.m_nTrials, aside.m_sUndecided));
   for (const std::string& sentence : sentences)
     text += Wrap(Ascii(sentence), 2, 4);
   return text;

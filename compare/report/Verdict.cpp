@@ -36,7 +36,7 @@ public:
 
   std::vector<std::string> Make() const {
     if (m_cScene.m_stdEngines.empty()) return {};
-    if (m_cScene.m_cRestart.m_stdContacts.empty()) return {Nothing()};
+    if (m_cScene.m_cImpactTrials.m_stdContacts.empty()) return {Nothing()};
     std::vector<std::string> sentences;
     if (const std::string text = Cheap(); !text.empty()) sentences.push_back(text);
     if (Count() > 1) sentences.push_back(Winners());
@@ -93,13 +93,13 @@ private:
   }
 
   std::string Nothing() const {
-    const CRestartResult& r = m_cScene.m_cRestart;
-    if (r.m_cSetAside.m_nUndecided > 0)
+    const CImpactTrialResult& r = m_cScene.m_cImpactTrials;
+    if (r.m_cExcluded.m_nUndecided > 0)
       return fmt::format("Nothing is judged: the exact reference gave up {} of {} trials, the first at {}.",
-                         r.m_cSetAside.m_nUndecided, r.m_nTrials, r.m_cSetAside.m_sUndecided);
+                         r.m_cExcluded.m_nUndecided, r.m_nTrials, r.m_cExcluded.m_sUndecided);
     return fmt::format("There is nothing to judge: {} in {} trials.",
-                       r.m_cSetAside.m_nResting + r.m_cSetAside.m_nAmbiguous + r.m_cSetAside.m_nSimultaneous +
-                                   r.m_cSetAside.m_nApproximate >
+                       r.m_cExcluded.m_nResting + r.m_cExcluded.m_nAmbiguous + r.m_cExcluded.m_nSimultaneous +
+                                   r.m_cExcluded.m_nApproximate >
                                0
                            ? "every impact was set aside"
                            : "no ball met anything",
@@ -115,7 +115,7 @@ private:
     return a != b && !Overlap(CompareCosts(Cost(a), Cost(b)).m_cInterval, {1.0, 1.0});
   }
   double DirectionError(std::size_t e) const {
-    const CSummary& summary = Totals(e).m_cDirectionError;
+    const CSummary& summary = Totals(e)["direction_error"];
     return summary.m_nCount == 0 ? std::numeric_limits<double>::infinity() : summary.m_fP95;
   }
 
@@ -258,7 +258,7 @@ private:
   CAlarms GetAlarms(std::size_t e) const {
     const CEngineReport& engine = m_cScene.m_stdEngines[e];
     return {Cost(e).m_nNotFinite > 0, Wilson(Totals(e).m_nLate, Totals(e).m_nContacts).m_fLow > g_fLateToTell,
-            Wilson(engine.m_nGhosts, m_cScene.m_cRestart.m_nQuietSteps).m_fLow > g_fGhostsToTell,
+            Wilson(engine.m_nGhosts, m_cScene.m_cImpactTrials.m_nQuietSteps).m_fLow > g_fGhostsToTell,
             std::abs(EnergyChange(engine.m_cLongRun)) >= g_fChangeToTell};
   }
 
@@ -276,7 +276,7 @@ private:
       parts.push_back("Turned back one or two steps late: " + Each([&](std::size_t e) {
                         return RateText(Totals(e).m_nLate, Totals(e).m_nContacts);
                       }));
-    const std::size_t quiet = m_cScene.m_cRestart.m_nQuietSteps;
+    const std::size_t quiet = m_cScene.m_cImpactTrials.m_nQuietSteps;
     if (any(&CAlarms::m_bGhosts))
       parts.push_back("Of the steps in which a ball only passes by, it is turned all the same in " +
                       Each([&](std::size_t e) { return RateText(engines[e].m_nGhosts, quiet); }));

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ShapeGeometry.h"
 
-#include <Shapes/Arc.h>
-#include <Shapes/LineSeg.h>
+#include "VisitShape.h"
 
 #include <algorithm>
 #include <numbers>
@@ -46,10 +45,13 @@ CShapeGeometry MakeShapeGeometry(const CShape& shape, double turnSpeed) {
   CShapeGeometry o;
   o.m_eShapeType = shape.GetShapeType();
   o.m_vCenter = o.m_vPt0 = o.m_vPt1 = Wide(shape.GetPos());
-  if (o.m_eShapeType == eShape::Circle || o.m_eShapeType == eShape::Arc)
-    o.m_fRadius = static_cast<double>(static_cast<const CCircle&>(shape).GetRadius());
-  if (o.m_eShapeType == eShape::LineSeg) SetLineSeg(o, static_cast<const CLineSeg&>(shape));
-  if (o.m_eShapeType == eShape::Arc) SetArc(o, static_cast<const CArc&>(shape));
+  VisitShape(shape,
+             CPerShape{[](const CPoint&) {}, [&](const CLineSeg& seg) { SetLineSeg(o, seg); },
+                       [&](const CCircle& circle) { o.m_fRadius = static_cast<double>(circle.GetRadius()); },
+                       [&](const CArc& arc) {
+                         o.m_fRadius = static_cast<double>(arc.GetRadius());
+                         SetArc(o, arc);
+                       }});
 
   const Vector2d& c = o.m_vRotCenter = Wide(shape.GetRotCenter());
   const bool isRound = o.m_eShapeType == eShape::Point || o.m_eShapeType == eShape::Circle || o.m_bFull;

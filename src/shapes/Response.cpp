@@ -7,7 +7,7 @@ namespace {
 // What a response adds along n. Finite: the surface of a shape far from its centre may be faster than any
 // ball. CapSpeed does the rest.
 template <class T>
-T Kick(T e, T vn) {
+T NormalImpulse(T e, T vn) {
   return (T(1) + e) * std::max(vn, -T(g_fMaxApproach));
 }
 
@@ -34,7 +34,7 @@ void RespondStatic(const Vector2& n, float setback, float e, Vector2& p, Vector2
 template <class TVector, class T>
 void RespondKinematic(const TVector& n, T setback, T e, const TVector& surface, TVector& p, TVector& v) {
   const T vn = (v - surface).dot(n);
-  if (vn < T(0)) v -= Kick(e, vn) * n;
+  if (vn < T(0)) v -= NormalImpulse(e, vn) * n;
   p += setback * n;
 }
 
@@ -45,8 +45,8 @@ void RespondDynamic(const TVector& n, T setback, T e, T m0, T m1, TVector& p0, T
   const T share0 = m1 / (m0 + m1), share1 = m0 / (m0 + m1);
   const T vn = (v1 - v0).dot(n);
   if (vn < T(0)) {
-    v0 += (Kick(e, vn) * share0) * n;
-    v1 -= (Kick(e, vn) * share1) * n;
+    v0 += (NormalImpulse(e, vn) * share0) * n;
+    v1 -= (NormalImpulse(e, vn) * share1) * n;
   }
   p0 -= (setback * share0) * n;
   p1 += (setback * share1) * n;

@@ -2,8 +2,7 @@
 #include "BallPath.h"
 
 #include "../Tolerances.h"
-#include <Shapes/Arc.h>
-
+#include "../geometry/VisitShape.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -143,22 +142,22 @@ Vector2d Turn(const Vector2d& p, const Vector2d& center, double angle) {
 }
 
 CZone::CZone(const CShape& shape) : m_eType(shape.GetShapeType()), m_vPos(shape.GetPos().cast<double>()) {
-  if (m_eType == eShape::LineSeg) {
-    const auto& seg = static_cast<const CLineSeg&>(shape);
-    m_vPt0 = seg.GetEndPt0().cast<double>();
-    m_vPt1 = seg.GetEndPt1().cast<double>();
-    // The normal in double; the shape's says which of the two.
-    m_vFront = Unit(Perp(Vector2d(m_vPt1 - m_vPt0)), Vector2d::UnitY());
-    if (m_vFront.dot(seg.GetNormal().cast<double>()) < 0.0) m_vFront = -m_vFront;
-  } else if (m_eType != eShape::Point) {
-    m_fRadius = static_cast<const CCircle&>(shape).GetRadius();
-  }
-  if (m_eType != eShape::Arc) return;
-  const auto& arc = static_cast<const CArc&>(shape);
-  m_vPt0 = arc.GetEndPt0().cast<double>();
-  m_vPt1 = arc.GetEndPt1().cast<double>();
-  m_fSpan = arc.GetSpan();
-  m_bFull = arc.IsFullCircle();
+  VisitShape(shape, CPerShape{[](const CPoint&) {},
+                              [this](const CLineSeg& seg) {
+                                m_vPt0 = seg.GetEndPt0().cast<double>();
+                                m_vPt1 = seg.GetEndPt1().cast<double>();
+                                // The normal in double; the shape's says which of the two.
+                                m_vFront = Unit(Perp(Vector2d(m_vPt1 - m_vPt0)), Vector2d::UnitY());
+                                if (m_vFront.dot(seg.GetNormal().cast<double>()) < 0.0) m_vFront = -m_vFront;
+                              },
+                              [this](const CCircle& circle) { m_fRadius = circle.GetRadius(); },
+                              [this](const CArc& arc) {
+                                m_fRadius = arc.GetRadius();
+                                m_vPt0 = arc.GetEndPt0().cast<double>();
+                                m_vPt1 = arc.GetEndPt1().cast<double>();
+                                m_fSpan = arc.GetSpan();
+                                m_bFull = arc.IsFullCircle();
+                              }});
 }
 
 CBox2d CZone::GetBox() const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a ball meets the outline of a shape that goes on in another one, against the first of both.
+// Where a ball meets the geometry of a shape that goes on in another one, against the first of both.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -15,21 +15,22 @@ constexpr double g_fMarchedJoint = 1e-11; // of the oracle, here where all sizes
 /// A shape whose way leads to the origin, and its neighbour from there on. Curvature is to the left of the
 /// way.
 struct CJoined {
-  COutline m_cShape, m_cNeighbour;
+  CContactGeometry m_cShape, m_cNeighbour;
 
   /// @param turn  of the way at the origin, radians to the left; 0 is smooth
   CJoined(double bend, double nextBend, double heading, double turn) {
     const Vector2d u = UnitVector(heading), next = UnitVector(heading + turn);
     m_cShape = From(-u, -bend);
     m_cNeighbour = From(next, nextBend);
-    COutline::CEnd& end = m_cShape.m_cEnd0.m_vPos.norm() < 1e-12 ? m_cShape.m_cEnd0 : m_cShape.m_cEnd1;
+    CContactGeometry::CEnd& end =
+        m_cShape.m_cEnd0.m_vPos.norm() < 1e-12 ? m_cShape.m_cEnd0 : m_cShape.m_cEnd1;
     end.m_bIsShared = true;
     end.m_vNext = next;
     end.m_fBend = nextBend;
   }
 
-  COutline Unjoined() const {
-    COutline o = m_cShape;
+  CContactGeometry Unjoined() const {
+    CContactGeometry o = m_cShape;
     o.m_cEnd0.m_bIsShared = o.m_cEnd1.m_bIsShared = false;
     return o;
   }
@@ -39,7 +40,7 @@ struct CJoined {
 
 private:
   // From the origin in the direction u: a segment of length 1, or a third of a circle.
-  static COutline From(const Vector2d& u, double bend) {
+  static CContactGeometry From(const Vector2d& u, double bend) {
     if (bend == 0) return MakeSegment({0, 0}, u);
     const double third = 2 * std::numbers::pi / 3;
     const Vector2d c = Perp(u) / bend;
@@ -64,7 +65,7 @@ CCounts Shoot(double turn, bool isJoined, bool isTheirs) {
     for (const double nextBend : g_fBends)
       for (int k = 0; k < 300; ++k) {
         const CJoined joined(bend, nextBend, 2 * std::numbers::pi * random.Unit(), turn);
-        const COutline o = isJoined ? joined.m_cShape : joined.Unjoined();
+        const CContactGeometry o = isJoined ? joined.m_cShape : joined.Unjoined();
         const double r = 0.05 + 0.15 * random.Unit();
         const Vector2d at = random.VectorOfLength(0, 0.1f).cast<double>();
         const Vector2d w = random.Vector(-2, 5).cast<double>(), u = w.normalized();

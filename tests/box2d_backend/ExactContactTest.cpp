@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a ball meets the outline of one shape, against an oracle that knows distances only.
+// Where a ball meets the geometry of one shape, against an oracle that knows distances only.
 #include "Tolerances.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ constexpr eOutline g_eAll[] = {eOutline::Point, eOutline::Disk, eOutline::LineSe
                                eOutline::Ring};
 
 std::string Print(const CApproach& a) {
-  const COutline& o = a.m_cOutline;
+  const CContactGeometry& o = a.m_cGeometry;
   std::ostringstream out;
   out.precision(17);
   out << "kind " << static_cast<int>(o.m_eKind) << ", centre " << o.m_vCentre.transpose() << ", R "
@@ -56,7 +56,7 @@ double NormalBound(const CApproach& a) { return g_fSlack * g_fExactContactError 
 void ExpectTouch(const CApproach& a, const CExactContact& met) {
   const Vector2d p = a.At(met.m_fTime);
   EXPECT_LE(std::abs(a.Distance(p) - a.m_fRadius), g_fSlack * g_fExactContactError * a.Size());
-  EXPECT_LE((met.m_vNorm - GradientAt(a.m_cOutline, p)).norm(), NormalBound(a));
+  EXPECT_LE((met.m_vNorm - GradientAt(a.m_cGeometry, p)).norm(), NormalBound(a));
 }
 
 TEST(TrueContactTest, AClearBallMeetsWhatIsFirstOnItsWay) {
@@ -78,7 +78,7 @@ TEST(TrueContactTest, AClearBallMeetsWhatIsFirstOnItsWay) {
       }
       if (met.m_bMisses) { // may be where the oracle sees a touch within its tolerance
         const Vector2d p = a.At(*exact);
-        EXPECT_LE(std::abs(GradientAt(a.m_cOutline, p).dot(a.m_vVel)) / speed, 1e-4);
+        EXPECT_LE(std::abs(GradientAt(a.m_cGeometry, p).dot(a.m_vVel)) / speed, 1e-4);
         return;
       }
       ExpectTouch(a, met);
@@ -101,7 +101,7 @@ TEST(TrueContactTest, ABallThatHasComeTooFarIsTracedBack) {
     ForEach(kind, false, 3000, [&](const CApproach& a) {
       const CExactContact met = a.Find();
       EXPECT_NEAR(met.m_fGap, a.Gap(), g_fSlack * g_fExactContactError * a.Size());
-      const Vector2d now = GradientAt(a.m_cOutline, a.m_vPos);
+      const Vector2d now = GradientAt(a.m_cGeometry, a.m_vPos);
       if (met.m_fTime == 0) {
         EXPECT_LE((met.m_vNorm - now).norm(), NormalBound(a));
         bare += now.dot(a.m_vVel) < 0; // past an end
@@ -110,7 +110,7 @@ TEST(TrueContactTest, ABallThatHasComeTooFarIsTracedBack) {
       EXPECT_LT(met.m_vNorm.dot(a.m_vVel), 0);
       const double speed = a.m_vVel.norm(), cosine = -met.m_vNorm.dot(a.m_vVel) / speed;
       if (met.m_fTime * speed > 0.5 * a.m_fSmallest) return; // it will meet something else far ahead
-      const Vector2d between = a.m_cOutline.m_cEnd1.m_vPos - a.m_cOutline.m_cEnd0.m_vPos;
+      const Vector2d between = a.m_cGeometry.m_cEnd1.m_vPos - a.m_cGeometry.m_cEnd0.m_vPos;
       if (kind == eOutline::Arc && between.norm() < 2 * a.m_fRadius) return; // may touch both ends at once
       if (a.Distance(a.At(met.m_fTime)) < a.m_fRadius - 1e-9 * a.Size()) {
         ++deeper; // came out of an end, but along an arc
@@ -133,7 +133,7 @@ TEST(TrueContactTest, TheNormalOfNowIsAnotherOne) { // the control
     int off = 0;
     ForEach(kind, false, 2000, [&](const CApproach& a) {
       const CExactContact met = a.Find();
-      off += met.m_fTime < 0 && (met.m_vNorm - GradientAt(a.m_cOutline, a.m_vPos)).norm() > 0.01;
+      off += met.m_fTime < 0 && (met.m_vNorm - GradientAt(a.m_cGeometry, a.m_vPos)).norm() > 0.01;
     });
     EXPECT_GT(off, 50) << static_cast<int>(kind);
   }
@@ -148,13 +148,13 @@ TEST(TrueContactTest, WithoutVelocityItIsTheDistance) {
         EXPECT_EQ(met.m_fTime, 0);
         EXPECT_FALSE(met.m_bMisses);
         EXPECT_NEAR(met.m_fGap, a.Gap(), g_fSlack * g_fExactContactError * a.Size());
-        EXPECT_LE((met.m_vNorm - GradientAt(a.m_cOutline, a.m_vPos)).norm(), NormalBound(a));
+        EXPECT_LE((met.m_vNorm - GradientAt(a.m_cGeometry, a.m_vPos)).norm(), NormalBound(a));
       });
 }
 
 TEST(TrueContactTest, WhereThereIsNoDirectionItIsAgainstTheVelocityOrUp) {
-  const COutline point = MakeDisk({1, 2}, 0), disk = MakeDisk({1, 2}, 0.5);
-  for (const COutline& o : {point, disk}) {
+  const CContactGeometry point = MakeDisk({1, 2}, 0), disk = MakeDisk({1, 2}, 0.5);
+  for (const CContactGeometry& o : {point, disk}) {
     const CExactContact met = FindExactContact(o, {1, 2}, {3, -4}, 0.1);
     EXPECT_LE((met.m_vNorm - Vector2d(-0.6, 0.8)).norm(), 1e-15);
     EXPECT_EQ(met.m_fGap, -0.1 - o.m_fRadius);
@@ -172,7 +172,7 @@ TEST(TrueContactTest, PowersOfTwoAndQuarterTurnsChangeNoBit) {
       const CExactContact met = a.Find();
       for (const double scale : {0x1p-20, 0x1p30}) {
         CApproach b = a;
-        COutline& o = b.m_cOutline;
+        CContactGeometry& o = b.m_cGeometry;
         for (Vector2d* pV : {&b.m_vPos, &b.m_vVel, &o.m_vCentre, &o.m_cEnd0.m_vPos, &o.m_cEnd1.m_vPos})
           *pV *= scale;
         b.m_fRadius *= scale, o.m_fRadius *= scale;
@@ -186,7 +186,7 @@ TEST(TrueContactTest, PowersOfTwoAndQuarterTurnsChangeNoBit) {
         EXPECT_EQ(b.Find().m_fTime * scale, met.m_fTime);
       }
       CApproach b = a;
-      COutline& o = b.m_cOutline;
+      CContactGeometry& o = b.m_cGeometry;
       for (Vector2d* pV : {&b.m_vPos, &b.m_vVel, &o.m_vCentre, &o.m_cEnd0.m_vPos, &o.m_cEnd1.m_vPos,
                            &o.m_cEnd0.m_vOut, &o.m_cEnd1.m_vOut})
         *pV = quarter(*pV);
@@ -200,8 +200,8 @@ TEST(TrueContactTest, TheNormalGoesOverFromFaceToEnd) {
   // Balls side by side, a thousandth of the radius apart, that come down over the whole shape and past it.
   // On a bend of radius r, met at up to 45 degrees, a step of s turns the normal by s / (r cos 45).
   const double r = 0.1, step = 0.001 * r;
-  for (const COutline& o : {MakeSegment({-0.3, 0}, {0.3, 0}), MakeArcOutline({0, -1}, 1, 1.3, 0.6),
-                            MakeArcOutline({0, 1}, 1, 4.4, 0.6)})
+  for (const CContactGeometry& o : {MakeSegment({-0.3, 0}, {0.3, 0}), MakeArcOutline({0, -1}, 1, 1.3, 0.6),
+                                    MakeArcOutline({0, 1}, 1, 4.4, 0.6)})
     for (const double aside : {-1.0, 0.0, 0.5}) {
       Vector2d last(0, 0);
       for (double x = -0.5; x < 0.5; x += step) {
@@ -220,7 +220,7 @@ TEST(TrueContactTest, TheNormalGoesOverFromFaceToEnd) {
 
 TEST(TrueContactTest, WhatItCameThroughAndLeftIsOver) {
   // Clear of the end and parting from it, though it would have come through the face.
-  const COutline o = MakeSegment({-1, 0}, {0, 0});
+  const CContactGeometry o = MakeSegment({-1, 0}, {0, 0});
   const CExactContact met = FindExactContact(o, {0.05, 0.09}, {20, -5}, 0.1);
   EXPECT_EQ(met.m_fTime, 0);
   EXPECT_GT(met.m_vNorm.dot(Vector2d(20, -5)), 0);
@@ -231,7 +231,7 @@ TEST(TrueContactTest, WhatItCameThroughAndLeftIsOver) {
 
 TEST(TrueContactTest, AnEndIsInTheWayOfTheArcBehindIt) {
   // From beyond an end, along the inside: the circle is met far behind the end.
-  const COutline o = MakeArcOutline({0, 0}, 1, std::numbers::pi / 2 + 0.22 - 1.5, 1.5);
+  const CContactGeometry o = MakeArcOutline({0, 0}, 1, std::numbers::pi / 2 + 0.22 - 1.5, 1.5);
   const CApproach a{o, {-0.4, 0.899}, {10, 0}, 0.1, 0.1};
   const CExactContact met = a.Find();
   ASSERT_TRUE(a.March(1));

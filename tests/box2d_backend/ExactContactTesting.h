@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Outlines for the tests of true contacts, and what they are held against: the distance of a point from an
-// outline, and the way of a ball found by that distance alone, by conservative steps, without any root.
+// geometry, and the way of a ball found by that distance alone, by conservative steps, without any root.
 #pragma once
 
 #include "box2d_backend/contact/ExactContact.h"
@@ -17,20 +17,20 @@
 
 namespace Shapes::Tests {
 
+using Box2D::CContactGeometry;
 using Box2D::CExactContact;
-using Box2D::COutline;
 using Box2D::FindExactContact;
 
-inline COutline MakeDisk(const Vector2d& c, double R) {
-  COutline o;
+inline CContactGeometry MakeDisk(const Vector2d& c, double R) {
+  CContactGeometry o;
   o.m_vCentre = c;
   o.m_fRadius = R;
   return o;
 }
 
-inline COutline MakeSegment(const Vector2d& p0, const Vector2d& p1) {
-  COutline o;
-  o.m_eKind = COutline::eKind::LineSeg;
+inline CContactGeometry MakeSegment(const Vector2d& p0, const Vector2d& p1) {
+  CContactGeometry o;
+  o.m_eKind = CContactGeometry::eKind::LineSeg;
   o.m_vCentre = 0.5 * (p0 + p1);
   o.m_cEnd0.m_vPos = p0;
   o.m_cEnd1.m_vPos = p1;
@@ -40,9 +40,9 @@ inline COutline MakeSegment(const Vector2d& p0, const Vector2d& p1) {
 }
 
 /// @param span  counterclockwise from the angle a0, radians; 2 pi is the full circle
-inline COutline MakeArcOutline(const Vector2d& c, double R, double a0, double span) {
-  COutline o = MakeDisk(c, R);
-  o.m_eKind = COutline::eKind::Arc;
+inline CContactGeometry MakeArcOutline(const Vector2d& c, double R, double a0, double span) {
+  CContactGeometry o = MakeDisk(c, R);
+  o.m_eKind = CContactGeometry::eKind::Arc;
   o.m_bFull = span >= 2 * std::numbers::pi;
   o.m_bLong = span > std::numbers::pi;
   const Vector2d u0 = UnitVector(a0), u1 = UnitVector(a0 + span);
@@ -53,16 +53,16 @@ inline COutline MakeArcOutline(const Vector2d& c, double R, double a0, double sp
   return o;
 }
 
-/// The point of an outline that is nearest to p. By angles, not by cross products. Disks are solid; the
+/// The point of an geometry that is nearest to p. By angles, not by cross products. Disks are solid; the
 /// nearest point of one is on its rim.
-inline Vector2d NearestPt(const COutline& o, const Vector2d& p) {
+inline Vector2d NearestPt(const CContactGeometry& o, const Vector2d& p) {
   const Vector2d &p0 = o.m_cEnd0.m_vPos, &p1 = o.m_cEnd1.m_vPos;
-  if (o.m_eKind == COutline::eKind::LineSeg) {
+  if (o.m_eKind == CContactGeometry::eKind::LineSeg) {
     const Vector2d way = p1 - p0;
     return p0 + std::clamp((p - p0).dot(way) / way.squaredNorm(), 0.0, 1.0) * way;
   }
   const Vector2d d = p - o.m_vCentre;
-  if (o.m_eKind == COutline::eKind::Arc && !o.m_bFull) {
+  if (o.m_eKind == CContactGeometry::eKind::Arc && !o.m_bFull) {
     const auto angle = [&](const Vector2d& v) { // counterclockwise from end 0
       const Vector2d u0 = p0 - o.m_vCentre;
       const double a = std::atan2(Cross(u0, v), u0.dot(v));
@@ -74,8 +74,8 @@ inline Vector2d NearestPt(const COutline& o, const Vector2d& p) {
 }
 
 /// Below 0 within a disk.
-inline double DistanceFrom(const COutline& o, const Vector2d& p) {
-  if (o.m_eKind == COutline::eKind::Disk) return (p - o.m_vCentre).norm() - o.m_fRadius;
+inline double DistanceFrom(const CContactGeometry& o, const Vector2d& p) {
+  if (o.m_eKind == CContactGeometry::eKind::Disk) return (p - o.m_vCentre).norm() - o.m_fRadius;
   return (p - NearestPt(o, p)).norm();
 }
 
@@ -99,30 +99,30 @@ std::optional<double> MarchToContact(TDistance distance, const Vector2d& q, cons
   return {};
 }
 
-/// The unit vector from the nearest point of an outline to p. @param p not the centre of a disk
-inline Vector2d GradientAt(const COutline& o, const Vector2d& p) {
-  const Vector2d& from = o.m_eKind == COutline::eKind::Disk ? o.m_vCentre : NearestPt(o, p);
+/// The unit vector from the nearest point of an geometry to p. @param p not the centre of a disk
+inline Vector2d GradientAt(const CContactGeometry& o, const Vector2d& p) {
+  const Vector2d& from = o.m_eKind == CContactGeometry::eKind::Disk ? o.m_vCentre : NearestPt(o, p);
   return (p - from).normalized();
 }
 
 /// What errors are relative to: see FindExactContact.
-inline double SizeOf(const COutline& o, const Vector2d& q, double r) {
+inline double SizeOf(const CContactGeometry& o, const Vector2d& q, double r) {
   const Vector2d &p0 = o.m_cEnd0.m_vPos, &p1 = o.m_cEnd1.m_vPos;
   return q.norm() + o.m_vCentre.norm() + o.m_fRadius + r + p0.norm() + p1.norm();
 }
 
-/// A ball near an outline that goes there, or not.
+/// A ball near an geometry that goes there, or not.
 struct CApproach {
-  COutline m_cOutline;
+  CContactGeometry m_cGeometry;
   Vector2d m_vPos, m_vVel;
   double m_fRadius;
   double m_fSmallest; // what near is measured by
 
-  double Distance(const Vector2d& p) const { return DistanceFrom(m_cOutline, p); }
+  double Distance(const Vector2d& p) const { return DistanceFrom(m_cGeometry, p); }
   double Gap() const { return Distance(m_vPos) - m_fRadius; }
   Vector2d At(double t) const { return m_vPos + t * m_vVel; }
-  double Size() const { return SizeOf(m_cOutline, m_vPos, m_fRadius); }
-  CExactContact Find() const { return FindExactContact(m_cOutline, m_vPos, m_vVel, m_fRadius); }
+  double Size() const { return SizeOf(m_cGeometry, m_vPos, m_fRadius); }
+  CExactContact Find() const { return FindExactContact(m_cGeometry, m_vPos, m_vVel, m_fRadius); }
   std::optional<double> March(double most) const {
     return MarchToContact([this](const Vector2d& p) { return Distance(p); }, m_vPos, m_vVel, m_fRadius, most,
                           1e-13 * Size());
@@ -131,7 +131,7 @@ struct CApproach {
 
 enum class eOutline { Point, Disk, LineSeg, Arc, Ring };
 
-/// Sizes from 1/16 to 32, anywhere on the outline and a little past its ends, in any direction, from an
+/// Sizes from 1/16 to 32, anywhere on the geometry and a little past its ends, in any direction, from an
 /// overlap of a tenth up to half of the smallest size away. Some graze it, some pass beside it.
 inline CApproach MakeApproach(CRandom& random, eOutline kind) {
   CApproach a;
@@ -144,19 +144,19 @@ inline CApproach MakeApproach(CRandom& random, eOutline kind) {
   a.m_fSmallest = r;
   if (kind == eOutline::LineSeg) {
     const Vector2d way = random.Vector(-3, 4).cast<double>();
-    a.m_cOutline = MakeSegment(c, c + way);
+    a.m_cGeometry = MakeSegment(c, c + way);
     a.m_fSmallest = std::min(r, way.norm());
     at = c + std::clamp(along, 0.0, 1.0) * way;
     if (along >= 0 && along <= 1) n = (random.Coin() ? 1 : -1) * Perp(way.normalized());
   } else if (kind == eOutline::Arc || kind == eOutline::Ring) {
-    a.m_cOutline = MakeArcOutline(c, R, a0, kind == eOutline::Ring ? turn : span);
+    a.m_cGeometry = MakeArcOutline(c, R, a0, kind == eOutline::Ring ? turn : span);
     a.m_fSmallest = std::min({r, R, std::abs(R - r)});
     const double angle = a0 + std::clamp(along, 0.0, 1.0) * (kind == eOutline::Ring ? turn : span);
     at = c + R * UnitVector(angle);
     if (kind == eOutline::Ring || (along >= 0 && along <= 1))
       n = (random.Coin() ? 1 : -1) * UnitVector(angle);
   } else {
-    a.m_cOutline = MakeDisk(c, R);
+    a.m_cGeometry = MakeDisk(c, R);
   }
   a.m_fRadius = r;
   a.m_vVel = random.Vector(-3, 6).cast<double>();

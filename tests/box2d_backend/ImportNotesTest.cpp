@@ -85,7 +85,7 @@ TEST(ImportNotesTest, WhatPartsLose) {
               "Body 0 (kinematic) stays where it is: only turning has a counterpart, its velocity of (1, -2) "
               "m/s has none.",
               "Body 0 fixture 0 is a sensor: natively balls are felt on its circle, not inside.",
-              "Body 0 fixture 1 is a sensor: balls are felt on its outline, not inside.",
+              "Body 0 fixture 1 is a sensor: balls are felt on its geometry, not inside.",
               "Body 0 fixture 2 loses its skin of 0.5 m."}));
   EXPECT_EQ(scene.m_stdBalls.size(), 1u);
 }

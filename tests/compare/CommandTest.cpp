@@ -182,7 +182,7 @@ TEST_F(CommandTest, CtrlCReportsWhatIsFinished) {
       });
   EXPECT_EQ(result.m_nExit, 130) << result.m_sOutput;
   EXPECT_NE(result.m_sOutput.find("Interrupted: only the"), std::string::npos) << result.m_sOutput;
-  EXPECT_NE(result.m_sOutput.find("1/15 ball_on_ball  restarts 0%"), std::string::npos) << result.m_sOutput;
+  EXPECT_NE(result.m_sOutput.find("1/15 ball_on_ball  impacts 0%"), std::string::npos) << result.m_sOutput;
   const auto json = nlohmann::json::parse(Read("run.json"));
   EXPECT_EQ(json.at("interrupted"), true);
   EXPECT_GE(json.at("scenes").size(), 1u);

@@ -143,7 +143,7 @@ protected:
     for (std::size_t i = 0; i < exact.GetBallCount(); ++i)
       size += exact.GetBall(i).GetExtent();
     if (exact.GetShapeCount() == 0) return size;
-    const CFigure<double> f = exact.GetFigure(0);
+    const CShapeGeometry<double> f = exact.GetGeometry(0);
     for (const CVec2d* p : {&f.m_vCenter, &f.m_vPt0, &f.m_vPt1})
       size += p->cwiseAbs().maxCoeff();
     return size + f.m_fRadius;
@@ -152,9 +152,10 @@ protected:
   // What overlaps from the beginning is set back: that is no shot.
   static bool BeginsWithOverlap(const CExact& exact) {
     const CExactBall<double>& ball = exact.GetBall(0);
-    const double gap = exact.GetBallCount() > 1 ? (exact.GetBall(1).m_vPos - ball.m_vPos).norm() -
-                                                      exact.GetBall(1).m_fRadius - ball.m_fRadius
-                                                : Distance(exact.GetFigure(0), ball.m_vPos) - ball.m_fRadius;
+    const double gap =
+        exact.GetBallCount() > 1
+            ? (exact.GetBall(1).m_vPos - ball.m_vPos).norm() - exact.GetBall(1).m_fRadius - ball.m_fRadius
+            : Distance(exact.GetGeometry(0), ball.m_vPos) - ball.m_fRadius;
     return gap < 0.0;
   }
 

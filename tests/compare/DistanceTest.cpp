@@ -20,7 +20,7 @@ using Shapes::Tests::CRandom;
 constexpr int g_nPoints = 4000;
 
 // The figure as points, neighbours at most `apart` from each other.
-double NearestPoint(const CFigure<double>& f, double a0, double span, const CVec2d& p, double& apart) {
+double NearestPoint(const CShapeGeometry<double>& f, double a0, double span, const CVec2d& p, double& apart) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= g_nPoints; ++i) {
     const double t = static_cast<double>(i) / g_nPoints;
@@ -43,7 +43,7 @@ TEST(DistanceTest, IsThatOfTheNearestPoint) {
     const float r = random.Uniform(0.01f, 1), a0 = random.Uniform(0, 6.28f), a1 = random.Uniform(0, 6.28f);
     const CVec2d p = ToDouble(random.InSquare(2));
     const auto expect = [&](const CAnyShapeDesc& desc, double from, double span) {
-      const CFigure<double> f = MakeFigure(desc);
+      const CShapeGeometry<double> f = MakeShapeGeometry(desc);
       double apart = 0;
       const double nearest = NearestPoint(f, from, span, p, apart);
       EXPECT_LE(Distance(f, p), nearest + 1e-6); // the points are those of the angles in float
@@ -59,15 +59,15 @@ TEST(DistanceTest, IsThatOfTheNearestPoint) {
 }
 
 TEST(DistanceTest, OfSpecialPlaces) {
-  const CFigure<double> seg = MakeFigure(CLineSegDesc({0, 0}, {4, 0})),
-                        spot = MakeFigure(CLineSegDesc({1, 1}, {1, 1}));
+  const CShapeGeometry<double> seg = MakeShapeGeometry(CLineSegDesc({0, 0}, {4, 0})),
+                               spot = MakeShapeGeometry(CLineSegDesc({1, 1}, {1, 1}));
   EXPECT_EQ(Distance(seg, CVec2d(2, 0)), 0.0);
   EXPECT_EQ(Distance(seg, CVec2d(2, -3)), 3.0);
   EXPECT_EQ(Distance(seg, CVec2d(7, 4)), 5.0);
   EXPECT_EQ(Distance(spot, CVec2d(4, 5)), 5.0);
-  EXPECT_EQ(Distance(MakeFigure(CCircleDesc({1, 0}, 2)), CVec2d(1, 0)), 2.0);   // the centre
-  EXPECT_EQ(Distance(MakeFigure(CCircleDesc({1, 0}, 2)), CVec2d(1, 0.5)), 1.5); // inside: a ring
-  const CFigure<double> upper = MakeFigure(CArcDesc({0, 0}, 1, 0, g_fPi));
+  EXPECT_EQ(Distance(MakeShapeGeometry(CCircleDesc({1, 0}, 2)), CVec2d(1, 0)), 2.0);   // the centre
+  EXPECT_EQ(Distance(MakeShapeGeometry(CCircleDesc({1, 0}, 2)), CVec2d(1, 0.5)), 1.5); // inside: a ring
+  const CShapeGeometry<double> upper = MakeShapeGeometry(CArcDesc({0, 0}, 1, 0, g_fPi));
   EXPECT_NEAR(Distance(upper, CVec2d(0, 3)), 2.0, 1e-15);
   EXPECT_NEAR(Distance(upper, CVec2d(0, -3)), std::sqrt(10.0), 1e-6); // to an end
 }

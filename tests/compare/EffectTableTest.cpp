@@ -44,8 +44,8 @@ TEST(EffectTableTest, TellsWhatASavingCosts) {
 
   CEffectCost& kinematics = Get(report, eEffect::Kinematics);
   kinematics.m_cWithout.m_cFlightError.m_fP95 = 3.0;
-  kinematics.m_cWithout.m_cTotals.m_cDirectionError.m_fP95 = 2.0;
-  kinematics.m_cWithout.m_cTotals.m_cSpeedError.m_fP95 = 0.1;
+  kinematics.m_cWithout.m_cTotals["direction_error"].m_fP95 = 2.0;
+  kinematics.m_cWithout.m_cTotals["speed_error"].m_fP95 = 0.1;
   EXPECT_EQ(changes(),
             std::vector<std::string>{
                 "native without Kinematics: flies 3.000 radii off to the first impact instead of 0.500, "
@@ -55,7 +55,7 @@ TEST(EffectTableTest, TellsWhatASavingCosts) {
   kinematics.m_fRuns = 0.0; // what becomes better with one that is forced is told
   std::swap(kinematics.m_cWith.m_cTotals, kinematics.m_cWithout.m_cTotals);
   kinematics.m_cWith.m_cFlightError = kinematics.m_cWithout.m_cFlightError;
-  kinematics.m_cWith.m_cTotals.m_cSpeedError = kinematics.m_cWithout.m_cTotals.m_cSpeedError;
+  kinematics.m_cWith.m_cTotals["speed_error"] = kinematics.m_cWithout.m_cTotals["speed_error"];
   EXPECT_EQ(changes(), std::vector<std::string>{
                            "native with Kinematics: directions within 0.020 rad instead of 2.000."});
 }

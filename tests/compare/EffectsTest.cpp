@@ -91,12 +91,12 @@ TEST(EffectsTest, WhatIsNotCalledForChangesNothingAndWhatIsDoes) {
   const CEffectCosts spinner = Measure(LoadBundled("spinner"));
   const CEffectCost& gravity = Get(spinner, eEffect::Gravity);
   EXPECT_EQ(Lost(gravity.m_cWith), Lost(gravity.m_cWithout));
-  EXPECT_EQ(gravity.m_cWith.m_cTotals.m_cDirectionError.m_fMax,
-            gravity.m_cWithout.m_cTotals.m_cDirectionError.m_fMax);
+  EXPECT_EQ(gravity.m_cWith.m_cTotals["direction_error"].m_fMax,
+            gravity.m_cWithout.m_cTotals["direction_error"].m_fMax);
   const CEffectCost& kinematics = Get(spinner, eEffect::Kinematics);
   EXPECT_EQ(kinematics.m_cWith.m_cTotals.m_nContacts, g_nEffectsContacts);
-  EXPECT_GT(kinematics.m_cWithout.m_cTotals.m_cDirectionError.m_fP95,
-            1.5 * kinematics.m_cWith.m_cTotals.m_cDirectionError.m_fP95);
+  EXPECT_GT(kinematics.m_cWithout.m_cTotals["direction_error"].m_fP95,
+            1.5 * kinematics.m_cWith.m_cTotals["direction_error"].m_fP95);
   // The bar stands still without it, so nothing is done for it.
   EXPECT_GT(kinematics.GetRatio().m_fMedian, 1.5);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "FailAbove.h"
+#include "app/FailAbove.h"
 
 #include <gtest/gtest.h>
 
@@ -43,19 +43,42 @@ TEST(FailAboveTest, EveryMetricIsTheRightOne) {
     const char* m_sMetric;
     double m_fNative, m_fBox2D;
   };
-  const CExpected expected[] = {
-      {"missed", 0.101, 0.003},      {"wrong_side", 0.102, 0.003},     {"tunneled", 0.203, 0.006},
-      {"overlapped", 0.02, 0.02},    {"ghost", 0.0025, 0.0025},        {"late", 0.005, 0.005},
-      {"setback_error", 0.75, 0.75}, {"poi_error", 0.12, 0.12},        {"time_error", 0.04, 0.04},
-      {"normal_error", 0.15, 0.15},  {"direction_error", 1e-4, 0.02},  {"speed_error", 0.18, 0.18},
-      {"energy_error", 0.22, 0.22},  {"position_error", 0.26, 0.26},   {"penetration", 0.005, 0.005},
-      {"energy_drift", 0.03, 0.03},  {"ns_per_ball_step", 50.0, 500.0}};
+  const CExpected expected[] = {{"missed", 0.101, 0.003},
+                                {"wrong_side", 0.102, 0.003},
+                                {"tunneled", 0.203, 0.006},
+                                {"overlapped", 0.02, 0.02},
+                                {"ghost", 0.0025, 0.0025},
+                                {"late", 0.005, 0.005},
+                                {"setback_error", 0.75, 0.75},
+                                {"poi_error", 0.12, 0.12},
+                                {"time_error", 0.04, 0.04},
+                                {"normal_error", 0.15, 0.15},
+                                {"direction_error", 1e-4, 0.02},
+                                {"speed_error", 0.18, 0.18},
+                                {"energy_error", 0.22, 0.22},
+                                {"position_error", 0.26, 0.26},
+                                {"penetration", 0.005, 0.005},
+                                {"energy_drift", 0.03, 0.03},
+                                {"ns_per_ball_step", 50.0, 500.0},
+                                {"setback", 0.9, 0.9},
+                                {"setback_error_normal", 0.5, 0.5},
+                                {"free_path_error", 0.01, 0.01},
+                                {"angular_momentum_drift", 0.02, 0.02},
+                                {"ns_per_contact", 5000.0, 50000.0},
+                                {"escaped", 3.0, 3.0},
+                                {"not_finite", 1.0, 1.0}};
   EXPECT_EQ(std::size(expected), GetMetricNames().size());
   CRunReport report = MakeSampleReport();
   for (const std::size_t e : {Tests::g_nTuned, Tests::g_nContinuous}) {
     report.m_stdEngines.erase(report.m_stdEngines.begin() + static_cast<std::ptrdiff_t>(e));
     auto& engines = report.m_stdScenes[0].m_stdEngines;
     engines.erase(engines.begin() + static_cast<std::ptrdiff_t>(e));
+  }
+  for (CEngineReport& engine : report.m_stdScenes[0].m_stdEngines) {
+    engine.m_cLongRun.m_fFreePathError = 0.01;
+    engine.m_cLongRun.m_fAngularMomentumDrift = -0.02;
+    engine.m_cCost.m_nEscaped = 3;
+    engine.m_cCost.m_nNotFinite = 1;
   }
   for (const CExpected& e : expected) {
     SCOPED_TRACE(e.m_sMetric);

@@ -2,7 +2,7 @@
 // Responses to what is not touched: a scene in which Box2D has them, by a mechanism that is known, and
 // controls.
 #include "MadeScenes.h"
-#include "metrics/Restart.h"
+#include "metrics/ImpactTrials.h"
 
 #include <gtest/gtest.h>
 
@@ -26,18 +26,18 @@ CScene OverFloor(int pieces, float height) {
   return scene;
 }
 
-CRestartResult JudgeGhosts(const CScene& scene, std::size_t contacts) {
-  CRestartOptions options;
+CImpactTrialResult JudgeGhosts(const CScene& scene, std::size_t contacts) {
+  CImpactTrialOptions options;
   options.m_nContacts = contacts;
   options.m_nMostTrials = 10 * contacts;
   options.m_bAsk = false;
-  return RunRestarts(scene, GetEngines(), options);
+  return RunImpactTrials(scene, GetEngines(), options);
 }
 
 // Box2D's edges have a skin of .01. A ball within it before a joint is nearest to the end of the next edge,
 // whose normal leans back: it is braked. That is so while dx^2 + .105^2 < .11^2, dx < .0328, of every .2.
 TEST(GhostsTest, JointsOfAFloorBumpABallOnBox2D) {
-  const CRestartResult result = JudgeGhosts(OverFloor(20, 0.105f), 600);
+  const CImpactTrialResult result = JudgeGhosts(OverFloor(20, 0.105f), 600);
   ASSERT_GT(result.m_nQuietSteps, 550u);
   EXPECT_LE(result.m_nQuietSteps, 600u);
   EXPECT_EQ(result.m_stdGhosts[g_nNative], 0u);
@@ -49,22 +49,22 @@ TEST(GhostsTest, JointsOfAFloorBumpABallOnBox2D) {
 }
 
 TEST(GhostsTest, WithoutJointsThereAreNone) {
-  const CRestartResult result = JudgeGhosts(OverFloor(1, 0.105f), 300);
+  const CImpactTrialResult result = JudgeGhosts(OverFloor(1, 0.105f), 300);
   EXPECT_GT(result.m_nQuietSteps, 250u);
   EXPECT_EQ(result.m_stdGhosts[g_nNative], 0u);
   EXPECT_EQ(result.m_stdGhosts[g_nBox2D], 0u);
 }
 
 TEST(GhostsTest, OutsideTheSkinThereAreNone) {
-  const CRestartResult result = JudgeGhosts(OverFloor(20, 0.112f), 300);
+  const CImpactTrialResult result = JudgeGhosts(OverFloor(20, 0.112f), 300);
   EXPECT_GT(result.m_nQuietSteps, 250u);
   EXPECT_EQ(result.m_stdGhosts[g_nBox2D], 0u);
 }
 
 // What is farther away than a radius is not passed: only the steps beside the walls are quiet ones.
 TEST(GhostsTest, StepsFarFromEverythingAreNotCounted) {
-  const CRestartResult near = JudgeGhosts(OverFloor(1, 0.195f), 300),
-                       far = JudgeGhosts(OverFloor(1, 0.205f), 300);
+  const CImpactTrialResult near = JudgeGhosts(OverFloor(1, 0.195f), 300),
+                           far = JudgeGhosts(OverFloor(1, 0.205f), 300);
   EXPECT_GT(near.m_nQuietSteps, 250u);
   EXPECT_GT(far.m_nQuietSteps, 100u);
   // With 3 m/s, the ball is within a radius of a wall in 4 to 6 of the 76 steps between two impacts.
@@ -79,7 +79,7 @@ TEST(GhostsTest, EarlyAnswersAreNoGhosts) {
   AddShape(scene, CLineSegDesc({0, -2}, {0, 2}));
   AddShape(scene, CLineSegDesc({-1, -2}, {-1, 2}));
   AddBall(scene, {{-0.5f, 0}, 0.1f, {0.2f, 0}}); // three thousandths a step, so it is in the skin for three
-  const CRestartResult result = JudgeGhosts(scene, 300);
+  const CImpactTrialResult result = JudgeGhosts(scene, 300);
   EXPECT_GT(result.m_nQuietSteps, 250u);
   EXPECT_EQ(result.m_stdGhosts[g_nNative], 0u);
   // The third step before the impact may still be in the skin: that one is a ghost by definition.

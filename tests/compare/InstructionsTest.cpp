@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "metrics/Instructions.h"
 
-#include "Child.h"
 #include "MadeScenes.h"
+#include "app/Child.h"
 #include "metrics/Effects.h"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 // Scenes for the tests of the metrics, those made by hand so that what has to come out is known.
 #pragma once
 
-#include "Trial.h"
 #include "metrics/Statistics.h"
+#include "scene/Trial.h"
 
 #include <cstddef>
 #include <string>

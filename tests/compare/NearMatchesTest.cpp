@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "NearMatches.h"
+#include "app/NearMatches.h"
 
 #include <gtest/gtest.h>
 

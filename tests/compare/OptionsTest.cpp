@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "Options.h"
+#include "app/Options.h"
 
 #include <gtest/gtest.h>
 

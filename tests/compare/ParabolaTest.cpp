@@ -26,7 +26,7 @@ struct CResult {
 CResult Throw(const CAnyShapeDesc& desc, const CVec2d& p, const CVec2d& v, double r, double tMax = 10,
               const CVec2d& g = g_vDown) {
   CResult result;
-  result.m_bMet = Sweep(MakeFigure(desc), CBalld{p, v, r, g}, tMax, result.m_cHit);
+  result.m_bMet = Sweep(MakeShapeGeometry(desc), CBalld{p, v, r, g}, tMax, result.m_cHit);
   return result;
 }
 

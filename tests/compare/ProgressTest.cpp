@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "Progress.h"
+#include "app/Progress.h"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
 
-#include "Interrupt.h"
+#include "app/Interrupt.h"
 
 namespace Shapes::Compare {
 namespace {
 
-constexpr eStage g_stdAllParts[] = {eStage::Restarts, eStage::Ladder,   eStage::Timing, eStage::HeatMap,
-                                    eStage::Effects,  eStage::LongRuns, eStage::Replay};
+constexpr eStage g_stdAllParts[] = {eStage::ImpactTrials, eStage::ParameterSweep, eStage::Timing,
+                                    eStage::HeatMap,      eStage::Effects,        eStage::LongRuns,
+                                    eStage::Replay};
 
 TEST(ProgressTest, PartsFillTheTimeOfASceneInTheirOrder) {
   double last = 0.0;
@@ -25,14 +26,16 @@ TEST(ProgressTest, PartsFillTheTimeOfASceneInTheirOrder) {
 }
 
 TEST(ProgressTest, TheTimeLeftIsGuessedFromTheTimeSoFar) {
-  EXPECT_EQ(ProgressText(2, 15, "pinball", eStage::Restarts, 0.42, 1.0), "3/15 pinball  restarts 42%");
+  EXPECT_EQ(ProgressText(2, 15, "pinball", eStage::ImpactTrials, 0.42, 1.0), "3/15 pinball  impacts 42%");
   // Half of the work is done.
-  const auto text = [](double seconds) { return ProgressText(1, 2, "b", eStage::Restarts, 0.0, seconds); };
-  EXPECT_EQ(text(6.0), "2/2 b  restarts 0%  a few seconds left");
-  EXPECT_EQ(text(42.0), "2/2 b  restarts 0%  about 40 s left");
-  EXPECT_EQ(text(130.0), "2/2 b  restarts 0%  about 2 min left");
-  EXPECT_EQ(ProgressText(0, 2, "a", eStage::Restarts, 0.0, 99.0),
-            "1/2 a  restarts 0%"); // nothing to guess from
+  const auto text = [](double seconds) {
+    return ProgressText(1, 2, "b", eStage::ImpactTrials, 0.0, seconds);
+  };
+  EXPECT_EQ(text(6.0), "2/2 b  impacts 0%  a few seconds left");
+  EXPECT_EQ(text(42.0), "2/2 b  impacts 0%  about 40 s left");
+  EXPECT_EQ(text(130.0), "2/2 b  impacts 0%  about 2 min left");
+  EXPECT_EQ(ProgressText(0, 2, "a", eStage::ImpactTrials, 0.0, 99.0),
+            "1/2 a  impacts 0%"); // nothing to guess from
 }
 
 class CInterruptTest : public testing::Test {

@@ -64,7 +64,7 @@ CScene RandomScene(CRandom& random, bool elastic) {
     const bool isClear =
         std::all_of(scene.m_stdShapes.begin(), scene.m_stdShapes.end(),
                     [&](const CAnyShapeDesc& desc) {
-                      return CSweepOracle(MakeFigure(desc), CTurning<double>(), ball, 0).Gap(0) > .01L;
+                      return CSweepOracle(MakeShapeGeometry(desc), CTurning<double>(), ball, 0).Gap(0) > .01L;
                     }) &&
         std::all_of(scene.m_stdBalls.begin(), scene.m_stdBalls.end(), [&](const CDynamicCircleDesc& other) {
           return (other.m_vPos - p).norm() > other.m_fRadius + r + .01f;
@@ -101,7 +101,7 @@ public:
         m_stdTime(m_stdPlace),
         m_fGravity(static_cast<double>(scene.m_vGravity.norm())) {
     for (std::size_t k = 0; k < start.GetShapeCount(); ++k) {
-      m_stdFigures.push_back(MakeFigure(scene.m_stdShapes[k]));
+      m_stdGeometries.push_back(MakeShapeGeometry(scene.m_stdShapes[k]));
       m_stdTurns.push_back(2 * std::numbers::pi * std::abs(static_cast<double>(start.GetRotSpeed(k))));
     }
   }
@@ -153,7 +153,7 @@ private:
   double Curvature(const CExactEvent<T>& event) const {
     const double r = static_cast<double>(m_cScene.m_stdBalls[event.m_nBall].m_fRadius);
     if (event.m_bIsBall) return 1 / (r + static_cast<double>(m_cScene.m_stdBalls[event.m_nShape].m_fRadius));
-    const double R = m_stdFigures[event.m_nShape].m_fRadius;
+    const double R = m_stdGeometries[event.m_nShape].m_fRadius;
     switch (event.m_ePart) {
     case ePart::Front:
     case ePart::Back: return 0;
@@ -168,7 +168,7 @@ private:
   std::vector<double> m_stdPlace;
   std::vector<double> m_stdSpeed;
   std::vector<double> m_stdTime;
-  std::vector<CFigure<double>> m_stdFigures;
+  std::vector<CShapeGeometry<double>> m_stdGeometries;
   std::vector<double> m_stdTurns;
   double m_fGravity;
 };

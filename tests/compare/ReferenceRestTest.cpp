@@ -86,7 +86,7 @@ TEST(ReferenceRest, DeadBallIsCarriedByABlade) {
       Make({Kinematic(Wall({0, 0}, {4, 0}, 0), {0, 0}, 1)}, {CDynamicCircleDesc({1, .25f}, .125f)});
   for (int i = 0; i < 12; ++i) {
     Carry(reference, 1.0 / 120);
-    const CFigure<double> f = reference.GetFigure(0);
+    const CShapeGeometry<double> f = reference.GetGeometry(0);
     const CVec2d along = (f.m_vPt1 - f.m_vPt0).normalized();
     const double gap = Perp(along).dot(reference.GetBall(0).m_vPos) - .125;
     ASSERT_GE(gap, -1e-12);
@@ -264,7 +264,7 @@ TEST(ReferenceRest, NobodyGetsIntoAnything) {
       for (std::size_t i = 0; i < balls.size(); ++i) {
         const CExactBall<double>& ball = reference.GetBall(i);
         for (std::size_t k = 0; k < shapes.size(); ++k) {
-          const CSweepOracle oracle(reference.GetFigure(k), {}, {ball.m_vPos, {0, 0}, ball.m_fRadius}, 0);
+          const CSweepOracle oracle(reference.GetGeometry(k), {}, {ball.m_vPos, {0, 0}, ball.m_fRadius}, 0);
           ASSERT_GT(oracle.Gap(0), -2 * g_fRest * ball.GetExtent())
               << "step " << step << " ball " << i << " shape " << k;
         }

@@ -11,19 +11,19 @@ namespace {
 
 struct CReplay {
   CScene m_cScene;
-  CRestartResult m_cRestarts;
+  CImpactTrialResult m_cImpactTrials;
   std::vector<CClip> m_stdClips;
 };
 
 CReplay Make(const std::string& name) {
   CReplay replay;
   replay.m_cScene = LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");
-  CRestartOptions options;
+  CImpactTrialOptions options;
   options.m_nSeed = 5;
   options.m_nContacts = 200;
   options.m_nMostTrials = 4000;
-  replay.m_cRestarts = RunRestarts(replay.m_cScene, GetEngines(), options);
-  replay.m_stdClips = MakeClips(replay.m_cScene, GetEngines(), replay.m_cRestarts, 5, 120);
+  replay.m_cImpactTrials = RunImpactTrials(replay.m_cScene, GetEngines(), options);
+  replay.m_stdClips = MakeClips(replay.m_cScene, GetEngines(), replay.m_cImpactTrials, 5, 120);
   return replay;
 }
 

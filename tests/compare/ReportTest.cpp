@@ -160,8 +160,8 @@ TEST(TableTest, FitsATerminalWhateverTheFiguresAndNames) {
   for (CEngineReport& engine : wild.m_stdEngines) {
     engine.m_cTotals.m_nContacts = 100000000;
     engine.m_cTotals.m_nMissed = engine.m_cTotals.m_nWrongSide = 33333333;
-    engine.m_cTotals.m_cSetbackError = {1, 1e30, 1e38, 1e38};
-    engine.m_cTotals.m_cDirectionError.m_fP95 = 3.14159;
+    engine.m_cTotals["setback_error"] = {1, 1e30, 1e38, 1e38};
+    engine.m_cTotals["direction_error"].m_fP95 = 3.14159;
     engine.m_cCost.m_cNsPerBallStep.m_fMedian = 12345678.0;
     engine.m_nGhosts = 800;
   }
@@ -199,8 +199,8 @@ TEST(TableTest, SaysWhereNothingCouldBeJudged) {
   // Where only some trials are given up, that is said beside the figures.
   report.m_stdScenes = {MakeSampleScene()};
   EXPECT_FALSE(Contains(MakeTable(report), "gave up"));
-  report.m_stdScenes[0].m_cRestart.m_cSetAside.m_nUndecided = 1;
-  report.m_stdScenes[0].m_cRestart.m_cSetAside.m_sUndecided = "trial 7, step 1: somewhere";
+  report.m_stdScenes[0].m_cImpactTrials.m_cExcluded.m_nUndecided = 1;
+  report.m_stdScenes[0].m_cImpactTrials.m_cExcluded.m_sUndecided = "trial 7, step 1: somewhere";
   EXPECT_TRUE(Contains(Unwrapped(MakeTable(report)),
                        "gave up 1 of 1200 trials, the first at trial 7, step 1: somewhere."));
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "Run.h"
+#include "app/Run.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "Interrupt.h"
 #include "SampleReport.h"
+#include "app/Interrupt.h"
 
 namespace Shapes::Compare {
 namespace {
@@ -21,15 +21,15 @@ CRunReport RunSome(const std::vector<CScene>& scenes, const std::function<void()
 TEST(RunTest, SizesShrinkWithTheContactsAndDoNotGrow) {
   const CRunSizes fewer = g_cFullSizes.ForContacts(g_cFullSizes.m_nContacts / 10);
   EXPECT_EQ(fewer.m_nContacts, g_cFullSizes.m_nContacts / 10);
-  EXPECT_EQ(fewer.m_nProof, g_cFullSizes.m_nProof / 10);
-  EXPECT_EQ(fewer.m_nLadderContacts, g_cFullSizes.m_nLadderContacts / 10);
+  EXPECT_EQ(fewer.m_nConfirmation, g_cFullSizes.m_nConfirmation / 10);
+  EXPECT_EQ(fewer.m_nSweepContacts, g_cFullSizes.m_nSweepContacts / 10);
   const CRunSizes one = g_cFullSizes.ForContacts(1);
   EXPECT_EQ(one.m_nContacts, 1u);
-  EXPECT_GE(one.m_nLadderContacts, 10u);
+  EXPECT_GE(one.m_nSweepContacts, 10u);
   EXPECT_GE(one.m_nBallSteps, 500u);
   const CRunSizes more = g_cFullSizes.ForContacts(10 * g_cFullSizes.m_nContacts);
   EXPECT_EQ(more.m_nContacts, 10 * g_cFullSizes.m_nContacts);
-  EXPECT_EQ(more.m_nProof, g_cFullSizes.m_nProof);
+  EXPECT_EQ(more.m_nConfirmation, g_cFullSizes.m_nConfirmation);
 }
 
 TEST(RunTest, EverythingIsMeasuredOnEachScene) {
@@ -40,10 +40,10 @@ TEST(RunTest, EverythingIsMeasuredOnEachScene) {
   ASSERT_EQ(report.m_stdScenes.size(), 2u);
   for (const CSceneReport& scene : report.m_stdScenes) {
     SCOPED_TRACE(scene.m_cScene.m_sName);
-    EXPECT_EQ(scene.m_cRestart.m_stdContacts.size(), g_nRunContacts);
+    EXPECT_EQ(scene.m_cImpactTrials.m_stdContacts.size(), g_nRunContacts);
     EXPECT_GT(scene.m_cDifference.m_nCount, 0u);
-    EXPECT_EQ(scene.m_cWork.m_stdRungs.size(), GetLadder().size() + 1);
-    EXPECT_FALSE(scene.m_cWork.m_stdAnswers.empty());
+    EXPECT_EQ(scene.m_cWork.m_stdSettings.size(), GetParameterSweep().size() + 1);
+    EXPECT_FALSE(scene.m_cWork.m_stdRecommendations.empty());
     EXPECT_EQ(scene.m_cHeatMap.m_stdCells.empty(), scene.m_cScene.m_stdBalls.size() != 1);
     EXPECT_EQ(scene.m_stdClips.size(), 5u);
     ASSERT_EQ(scene.m_stdEngines.size(), 4u);
@@ -63,8 +63,8 @@ TEST(RunTest, OneEngineHasNoOtherToBeApartFrom) {
                                       g_cQuickSizes.ForContacts(g_nRunContacts), 1, progress, [] {});
   ASSERT_EQ(report.m_stdScenes.at(0).m_stdEngines.size(), 1u);
   EXPECT_EQ(report.m_stdScenes[0].m_cDifference.m_nCount, 0u);
-  for (const CRung& rung : report.m_stdScenes[0].m_cWork.m_stdRungs)
-    EXPECT_NE(rung.m_cEngine.m_sName, "native");
+  for (const CSetting& setting : report.m_stdScenes[0].m_cWork.m_stdSettings)
+    EXPECT_NE(setting.m_cEngine.m_sName, "native");
 }
 
 TEST(RunTest, AnInterruptKeepsWhatIsFinished) {

@@ -65,17 +65,17 @@ inline CEngineReport MakeSampleEngine(std::size_t tunneled, double ns, double di
   t.m_nWrongSide = tunneled - tunneled / 2;
   t.m_nLate = 5;
   t.m_nOverlapped = 20;
-  t.m_cSetback = {900, 0.5, 0.9, 1.0};
-  t.m_cSetbackError = {900, 0.25, 0.75, 1.5};
-  t.m_cSetbackErrorNormal = {900, -0.125, 0.5, 1.0};
-  t.m_cTimeError = {900, 0.03, 0.04, 0.05};
-  t.m_cPOIError = {895, 0.11, 0.12, 0.13};
-  t.m_cNormalError = {895, 0.14, 0.15, 0.16};
-  t.m_cDirectionError = {890, direction / 2, direction, direction * 2};
-  t.m_cSpeedError = {890, 0.17, 0.18, 0.19};
-  t.m_cEnergyError = {890, 0.21, 0.22, 0.23};
-  t.m_cPositionError = {890, 0.24, 0.26, 0.27};
-  t.m_cPenetration = {899, 0.0, 0.005, 0.02};
+  t["setback"] = {900, 0.5, 0.9, 1.0};
+  t["setback_error"] = {900, 0.25, 0.75, 1.5};
+  t["setback_error_normal"] = {900, -0.125, 0.5, 1.0};
+  t["time_error"] = {900, 0.03, 0.04, 0.05};
+  t["poi_error"] = {895, 0.11, 0.12, 0.13};
+  t["normal_error"] = {895, 0.14, 0.15, 0.16};
+  t["direction_error"] = {890, direction / 2, direction, direction * 2};
+  t["speed_error"] = {890, 0.17, 0.18, 0.19};
+  t["energy_error"] = {890, 0.21, 0.22, 0.23};
+  t["position_error"] = {890, 0.24, 0.26, 0.27};
+  t["penetration"] = {899, 0.0, 0.005, 0.02};
   report.m_nGhosts = 2;
   report.m_stdBins = {{"travel", "1 to 2", t}};
   report.m_cHistogram.m_stdSetbackError.assign(g_nHistogramBins, 28);
@@ -96,8 +96,8 @@ inline CEffectWorld MakeSampleWorld(double ns, std::optional<double> instruction
   world.m_fInstructions = instructions;
   world.m_cTotals.m_nContacts = 60;
   world.m_cTotals.m_nMissed = lost;
-  world.m_cTotals.m_cDirectionError = {50, 0.01, 0.02, 0.03};
-  world.m_cTotals.m_cSpeedError = {50, 0.001, 0.002, 0.003};
+  world.m_cTotals["direction_error"] = {50, 0.01, 0.02, 0.03};
+  world.m_cTotals["speed_error"] = {50, 0.001, 0.002, 0.003};
   world.m_cFlightError = {12, 0.25, 0.5, 0.75};
   return world;
 }
@@ -125,17 +125,17 @@ inline CEffectCosts MakeSampleEffects() {
 inline CSceneReport MakeSampleScene() {
   CSceneReport report;
   report.m_cScene = LoadBundled("spinner");
-  report.m_cRestart.m_stdContacts = {MakeSampleContact()};
-  report.m_cRestart.m_stdGhosts = {2, 2, 2, 2};
-  report.m_cRestart.m_nQuietSteps = 800;
-  report.m_cRestart.m_nTrials = 1200;
-  report.m_cRestart.m_cSetAside = {1, 2, 3, 4, 0, ""};
+  report.m_cImpactTrials.m_stdContacts = {MakeSampleContact()};
+  report.m_cImpactTrials.m_stdGhosts = {2, 2, 2, 2};
+  report.m_cImpactTrials.m_nQuietSteps = 800;
+  report.m_cImpactTrials.m_nTrials = 1200;
+  report.m_cImpactTrials.m_cExcluded = {1, 2, 3, 4, 0, ""};
   report.m_cDifference = {850, 0.06, 0.5, 1.25};
   report.m_stdEngines = {MakeSampleEngine(203, 50.0, 0.0001), MakeSampleEngine(12, 70.0, 0.0002),
                          MakeSampleEngine(6, 500.0, 0.02), MakeSampleEngine(0, 800.0, 2e-6)};
-  report.m_cWork.m_stdAnswers = {"Direction within .01 rad: box2d."};
+  report.m_cWork.m_stdRecommendations = {"Direction within .01 rad: box2d."};
   const std::vector<CEngine> engines = GetEngines();
-  CRung native, box2d, tuned, exact;
+  CSetting native, box2d, tuned, exact;
   native.m_cEngine = engines[Tests::g_nNative];
   native.m_cNsPerBallSecond = {3000.0, {2900.0, 3100.0}};
   native.m_nContacts = 100;
@@ -150,7 +150,7 @@ inline CSceneReport MakeSampleScene() {
   exact = native;
   exact.m_cEngine = {g_sExact, nullptr};
   exact.m_fDirectionErrorP95 = 0.0;
-  report.m_cWork.m_stdRungs = {native, box2d, tuned, exact};
+  report.m_cWork.m_stdSettings = {native, box2d, tuned, exact};
   report.m_cHeatMap.m_stdSpeeds = {1.0, 2.0};
   report.m_cHeatMap.m_stdSizes = {1.0};
   report.m_cHeatMap.m_fTravel = 1.25;
@@ -184,11 +184,11 @@ inline CRunReport MakeSampleReport() {
 inline CSceneReport MakeUndecidedScene() {
   CSceneReport report = MakeSampleScene();
   report.m_cScene.m_sName = "hopeless";
-  report.m_cRestart = {};
-  report.m_cRestart.m_stdGhosts = {0, 0, 0, 0};
-  report.m_cRestart.m_nTrials = 40;
-  report.m_cRestart.m_cSetAside.m_nUndecided = 40;
-  report.m_cRestart.m_cSetAside.m_sUndecided = "trial 0, step 2: ball 0 is jammed at (1, 2)";
+  report.m_cImpactTrials = {};
+  report.m_cImpactTrials.m_stdGhosts = {0, 0, 0, 0};
+  report.m_cImpactTrials.m_nTrials = 40;
+  report.m_cImpactTrials.m_cExcluded.m_nUndecided = 40;
+  report.m_cImpactTrials.m_cExcluded.m_sUndecided = "trial 0, step 2: ball 0 is jammed at (1, 2)";
   report.m_cDifference = {};
   for (CEngineReport& engine : report.m_stdEngines) {
     const CCost cost = engine.m_cCost;

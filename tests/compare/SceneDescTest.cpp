@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A scene that a program holds, written as a file for the tool and read by it.
-#include "../../compare/Scene.h"
+#include "../../compare/scene/Scene.h"
 
 #include <Shapes/Shapes.h>
 

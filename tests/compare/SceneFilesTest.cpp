@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The scenes that come with the tool, run natively.
-#include "../../compare/Scene.h"
+#include "../../compare/scene/Scene.h"
 
 #include "../Random.h"
 

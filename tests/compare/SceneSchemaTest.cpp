@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // compare/scene.schema.json, which editors read, and the reader of scene files accept and refuse the same.
-#include "Scene.h"
+#include "scene/Scene.h"
 #include "schema/Schema.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../compare/Scene.h"
+#include "../../compare/scene/Scene.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -31,7 +31,7 @@ struct CResult {
 CResult Shoot(const CAnyShapeDesc& desc, const CBalld& ball, double tMax = 10.0,
               eMeet meet = eMeet::Approaching) {
   CResult result;
-  result.m_bMet = Sweep(MakeFigure(desc), ball, tMax, result.m_cHit, meet);
+  result.m_bMet = Sweep(MakeShapeGeometry(desc), ball, tMax, result.m_cHit, meet);
   return result;
 }
 
@@ -290,7 +290,7 @@ TEST(SweepCases, OneSidedArcStopsOneWay) {
 
 // A blade of length 1 that turns at w meets a resting ball when its angle is that of the tangent.
 TEST(SweepCases, TurningBladeMeetsARestingBall) {
-  const CFigure<double> blade = MakeFigure(CLineSegDesc({0, 0}, {1, 0}));
+  const CShapeGeometry<double> blade = MakeShapeGeometry(CLineSegDesc({0, 0}, {1, 0}));
   for (const double w : {0.1, 6.0, 60.0, 60.0 * g_fPi2}) {
     const double r = .1, d = .7, turn = std::numbers::pi / 2 - std::asin(r / d), t = turn / w;
     CHit<double> hit;
@@ -311,7 +311,7 @@ TEST(SweepCases, TurningBladeMeetsARestingBall) {
 
 // A whole turn in one step. At its end nothing seems to have moved; the sweep sees the blade pass.
 TEST(SweepCases, WholeTurnIsNotNoTurn) {
-  const CFigure<double> blade = MakeFigure(CLineSegDesc({0, 0}, {1, 0}));
+  const CShapeGeometry<double> blade = MakeShapeGeometry(CLineSegDesc({0, 0}, {1, 0}));
   CHit<double> hit;
   EXPECT_TRUE(Sweep<double>(blade, {{0, 0}, 60 * g_fPi2}, {{0, .5}, {0, 0}, .1}, 1.0 / 60, hit));
   EXPECT_LT(hit.m_fTime, 1.0 / 60 / 4);
@@ -321,7 +321,7 @@ TEST(SweepCases, WholeTurnIsNotNoTurn) {
 // A ball that a turning blade carries along, in touch and not approaching, is met as soon as the blade
 // presses.
 TEST(SweepCases, PressedByATurningBlade) {
-  const CFigure<double> blade = MakeFigure(CLineSegDesc({0, 0}, {1, 0}));
+  const CShapeGeometry<double> blade = MakeShapeGeometry(CLineSegDesc({0, 0}, {1, 0}));
   CHit<double> hit;
   ASSERT_TRUE(Sweep<double>(blade, {{0, 0}, 10}, {{.5, .1}, {1, 5}, .1}, 1.0 / 60, hit));
   EXPECT_LT(hit.m_fTime, 1e-9);

@@ -17,9 +17,9 @@ using real = long double;
 
 class CSweepOracle {
 public:
-  CSweepOracle(const CFigure<double>& f, const CTurning<double>& turning, const CSweptBall<double>& ball,
-               double tMax)
-      : m_cFigure(f), m_cTurning(turning), m_cBall(ball), m_fTimeMax(tMax) {
+  CSweepOracle(const CShapeGeometry<double>& f, const CTurning<double>& turning,
+               const CSweptBall<double>& ball, double tMax)
+      : m_cGeometry(f), m_cTurning(turning), m_cBall(ball), m_fTimeMax(tMax) {
     // The distance is searched relative to the shape: the ball's speed plus that of the frame at the ball.
     const CVec<double> q = ball.m_vPos - turning.m_vCenter;
     const real speed = Len(ball.m_vVel.x(), ball.m_vVel.y()) + Len(ball.m_vAcc.x(), ball.m_vAcc.y()) * tMax;
@@ -66,7 +66,7 @@ private:
   }
 
   real Distance(real x, real y) const {
-    const CFigure<double>& f = m_cFigure;
+    const CShapeGeometry<double>& f = m_cGeometry;
     const real dx = x - f.m_vCenter.x(), dy = y - f.m_vCenter.y(), d = Len(dx, dy), R = f.m_fRadius;
     switch (f.m_eShapeType) {
     case eShape::LineSeg: {
@@ -85,14 +85,14 @@ private:
   }
 
   real Angle(const CVec<double>& p) const {
-    return std::atan2(real(p.y()) - m_cFigure.m_vCenter.y(), real(p.x()) - m_cFigure.m_vCenter.x());
+    return std::atan2(real(p.y()) - m_cGeometry.m_vCenter.y(), real(p.x()) - m_cGeometry.m_vCenter.x());
   }
   static real Ahead(real from, real to) {
     return to >= from ? to - from : to - from + 2 * std::numbers::pi_v<real>;
   }
 
   bool OnSolidSide(real t) const {
-    const CFigure<double>& f = m_cFigure;
+    const CShapeGeometry<double>& f = m_cGeometry;
     if (f.m_eSides == eSides::Both) return true;
     real x, y;
     Place(t, x, y);
@@ -116,7 +116,7 @@ private:
     return Search(t0, g0, t, g, found) || Search(t, g, t1, g1, found);
   }
 
-  CFigure<double> m_cFigure;
+  CShapeGeometry<double> m_cGeometry;
   CTurning<double> m_cTurning;
   CSweptBall<double> m_cBall;
   real m_fTimeMax;

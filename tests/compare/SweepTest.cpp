@@ -19,7 +19,7 @@ using CVec2d = CVec<double>;
 constexpr double g_fEps = std::numeric_limits<double>::epsilon();
 
 struct CTrial {
-  CFigure<double> m_cFigure;
+  CShapeGeometry<double> m_cGeometry;
   CTurning<double> m_cTurning;
   CSweptBall<double> m_cBall;
   double m_fTimeMax = 1.0;
@@ -33,8 +33,8 @@ CVec2d InSquare(CRandom& random, double half) {
   return {x, y};
 }
 
-CFigure<double> RandomFigure(CRandom& random, eShape type, bool oneSided) {
-  CFigure<double> f;
+CShapeGeometry<double> RandomFigure(CRandom& random, eShape type, bool oneSided) {
+  CShapeGeometry<double> f;
   f.m_eShapeType = type;
   f.m_vCenter = InSquare(random, 1.0);
   if (oneSided) f.m_eSides = random.Coin() ? eSides::Front : eSides::Back;
@@ -57,7 +57,7 @@ CFigure<double> RandomFigure(CRandom& random, eShape type, bool oneSided) {
 CTrial RandomTrial(CRandom& random, eShape type, bool oneSided, bool turns, bool falls = false) {
   for (;;) {
     CTrial trial;
-    trial.m_cFigure = RandomFigure(random, type, oneSided);
+    trial.m_cGeometry = RandomFigure(random, type, oneSided);
     const double r = Between(random, 0.01, 0.4);
     const CVec2d p = InSquare(random, 2.0), target = InSquare(random, 1.0);
     trial.m_cBall = {p, (target - p) * Between(random, falls ? 0.0 : 0.5, 3.0), r};
@@ -67,9 +67,9 @@ CTrial RandomTrial(CRandom& random, eShape type, bool oneSided, bool turns, bool
       trial.m_cBall.m_vVel *= Between(random, 0.0, 8.0);
     }
     if (falls) trial.m_cBall.m_vAcc = InSquare(random, turns ? 200.0 : 10.0);
-    const CSweepOracle oracle(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax);
-    const bool tooBigInside = trial.m_cFigure.m_bFull && r >= trial.m_cFigure.m_fRadius &&
-                              (p - trial.m_cFigure.m_vCenter).norm() < trial.m_cFigure.m_fRadius;
+    const CSweepOracle oracle(trial.m_cGeometry, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax);
+    const bool tooBigInside = trial.m_cGeometry.m_bFull && r >= trial.m_cGeometry.m_fRadius &&
+                              (p - trial.m_cGeometry.m_vCenter).norm() < trial.m_cGeometry.m_fRadius;
     if (oracle.Gap(0) > 1e-6L && !tooBigInside) return trial;
   }
 }
@@ -77,7 +77,7 @@ CTrial RandomTrial(CRandom& random, eShape type, bool oneSided, bool turns, bool
 // The published bound: gap at the time of impact.
 double GapBound(const CTrial& trial) {
   return (trial.m_cTurning.m_fSpeed == 0.0 ? 16 : g_nTouchRoundings + 16) * g_fEps *
-         (GetExtent(trial.m_cFigure, trial.m_cBall, trial.m_cTurning) +
+         (GetExtent(trial.m_cGeometry, trial.m_cBall, trial.m_cTurning) +
           trial.m_fTimeMax * trial.m_cBall.m_vVel.norm() +
           trial.m_fTimeMax * trial.m_fTimeMax * trial.m_cBall.m_vAcc.norm() / 2.0);
 }
@@ -111,9 +111,9 @@ TEST_P(CSweepAgainstSearch, FindsTheSameImpact) {
   for (int i = 0; i < c.m_nTrials; ++i) {
     SCOPED_TRACE("seed " + std::to_string(random.GetSeed()) + " trial " + std::to_string(i));
     const CTrial trial = RandomTrial(random, c.m_eShapeType, c.m_bOneSided, c.m_bTurns, c.m_bFalls);
-    const CSweepOracle oracle(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax);
+    const CSweepOracle oracle(trial.m_cGeometry, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax);
     CHit<double> hit;
-    const bool met = Sweep(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax, hit);
+    const bool met = Sweep(trial.m_cGeometry, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax, hit);
     const auto impact = oracle.FirstImpact();
     if (hit.m_bGraze) {
       ++ambiguous;
@@ -168,13 +168,13 @@ TEST(Sweep, TwoBallsAgainstSearch) {
   for (int i = 0; i < 4000; ++i) {
     SCOPED_TRACE("seed 77 trial " + std::to_string(i));
     const CTrial trial = RandomTrial(random, eShape::Point, false, false);
-    const CSweptBall<double> other{trial.m_cFigure.m_vCenter, InSquare(random, 2.0),
+    const CSweptBall<double> other{trial.m_cGeometry.m_vCenter, InSquare(random, 2.0),
                                    Between(random, 0.0, 0.3)};
     if ((other.m_vPos - trial.m_cBall.m_vPos).norm() < other.m_fRadius + trial.m_cBall.m_fRadius + 1e-6)
       continue;
     const CSweptBall<double> relative{trial.m_cBall.m_vPos, trial.m_cBall.m_vVel - other.m_vVel,
                                       trial.m_cBall.m_fRadius + other.m_fRadius};
-    const CSweepOracle oracle(trial.m_cFigure, {}, relative, 1.0);
+    const CSweepOracle oracle(trial.m_cGeometry, {}, relative, 1.0);
     CHit<double> hit, reverse;
     const bool met = SweepBalls(other, trial.m_cBall, 1.0, hit);
     const bool metReverse = SweepBalls(trial.m_cBall, other, 1.0, reverse);
@@ -199,7 +199,7 @@ CVec<CFifty> To50(const CVec2d& v) { return {CFifty(v.x()), CFifty(v.y())}; }
 bool Sweep50(const CTrial& trial, CHit<CFifty>& hit) {
   const CSweptBall<double>& b = trial.m_cBall;
   return Sweep<CFifty>(
-      trial.m_cFigure.Cast<CFifty>(), {To50(trial.m_cTurning.m_vCenter), CFifty(trial.m_cTurning.m_fSpeed)},
+      trial.m_cGeometry.Cast<CFifty>(), {To50(trial.m_cTurning.m_vCenter), CFifty(trial.m_cTurning.m_fSpeed)},
       {To50(b.m_vPos), To50(b.m_vVel), CFifty(b.m_fRadius), To50(b.m_vAcc)}, CFifty(trial.m_fTimeMax), hit);
 }
 
@@ -215,7 +215,7 @@ TEST(Sweep, DoubleAgainst50Digits) {
     const CTrial trial = RandomTrial(random, type, oneSided, turns, falls);
     CHit<double> hit;
     CHit<CFifty> exact;
-    const bool met = Sweep(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax, hit);
+    const bool met = Sweep(trial.m_cGeometry, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax, hit);
     const bool metExactly = Sweep50(trial, exact);
     if (hit.m_bGraze) continue;
     ASSERT_EQ(met, metExactly);
@@ -239,14 +239,14 @@ TEST(Sweep, KickedGravityMissesTheTimeOfImpact) {
     SCOPED_TRACE("seed 51 trial " + std::to_string(i));
     CTrial trial = RandomTrial(random, random.Coin() ? eShape::LineSeg : eShape::Circle, false, false, true);
     CHit<double> hit, kicked;
-    if (!Sweep(trial.m_cFigure, trial.m_cBall, trial.m_fTimeMax, hit) || hit.m_bGraze) continue;
+    if (!Sweep(trial.m_cGeometry, trial.m_cBall, trial.m_fTimeMax, hit) || hit.m_bGraze) continue;
     ++hits;
     const double approach = -trial.m_cBall.GetVel(hit.m_fTime).dot(hit.m_vNorm);
     const double bound = 2.0 * GapBound(trial) / approach + 4.0 * g_fEps * hit.m_fTime;
     CSweptBall<double> ball = trial.m_cBall;
     ball.m_vVel += ball.m_vAcc * trial.m_fTimeMax;
     ball.m_vAcc = {0, 0};
-    wrong += !Sweep(trial.m_cFigure, ball, trial.m_fTimeMax, kicked) ||
+    wrong += !Sweep(trial.m_cGeometry, ball, trial.m_fTimeMax, kicked) ||
              std::abs(kicked.m_fTime - hit.m_fTime) > 1000.0 * bound;
   }
   EXPECT_GT(hits, 400);
@@ -262,13 +262,13 @@ TEST(Sweep, NearGrazesKeepTheBoundThatTheTextbookBreaks) {
     const double gap = R * std::pow(10.0, -1.0 - 5.0 * random.Unit());
     const double angle = Between(random, 0.0, 6.28), c = std::cos(angle), s = std::sin(angle);
     CTrial trial;
-    trial.m_cFigure.m_eShapeType = eShape::Point;
+    trial.m_cGeometry.m_eShapeType = eShape::Point;
     const CVec2d d(-far * c - (R - gap) * s, -far * s + (R - gap) * c);
     trial.m_cBall = {d, {c, s}, R};
     trial.m_fTimeMax = 2.0 * far;
     CHit<double> hit;
     CHit<CFifty> exact;
-    ASSERT_TRUE(Sweep(trial.m_cFigure, trial.m_cBall, trial.m_fTimeMax, hit));
+    ASSERT_TRUE(Sweep(trial.m_cGeometry, trial.m_cBall, trial.m_fTimeMax, hit));
     ASSERT_TRUE(Sweep50(trial, exact));
     const double truth = static_cast<double>(exact.m_fTime);
     const double approach = static_cast<double>(-To50(trial.m_cBall.m_vVel).dot(exact.m_vNorm));
@@ -291,9 +291,9 @@ TEST(Sweep, NewtonWouldMissWhatTheSafeStepFinds) {
     SCOPED_TRACE("seed 60 trial " + std::to_string(i));
     const CTrial trial = RandomTrial(random, eShape::Point, false, true);
     CHit<double> hit;
-    if (!Sweep(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax, hit)) continue;
+    if (!Sweep(trial.m_cGeometry, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax, hit)) continue;
     ++hits;
-    const CSweepOracle oracle(trial.m_cFigure, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax);
+    const CSweepOracle oracle(trial.m_cGeometry, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax);
     real t = 0, gap = oracle.Gap(t);
     for (int k = 0; k < 100 && gap > 1e-12L && t < trial.m_fTimeMax; ++k) {
       const real slope = (oracle.Gap(t + 1e-9L) - gap) / 1e-9L;

@@ -89,19 +89,19 @@ void ExpectTotals(const CTotals& t, const std::vector<CContact>& contacts, std::
   EXPECT_EQ(t.GetTunneled(), count(Tunneled));
   EXPECT_EQ(t.m_nOverlapped, count([](const C& c) { return !Tunneled(c) && c.m_fPenetration > 0.01f; }));
   const CFilter detected = [](const C& c) { return c.m_bDetected; };
-  ExpectSummary(t.m_cSetback, contacts, engine, &C::m_fSetback, detected);
-  ExpectSummary(t.m_cSetbackError, contacts, engine, &C::m_fSetbackError, detected);
-  ExpectSummary(t.m_cSetbackErrorNormal, contacts, engine, &C::m_fSetbackErrorNormal, detected, true);
-  ExpectSummary(t.m_cTimeError, contacts, engine, &C::m_fTimeError, detected, true);
+  ExpectSummary(t["setback"], contacts, engine, &C::m_fSetback, detected);
+  ExpectSummary(t["setback_error"], contacts, engine, &C::m_fSetbackError, detected);
+  ExpectSummary(t["setback_error_normal"], contacts, engine, &C::m_fSetbackErrorNormal, detected, true);
+  ExpectSummary(t["time_error"], contacts, engine, &C::m_fTimeError, detected, true);
   const CFilter back = [](const C& c) { return !Tunneled(c); };
-  ExpectSummary(t.m_cPOIError, contacts, engine, &C::m_fPOIError, back);
-  ExpectSummary(t.m_cNormalError, contacts, engine, &C::m_fNormalError, back);
+  ExpectSummary(t["poi_error"], contacts, engine, &C::m_fPOIError, back);
+  ExpectSummary(t["normal_error"], contacts, engine, &C::m_fNormalError, back);
   const CFilter compared = [](const C& c) { return c.m_bCompared; };
-  ExpectSummary(t.m_cDirectionError, contacts, engine, &C::m_fDirectionError, compared);
-  ExpectSummary(t.m_cSpeedError, contacts, engine, &C::m_fSpeedError, compared, true);
-  ExpectSummary(t.m_cEnergyError, contacts, engine, &C::m_fEnergyError, compared, true);
-  ExpectSummary(t.m_cPositionError, contacts, engine, &C::m_fPositionError, compared);
-  ExpectSummary(t.m_cPenetration, contacts, engine, &C::m_fPenetration,
+  ExpectSummary(t["direction_error"], contacts, engine, &C::m_fDirectionError, compared);
+  ExpectSummary(t["speed_error"], contacts, engine, &C::m_fSpeedError, compared, true);
+  ExpectSummary(t["energy_error"], contacts, engine, &C::m_fEnergyError, compared, true);
+  ExpectSummary(t["position_error"], contacts, engine, &C::m_fPositionError, compared);
+  ExpectSummary(t["penetration"], contacts, engine, &C::m_fPenetration,
                 [](const C& c) { return !Tunneled(c); });
 }
 
@@ -113,7 +113,7 @@ TEST(TotalsTest, TotalsAreTheSumsOverTheContacts) {
   ExpectTotals(MakeTotals(contacts, 1), contacts, 1);
   EXPECT_NE(MakeTotals(contacts, 0).m_nMissed, MakeTotals(contacts, 1).m_nMissed); // the engines differ
   const CTotals none = MakeTotals({}, 0);
-  EXPECT_EQ(none.m_nContacts + none.GetTunneled() + none.m_cSetback.m_nCount, 0u);
+  EXPECT_EQ(none.m_nContacts + none.GetTunneled() + none["setback"].m_nCount, 0u);
 }
 
 TEST(TotalsTest, DifferencesAreOfThoseThatBothDetected) {

@@ -59,7 +59,7 @@ TEST(VerdictTest, WhoWinsIsSaid) {
   engines[0] = engines[1] = engines[2];
   EXPECT_EQ(first(), "Fewest lost: no difference; best directions: no difference; fastest: no difference.");
   for (CEngineReport& engine : engines)
-    engine.m_cTotals.m_cDirectionError = {};
+    engine.m_cTotals["direction_error"] = {};
   EXPECT_EQ(first(), "Fewest lost: no difference; best directions: not known; fastest: no difference.");
 }
 
@@ -96,7 +96,7 @@ TEST(VerdictTest, ContinuousIsNamedOnlyWhereItTellsSomething) {
   engines[Tests::g_nContinuous] = MakeSampleEngine(201, 90.0, 0.0001); // only slower, by what the tables say
   expectNamed(false);
   ExpectSays(report, "native loses 20.3% +-2.5 of the balls, box2d 0.60% +-0.51, box2d-tuned none of 1,000.");
-  engines[Tests::g_nContinuous].m_cTotals.m_cDirectionError.m_fP95 = 0.0002;
+  engines[Tests::g_nContinuous].m_cTotals["direction_error"].m_fP95 = 0.0002;
   expectNamed(true);
   engines[Tests::g_nContinuous] = MakeSampleEngine(201, 90.0, 0.0001);
   engines[Tests::g_nContinuous].m_cLongRun.m_fEnergyDrift = 0.0; // native's is told of
@@ -152,9 +152,9 @@ TEST(VerdictTest, DirectionsAreExactOrWithinWhatTheDigitsShow) {
   CRunReport report = OfTwo(MakeSampleEngine(8, 100.0, 0.0), MakeSampleEngine(6, 104.0, 0.0001));
   auto& engines = report.m_stdScenes[0].m_stdEngines;
   ExpectSays(report, "95% of its directions are exact on native, within 1e-4 rad on box2d.");
-  engines[1].m_cTotals.m_cDirectionError.m_fP95 = 0.9e-7; // rounding
+  engines[1].m_cTotals["direction_error"].m_fP95 = 0.9e-7; // rounding
   ExpectSays(report, "95% of its directions are exact on both.");
-  engines[1].m_cTotals.m_cDirectionError = {};
+  engines[1].m_cTotals["direction_error"] = {};
   ExpectSays(report, "exact on native, not known on box2d.");
 }
 
@@ -211,7 +211,7 @@ TEST(VerdictTest, WhatWasNotMeasuredIsNotJudged) {
       report,
       "Nothing is judged: the exact reference gave up 40 of 40 trials, the first at trial 0, step 2: ");
   ExpectSays(report, "%", false);
-  CSetAside& aside = report.m_stdScenes[0].m_cRestart.m_cSetAside;
+  CExcluded& aside = report.m_stdScenes[0].m_cImpactTrials.m_cExcluded;
   aside = {};
   ExpectSays(report, "There is nothing to judge: no ball met anything in 40 trials.");
   aside.m_nResting = 3;

@@ -12,21 +12,21 @@
 namespace Shapes::Compare {
 namespace {
 
-CRung Rung(const std::string& engine, unsigned substeps, double ns, std::optional<double> error,
-           std::size_t contacts, std::size_t tunneled) {
-  CRung rung;
-  rung.m_cEngine = {engine, nullptr};
-  rung.m_cEngine.m_nSubsteps = substeps;
-  rung.m_cNsPerBallSecond = {ns, {ns, ns}};
-  rung.m_fDirectionErrorP95 = error;
-  rung.m_nContacts = contacts;
-  rung.m_nTunneled = tunneled;
-  return rung;
+CSetting MakeSetting(const std::string& engine, unsigned substeps, double ns, std::optional<double> error,
+                     std::size_t contacts, std::size_t tunneled) {
+  CSetting setting;
+  setting.m_cEngine = {engine, nullptr};
+  setting.m_cEngine.m_nSubsteps = substeps;
+  setting.m_cNsPerBallSecond = {ns, {ns, ns}};
+  setting.m_fDirectionErrorP95 = error;
+  setting.m_nContacts = contacts;
+  setting.m_nTunneled = tunneled;
+  return setting;
 }
 
 TEST(WorkPrecision, TheLadderHasEachSettingOnceAndBeginsWithTheEnginesAsTheyCome) {
   std::set<std::string> labels;
-  for (const CEngine& engine : GetLadder())
+  for (const CEngine& engine : GetParameterSweep())
     EXPECT_TRUE(labels.insert(engine.m_sName + ": " + engine.GetLabel()).second) << engine.GetLabel();
   EXPECT_TRUE(labels.count("native: as it comes"));
   EXPECT_TRUE(labels.count("box2d: as it comes"));
@@ -37,7 +37,7 @@ TEST(WorkPrecision, TheLadderHasEachSettingOnceAndBeginsWithTheEnginesAsTheyCome
   for (const char* pSubsteps : {"as it comes", "2 substeps", "4 substeps", "8 substeps"})
     EXPECT_TRUE(labels.count(std::string("native-continuous: ") + pSubsteps));
   EXPECT_EQ(labels.size(), 40u);
-  for (const CEngine& engine : GetLadder()) {
+  for (const CEngine& engine : GetParameterSweep()) {
     EXPECT_EQ(engine.m_eProfile, engine.m_sName == "box2d-tuned" ? eProfile::Tuned : eProfile::Shipped);
     EXPECT_EQ(engine.m_cEffects, engine.m_sName == "native"        ? g_cApproximate
                                  : engine.m_sName == "box2d-tuned" ? g_cAutomatic
@@ -46,27 +46,29 @@ TEST(WorkPrecision, TheLadderHasEachSettingOnceAndBeginsWithTheEnginesAsTheyCome
 }
 
 TEST(WorkPrecision, TheFrontIsWhatNothingBeats) {
-  std::vector<CRung> rungs{Rung("native", 1, 100, .5, 100, 50), Rung("native", 2, 200, .1, 100, 0),
-                           Rung("box2d", 1, 300, .2, 100, 0),   Rung("box2d", 2, 400, .05, 100, 1),
-                           Rung("box2d", 4, 150, {}, 0, 0),     Rung("native", 4, 200, .1, 100, 0),
-                           Rung("exact", 1, 10, 0., 100, 0)}; // no engine to choose: it beats nobody
-  MarkFronts(rungs);
+  std::vector<CSetting> settings{
+      MakeSetting("native", 1, 100, .5, 100, 50), MakeSetting("native", 2, 200, .1, 100, 0),
+      MakeSetting("box2d", 1, 300, .2, 100, 0),   MakeSetting("box2d", 2, 400, .05, 100, 1),
+      MakeSetting("box2d", 4, 150, {}, 0, 0),     MakeSetting("native", 4, 200, .1, 100, 0),
+      MakeSetting("exact", 1, 10, 0., 100, 0)}; // no engine to choose: it beats nobody
+  MarkFronts(settings);
   const bool byError[] = {true, true, false, true, false, true, false};
   const bool byMisses[] = {true, true, false, false, false, true, false};
-  for (std::size_t i = 0; i < rungs.size(); ++i) {
-    EXPECT_EQ(rungs[i].m_bFrontByError, byError[i]) << i;
-    EXPECT_EQ(rungs[i].m_bFrontByMisses, byMisses[i]) << i;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    EXPECT_EQ(settings[i].m_bFrontByError, byError[i]) << i;
+    EXPECT_EQ(settings[i].m_bFrontByMisses, byMisses[i]) << i;
   }
 }
 
 TEST(WorkPrecision, AnswersNameTheCheapestAndWhatTheOtherEngineNeeds) {
-  std::vector<CRung> rungs{Rung("native", 1, 1000, .5, 1000, 500), Rung("native", 8, 8000, .009, 1000, 0),
-                           Rung("box2d", 1, 40000, .002, 5000, 0), Rung("box2d", 2, 60000, .0005, 500, 0),
-                           Rung("exact", 1, 10, 0., 1000, 0)};
-  rungs[2].m_nProofContacts = 95000;
-  rungs[1].m_nProofContacts = 99000;
-  rungs[1].m_nProofTunneled = 1; // lost in the proof
-  const auto answers = MakeAnswers(rungs, 100000);
+  std::vector<CSetting> settings{
+      MakeSetting("native", 1, 1000, .5, 1000, 500), MakeSetting("native", 8, 8000, .009, 1000, 0),
+      MakeSetting("box2d", 1, 40000, .002, 5000, 0), MakeSetting("box2d", 2, 60000, .0005, 500, 0),
+      MakeSetting("exact", 1, 10, 0., 1000, 0)};
+  settings[2].m_nConfirmationContacts = 95000;
+  settings[1].m_nConfirmationContacts = 99000;
+  settings[1].m_nConfirmationTunneled = 1; // lost in the proof
+  const auto answers = MakeRecommendations(settings, 100000);
   ASSERT_EQ(answers.size(), 3u);
   EXPECT_EQ(answers[0],
             "Direction within .01 rad and less than 1% lost: native (8 substeps), 8.0 us per ball and "
@@ -78,30 +80,31 @@ TEST(WorkPrecision, AnswersNameTheCheapestAndWhatTheOtherEngineNeeds) {
             "None lost in 100000 impacts: box2d (as it comes), 40 us per ball and second; no setting of "
             "native that was tried.");
   EXPECT_EQ(
-      MakeAnswers({Rung("native", 1, 1000, .5, 1000, 500)}, 10)[0],
+      MakeRecommendations({MakeSetting("native", 1, 1000, .5, 1000, 500)}, 10)[0],
       "Direction within .01 rad and less than 1% lost: no setting that was tried; the best is native (as it "
       "comes) with 0.5 rad and 50% lost.");
 }
 
 TEST(WorkPrecision, ContinuousIsAnAnswerWhereItIsCheaperOrTheOnlyOneOfNative) {
-  std::vector<CRung> rungs{Rung("native", 1, 1000, .5, 1000, 500), Rung("native", 8, 8000, .009, 1000, 0),
-                           Rung("native-continuous", 1, 2000, .008, 1000, 0),
-                           Rung("box2d", 1, 40000, .002, 1000, 0)};
-  const auto first = [&] { return MakeAnswers(rungs, 1000)[0]; };
+  std::vector<CSetting> settings{MakeSetting("native", 1, 1000, .5, 1000, 500),
+                                 MakeSetting("native", 8, 8000, .009, 1000, 0),
+                                 MakeSetting("native-continuous", 1, 2000, .008, 1000, 0),
+                                 MakeSetting("box2d", 1, 40000, .002, 1000, 0)};
+  const auto first = [&] { return MakeRecommendations(settings, 1000)[0]; };
   const std::string what = "Direction within .01 rad and less than 1% lost: ";
   EXPECT_EQ(first(), what +
                          "native-continuous (as it comes), 2.0 us per ball and second; native (8 substeps) "
                          "takes 4.0 times as long; box2d (as it comes) takes 20.0 times as long.");
-  rungs[2].m_cNsPerBallSecond.m_fMedian = 9000; // native does it for less
+  settings[2].m_cNsPerBallSecond.m_fMedian = 9000; // native does it for less
   EXPECT_EQ(first(), what + "native (8 substeps), 8.0 us per ball and second; box2d (as it comes) takes 5.0 "
                             "times as long.");
-  rungs[1].m_nTunneled = rungs[2].m_nTunneled = 500;
+  settings[1].m_nTunneled = settings[2].m_nTunneled = 500;
   EXPECT_EQ(first(), what + "box2d (as it comes), 40 us per ball and second; no setting of native or "
                             "native-continuous that was tried.");
 }
 
 TEST(WorkPrecision, SmallErrorsAloneDoNotMakeASettingGood) { // it loses every second ball
-  const auto answers = MakeAnswers({Rung("native", 1, 1000, 1e-6, 1000, 500)}, 10);
+  const auto answers = MakeRecommendations({MakeSetting("native", 1, 1000, 1e-6, 1000, 500)}, 10);
   EXPECT_NE(answers[1].find("no setting"), std::string::npos) << answers[1];
 }
 
@@ -111,10 +114,10 @@ TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
   std::vector<CEngine> ladder = GetEngines();
   ladder.push_back(ladder[0]);
   ladder.back().m_nSubsteps = 8;
-  CLadderOptions options;
+  CParameterSweepOptions options;
   options.m_nContacts = 300;
   options.m_nMostTrials = 6000;
-  options.m_nProof = 1000;
+  options.m_nConfirmation = 1000;
   options.m_nBallSteps = 2000;
   options.m_nRepeats = 7;
   double last = 0.0;
@@ -125,9 +128,9 @@ TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
   };
   const CWorkPrecision work = MeasureWorkPrecision(scene, ladder, options);
   EXPECT_EQ(last, 1.0);
-  ASSERT_EQ(work.m_stdRungs.size(), 6u);
-  const CRung &one = work.m_stdRungs[Tests::g_nNative], &box2d = work.m_stdRungs[Tests::g_nBox2D];
-  const CRung &eight = work.m_stdRungs[4], &exact = work.m_stdRungs[5];
+  ASSERT_EQ(work.m_stdSettings.size(), 6u);
+  const CSetting &one = work.m_stdSettings[Tests::g_nNative], &box2d = work.m_stdSettings[Tests::g_nBox2D];
+  const CSetting &eight = work.m_stdSettings[4], &exact = work.m_stdSettings[5];
   EXPECT_GT(one.m_nTunneled, one.m_nContacts / 3);
   EXPECT_EQ(eight.m_nTunneled, 0u);
   EXPECT_EQ(box2d.m_nTunneled, 0u);
@@ -140,7 +143,7 @@ TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
   EXPECT_GT(eight.m_cNsPerBallSecond.m_fMedian, one.m_cNsPerBallSecond.m_fMedian);
   EXPECT_GT(exact.m_cNsPerBallSecond.m_fMedian, 0.0);
   EXPECT_EQ(exact.m_cEngine.m_sName, g_sExact);
-  EXPECT_EQ(work.m_stdAnswers.size(), 3u);
+  EXPECT_EQ(work.m_stdRecommendations.size(), 3u);
 }
 
 } // namespace

@@ -12,24 +12,24 @@
 
 namespace Shapes {
 
-inline std::vector<eBackend> BuiltBackends() {
-  std::vector<eBackend> built;
-  for (const eBackend e : {eBackend::Native, eBackend::Box2D})
-    if (GetBackend(e) != nullptr) built.push_back(e);
+inline std::vector<const CBackend*> BuiltBackends() {
+  std::vector<const CBackend*> built;
+  for (const CBackend& backend : GetBackends())
+    built.push_back(&backend);
   return built;
 }
 
-inline std::string BackendName(const testing::TestParamInfo<eBackend>& info) {
-  return std::string(GetBackend(info.param)->GetName());
+inline std::string BackendName(const testing::TestParamInfo<const CBackend*>& info) {
+  return std::string(info.param->GetName());
 }
 
 /// What GoogleTest prints of the parameter.
-inline void PrintTo(eBackend e, std::ostream* pOut) { *pOut << GetBackend(e)->GetName(); }
+inline void PrintTo(const CBackend* pBackend, std::ostream* pOut) { *pOut << pBackend->GetName(); }
 
-class CEveryBackend : public testing::TestWithParam<eBackend> {
+class CEveryBackend : public testing::TestWithParam<const CBackend*> {
 protected:
-  const CBackend& Backend() const { return *GetBackend(GetParam()); }
-  bool IsNative() const { return GetParam() == eBackend::Native; }
+  const CBackend& Backend() const { return *GetParam(); }
+  bool IsNative() const { return Backend().GetName() == "native"; }
   /// How far a POI or a touching ball may be off: rounding on native; on Box2D its time of impact stops
   /// within 3 slops of .005, and its discrete contacts reach through a skin of .01.
   float Skin() const { return IsNative() ? 1e-6f : 0.016f; }

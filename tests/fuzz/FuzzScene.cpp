@@ -3,8 +3,8 @@
 #include "Fuzz.h"
 #include "Sound.h"
 
-#include "Scene.h"
-#include "Trial.h"
+#include "scene/Scene.h"
+#include "scene/Trial.h"
 
 #include <cstdio>
 #include <string>

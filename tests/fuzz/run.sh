@@ -22,11 +22,11 @@ targets=${SHAPES_FUZZ_TARGETS:-scene pairs world}
 
 cd "$root"
 # shellcheck disable=SC2086 # several arguments in one variable
-cmake --fresh --preset asan-ubsan "${launcher[@]}" ${SHAPES_CMAKE_ARGS:-} >/dev/null
-cmake --build --preset asan-ubsan --target "shapes-fuzzers$control" --parallel "$(nproc)"
+cmake --fresh --preset fuzz "${launcher[@]}" ${SHAPES_CMAKE_ARGS:-} >/dev/null
+cmake --build --preset fuzz --target "shapes-fuzzers$control" --parallel "$(nproc)"
 
-build=$root/build/asan-ubsan/tests/fuzz
-scratch=$root/build/asan-ubsan/scratch
+build=$root/build/fuzz/tests/fuzz
+scratch=$root/build/fuzz/scratch
 rm -rf "$scratch"
 
 fuzz() { # TARGET

@@ -45,8 +45,8 @@ template <class T>
 bool SweepExactly(const CTrial& trial, Compare::CHit<T>& hit, double more = 0.0) {
   const CShapeGeometry& o = trial.m_cShape;
   const CMotion& motion = trial.m_cMotion;
-  const Compare::CFigure<double> f{o.m_eShapeType, o.m_eSides, o.m_bFull, o.m_bWide,
-                                   o.m_vCenter,    o.m_vPt0,   o.m_vPt1,  o.m_fRadius};
+  const Compare::CShapeGeometry<double> f{o.m_eShapeType, o.m_eSides, o.m_bFull, o.m_bWide,
+                                          o.m_vCenter,    o.m_vPt0,   o.m_vPt1,  o.m_fRadius};
   return Compare::Sweep<T>(f.template Cast<T>(), {To<T>(o.m_vRotCenter), T(o.m_fTurnSpeed)},
                            {To<T>(motion.m_vPos), To<T>(motion.m_vVel), T(motion.m_fRadius) + T(more)},
                            T(motion.m_fDuration), hit);

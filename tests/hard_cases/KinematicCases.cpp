@@ -183,7 +183,7 @@ double MillionRadians(eColumn column) {
   CVec<CFifty> p0, p1;
   if (stepped.GetWorld() == nullptr) {
     orientation = stepped.GetReference().GetOrientation(0);
-    const auto figure = stepped.GetReference().GetFigure(0);
+    const auto figure = stepped.GetReference().GetGeometry(0);
     p0 = figure.m_vPt0.cast<CFifty>();
     p1 = figure.m_vPt1.cast<CFifty>();
   } else {

@@ -22,74 +22,35 @@ const Metrics = (() => {
     return `${medianFormat(s.median)} / ${format(s.p95)} / ${format(s.max)}`;
   };
   const asCount = (key) => (e) => count(e[key]);
-  const asRate = (key) => (e) => [`${count(e[key]?.count)}: `, rateWithInterval(e[key], e.contacts)];
-  const asSummary = (key) => (e) => summaryText(e[key], num);
-  const asAngles = (key) => (e) => summaryText(e[key], angle);
-  const asSigned = (key) => (e) => summaryText(e[key], num, signed);
-  const asChange = (key) => (e) => change(e[key]);
 
-  // Group, then name, unit and cell of each row.
-  const metrics = [
-    [
-      'Outcomes',
-      [
-        ['contacts', '', asCount('contacts')],
-        ['correct', '', asCount('correct')],
-        ['late', '', asCount('late')],
-        ['missed', 'count: % (95% interval)', asRate('missed')],
-        ['wrong side', 'count: % (95% interval)', asRate('wrong_side')],
-        ['tunneled', 'count: % (95% interval)', asRate('tunneled')],
-        ['overlapped', 'count: % (95% interval)', asRate('overlapped')],
-        [
-          'ghost', 'count: % of quiet steps',
-          (e, scene) => [`${count(e.ghost?.count)}: `, rateWithInterval(e.ghost, scene.quiet_steps)]
-        ],
-      ]
-    ],
-    [
-      'What CollisionDetected claims (the same in every profile of Box2D): median / p95 / max',
-      [
-        ['setback', 'radii', asSummary('setback')],
-        ['setback error', 'radii', asSummary('setback_error')],
-        ['along the normal, out is +', 'radii', asSigned('setback_error_normal')],
-        ['in time, late is +', 'steps', asSigned('time_error')],
-      ]
-    ],
-    [
-      'Correct responses against the exact ones: median / p95 / max',
-      [
-        ['place of the impact', 'radii', asSummary('poi_error')],
-        ['normal', 'rad', asAngles('normal_error')],
-        ['direction', 'rad', asAngles('direction_error')],
-        ['speed', 'relative', asSigned('speed_error')],
-        ['energy', 'relative', asSigned('energy_error')],
-        ['position', 'radii', asSummary('position_error')],
-        ['penetration (all that did not tunnel)', 'radii', asSummary('penetration')],
-      ]
-    ],
-    [
-      'Long run',
-      [
-        ['bounces', '', asCount('bounces')],
-        ['energy drift', '% or factor over these bounces', asChange('energy_drift')],
-        ['free path error', '%', asChange('free_path_error')],
-        ['angular momentum drift', '% over these bounces', asChange('angular_momentum_drift')],
-      ]
-    ],
-    [
-      'Cost',
-      [
-        [
-          'time', 'ns per ball-step (95% interval)',
-          (e) => withInterval(num(e.ns_per_ball_step), interval(e.ns_per_ball_step_interval))
-        ],
-        ['time', 'ns per contact', (e) => num(e.ns_per_contact)],
-        ['simulated', 's', (e) => num(e.simulated_seconds)],
-        ['escaped', 'balls', asCount('escaped')],
-        ['not finite', 'balls', asCount('not_finite')],
-      ]
-    ],
-  ];
+  // How a figure is drawn follows from its kind and its unit; run.json lists them.
+  function figureCell({key, kind, unit, signed: isSigned}) {
+    if (kind === 'rate')
+      return (e, scene) => [`${count(e[key]?.count)}: `,
+                            rateWithInterval(e[key], key === 'ghost' ? scene.quiet_steps : e.contacts)];
+    if (kind === 'impact')
+      return (e) => summaryText(e[key], unit === 'rad' ? angle : num, isSigned ? signed : undefined);
+    if (unit === 'change') return (e) => change(e[key]);
+    if (unit === 'balls') return asCount(key);
+    if (key === 'ns_per_ball_step')
+      return (e) => withInterval(num(e.ns_per_ball_step), interval(e.ns_per_ball_step_interval));
+    return (e) => num(e[key]);
+  }
+  const unitText = {rate: 'count: % (95% interval)', change: '% or factor'};
+  // Rows that are no figures of their own.
+  const others = {
+    Outcomes: [['contacts', '', asCount('contacts')], ['correct', '', asCount('correct')]],
+    'Long run': [['bounces', '', asCount('bounces')]],
+    Cost: [['simulated', 's', (e) => num(e.simulated_seconds)]]
+  };
+  function metrics() {
+    const groups = new Map();
+    for (const figure of list(Data.run.figures)) {
+      if (!groups.has(figure.group)) groups.set(figure.group, [...(others[figure.group] ?? [])]);
+      groups.get(figure.group).push([figure.label, unitText[figure.unit] ?? figure.unit, figureCell(figure)]);
+    }
+    return [...groups];
+  }
 
   function settingRows(engines) {
     const names = [...new Set(engines.flatMap((e) => Object.keys(e.settings ?? {})))];
@@ -118,7 +79,7 @@ const Metrics = (() => {
                     el('thead', null,
                        el('tr', null, el('th'), el('th'),
                           engines.map((e) => el('th', {scope: 'col'}, Data.tag(e.name))))),
-                    el('tbody', null, [...metrics, ...settingRows(engines)].flatMap(group)))),
+                    el('tbody', null, [...metrics(), ...settingRows(engines)].flatMap(group)))),
               setAside(scene));
   }
 

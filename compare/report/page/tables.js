@@ -6,7 +6,7 @@ const Tables = (() => {
 
   const outcomes = [
     {key: 'correct', name: 'correct', style: 'outcome-correct', of: (e) => e.correct},
-    {key: 'late', name: 'late', style: 'outcome-late', of: (e) => e.late},
+    {key: 'late', name: 'late', style: 'outcome-late', of: (e) => e.late?.count},
     {key: 'wrong', name: 'wrong side', style: 'outcome-wrong', of: (e) => e.wrong_side?.count},
     {key: 'missed', name: 'missed', style: 'outcome-missed', of: (e) => e.missed?.count},
   ];

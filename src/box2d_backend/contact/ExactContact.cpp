@@ -71,7 +71,8 @@ bool IsAhead(const CExactContact& contact, const Vector2d& w) {
 }
 
 // Past an end.
-CExactContact ContactOnEnd(const COutline::CEnd& end, const Vector2d& q, const Vector2d& w, double r) {
+CExactContact ContactOnEnd(const CContactGeometry::CEnd& end, const Vector2d& q, const Vector2d& w,
+                           double r) {
   CExactContact round = ContactOnDisk(end.m_vPos, r, q, w);
   if (end.m_bIsShared) {
     // Beyond the end is the neighbour: what meets it beyond the end does not meet the end.
@@ -88,7 +89,7 @@ CExactContact ContactOnEnd(const COutline::CEnd& end, const Vector2d& q, const V
   return round;
 }
 
-CExactContact ContactOnLineSeg(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
+CExactContact ContactOnLineSeg(const CContactGeometry& o, const Vector2d& q, const Vector2d& w, double r) {
   const Vector2d& t = o.m_cEnd1.m_vOut;
   const Vector2d n = Geometry::Cross(t, q - o.m_cEnd0.m_vPos) < 0.0 ? Vector2d(-Perp(t)) : Perp(t);
   CExactContact face = ContactOnLine(o.m_cEnd0.m_vPos, n, q, w, r);
@@ -98,25 +99,25 @@ CExactContact ContactOnLineSeg(const COutline& o, const Vector2d& q, const Vecto
   return face;
 }
 
-bool IsInSector(const COutline& o, const Vector2d& d) {
+bool IsInSector(const CContactGeometry& o, const Vector2d& d) {
   const bool after0 = Geometry::Cross(o.m_cEnd0.m_vPos - o.m_vCentre, d) >= 0.0,
              before1 = Geometry::Cross(d, o.m_cEnd1.m_vPos - o.m_vCentre) >= 0.0;
   return o.m_bFull || (o.m_bLong ? after0 || before1 : after0 && before1);
 }
 
-CExactContact ContactOnArcEnd(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
+CExactContact ContactOnArcEnd(const CContactGeometry& o, const Vector2d& q, const Vector2d& w, double r) {
   // By where the ball is now: its way to the circle may be long where there is no arc.
   const bool isNear0 = (q - o.m_cEnd0.m_vPos).squaredNorm() < (q - o.m_cEnd1.m_vPos).squaredNorm();
   CExactContact nearer = ContactOnEnd(isNear0 ? o.m_cEnd0 : o.m_cEnd1, q, w, r);
   // Between two ends that are close it may leave the nearer one for the other.
-  const COutline::CEnd& other = isNear0 ? o.m_cEnd1 : o.m_cEnd0;
+  const CContactGeometry::CEnd& other = isNear0 ? o.m_cEnd1 : o.m_cEnd0;
   if (other.m_bIsShared || nearer.m_fGap < 0.0) return nearer;
   const CExactContact farther = ContactOnEnd(other, q, w, r);
   const bool isNear = IsAhead(farther, w) && farther.m_fTime * w.norm() < r;
   return isNear && (!IsAhead(nearer, w) || farther.m_fTime < nearer.m_fTime) ? farther : nearer;
 }
 
-CExactContact ContactOnArc(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
+CExactContact ContactOnArc(const CContactGeometry& o, const Vector2d& q, const Vector2d& w, double r) {
   CExactContact curve = ContactOnCircle(o.m_vCentre, o.m_fRadius, q, w, r);
   const bool onCurve = IsInSector(o, q + curve.m_fTime * w - o.m_vCentre);
   if (onCurve && IsInSector(o, q - o.m_vCentre)) return curve;
@@ -127,19 +128,20 @@ CExactContact ContactOnArc(const COutline& o, const Vector2d& q, const Vector2d&
   return onCurve && curveIsFirst ? curve : end;
 }
 
-CExactContact FindContact(const COutline& o, const Vector2d& q, const Vector2d& w, double r) {
+CExactContact FindContact(const CContactGeometry& o, const Vector2d& q, const Vector2d& w, double r) {
   switch (o.m_eKind) {
-  case COutline::eKind::LineSeg: return ContactOnLineSeg(o, q, w, r);
-  case COutline::eKind::Arc: return ContactOnArc(o, q, w, r);
+  case CContactGeometry::eKind::LineSeg: return ContactOnLineSeg(o, q, w, r);
+  case CContactGeometry::eKind::Arc: return ContactOnArc(o, q, w, r);
   default: return ContactOnDisk(o.m_vCentre, o.m_fRadius + r, q, w);
   }
 }
 
 } // namespace
 
-CExactContact FindExactContact(const COutline& outline, const Vector2d& q, const Vector2d& w, double r) {
-  CExactContact contact = FindContact(outline, q, w, r);
-  CExactContact now = FindContact(outline, q, Vector2d::Zero(), r);
+CExactContact FindExactContact(const CContactGeometry& geometry, const Vector2d& q, const Vector2d& w,
+                               double r) {
+  CExactContact contact = FindContact(geometry, q, w, r);
+  CExactContact now = FindContact(geometry, q, Vector2d::Zero(), r);
   // What it came through and has left is over.
   if (contact.m_fTime < 0.0 && now.m_fGap > 0.0) return now;
   // What it parts from is not traced; but one that came past an end may be on its way into a face by now.

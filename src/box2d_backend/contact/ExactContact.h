@@ -7,7 +7,7 @@
 namespace Shapes::Box2D {
 
 /// The shape itself, in the frame of its body, in Box2D's metres.
-struct COutline {
+struct CContactGeometry {
   enum class eKind { Disk, LineSeg, Arc };
   /// An end of a segment or an arc.
   struct CEnd {
@@ -44,9 +44,10 @@ struct CExactContact {
 /// Moved on by m_fTime the ball touches the shape, or what is joined to it, within g_fExactContactError of
 /// the sum of all coordinates and radii; the normal is that of the place, within the same share of that sum
 /// over the smallest of those. Traced back out of two parts of a shape at once it touches one of them.
-/// @param q  centre of the ball in the frame of the outline, metres; on the side that it comes from
+/// @param q  centre of the ball in the frame of the geometry, metres; on the side that it comes from
 /// @param w  its velocity relative to the surface, metres per second
 /// @param r  its radius, metres
-CExactContact FindExactContact(const COutline& outline, const Vector2d& q, const Vector2d& w, double r);
+CExactContact FindExactContact(const CContactGeometry& geometry, const Vector2d& q, const Vector2d& w,
+                               double r);
 
 } // namespace Shapes::Box2D

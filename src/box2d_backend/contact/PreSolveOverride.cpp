@@ -202,9 +202,9 @@ CPreSolveOverride::CInspected CPreSolveOverride::Inspect(b2Contact& contact, con
   const b2Vec2 v = ball.m_pBody->GetLinearVelocity() - shape.m_pBody->GetLinearVelocityFromWorldPoint(p);
   const Vector2d q = ToDouble(b2MulT(xf, p)) + MulT(xf.q, dp), w = MulT(xf.q, ToDouble(v) + dv);
   const double r = static_cast<double>(ball.m_fRadius);
-  CExactContact exact = FindExactContact(shape.m_cOutline, q, w, r);
+  CExactContact exact = FindExactContact(shape.m_cGeometry, q, w, r);
   // Longer ago than a step was no impact: they have been put into each other.
-  if (exact.m_fTime < -h) exact = FindExactContact(shape.m_cOutline, q, Vector2d::Zero(), r);
+  if (exact.m_fTime < -h) exact = FindExactContact(shape.m_cGeometry, q, Vector2d::Zero(), r);
 
   b2WorldManifold manifold;
   contact.GetWorldManifold(&manifold);

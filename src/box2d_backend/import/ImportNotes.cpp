@@ -76,7 +76,7 @@ private:
       if (isCircle)
         m_stdNotes.push_back(name + " is a sensor: natively balls are felt on its circle, not inside.");
       else if (shape.GetType() == b2Shape::e_polygon)
-        m_stdNotes.push_back(name + " is a sensor: balls are felt on its outline, not inside.");
+        m_stdNotes.push_back(name + " is a sensor: balls are felt on its geometry, not inside.");
     }
   }
 

@@ -2,6 +2,7 @@
 #include "Bodies.h"
 
 #include "../../Tolerances.h"
+#include "../../geometry/VisitShape.h"
 #include "FixtureShapes.h"
 
 #include <algorithm>
@@ -15,11 +16,11 @@ constexpr float g_fBallSkin = 0.5f * g_fBothSkins;
 
 template <class TShape>
 void SetEnds(const TShape& shape, const Vector2& origin, const CScale& scale, const CSharedEnds& sharedEnds,
-             COutline& outline) {
+             CContactGeometry& geometry) {
   Vector2 p[2], t[2];
   shape.GetEndPts(p[0], p[1]);
   shape.GetTangents(t[0], t[1]);
-  COutline::CEnd* pEnds[2] = {&outline.m_cEnd0, &outline.m_cEnd1};
+  CContactGeometry::CEnd* pEnds[2] = {&geometry.m_cEnd0, &geometry.m_cEnd1};
   for (std::size_t i = 0; i < 2; ++i) {
     pEnds[i]->m_vPos = ToDouble(scale.ToMetres(p[i] - origin));
     pEnds[i]->m_vOut = -t[i].cast<double>();
@@ -30,26 +31,26 @@ void SetEnds(const TShape& shape, const Vector2& origin, const CScale& scale, co
   }
 }
 
-COutline MakeOutline(const CShape& shape, const Vector2& origin, const CScale& scale,
-                     const CSharedEnds& sharedEnds) {
-  COutline outline;
-  outline.m_vCentre = ToDouble(scale.ToMetres(shape.GetPos() - origin));
-  if (shape.GetShapeType() == eShape::LineSeg) {
-    const auto& seg = static_cast<const CLineSeg&>(shape);
-    if (seg.GetEndPt0() == seg.GetEndPt1()) return outline;
-    outline.m_eKind = COutline::eKind::LineSeg;
-    SetEnds(seg, origin, scale, sharedEnds, outline);
-  } else if (shape.GetShapeType() != eShape::Point) {
-    outline.m_fRadius = static_cast<double>(scale.ToMetres(static_cast<const CCircle&>(shape).GetRadius()));
-  }
-  if (shape.GetShapeType() == eShape::Arc) {
-    const auto& arc = static_cast<const CArc&>(shape);
-    outline.m_eKind = COutline::eKind::Arc;
-    outline.m_bFull = arc.IsFullCircle();
-    outline.m_bLong = arc.GetSpan() > g_fPi;
-    SetEnds(arc, origin, scale, sharedEnds, outline);
-  }
-  return outline;
+CContactGeometry MakeContactGeometry(const CShape& shape, const Vector2& origin, const CScale& scale,
+                                     const CSharedEnds& sharedEnds) {
+  CContactGeometry geometry;
+  geometry.m_vCentre = ToDouble(scale.ToMetres(shape.GetPos() - origin));
+  const auto setRadius = [&](float r) { geometry.m_fRadius = static_cast<double>(scale.ToMetres(r)); };
+  VisitShape(shape, CPerShape{[](const CPoint&) {},
+                              [&](const CLineSeg& seg) {
+                                if (seg.GetEndPt0() == seg.GetEndPt1()) return;
+                                geometry.m_eKind = CContactGeometry::eKind::LineSeg;
+                                SetEnds(seg, origin, scale, sharedEnds, geometry);
+                              },
+                              [&](const CCircle& circle) { setRadius(circle.GetRadius()); },
+                              [&](const CArc& arc) {
+                                geometry.m_eKind = CContactGeometry::eKind::Arc;
+                                setRadius(arc.GetRadius());
+                                geometry.m_bFull = arc.IsFullCircle();
+                                geometry.m_bLong = arc.GetSpan() > g_fPi;
+                                SetEnds(arc, origin, scale, sharedEnds, geometry);
+                              }});
+  return geometry;
 }
 
 // Where the body is, or would be.
@@ -105,7 +106,7 @@ void CBodies::CreateBall(const CBallArrays& b, std::size_t i, CBody& body) {
   body.m_bIsBall = true;
 
   body.m_fRadius = m_cScale.ToMetres(b.m_stdRadius[i]);
-  body.m_cOutline.m_fRadius = static_cast<double>(body.m_fRadius);
+  body.m_cGeometry.m_fRadius = static_cast<double>(body.m_fRadius);
   AddFixture<b2CircleShape>(body, [&](b2CircleShape& circle) {
     circle.m_radius = body.m_fRadius + (m_cTuning.m_bExactContacts ? g_fBallSkin : 0.0f);
   });
@@ -139,7 +140,7 @@ void CBodies::CreateShape(const CShape& shape, const CSharedEnds& sharedEnds, CB
   body.m_fBaseOrientation = shape.GetOrientation();
   body.m_nArcPieces = fixtures.m_nArcPieces;
   body.m_cSharedEnds = sharedEnds;
-  body.m_cOutline = MakeOutline(shape, origin, m_cScale, sharedEnds);
+  body.m_cGeometry = MakeContactGeometry(shape, origin, m_cScale, sharedEnds);
   m_nArcPieces += static_cast<std::uint64_t>(body.m_nArcPieces);
 }
 

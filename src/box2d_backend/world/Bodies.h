@@ -30,7 +30,7 @@ struct CBody {
   CShapeId m_cId;
   float m_fElasticity = 1.0f;
   b2Transform m_cStart; ///< at the beginning of the step, of what moves or may turn
-  COutline m_cOutline;
+  CContactGeometry m_cGeometry;
 
   CParabolicCorrection m_cCorrection; ///< of a ball
   float m_fRadius = 0.0f;             ///< of a ball, without skin
@@ -40,7 +40,7 @@ struct CBody {
   bool m_bIsBall = false;
   bool m_bIsSupported = false;  ///< the ball lies on something in this step
   bool m_bWasSupported = false; ///< it did so in the last one
-  CSharedEnds m_cSharedEnds;    ///< of which the outline of a shape knows
+  CSharedEnds m_cSharedEnds;    ///< of which the geometry of a shape knows
 };
 
 /// Makes one b2Body for each shape. What Box2D tells of a body leads back to its shape without the user data

@@ -2,6 +2,7 @@
 #include "FixtureShapes.h"
 
 #include "../../Tolerances.h"
+#include "../../geometry/VisitShape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,16 +127,14 @@ int CountArcPieces(float radius, float span, bool closed, float sagitta) {
 CFixtureShapes CFixtureShapes::Make(const CShape& shape, const Vector2& origin, const CScale& scale,
                                     float sagitta, std::optional<float> skin) {
   CFixtureShapes fixtures;
-  switch (shape.GetShapeType()) {
-  case eShape::LineSeg: MakeLineSeg(static_cast<const CLineSeg&>(shape), origin, scale, fixtures); break;
-  case eShape::Arc: MakeArc(static_cast<const CArc&>(shape), origin, scale, sagitta, skin, fixtures); break;
-  case eShape::Circle: {
-    const float r = static_cast<const CCircle&>(shape).GetRadius();
+  const auto addCircle = [&](float r) {
     fixtures.m_stdCircles.push_back(Circle(scale.ToMetres(shape.GetPos() - origin), scale.ToMetres(r)));
-    break;
-  }
-  default: fixtures.m_stdCircles.push_back(Circle(scale.ToMetres(shape.GetPos() - origin), 0.0f)); break;
-  }
+  };
+  VisitShape(shape,
+             CPerShape{[&](const CPoint&) { addCircle(0.0f); },
+                       [&](const CLineSeg& seg) { MakeLineSeg(seg, origin, scale, fixtures); },
+                       [&](const CCircle& circle) { addCircle(circle.GetRadius()); },
+                       [&](const CArc& arc) { MakeArc(arc, origin, scale, sagitta, skin, fixtures); }});
   if (!skin) return fixtures;
   for (b2CircleShape& circle : fixtures.m_stdCircles)
     circle.m_radius += *skin;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "SharedEnds.h"
 
+#include "../../geometry/VisitShape.h"
+
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -37,15 +39,18 @@ void AddEnds(const TShape& shape, CShapeId id, const Vector2& front, float bend,
 void AddEnds(const CShapeEntry& entry, std::vector<CEnd>& ends) {
   const CShape& shape = *entry.m_pShape;
   if (shape.GetSensor() || !shape.GetCanCollide()) return;
-  if (shape.GetShapeType() == eShape::LineSeg) {
-    const auto& seg = static_cast<const CLineSeg&>(shape);
-    if (seg.GetEndPt0() != seg.GetEndPt1()) AddEnds(seg, entry.m_cId, seg.GetNormal(), 0.0f, ends);
-  } else if (shape.GetShapeType() == eShape::Arc) {
-    const auto& arc = static_cast<const CArc&>(shape);
-    // As a segment that is a point, an arc that is one joins nothing.
-    if (!arc.IsFullCircle() && arc.GetRadius() >= std::numeric_limits<float>::min())
-      AddEnds(arc, entry.m_cId, arc.GetEndPt0() - arc.GetPos(), 1.0f / arc.GetRadius(), ends);
-  }
+  VisitShape(shape,
+             CPerShape{[](const CPoint&) {}, [](const CCircle&) {},
+                       [&](const CLineSeg& seg) {
+                         if (seg.GetEndPt0() != seg.GetEndPt1())
+                           AddEnds(seg, entry.m_cId, seg.GetNormal(), 0.0f, ends);
+                       },
+                       [&](const CArc& arc) {
+                         // As a segment that is a point, an arc that is one joins nothing.
+                         if (!arc.IsFullCircle() && arc.GetRadius() >= std::numeric_limits<float>::min())
+                           AddEnds(arc, entry.m_cId, arc.GetEndPt0() - arc.GetPos(), 1.0f / arc.GetRadius(),
+                                   ends);
+                       }});
 }
 
 bool MoveTogether(const CShape& a, const CShape& b) {

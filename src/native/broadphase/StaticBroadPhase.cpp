@@ -3,6 +3,7 @@
 
 #include "../../Tolerances.h"
 #include "../../geometry/Reach.h"
+#include "../../geometry/VisitShape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,10 @@ namespace {
 
 // The kernel of an arc errs by its centre and its radius, and both may be far from its box.
 CAabb2D BoxOf(const CShape& shape, float margin = 0.0f) {
-  if (shape.GetShapeType() != eShape::Arc) return Padded(shape.GetAABB(), margin);
-  const float size = shape.GetPos().cwiseAbs().maxCoeff() + static_cast<const CArc&>(shape).GetRadius();
+  const float size = VisitShape(
+      shape, CPerShape{[](const CPoint&) { return 0.0f; }, [](const CLineSeg&) { return 0.0f; },
+                       [](const CCircle&) { return 0.0f; },
+                       [](const CArc& arc) { return arc.GetPos().cwiseAbs().maxCoeff() + arc.GetRadius(); }});
   return Padded(shape.GetAABB(), margin + g_fBoxPadding * size);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "PageDocuments.h"
 
+#include "metrics/Figures.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,9 +18,9 @@ using nlohmann::json;
 constexpr std::size_t g_nBins = 32;
 
 // Figures that differ from scene to scene; what they are does not matter.
-class CFigures {
+class CNumbers {
 public:
-  explicit CFigures(std::uint64_t seed) : m_nState(seed * 0x9E3779B97F4A7C15u + 1) {}
+  explicit CNumbers(std::uint64_t seed) : m_nState(seed * 0x9E3779B97F4A7C15u + 1) {}
 
   /// From [low, high).
   double operator()(double low, double high) {
@@ -49,7 +51,7 @@ json Histogram(double scale, int n) {
   return counts;
 }
 
-json Bins(CFigures& figures, double lost) {
+json Bins(CNumbers& figures, double lost) {
   json bins = json::array();
   const auto add = [&](const char* pBy, const char* pLabel, double factor) {
     const int n = int(figures(500, 9000));
@@ -72,7 +74,7 @@ json Bins(CFigures& figures, double lost) {
   return bins;
 }
 
-json Engine(const std::string& name, CFigures& figures, int n) {
+json Engine(const std::string& name, CNumbers& figures, int n) {
   const bool isNative = name.starts_with("native"), isTuned = name == "box2d-tuned";
   const double lost = name == "native" ? std::pow(figures(0, 0.6), 3) : std::max(0.0, figures(-0.003, 0.004));
   const int missed = int(n * lost * 0.4), wrong = int(n * lost * 0.6), late = isNative ? 0 : int(n * 0.002);
@@ -85,7 +87,7 @@ json Engine(const std::string& name, CFigures& figures, int n) {
           {"features", {"gravity", "ball_pairs"}},
           {"contacts", n},
           {"correct", n - missed - wrong - late},
-          {"late", late},
+          {"late", Rate(late, n)},
           {"missed", Rate(missed, n)},
           {"wrong_side", Rate(wrong, n)},
           {"tunneled", Rate(missed + wrong, n)},
@@ -117,7 +119,7 @@ json Engine(const std::string& name, CFigures& figures, int n) {
           {"not_finite", 0}};
 }
 
-json HeatMap(CFigures& figures) {
+json HeatMap(CNumbers& figures) {
   const std::vector<double> speeds{0.25, 0.5, 1, 2, 4, 8}, sizes{0.25, 0.5, 1, 2};
   const double travel = figures(0.4, 2.5);
   json map{{"speeds", speeds}, {"sizes", sizes}, {"travel", travel}, {"cells", json::array()}};
@@ -157,7 +159,7 @@ bool IsOnFront(const json& rows, const json& row, const std::function<double(con
   });
 }
 
-json Work(const std::string& scene, CFigures& figures) {
+json Work(const std::string& scene, CNumbers& figures) {
   json rows = json::array();
   const double base = figures(2000, 9000), error = figures(0.02, 0.6), lost = figures(0.001, 0.5);
   for (const int steps : {1, 2, 4, 8, 16})
@@ -226,7 +228,7 @@ void AddEffects(const std::string& scene, json& rows) {
   }
 }
 
-json Scene(const std::string& name, CFigures& figures) {
+json Scene(const std::string& name, CNumbers& figures) {
   const int n = 20000;
   return {{"name", name},
           {"description",
@@ -326,7 +328,7 @@ json Clip(const std::string& name, const std::string& title, const std::string& 
 } // namespace
 
 CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
-  json run{{"version", 2},
+  json run{{"version", 3},
            {"command", "shapes-compare run --contacts 20000"},
            {"seed", 1},
            {"contacts_per_scene", 20000},
@@ -337,17 +339,27 @@ CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
              {"compiler", "g++ 12.2.0, Release"},
              {"cpu", "Some CPU"},
              {"cores", 8}}},
+           {"figures", json::array()},
            {"histogram_edges", json::array()},
            {"scenes", json::array()},
            {"work_precision", json::array()},
            {"effects", json::array()}};
+  for (const CFigure& figure : GetFigures())
+    run["figures"].push_back({{"key", figure.m_sKey},
+                              {"kind", figure.m_pRate != nullptr       ? "rate"
+                                       : figure.m_pOfImpact != nullptr ? "impact"
+                                                                       : "run"},
+                              {"group", figure.m_sGroup},
+                              {"label", figure.m_sLabel},
+                              {"unit", figure.m_sUnit},
+                              {"signed", figure.m_bIsSigned}});
   for (std::size_t i = 0; i <= g_nBins; ++i)
     run["histogram_edges"].push_back(std::pow(10, double(i) / 4 - 6));
   json replay{{"engines", {"native", "native-continuous", "box2d", "box2d-tuned", "exact"}},
               {"scenes", json::array()}};
   std::uint64_t seed = 0;
   for (const std::string& name : scenes) {
-    CFigures figures(++seed);
+    CNumbers figures(++seed);
     run["scenes"].push_back(Scene(name, figures));
     for (json& row : Work(name, figures))
       run["work_precision"].push_back(std::move(row));
@@ -388,7 +400,7 @@ CPageDocuments MakeSparsePageDocuments() {
       if (value.is_object() && value.contains("rate")) value = Rate(0, 0);
       if (value.is_array() && !value.empty() && value[0].is_number_integer()) value = json(value.size(), 0);
     }
-    for (const char* pKey : {"contacts", "correct", "late", "bounces"})
+    for (const char* pKey : {"contacts", "correct", "bounces"})
       engine[pKey] = 0;
     engine["bins"] = json::array();
     engine["ns_per_contact"] = nullptr;

@@ -2,8 +2,8 @@
 // One moment judged: what every engine makes of the impacts in the last step of an exact game.
 #pragma once
 
-#include "../ExactGame.h"
-#include "Restart.h"
+#include "ImpactTrials.h"
+#include "scene/ExactGame.h"
 
 #include <cstdint>
 #include <span>
@@ -13,11 +13,11 @@ namespace Shapes::Compare {
 
 class CAhead;
 
-class CJudge {
+class CImpactEvaluator {
 public:
   /// Scene and engines must live as long.
   /// @param ask also put each pair to CollisionDetected
-  CJudge(const CScene& scene, const std::vector<CEngine>& engines, bool ask)
+  CImpactEvaluator(const CScene& scene, const std::vector<CEngine>& engines, bool ask)
       : m_cScene(scene), m_stdEngines(engines), m_bAsk(ask) {}
 
   /// Appends a contact for each of these events of the last step of `game`, no two of which share a ball.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "FirstImpact.h"
 
-#include "ExactGame.h"
 #include "report/Numbers.h"
+#include "scene/ExactGame.h"
 
 #include <fmt/format.h>
 

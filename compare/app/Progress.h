@@ -9,12 +9,12 @@
 namespace Shapes::Compare {
 
 /// The parts of the work on one scene, in their order.
-enum class eStage { Restarts, Ladder, Timing, HeatMap, Effects, LongRuns, Replay };
+enum class eStage { ImpactTrials, ParameterSweep, Timing, HeatMap, Effects, LongRuns, Replay };
 
 /// The share of a scene's time that is over when `share` of a part is, in [0, 1]. By rough experience.
 double ShareOfScene(eStage part, double share);
 
-/// "3/15 pinball  restarts 42%  about 2 min left".
+/// "3/15 pinball  impacts 42%  about 2 min left".
 /// @param scene from 0  @param seconds since the start of the run; the rest is guessed from it after the
 /// first few
 std::string ProgressText(std::size_t scene, std::size_t scenes, const std::string& name, eStage part,

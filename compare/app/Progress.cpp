@@ -16,7 +16,7 @@ struct CPartTime {
 };
 
 // In the order of eStage.
-constexpr CPartTime g_stdParts[] = {{"restarts", 0.2}, {"settings", 0.45}, {"timing", 0.05},
+constexpr CPartTime g_stdParts[] = {{"impacts", 0.2},  {"settings", 0.45}, {"timing", 0.05},
                                     {"heat map", 0.1}, {"effects", 0.1},   {"long runs", 0.05},
                                     {"replay", 0.05}};
 
@@ -56,7 +56,7 @@ void CProgress::BeginScene(std::size_t scene, const std::string& name) {
   m_nScene = scene;
   m_sName = name;
   m_cLast = {}; // the first line of a scene comes at once
-  Report(eStage::Restarts, 0.0);
+  Report(eStage::ImpactTrials, 0.0);
 }
 
 void CProgress::Report(eStage part, double share) {

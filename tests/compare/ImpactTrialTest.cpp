@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Single contacts whose figures follow from geometry.
-#include "metrics/Restart.h"
 #include "MadeScenes.h"
+#include "metrics/ImpactTrials.h"
 
 #include <gtest/gtest.h>
 
@@ -30,12 +30,12 @@ CScene AtWall(double normal, double along, float e = 1.0f) {
   return scene;
 }
 
-CRestartResult JudgeTrials(const CScene& scene, std::size_t contacts = g_nRestartContacts) {
-  CRestartOptions options;
+CImpactTrialResult JudgeTrials(const CScene& scene, std::size_t contacts = g_nRestartContacts) {
+  CImpactTrialOptions options;
   options.m_nContacts = contacts;
   options.m_nMostTrials = 2 * contacts;
   options.m_bGhosts = false;
-  return RunRestarts(scene, GetEngines(), options);
+  return RunImpactTrials(scene, GetEngines(), options);
 }
 
 double AsDouble(float x) { return static_cast<double>(x); }
@@ -46,11 +46,11 @@ double Rest(const CContact& c) { return 1.0 - AsDouble(c.m_fTime); }
 // Too close to where the answer changes for float to tell.
 bool IsClose(double x, double edge) { return std::abs(x - edge) < 1e-4; }
 
-TEST(RestartTest, HeadOnOutcomesOfNativeFollowFromThePhase) {
+TEST(ImpactTrialTest, HeadOnOutcomesOfNativeFollowFromThePhase) {
   for (const double length : {0.7, 2.0, 4.0}) {
     SCOPED_TRACE(length);
     std::set<eOutcome> seen;
-    const CRestartResult result = JudgeTrials(AtWall(length, 0));
+    const CImpactTrialResult result = JudgeTrials(AtWall(length, 0));
     ASSERT_EQ(result.m_stdContacts.size(), g_nRestartContacts);
     for (const CContact& contact : result.m_stdContacts) {
       // Where the centre ends, in radii behind the wall: native sees it between -1 and 1, and takes the side.
@@ -71,8 +71,8 @@ TEST(RestartTest, HeadOnOutcomesOfNativeFollowFromThePhase) {
   }
 }
 
-TEST(RestartTest, ContactsAreDescribed) {
-  const CRestartResult result = JudgeTrials(AtWall(0.9, 1.2, 0.5f), 50);
+TEST(ImpactTrialTest, ContactsAreDescribed) {
+  const CImpactTrialResult result = JudgeTrials(AtWall(0.9, 1.2, 0.5f), 50);
   ASSERT_EQ(result.m_stdContacts.size(), 50u);
   EXPECT_EQ(result.m_nTrials, 50u); // one impact in each
   for (std::size_t i = 0; i < 50; ++i) {
@@ -93,7 +93,7 @@ TEST(RestartTest, ContactsAreDescribed) {
 }
 
 // The exact ball comes back from the wall for the rest of the step; native leaves it at the wall.
-TEST(RestartTest, PositionErrorOfNativeHeadOnIsTheTravelThatIsLost) {
+TEST(ImpactTrialTest, PositionErrorOfNativeHeadOnIsTheTravelThatIsLost) {
   for (const float e : {1.0f, 0.5f}) {
     std::size_t compared = 0;
     for (const CContact& contact : JudgeTrials(AtWall(1.5, 0, e)).m_stdContacts) {
@@ -114,7 +114,7 @@ TEST(RestartTest, PositionErrorOfNativeHeadOnIsTheTravelThatIsLost) {
 
 // At a slant native looks straight at the wall from where the ball is at the end of the step, and so is off
 // by what the ball has flown along the wall since the impact.
-TEST(RestartTest, SetbackErrorOfNativeAtASlantIsAlongTheWall) {
+TEST(ImpactTrialTest, SetbackErrorOfNativeAtASlantIsAlongTheWall) {
   std::size_t detected = 0;
   for (const CContact& contact : JudgeTrials(AtWall(0.9, 1.2)).m_stdContacts) {
     const CEngineContact& c = contact.m_stdEngines[g_nNative];
@@ -142,7 +142,7 @@ TEST(RestartTest, SetbackErrorOfNativeAtASlantIsAlongTheWall) {
 
 // A ball that is pushed through is claimed to have been on the far side: two radii too far, and too late by
 // the time that it takes to fly them.
-TEST(RestartTest, WrongSidesAreTwoRadiiOff) {
+TEST(ImpactTrialTest, WrongSidesAreTwoRadiiOff) {
   std::size_t wrong = 0;
   for (const CContact& contact : JudgeTrials(AtWall(1.8, 0)).m_stdContacts) {
     const CEngineContact& c = contact.m_stdEngines[g_nNative];
@@ -159,12 +159,12 @@ TEST(RestartTest, WrongSidesAreTwoRadiiOff) {
 
 // Box2D sweeps no two balls: those that meet within a step are seen at the beginning of the next one. Until
 // then they are in each other by all that they flew since.
-TEST(RestartTest, Box2DAnswersTwoBallsAStepLate) {
+TEST(ImpactTrialTest, Box2DAnswersTwoBallsAStepLate) {
   CScene scene = MakeScene(5, 1);
   const float v = static_cast<float>(0.3 * g_fRadius / g_fStep), r = static_cast<float>(g_fRadius);
   AddBall(scene, {{-0.5f, 0}, r, {v, 0}, 2.0f});
   AddBall(scene, {{0.5f, 0}, r, {-v, 0}, 1.0f});
-  const CRestartResult result = JudgeTrials(scene);
+  const CImpactTrialResult result = JudgeTrials(scene);
   ASSERT_EQ(result.m_stdContacts.size(), g_nRestartContacts);
   for (const CContact& contact : result.m_stdContacts) {
     EXPECT_EQ(contact.m_ePair, ePair::Ball);
@@ -185,7 +185,7 @@ TEST(RestartTest, Box2DAnswersTwoBallsAStepLate) {
 }
 
 // Energy of two balls is that of both: a ball of elasticity .5 loses some, which is no error.
-TEST(RestartTest, EnergyOfAPairIsOfBoth) {
+TEST(ImpactTrialTest, EnergyOfAPairIsOfBoth) {
   CScene scene = MakeScene(5, 1);
   const float v = static_cast<float>(0.3 * g_fRadius / g_fStep), r = static_cast<float>(g_fRadius);
   AddBall(scene, {{-0.5f, 0}, r, {v, 0}, 3.0f, 0.5f});
@@ -213,12 +213,12 @@ TEST(RestartTest, EnergyOfAPairIsOfBoth) {
   EXPECT_TRUE(differs); // the control: it is not the ball's alone
 }
 
-TEST(RestartTest, EveryPairHasItsName) {
+TEST(ImpactTrialTest, EveryPairHasItsName) {
   const auto first = [](const CAnyShapeDesc& shape, const Vector2& from, const Vector2& v) {
     CScene scene = MakeScene(5, 2);
     AddShape(scene, shape);
     AddBall(scene, {from, static_cast<float>(g_fRadius), v});
-    const CRestartResult result = JudgeTrials(scene, 1);
+    const CImpactTrialResult result = JudgeTrials(scene, 1);
     return result.m_stdContacts.empty() ? std::string("none") : GetName(result.m_stdContacts[0].m_ePair);
   };
   const CLineSegDesc segment({-1, 0}, {1, 0});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "Judge.h"
+#include "ImpactEvaluator.h"
 
-#include "../reference/Distance.h"
 #include "EngineResponse.h"
 #include "PairQuestion.h"
+#include "reference/Distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +125,7 @@ public:
     const double reach =
         m_cEvent.m_bIsBall ? m_fRadius + reference.GetBall(m_cEvent.m_nShape).m_fRadius : m_fRadius;
     const double distance = m_cEvent.m_bIsBall ? Norm(CVec2d(p - GetPos(m_cEvent.m_nShape)))
-                                               : Distance(reference.GetFigure(m_cEvent.m_nShape), p);
+                                               : Distance(reference.GetGeometry(m_cEvent.m_nShape), p);
     return static_cast<float>(std::max(0.0, reach - distance) / m_fRadius);
   }
 
@@ -143,7 +143,7 @@ private:
   // Whether the centre is on the side of the shape that the exact ball met. Ends, points and balls have none.
   bool IsOnExactSide() const {
     if (m_cEvent.m_bIsBall) return true;
-    const CFigure<double> f = m_cGame.GetReference().GetFigure(m_cEvent.m_nShape);
+    const CShapeGeometry<double> f = m_cGame.GetReference().GetGeometry(m_cEvent.m_nShape);
     const CVec2d p = GetPos(m_cEvent.m_nBall);
     const double above = Cross(CVec2d(f.m_vPt1 - f.m_vPt0), CVec2d(p - f.m_vPt0)),
                  out = Norm(CVec2d(p - f.m_vCenter)) - f.m_fRadius;
@@ -218,8 +218,8 @@ private:
   bool m_bEnds = false;
 };
 
-void CJudge::Judge(std::uint64_t trial, const CExactGame& game, std::span<const CEvent> events,
-                   std::vector<CContact>& contacts) const {
+void CImpactEvaluator::Judge(std::uint64_t trial, const CExactGame& game, std::span<const CEvent> events,
+                             std::vector<CContact>& contacts) const {
   const std::size_t first = contacts.size();
   for (const CEvent& event : events)
     contacts.push_back(Describe(trial, game, event));
@@ -236,7 +236,7 @@ void CJudge::Judge(std::uint64_t trial, const CExactGame& game, std::span<const 
   }
 }
 
-CContact CJudge::Describe(std::uint64_t trial, const CExactGame& game, const CEvent& event) const {
+CContact CImpactEvaluator::Describe(std::uint64_t trial, const CExactGame& game, const CEvent& event) const {
   const CVec2d v = event.m_vVelBefore - event.m_vSurface;
   const double dt = static_cast<double>(m_cScene.m_cWorld.m_fTimeStep), approach = -v.dot(event.m_vNorm);
   const CDynamicCircleDesc& ball = game.GetBalls()[event.m_nBall];
@@ -257,8 +257,8 @@ CContact CJudge::Describe(std::uint64_t trial, const CExactGame& game, const CEv
 }
 
 // All events share one world: they belong to different balls.
-void CJudge::Run(std::size_t engine, const CExactGame& game, std::span<const CEvent> events, CAhead& ahead,
-                 std::span<CContact> contacts) const {
+void CImpactEvaluator::Run(std::size_t engine, const CExactGame& game, std::span<const CEvent> events,
+                           CAhead& ahead, std::span<CContact> contacts) const {
   CTrialWorld world(m_cScene, m_stdEngines[engine], game.GetBalls(), game.GetTime());
   std::size_t open = events.size();
   for (int late = 0; late <= g_nLateSteps && open > 0; ++late) {
@@ -283,7 +283,7 @@ void CJudge::Run(std::size_t engine, const CExactGame& game, std::span<const CEv
   }
 }
 
-void CJudge::Ask(const CExactGame& game, const CEvent& event, CContact& contact) const {
+void CImpactEvaluator::Ask(const CExactGame& game, const CEvent& event, CContact& contact) const {
   const CDynamicCircleDesc& ball = game.GetBalls()[event.m_nBall];
   const CPairQuestion question =
       event.m_bIsBall

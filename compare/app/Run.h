@@ -16,10 +16,10 @@ struct CRunSizes {
   std::size_t m_nContacts;        ///< impacts at which the engines are restarted
   int m_nRepeats;                 ///< of each timing
   std::size_t m_nBallSteps;       ///< least length of one timing
-  std::size_t m_nLadderContacts;  ///< impacts for each setting of the ladder
-  std::size_t m_nProof;           ///< impacts without a miss that are called none
-  int m_nLadderRepeats;           ///< of each timing of a setting
-  std::size_t m_nLadderBallSteps; ///< least length of one timing of a setting
+  std::size_t m_nSweepContacts;   ///< impacts for each setting of the sweep
+  std::size_t m_nConfirmation;    ///< impacts without a miss that are called none
+  int m_nSweepRepeats;            ///< of each timing of a setting
+  std::size_t m_nSweepBallSteps;  ///< least length of one timing of a setting
   std::size_t m_nHeatContacts;    ///< impacts in each cell of the heat map
   std::size_t m_nBounces;         ///< of the long run
   std::size_t m_nLongSteps;       ///< most steps of the long run

@@ -17,17 +17,17 @@ CDynamicCircleDesc Flying(const Vector2& p, float radii) {
   return {p, g_fBallRadius, {radii * g_fBallRadius * 60, 0}};
 }
 
-CRestartResult Judge(const CScene& scene, std::size_t contacts = g_nJudgeContacts) {
-  CRestartOptions options;
+CImpactTrialResult Judge(const CScene& scene, std::size_t contacts = g_nJudgeContacts) {
+  CImpactTrialOptions options;
   options.m_nSeed = 11;
   options.m_nContacts = contacts;
   options.m_nMostTrials = 4 * contacts;
-  return RunRestarts(scene, GetEngines(), options);
+  return RunImpactTrials(scene, GetEngines(), options);
 }
 
 // Head-on at 6 radii a step: tunneled 1 - 1/6, missed 1 - 2/6. The floor answers in every step, and is no
 // answer to the wall.
-TEST(JudgeTest, ARollingBallHasNotAnsweredTheWallThatItMissed) {
+TEST(ImpactEvaluatorTest, ARollingBallHasNotAnsweredTheWallThatItMissed) {
   CScene scene = MakeScene(3, 0.1f);
   scene.m_cWorld.m_vGravity = {0, -10};
   CLineSegDesc floor({-3, 0}, {3, 0});
@@ -35,7 +35,7 @@ TEST(JudgeTest, ARollingBallHasNotAnsweredTheWallThatItMissed) {
   AddShape(scene, floor);
   AddShape(scene, CLineSegDesc({0, -0.01f}, {0, 1}));
   AddBall(scene, Flying({-1, g_fBallRadius}, 6));
-  const CRestartResult result = Judge(scene);
+  const CImpactTrialResult result = Judge(scene);
   ASSERT_EQ(result.m_stdContacts.size(), g_nJudgeContacts);
   const CTotals native = MakeTotals(result.m_stdContacts, g_nNative);
   EXPECT_TRUE(Holds(native.GetTunneled(), g_nJudgeContacts, 5.0 / 6)) << native.GetTunneled();
@@ -44,11 +44,11 @@ TEST(JudgeTest, ARollingBallHasNotAnsweredTheWallThatItMissed) {
 }
 
 // A ball that got into a ring unseen is turned back by its far side a step later, with the right normal.
-TEST(JudgeTest, ABallThatIsInARingHasTunneled) {
+TEST(ImpactEvaluatorTest, ABallThatIsInARingHasTunneled) {
   CScene scene = MakeScene(3, 0.12f);
   AddShape(scene, CCircleDesc({0, 0}, 0.35f));
   AddBall(scene, Flying({-1.2f, 0}, 6));
-  const CRestartResult result = Judge(scene);
+  const CImpactTrialResult result = Judge(scene);
   ASSERT_EQ(result.m_stdContacts.size(), g_nJudgeContacts);
   const CTotals native = MakeTotals(result.m_stdContacts, g_nNative);
   EXPECT_TRUE(Holds(native.GetTunneled(), g_nJudgeContacts, 5.0 / 6)) << native.GetTunneled();
@@ -56,20 +56,20 @@ TEST(JudgeTest, ABallThatIsInARingHasTunneled) {
 
 // Of two sides that are met at once, the first that is answered decides where the ball goes: nobody can be
 // held against that.
-TEST(JudgeTest, TwoSidesAtOnceAreSetAside) {
+TEST(ImpactEvaluatorTest, TwoSidesAtOnceAreSetAside) {
   CScene scene = MakeScene(3, 1);
   AddShape(scene, CLineSegDesc({-1, 0.25f}, {0, 0}));
   AddShape(scene, CLineSegDesc({0, 0}, {1, 0.25f}));
   AddBall(scene, {{0, 1}, 0.1f, {0, -5}});
-  const CRestartResult both = Judge(scene, 20);
-  EXPECT_EQ(both.m_cSetAside.m_nSimultaneous, both.m_nTrials);
+  const CImpactTrialResult both = Judge(scene, 20);
+  EXPECT_EQ(both.m_cExcluded.m_nSimultaneous, both.m_nTrials);
   scene.m_stdBalls[0].m_cDesc.m_vPos.x() = 0.01f; // the control: one comes first
-  const CRestartResult one = Judge(scene, 20);
-  EXPECT_EQ(one.m_cSetAside.m_nSimultaneous, 0u);
+  const CImpactTrialResult one = Judge(scene, 20);
+  EXPECT_EQ(one.m_cExcluded.m_nSimultaneous, 0u);
   EXPECT_EQ(one.m_stdContacts.size(), 20u);
 }
 
-TEST(JudgeTest, APointBallIsJudgedInFiniteTime) {
+TEST(ImpactEvaluatorTest, APointBallIsJudgedInFiniteTime) {
   CScene scene = MakeScene(3, 1);
   CLineSegDesc gate({-1, 0}, {1, 0.3f});
   gate.m_eSides = eSides::Front;
@@ -79,7 +79,7 @@ TEST(JudgeTest, APointBallIsJudgedInFiniteTime) {
   EXPECT_EQ(Judge(scene, 20).m_stdContacts.size(), 20u);
 }
 
-TEST(JudgeTest, FlippersGoOnInTheStepsAfterTheImpact) {
+TEST(ImpactEvaluatorTest, FlippersGoOnInTheStepsAfterTheImpact) {
   const CScene scene = LoadScene(std::string(SHAPES_SCENES_DIR) + "/pinball.json");
   CTrialWorld world(scene, GetEngines()[g_nNative], MakeStart(scene, 1, 0).m_stdBalls, 0.0);
   std::size_t flips = 0, changed = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "Figure.h"
+#include "ShapeGeometry.h"
 
 #include <numbers>
 #include <stdexcept>
@@ -9,15 +9,15 @@
 namespace Shapes::Compare {
 namespace {
 
-CFigure<double> ToFigure(const CPoint& point) {
-  CFigure<double> f;
+CShapeGeometry<double> ToGeometry(const CPoint& point) {
+  CShapeGeometry<double> f;
   f.m_eShapeType = eShape::Point;
   f.m_vCenter = ToDouble(point.GetPos());
   return f;
 }
 
-CFigure<double> ToFigure(const CLineSeg& seg) {
-  CFigure<double> f;
+CShapeGeometry<double> ToGeometry(const CLineSeg& seg) {
+  CShapeGeometry<double> f;
   f.m_eShapeType = eShape::LineSeg;
   f.m_eSides = seg.GetSides();
   f.m_vPt0 = ToDouble(seg.GetEndPt0());
@@ -26,16 +26,16 @@ CFigure<double> ToFigure(const CLineSeg& seg) {
   return f;
 }
 
-CFigure<double> ToFigure(const CCircle& circle) {
-  CFigure<double> f;
+CShapeGeometry<double> ToGeometry(const CCircle& circle) {
+  CShapeGeometry<double> f;
   f.m_eShapeType = eShape::Circle;
   f.m_vCenter = f.m_vPt0 = f.m_vPt1 = ToDouble(circle.GetPos());
   f.m_fRadius = static_cast<double>(circle.GetRadius());
   return f;
 }
 
-CFigure<double> ToFigure(const CArc& arc) {
-  CFigure<double> f = ToFigure(static_cast<const CCircle&>(arc));
+CShapeGeometry<double> ToGeometry(const CArc& arc) {
+  CShapeGeometry<double> f = ToGeometry(static_cast<const CCircle&>(arc));
   f.m_eShapeType = eShape::Arc;
   f.m_eSides = arc.GetSides();
   f.m_bFull = arc.IsFullCircle();
@@ -72,9 +72,9 @@ void WithShape(const CAnyShapeDesc& any, const F& f) {
 
 } // namespace
 
-CFigure<double> MakeFigure(const CAnyShapeDesc& desc) {
-  CFigure<double> figure;
-  WithShape(desc, [&](const auto& shape) { figure = ToFigure(shape); });
+CShapeGeometry<double> MakeShapeGeometry(const CAnyShapeDesc& desc) {
+  CShapeGeometry<double> figure;
+  WithShape(desc, [&](const auto& shape) { figure = ToGeometry(shape); });
   return figure;
 }
 

@@ -21,14 +21,14 @@ bool CanHold(const CEngine& engine, const CScene& scene) {
 }
 
 // The settings of these engines under which the scene can be played.
-std::vector<CEngine> SelectLadder(const std::vector<CEngine>& engines, const CScene& scene) {
-  std::vector<CEngine> ladder = GetLadder();
-  std::erase_if(ladder, [&](const CEngine& rung) {
-    return !CanHold(rung, scene) || std::none_of(engines.begin(), engines.end(), [&](const CEngine& engine) {
-      return engine.m_sName == rung.m_sName;
-    });
+std::vector<CEngine> SelectSettings(const std::vector<CEngine>& engines, const CScene& scene) {
+  std::vector<CEngine> sweep = GetParameterSweep();
+  std::erase_if(sweep, [&](const CEngine& setting) {
+    return !CanHold(setting, scene) ||
+           std::none_of(engines.begin(), engines.end(),
+                        [&](const CEngine& engine) { return engine.m_sName == setting.m_sName; });
   });
-  return ladder;
+  return sweep;
 }
 
 } // namespace
@@ -42,9 +42,9 @@ CRunSizes CRunSizes::ForContacts(std::size_t contacts) const {
     n = std::min(n, std::max(least, static_cast<std::size_t>(share * static_cast<double>(n))));
   };
   shrink(sizes.m_nBallSteps, 500);
-  shrink(sizes.m_nLadderContacts, 10);
-  shrink(sizes.m_nProof, 10);
-  shrink(sizes.m_nLadderBallSteps, 100);
+  shrink(sizes.m_nSweepContacts, 10);
+  shrink(sizes.m_nConfirmation, 10);
+  shrink(sizes.m_nSweepBallSteps, 100);
   shrink(sizes.m_nHeatContacts, 5);
   shrink(sizes.m_nBounces, 100);
   shrink(sizes.m_nLongSteps, 5000);
@@ -61,24 +61,24 @@ CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, 
   CSceneReport report;
   report.m_cScene = scene;
 
-  CRestartOptions restart;
+  CImpactTrialOptions restart;
   restart.m_nSeed = seed;
   restart.m_nContacts = sizes.m_nContacts;
   restart.m_nMostTrials = g_nTrialsPerContact * sizes.m_nContacts;
-  restart.m_stdProgress = during(eStage::Restarts);
-  report.m_cRestart = RunRestarts(scene, engines, restart);
-  const std::vector<CContact>& contacts = report.m_cRestart.m_stdContacts;
+  restart.m_stdProgress = during(eStage::ImpactTrials);
+  report.m_cImpactTrials = RunImpactTrials(scene, engines, restart);
+  const std::vector<CContact>& contacts = report.m_cImpactTrials.m_stdContacts;
   report.m_cDifference = SummariseDifference(contacts);
 
-  CLadderOptions ladder;
-  ladder.m_nSeed = seed;
-  ladder.m_nContacts = sizes.m_nLadderContacts;
-  ladder.m_nMostTrials = g_nTrialsPerContact * sizes.m_nLadderContacts;
-  ladder.m_nProof = sizes.m_nProof;
-  ladder.m_nBallSteps = sizes.m_nLadderBallSteps;
-  ladder.m_nRepeats = sizes.m_nLadderRepeats;
-  ladder.m_stdProgress = during(eStage::Ladder);
-  report.m_cWork = MeasureWorkPrecision(scene, SelectLadder(engines, scene), ladder);
+  CParameterSweepOptions sweep;
+  sweep.m_nSeed = seed;
+  sweep.m_nContacts = sizes.m_nSweepContacts;
+  sweep.m_nMostTrials = g_nTrialsPerContact * sizes.m_nSweepContacts;
+  sweep.m_nConfirmation = sizes.m_nConfirmation;
+  sweep.m_nBallSteps = sizes.m_nSweepBallSteps;
+  sweep.m_nRepeats = sizes.m_nSweepRepeats;
+  sweep.m_stdProgress = during(eStage::ParameterSweep);
+  report.m_cWork = MeasureWorkPrecision(scene, SelectSettings(engines, scene), sweep);
 
   const std::vector<CCost> costs =
       MeasureCost(scene, engines, seed, sizes.m_nRepeats, sizes.m_nBallSteps, during(eStage::Timing));
@@ -98,10 +98,10 @@ CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, 
   const std::vector<CLongRun> longRuns =
       MeasureLongRuns(scene, engines, seed, sizes.m_nBounces, sizes.m_nLongSteps);
   progress(eStage::Replay, 0.0);
-  report.m_stdClips = MakeClips(scene, engines, report.m_cRestart, seed, sizes.m_nFrames);
+  report.m_stdClips = MakeClips(scene, engines, report.m_cImpactTrials, seed, sizes.m_nFrames);
 
   for (std::size_t e = 0; e < engines.size(); ++e)
-    report.m_stdEngines.push_back({MakeTotals(contacts, e), report.m_cRestart.m_stdGhosts.at(e),
+    report.m_stdEngines.push_back({MakeTotals(contacts, e), report.m_cImpactTrials.m_stdGhosts.at(e),
                                    MakeBins(contacts, e), MakeHistogram(contacts, e), costs.at(e),
                                    longRuns.at(e)});
   return report;

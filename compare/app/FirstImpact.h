@@ -2,7 +2,7 @@
 // Scenes in which no ball meets anything are refused before a run spends minutes on them.
 #pragma once
 
-#include "Scene.h"
+#include "scene/Scene.h"
 
 #include <cstdint>
 

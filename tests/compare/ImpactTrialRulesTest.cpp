@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is judged, what is set aside, and what the options do.
-#include "ExactGame.h"
 #include "MadeScenes.h"
-#include "metrics/Restart.h"
+#include "metrics/ImpactTrials.h"
+#include "scene/ExactGame.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@
 namespace Shapes::Compare::Tests {
 namespace {
 
-CRestartOptions MakeOptions(std::size_t contacts, std::uint64_t mostTrials) {
-  CRestartOptions options;
+CImpactTrialOptions MakeOptions(std::size_t contacts, std::uint64_t mostTrials) {
+  CImpactTrialOptions options;
   options.m_nSeed = 5;
   options.m_nContacts = contacts;
   options.m_nMostTrials = mostTrials;
@@ -33,9 +33,9 @@ bool Equal(const CEngineContact& a, const CEngineContact& b) {
 
 // In the scene `corner` a ball often meets both walls in one step. Those are not compared at the end of the
 // step, where the second impact shows too; counted with another game.
-TEST(RestartRulesTest, OnlyAloneImpactsAreCompared) {
+TEST(ImpactTrialRulesTest, OnlyAloneImpactsAreCompared) {
   const CScene scene = LoadBundled("corner");
-  const CRestartResult result = RunRestarts(scene, GetEngines(), MakeOptions(2000, 2000));
+  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), MakeOptions(2000, 2000));
   std::map<std::pair<std::uint64_t, std::uint32_t>, std::size_t> impacts;
   std::size_t alone = 0, notAlone = 0;
   for (const CContact& contact : result.m_stdContacts) {
@@ -62,9 +62,9 @@ TEST(RestartRulesTest, OnlyAloneImpactsAreCompared) {
 
 // Box2D answers two balls a step late. They are compared where it has answered: had they been compared at the
 // end of the step of the impact, they would still fly on as before.
-TEST(RestartRulesTest, LateResponsesAreComparedWhenTheyCome) {
-  const CRestartResult result =
-      RunRestarts(LoadBundled("ball_on_ball"), GetEngines(), MakeOptions(500, 2000));
+TEST(ImpactTrialRulesTest, LateResponsesAreComparedWhenTheyCome) {
+  const CImpactTrialResult result =
+      RunImpactTrials(LoadBundled("ball_on_ball"), GetEngines(), MakeOptions(500, 2000));
   std::size_t late = 0;
   for (const CContact& contact : result.m_stdContacts) {
     const CEngineContact& c = contact.m_stdEngines.at(g_nBox2D);
@@ -78,17 +78,17 @@ TEST(RestartRulesTest, LateResponsesAreComparedWhenTheyCome) {
 }
 
 // A ball that bounces out: each of its impacts below 2 g dt is set aside, those above are judged.
-TEST(RestartRulesTest, SlowImpactsAreResting) {
+TEST(ImpactTrialRulesTest, SlowImpactsAreResting) {
   CScene scene = MakeScene(2, 3);
   scene.m_cWorld.m_vGravity = {0, -9.81f};
   CLineSegDesc floor({-1, 0}, {1, 0});
   floor.m_fElasticity = 0.7f;
   AddShape(scene, floor);
   AddBall(scene, {{0, 0.6f}, 0.1f});
-  const CRestartResult result = RunRestarts(scene, GetEngines(), MakeOptions(1000, 20));
+  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), MakeOptions(1000, 20));
   const float slow = 2 * 9.81f / 60;
-  EXPECT_GT(result.m_cSetAside.m_nResting, 20u);
-  EXPECT_EQ(result.m_cSetAside.m_nAmbiguous, 0u);
+  EXPECT_GT(result.m_cExcluded.m_nResting, 20u);
+  EXPECT_EQ(result.m_cExcluded.m_nAmbiguous, 0u);
   // From 3.1 m/s it takes 7 impacts to .37.
   EXPECT_GE(result.m_stdContacts.size(), 20u * 5);
   for (const CContact& contact : result.m_stdContacts)
@@ -97,36 +97,36 @@ TEST(RestartRulesTest, SlowImpactsAreResting) {
                           [&](const CContact& c) { return c.m_fApproach < 2 * slow; }));
 }
 
-TEST(RestartRulesTest, OverlapsAreAmbiguous) {
+TEST(ImpactTrialRulesTest, OverlapsAreAmbiguous) {
   CScene scene = MakeScene(2, 0.1f);
   AddShape(scene, CLineSegDesc({0, -1}, {0, 1}));
   AddBall(scene, {{-0.05f, 0}, 0.1f, {1, 0}});
-  const CRestartResult result = RunRestarts(scene, GetEngines(), MakeOptions(10, 30));
-  EXPECT_EQ(result.m_cSetAside.m_nAmbiguous, 30u);
+  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), MakeOptions(10, 30));
+  EXPECT_EQ(result.m_cExcluded.m_nAmbiguous, 30u);
   EXPECT_TRUE(result.m_stdContacts.empty());
   // The control: the same ball from outside.
   scene.m_stdBalls[0].m_cDesc.m_vPos.x() = -0.15f;
-  EXPECT_EQ(RunRestarts(scene, GetEngines(), MakeOptions(10, 30)).m_stdContacts.size(), 10u);
+  EXPECT_EQ(RunImpactTrials(scene, GetEngines(), MakeOptions(10, 30)).m_stdContacts.size(), 10u);
 }
 
 // Along the diagonal into a right angle both walls are met at once, and the order decides which is answered.
-TEST(RestartRulesTest, ImpactsAtOnceAreSimultaneous) {
+TEST(ImpactTrialRulesTest, ImpactsAtOnceAreSimultaneous) {
   CScene scene = MakeScene(4, 0.5f);
   AddShape(scene, CLineSegDesc({0, -3}, {0, 3}));
   AddShape(scene, CLineSegDesc({-3, 0}, {3, 0}));
   AddBall(scene, {{-1, -1}, 0.125f, {4, 4}});
-  const CRestartResult result = RunRestarts(scene, GetEngines(), MakeOptions(10, 30));
-  EXPECT_EQ(result.m_cSetAside.m_nSimultaneous, 30u);
+  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), MakeOptions(10, 30));
+  EXPECT_EQ(result.m_cExcluded.m_nSimultaneous, 30u);
   EXPECT_TRUE(result.m_stdContacts.empty());
   scene.m_stdBalls[0].m_cDesc.m_vPos.x() = -1.01f; // the control
-  const CRestartResult other = RunRestarts(scene, GetEngines(), MakeOptions(10, 30));
-  EXPECT_EQ(other.m_cSetAside.m_nSimultaneous, 0u);
+  const CImpactTrialResult other = RunImpactTrials(scene, GetEngines(), MakeOptions(10, 30));
+  EXPECT_EQ(other.m_cExcluded.m_nSimultaneous, 0u);
   EXPECT_EQ(other.m_stdContacts.size(), 10u);
 }
 
 // A bar sweeps through a box in which a ball has nowhere to go: nobody can say what happens, so it is said
 // where it was.
-TEST(RestartRulesTest, WhatTheReferenceGivesUpIsReported) {
+TEST(ImpactTrialRulesTest, WhatTheReferenceGivesUpIsReported) {
   CScene scene = MakeScene(2, 2);
   const Vector2 corners[] = {{0, 0}, {0.25f, 0}, {0.25f, 0.25f}, {0, 0.25f}};
   for (std::size_t i = 0; i < 4; ++i)
@@ -136,38 +136,38 @@ TEST(RestartRulesTest, WhatTheReferenceGivesUpIsReported) {
   bar.m_fRotSpeed = 1;
   AddShape(scene, bar);
   AddBall(scene, {{0.12f, 0.13f}, 0.1f, {0.1f, 0}});
-  const CRestartResult result = RunRestarts(scene, GetEngines(), MakeOptions(100000, 3));
-  const CSetAside& aside = result.m_cSetAside;
+  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), MakeOptions(100000, 3));
+  const CExcluded& aside = result.m_cExcluded;
   EXPECT_EQ(result.m_nTrials, 3u);
   EXPECT_EQ(aside.m_nUndecided, 3u);
   EXPECT_EQ(aside.m_sUndecided.rfind("trial 0, step ", 0), 0u) << aside.m_sUndecided;
   EXPECT_NE(aside.m_sUndecided.find("ball 0"), std::string::npos) << aside.m_sUndecided;
   scene.m_stdShapes.pop_back(); // the control: without the bar
-  EXPECT_EQ(RunRestarts(scene, GetEngines(), MakeOptions(50, 3)).m_cSetAside.m_nUndecided, 0u);
+  EXPECT_EQ(RunImpactTrials(scene, GetEngines(), MakeOptions(50, 3)).m_cExcluded.m_nUndecided, 0u);
 }
 
 // What one engine cannot hold is judged on none.
-TEST(RestartRulesTest, WhatAnEngineRefusesIsReportedAndNotJudged) {
+TEST(ImpactTrialRulesTest, WhatAnEngineRefusesIsReportedAndNotJudged) {
   CScene scene = MakeScene(1, 1e-7f);
   scene.m_cWorld.m_fTimeStep = 1e-11f;
   AddShape(scene, CLineSegDesc({0, -1}, {0, 1}));
   AddBall(scene, {{-0.5f, 0}, 0.1f, {4e9f, 0}}); // Box2D takes 1e9
-  const CRestartResult result = RunRestarts(scene, GetEngines(), MakeOptions(10, 5));
+  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), MakeOptions(10, 5));
   EXPECT_TRUE(result.m_stdContacts.empty());
-  EXPECT_EQ(result.m_cSetAside.m_nUndecided, 5u);
-  EXPECT_NE(result.m_cSetAside.m_sUndecided.find("m_vVel"), std::string::npos)
-      << result.m_cSetAside.m_sUndecided;
+  EXPECT_EQ(result.m_cExcluded.m_nUndecided, 5u);
+  EXPECT_NE(result.m_cExcluded.m_sUndecided.find("m_vVel"), std::string::npos)
+      << result.m_cExcluded.m_sUndecided;
   const std::vector<CEngine> native = {GetEngines()[g_nNative]}; // the control: it takes them
-  EXPECT_EQ(RunRestarts(scene, native, MakeOptions(10, 20)).m_stdContacts.size(), 10u);
+  EXPECT_EQ(RunImpactTrials(scene, native, MakeOptions(10, 20)).m_stdContacts.size(), 10u);
 }
 
-TEST(RestartRulesTest, OptionsLeaveOutWhatTheySay) {
+TEST(ImpactTrialRulesTest, OptionsLeaveOutWhatTheySay) {
   const CScene scene = LoadBundled("tangent_joint");
-  const CRestartOptions all = MakeOptions(200, 1000);
-  CRestartOptions few = all;
+  const CImpactTrialOptions all = MakeOptions(200, 1000);
+  CImpactTrialOptions few = all;
   few.m_bAsk = few.m_bGhosts = false;
-  const CRestartResult full = RunRestarts(scene, GetEngines(), all),
-                       lean = RunRestarts(scene, GetEngines(), few);
+  const CImpactTrialResult full = RunImpactTrials(scene, GetEngines(), all),
+                           lean = RunImpactTrials(scene, GetEngines(), few);
   EXPECT_GT(full.m_nQuietSteps, 100u);
   EXPECT_LE(full.m_nQuietSteps, 200u);
   EXPECT_EQ(lean.m_nQuietSteps, 0u);
@@ -189,10 +189,10 @@ TEST(RestartRulesTest, OptionsLeaveOutWhatTheySay) {
   EXPECT_GT(detected, 300u);
 }
 
-TEST(RestartRulesTest, TheSameSeedGivesTheSameBits) {
+TEST(ImpactTrialRulesTest, TheSameSeedGivesTheSameBits) {
   const CScene scene = LoadBundled("pinball");
-  const CRestartResult a = RunRestarts(scene, GetEngines(), MakeOptions(200, 100)),
-                       b = RunRestarts(scene, GetEngines(), MakeOptions(200, 100));
+  const CImpactTrialResult a = RunImpactTrials(scene, GetEngines(), MakeOptions(200, 100)),
+                           b = RunImpactTrials(scene, GetEngines(), MakeOptions(200, 100));
   ASSERT_EQ(a.m_stdContacts.size(), 200u);
   ASSERT_EQ(b.m_stdContacts.size(), 200u);
   for (std::size_t i = 0; i < 200; ++i) {
@@ -203,20 +203,20 @@ TEST(RestartRulesTest, TheSameSeedGivesTheSameBits) {
   EXPECT_EQ(a.m_stdGhosts, b.m_stdGhosts);
   EXPECT_EQ(a.m_nQuietSteps, b.m_nQuietSteps);
   // An engine alone makes the same of them: engines do not see each other.
-  const CRestartResult alone = RunRestarts(scene, {GetEngines()[g_nBox2D]}, MakeOptions(200, 100));
+  const CImpactTrialResult alone = RunImpactTrials(scene, {GetEngines()[g_nBox2D]}, MakeOptions(200, 100));
   for (std::size_t i = 0; i < 200; ++i)
     EXPECT_TRUE(Equal(a.m_stdContacts[i].m_stdEngines[g_nBox2D], alone.m_stdContacts[i].m_stdEngines[0]));
-  CRestartOptions other = MakeOptions(200, 100); // the control
+  CImpactTrialOptions other = MakeOptions(200, 100); // the control
   other.m_nSeed = 6;
-  EXPECT_NE(RunRestarts(scene, GetEngines(), other).m_stdContacts[0].m_fTime, a.m_stdContacts[0].m_fTime);
+  EXPECT_NE(RunImpactTrials(scene, GetEngines(), other).m_stdContacts[0].m_fTime, a.m_stdContacts[0].m_fTime);
 }
 
 // Profiles of one engine claim the same, so "apart" is of native and Box2D, whichever of them are there.
-TEST(RestartRulesTest, ApartIsTheDistanceOfTwoBackends) {
+TEST(ImpactTrialRulesTest, ApartIsTheDistanceOfTwoBackends) {
   const CScene scene = LoadBundled("bowl");
   const std::vector<CEngine> engines = GetEngines();
   const auto judge = [&](const std::vector<CEngine>& some) {
-    return RunRestarts(scene, some, MakeOptions(50, 100)).m_stdContacts;
+    return RunImpactTrials(scene, some, MakeOptions(50, 100)).m_stdContacts;
   };
   const auto all = judge(engines), tuned = judge({engines[g_nNative], engines[g_nTuned]}),
              profiles = judge({engines[g_nBox2D], engines[g_nTuned]});
@@ -230,19 +230,19 @@ TEST(RestartRulesTest, ApartIsTheDistanceOfTwoBackends) {
   EXPECT_EQ(all.size(), 50u);
 }
 
-TEST(RestartRulesTest, ProgressGoesUpToOneAndMayEndTheRun) {
+TEST(ImpactTrialRulesTest, ProgressGoesUpToOneAndMayEndTheRun) {
   const CScene scene = LoadBundled("head_on_wall");
   std::vector<double> shares;
-  CRestartOptions options = MakeOptions(20, 100);
+  CImpactTrialOptions options = MakeOptions(20, 100);
   options.m_stdProgress = [&](double share) { shares.push_back(share); };
-  const CRestartResult result = RunRestarts(scene, GetEngines(), options);
+  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), options);
   EXPECT_EQ(result.m_nTrials, shares.size());
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_EQ(shares.back(), 1.0);
   struct CEnough {};
   options.m_stdProgress = [&](double) { throw CEnough(); };
-  EXPECT_THROW(RunRestarts(scene, GetEngines(), options), CEnough);
-  EXPECT_EQ(RunRestarts(scene, GetEngines(), MakeOptions(0, 100)).m_nTrials, 0u);
+  EXPECT_THROW(RunImpactTrials(scene, GetEngines(), options), CEnough);
+  EXPECT_EQ(RunImpactTrials(scene, GetEngines(), MakeOptions(0, 100)).m_nTrials, 0u);
 }
 
 } // namespace

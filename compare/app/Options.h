@@ -2,7 +2,7 @@
 // What the command line asks for, made into scenes and engines, or refused with the reason.
 #pragma once
 
-#include "Trial.h"
+#include "scene/Trial.h"
 
 #include <span>
 #include <string>

@@ -11,7 +11,7 @@ namespace Shapes::Compare {
 /// What a ball may hit. Points use m_vCenter, segments the ends, circles centre and radius, arcs all. An arc
 /// runs counterclockwise from end 0 to end 1, both on its circle.
 template <class T>
-struct CFigure {
+struct CShapeGeometry {
   eShape m_eShapeType = eShape::Unknown;
   eSides m_eSides = eSides::Both;
   bool m_bFull = false; ///< The arc is the full circle.
@@ -23,7 +23,7 @@ struct CFigure {
 
   /// The same for another scalar.
   template <class U>
-  CFigure<U> Cast() const {
+  CShapeGeometry<U> Cast() const {
     return {m_eShapeType,
             m_eSides,
             m_bFull,
@@ -38,7 +38,7 @@ struct CFigure {
 /// Whether x, measured from the centre, is in the sector of the arc. By cross products with the ends; a
 /// direction within `slack` of an end ray is inside for slack > 0, outside for slack < 0.
 template <class T>
-bool InSector(const CFigure<T>& arc, const CVec<T>& x, const T& slack) {
+bool InSector(const CShapeGeometry<T>& arc, const CVec<T>& x, const T& slack) {
   if (arc.m_bFull) return true;
   const CVec<T> e0 = arc.m_vPt0 - arc.m_vCenter, e1 = arc.m_vPt1 - arc.m_vCenter;
   const T least = -slack * Norm(x) * arc.m_fRadius;
@@ -52,6 +52,6 @@ bool InSector(const CFigure<T>& arc, const CVec<T>& x, const T& slack) {
 /// as doubles. The ends of an arc are moved onto its circle (by less than their rounding), so that they do
 /// not stick out.
 /// @throws std::invalid_argument if the library refuses the descriptor, or for a ball
-CFigure<double> MakeFigure(const CAnyShapeDesc& desc);
+CShapeGeometry<double> MakeShapeGeometry(const CAnyShapeDesc& desc);
 
 } // namespace Shapes::Compare

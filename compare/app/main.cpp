@@ -44,9 +44,9 @@ struct COptions {
   std::uint64_t m_nSeed = 1;
   std::size_t m_nContacts = 0; // as many as the sizes say
   bool m_bFull = false, m_bVerbose = false;
-  bool m_bListEngines = false;          // of `list`
-  std::size_t m_nSteps = 0;             // of `step-cost`
-  std::vector<std::string> m_stdWorlds; // the same
+  bool m_bListEngines = false, m_bListFigures = false; // of `list`
+  std::size_t m_nSteps = 0;                            // of `step-cost`
+  std::vector<std::string> m_stdWorlds;                // the same
 
   CRunSizes GetSizes() const {
     const CRunSizes& sizes = m_bFull ? g_cFullSizes : g_cQuickSizes;
@@ -58,7 +58,7 @@ struct COptions {
 void AnnounceDuration(const COptions& options, std::size_t scenes) {
   const CRunSizes sizes = options.GetSizes();
   const CRunSizes& usual = options.m_bFull ? g_cFullSizes : g_cQuickSizes;
-  // More impacts take more restarts, a fifth of the time, and nothing else.
+  // More impacts take more trials, a fifth of the time, and nothing else.
   const double ratio = static_cast<double>(sizes.m_nContacts) / static_cast<double>(usual.m_nContacts);
   const double share = ratio <= 1.0 ? ratio : 0.8 + 0.2 * ratio;
   const double minutes = share * static_cast<double>(scenes) *
@@ -158,6 +158,11 @@ void ListEngines() {
     fmt::print("{}\n", engine.m_sName);
 }
 
+void ListFigures() {
+  for (const CFigure& figure : GetFigures())
+    fmt::print("{:<24} {:<9} {}\n", figure.m_sKey, figure.m_sUnit, figure.m_sLabel);
+}
+
 // Suggests a word for the first one of the command line that was not expected: an option, or the command
 // itself.
 std::string Suggest(const CLI::App& app) {
@@ -206,6 +211,7 @@ int Main(int argc, char** argv) {
   pList->add_option("--folder", options.m_cFolder, "Folder of scene files (default: the bundled ones)")
       ->type_name("FOLDER");
   pList->add_flag("--engines", options.m_bListEngines, "Say which engines there are instead");
+  pList->add_flag("--figures", options.m_bListFigures, "Say which figures are measured instead");
   // What the program is called with by itself to have its instructions counted; not for users.
   CLI::App* pStepCost = app.add_subcommand("step-cost")->group("");
   pStepCost->add_option("file", options.m_cFile)->required();
@@ -226,7 +232,10 @@ int Main(int argc, char** argv) {
   words.front() = "shapes-compare";
   try {
     if (pList->parsed()) {
-      options.m_bListEngines ? ListEngines() : ListScenes(options.m_cFolder);
+      if (options.m_bListFigures)
+        ListFigures();
+      else
+        options.m_bListEngines ? ListEngines() : ListScenes(options.m_cFolder);
       return 0;
     }
     if (pStepCost->parsed()) {

@@ -4,7 +4,7 @@
 // Whole trajectories would measure chaos. docs/accuracy.md defines every figure.
 #pragma once
 
-#include "../Trial.h"
+#include "scene/Trial.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -59,6 +59,7 @@ struct CEngineContact {
 
   /// A response to the right side: Correct or Late. Otherwise the ball tunneled.
   bool HasTurnedBack() const { return m_eOutcome == eOutcome::Correct || m_eOutcome == eOutcome::Late; }
+  bool HasTunneled() const { return !HasTurnedBack(); }
 };
 
 /// One impact of the exact reference.
@@ -78,7 +79,7 @@ struct CContact {
 };
 
 /// Steps and impacts that were seen and not judged, and why.
-struct CSetAside {
+struct CExcluded {
   std::size_t m_nResting = 0;      ///< impacts too slow to be called one
   std::size_t m_nAmbiguous = 0;    ///< grazes that are decided by rounding, and overlaps
   std::size_t m_nSimultaneous = 0; ///< where the order of two impacts at once decides
@@ -87,7 +88,7 @@ struct CSetAside {
   std::string m_sUndecided;        ///< the first of them: trial, step and what was said
 };
 
-struct CRestartOptions {
+struct CImpactTrialOptions {
   std::uint64_t m_nSeed = 1;
   std::size_t m_nContacts = 0;     ///< impacts to judge
   std::uint64_t m_nMostTrials = 0; ///< give up after so many trials
@@ -97,7 +98,7 @@ struct CRestartOptions {
   std::function<void(double)> m_stdProgress;
 };
 
-struct CRestartResult {
+struct CImpactTrialResult {
   std::vector<CContact> m_stdContacts;
   /// Of each engine: quiet steps with a response to a shape that the exact ball does not touch in this step
   /// or the next two.
@@ -106,11 +107,11 @@ struct CRestartResult {
   /// touching it, counted for each such ball.
   std::size_t m_nQuietSteps = 0;
   std::uint64_t m_nTrials = 0;
-  CSetAside m_cSetAside;
+  CExcluded m_cExcluded;
 };
 
 /// Plays random trials of the scene until there are enough impacts or trials.
-CRestartResult RunRestarts(const CScene& scene, const std::vector<CEngine>& engines,
-                           const CRestartOptions& options);
+CImpactTrialResult RunImpactTrials(const CScene& scene, const std::vector<CEngine>& engines,
+                                   const CImpactTrialOptions& options);
 
 } // namespace Shapes::Compare

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "Restart.h"
+#include "ImpactTrials.h"
 
 #include "Ghosts.h"
-#include "Judge.h"
+#include "ImpactEvaluator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 class CSelector {
 public:
   /// @param slow approach speed up to which an impact is called resting
-  CSelector(double slow, CSetAside& aside) : m_fSlow(slow), m_cAside(aside) {}
+  CSelector(double slow, CExcluded& aside) : m_fSlow(slow), m_cAside(aside) {}
 
   const std::vector<CExactEvent<double>>& Select(const CExactGame& game) {
     m_stdSelected.clear();
@@ -54,14 +54,14 @@ private:
   }
 
   double m_fSlow;
-  CSetAside& m_cAside;
+  CExcluded& m_cAside;
   std::vector<CExactEvent<double>> m_stdSelected;
   std::vector<std::size_t> m_stdBusy;
 };
 
 class CRun {
 public:
-  CRun(const CScene& scene, const std::vector<CEngine>& engines, const CRestartOptions& options)
+  CRun(const CScene& scene, const std::vector<CEngine>& engines, const CImpactTrialOptions& options)
       : m_cScene(scene),
         m_cOptions(options),
         m_cJudge(scene, engines, options.m_bAsk),
@@ -70,11 +70,11 @@ public:
         // Gravity alone gives a ball that lies still half of this in every step.
         m_cSelector(2.0 * static_cast<double>(scene.m_cWorld.m_vGravity.norm()) *
                         static_cast<double>(scene.m_cWorld.m_fTimeStep),
-                    m_cResult.m_cSetAside) {
+                    m_cResult.m_cExcluded) {
     m_cResult.m_stdGhosts.assign(engines.size(), 0);
   }
 
-  CRestartResult Play() {
+  CImpactTrialResult Play() {
     while (!HasEnough() && m_cResult.m_nTrials < m_cOptions.m_nMostTrials) {
       PlayTrial();
       ++m_cResult.m_nTrials;
@@ -115,7 +115,7 @@ private:
   }
 
   void SetAside(std::size_t step, const std::string& what) {
-    CSetAside& aside = m_cResult.m_cSetAside;
+    CExcluded& aside = m_cResult.m_cExcluded;
     ++aside.m_nUndecided;
     if (!aside.m_sUndecided.empty()) return;
     aside.m_sUndecided =
@@ -123,9 +123,9 @@ private:
   }
 
   const CScene& m_cScene;
-  const CRestartOptions& m_cOptions;
-  CRestartResult m_cResult;
-  CJudge m_cJudge;
+  const CImpactTrialOptions& m_cOptions;
+  CImpactTrialResult m_cResult;
+  CImpactEvaluator m_cJudge;
   CGhostHunter m_cGhosts;
   std::size_t m_nSteps;
   CSelector m_cSelector;
@@ -156,8 +156,8 @@ const char* GetName(eOutcome outcome) {
   return "missed";
 }
 
-CRestartResult RunRestarts(const CScene& scene, const std::vector<CEngine>& engines,
-                           const CRestartOptions& options) {
+CImpactTrialResult RunImpactTrials(const CScene& scene, const std::vector<CEngine>& engines,
+                                   const CImpactTrialOptions& options) {
   return CRun(scene, engines, options).Play();
 }
 

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "Figures.h"
+
+#include "report/Report.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace Shapes::Compare {
+namespace {
+
+using C = CEngineContact;
+using S = CSceneReport;
+using E = CEngineReport;
+
+constexpr const char* g_sOutcomes = "Outcomes";
+constexpr const char* g_sClaims =
+    "What CollisionDetected claims (the same in every profile of Box2D): median / p95 / max";
+constexpr const char* g_sResponses = "Correct responses against the exact ones: median / p95 / max";
+constexpr const char* g_sLongRun = "Long run";
+constexpr const char* g_sCost = "Cost";
+
+bool IsDetected(const C& c) { return c.m_bDetected; }
+bool HasTurnedBack(const C& c) { return c.HasTurnedBack(); }
+bool IsCompared(const C& c) { return c.m_bCompared; }
+
+CHits OfImpacts(const E& e, std::size_t hits) { return {hits, e.m_cTotals.m_nContacts}; }
+
+constexpr CFigure Rate(const char* key, const char* label, CHits (*pRate)(const S&, const E&)) {
+  CFigure figure{key, g_sOutcomes, label, "rate"};
+  figure.m_pRate = pRate;
+  return figure;
+}
+
+constexpr CFigure OfImpact(const char* key, const char* group, const char* label, const char* unit,
+                           bool isSigned, float C::*pValue, bool (*pIsMeasured)(const C&)) {
+  CFigure figure{key, group, label, unit, isSigned};
+  figure.m_pOfImpact = pValue;
+  figure.m_pIsMeasured = pIsMeasured;
+  return figure;
+}
+
+// A ball that tunneled is as deep as it flies; that is no penetration to be summarised.
+constexpr CFigure OfTurnedBack(CFigure figure) {
+  figure.m_pIsSummarised = [](const C& c) { return !c.HasTunneled(); };
+  return figure;
+}
+
+constexpr CFigure OfRun(const char* key, const char* group, const char* label, const char* unit,
+                        bool isSigned, std::optional<double> (*pOfRun)(const S&, const E&)) {
+  CFigure figure{key, group, label, unit, isSigned};
+  figure.m_pOfRun = pOfRun;
+  return figure;
+}
+
+constexpr CFigure g_stdFigures[] = {
+    Rate("late", "late", [](const S&, const E& e) { return OfImpacts(e, e.m_cTotals.m_nLate); }),
+    Rate("missed", "missed", [](const S&, const E& e) { return OfImpacts(e, e.m_cTotals.m_nMissed); }),
+    Rate("wrong_side", "wrong side",
+         [](const S&, const E& e) { return OfImpacts(e, e.m_cTotals.m_nWrongSide); }),
+    Rate("tunneled", "tunneled",
+         [](const S&, const E& e) { return OfImpacts(e, e.m_cTotals.GetTunneled()); }),
+    Rate("overlapped", "overlapped",
+         [](const S&, const E& e) { return OfImpacts(e, e.m_cTotals.m_nOverlapped); }),
+    Rate("ghost", "ghost, of quiet steps",
+         [](const S& s, const E& e) {
+           return CHits{e.m_nGhosts, s.m_cImpactTrials.m_nQuietSteps};
+         }),
+
+    OfImpact("setback", g_sClaims, "setback", "radii", false, &C::m_fSetback, IsDetected),
+    OfImpact("setback_error", g_sClaims, "setback error", "radii", false, &C::m_fSetbackError, IsDetected),
+    OfImpact("setback_error_normal", g_sClaims, "along the normal, out is +", "radii", true,
+             &C::m_fSetbackErrorNormal, IsDetected),
+    OfImpact("time_error", g_sClaims, "in time, late is +", "steps", true, &C::m_fTimeError, IsDetected),
+    OfImpact("poi_error", g_sResponses, "place of the impact", "radii", false, &C::m_fPOIError,
+             HasTurnedBack),
+    OfImpact("normal_error", g_sResponses, "normal", "rad", false, &C::m_fNormalError, HasTurnedBack),
+    OfImpact("direction_error", g_sResponses, "direction", "rad", false, &C::m_fDirectionError, IsCompared),
+    OfImpact("speed_error", g_sResponses, "speed", "relative", true, &C::m_fSpeedError, IsCompared),
+    OfImpact("energy_error", g_sResponses, "energy", "relative", true, &C::m_fEnergyError, IsCompared),
+    OfImpact("position_error", g_sResponses, "position", "radii", false, &C::m_fPositionError, IsCompared),
+    OfTurnedBack(OfImpact("penetration", g_sResponses, "penetration (all that did not tunnel)", "radii",
+                          false, &C::m_fPenetration, [](const C&) { return true; })),
+
+    OfRun("energy_drift", g_sLongRun, "energy drift over these bounces", "change", true,
+          [](const S&, const E& e) { return e.m_cLongRun.m_fEnergyDrift; }),
+    OfRun("free_path_error", g_sLongRun, "free path error", "change", true,
+          [](const S&, const E& e) { return e.m_cLongRun.m_fFreePathError; }),
+    OfRun("angular_momentum_drift", g_sLongRun, "angular momentum drift over these bounces", "change", true,
+          [](const S&, const E& e) { return e.m_cLongRun.m_fAngularMomentumDrift; }),
+
+    OfRun("ns_per_ball_step", g_sCost, "time per ball and step", "ns", false,
+          [](const S&, const E& e) { return std::optional(e.m_cCost.m_cNsPerBallStep.m_fMedian); }),
+    OfRun("ns_per_contact", g_sCost, "time per contact", "ns", false,
+          [](const S&, const E& e) { return e.m_cCost.GetNsPerContact(); }),
+    OfRun("escaped", g_sCost, "escaped while timed", "balls", false,
+          [](const S&, const E& e) { return std::optional(static_cast<double>(e.m_cCost.m_nEscaped)); }),
+    OfRun("not_finite", g_sCost, "not finite while timed", "balls", false,
+          [](const S&, const E& e) { return std::optional(static_cast<double>(e.m_cCost.m_nNotFinite)); }),
+};
+
+constexpr bool IsOfImpact(const CFigure& figure) { return figure.m_pOfImpact != nullptr; }
+
+constexpr std::size_t CountImpactFigures() {
+  std::size_t n = 0;
+  for (const CFigure& figure : g_stdFigures)
+    n += IsOfImpact(figure);
+  return n;
+}
+
+constexpr std::size_t FindFirstImpactFigure() {
+  std::size_t i = 0;
+  while (!IsOfImpact(g_stdFigures[i]))
+    ++i;
+  return i;
+}
+
+} // namespace
+
+std::span<const CFigure> GetFigures() { return g_stdFigures; }
+
+std::span<const CFigure> GetImpactFigures() {
+  constexpr std::size_t first = FindFirstImpactFigure(), n = CountImpactFigures();
+  static_assert(IsOfImpact(g_stdFigures[first + n - 1]), "one after the other");
+  return std::span(g_stdFigures).subspan(first, n);
+}
+
+const CFigure* FindFigure(std::string_view key) {
+  for (const CFigure& figure : g_stdFigures)
+    if (figure.m_sKey == key) return &figure;
+  return nullptr;
+}
+
+std::size_t GetImpactFigureIndex(std::string_view key) {
+  const auto figures = GetImpactFigures();
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    if (figures[i].m_sKey == key) return i;
+  throw std::out_of_range("no figure of an impact: " + std::string(key));
+}
+
+std::optional<double> GetLimited(const CFigure& figure, const CSceneReport& scene,
+                                 const CEngineReport& engine) {
+  if (figure.m_pRate != nullptr) {
+    const CHits rate = figure.m_pRate(scene, engine);
+    if (rate.m_nOf == 0) return {};
+    return static_cast<double>(rate.m_nHits) / static_cast<double>(rate.m_nOf);
+  }
+  if (IsOfImpact(figure)) {
+    const CSummary& summary = engine.m_cTotals[figure.m_sKey];
+    return summary.m_nCount == 0 ? std::optional<double>() : summary.m_fP95;
+  }
+  const auto value = figure.m_pOfRun(scene, engine);
+  return value ? std::optional(std::abs(*value)) : value;
+}
+
+} // namespace Shapes::Compare
