@@ -122,6 +122,8 @@ inline constexpr int g_nMaxRefits = 16;
 /// Rounds in which a ball that overlaps several shapes is set back from all of them: it stays in the last one
 /// if that is not enough.
 inline constexpr int g_nSetBackRounds = 8;
+/// Shapes along which a ball that was pushed by several contacts may slide before it stays where it is.
+inline constexpr int g_nKeepInsideRounds = 3;
 /// Levels of cells of the hash grid of balls, one for each power of two of the diameter; smaller balls share
 /// the last one.
 inline constexpr int g_nMostLevels = 12;

@@ -5,9 +5,11 @@
 
 #include <Shapes/Contact.h>
 
+#include "../Tolerances.h"
 #include "../shapes/Response.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace Shapes::Native {
 
@@ -48,6 +50,8 @@ void CNativeEngine::Plan(CEffects running) {
       reports ? &CNativeEngine::CollideWithShapes<true> : &CNativeEngine::CollideWithShapes<false>);
   add(m_stdApproximate, Runs(eEffect::BallPairs),
       reports ? &CNativeEngine::CollideBalls<true> : &CNativeEngine::CollideBalls<false>);
+  m_bKeepsInside = !m_cWorld.GetDesc().m_cEffects.m_cForbidden.Has(eEffect::Continuous);
+  add(m_stdApproximate, m_bKeepsInside, &CNativeEngine::KeepInside);
   add(m_stdContinuous, Runs(eEffect::Gravity), &CNativeEngine::Accelerate);
   add(m_stdContinuous, true, &CNativeEngine::Sweep);
   add(m_stdContinuous, Runs(eEffect::Kinematics), &CNativeEngine::TurnShapes);
@@ -77,6 +81,7 @@ void CNativeEngine::TurnShapes(const CSubstep& substep) {
 void CNativeEngine::MoveBalls(const CSubstep& substep) {
   CBallArrays& b = m_cState.m_cBalls;
   b.m_stdPrevPos = b.m_stdPos;
+  if (m_bKeepsInside) m_stdPushes.assign(b.Size(), 0);
   for (std::size_t i = 0; i < b.Size(); ++i)
     Move(b.m_stdPos[i], b.m_stdVel[i], substep.m_fTime);
 }
@@ -134,6 +139,7 @@ void CNativeEngine::CollideWithShape(std::size_t i, const CShapeEntry& entry) {
     m_cWorld.Report({entry.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
                      ApproachSpeed(b.m_stdVel[i], surface, hit.m_vNorm)});
   ++Stats().m_nContacts;
+  if (m_bKeepsInside) m_stdPushes[i] = m_stdPushes[i] == 0 ? 1 : 2;
   const float e = b.m_stdElasticity[i] * shape.GetElasticity();
   RespondKinematic(hit.m_vNorm, hit.m_fSetback, e, surface, b.m_stdPos[i], b.m_stdVel[i]);
   Count(CapSpeed(b.m_stdVel[i]));
@@ -182,11 +188,61 @@ bool CNativeEngine::CollideWithBall(std::size_t i, std::size_t j) {
     m_cWorld.Report({b.m_stdId[j], b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
                      ApproachSpeed(b.m_stdVel[i], b.m_stdVel[j], hit.m_vNorm)});
   ++Stats().m_nContacts;
+  if (m_bKeepsInside) m_stdPushes[i] = m_stdPushes[j] = 2;
   RespondDynamic(hit.m_vNorm, hit.m_fSetback, b.m_stdElasticity[i] * b.m_stdElasticity[j], b.m_stdMass[j],
                  b.m_stdMass[i], b.m_stdPos[j], b.m_stdVel[j], b.m_stdPos[i], b.m_stdVel[i]);
   Count(CapSpeed(b.m_stdVel[j]));
   Count(CapSpeed(b.m_stdVel[i]));
   return true;
+}
+
+void CNativeEngine::KeepInside(const CSubstep& substep) {
+  CBallArrays& b = m_cState.m_cBalls;
+  bool isMade = false;
+  for (std::size_t i = 0; i < b.Size(); ++i) {
+    if (m_stdPushes[i] < 2) continue;
+    CAabb2D box(b.m_stdPrevPos[i], b.m_stdPrevPos[i]);
+    box += b.m_stdPos[i];
+    m_stdCandidates.clear();
+    m_cBroadPhase.Query(Padded(box, b.m_stdRadius[i]), m_stdCandidates);
+    if (m_stdCandidates.empty()) continue;
+    if (!std::exchange(isMade, true)) m_cBroadPhase.MakeGeometries(substep.m_fTime);
+    std::sort(m_stdCandidates.begin(), m_stdCandidates.end());
+    KeepInside(i, static_cast<double>(substep.m_fTime));
+  }
+}
+
+// Along the straight way of the substep, with half the radius: a smaller overlap is set back in the next one.
+void CNativeEngine::KeepInside(std::size_t i, double dt) {
+  CBallArrays& b = m_cState.m_cBalls;
+  Vector2d p = b.m_stdPrevPos[i].cast<double>(), left = b.m_stdPos[i].cast<double>() - p;
+  const double r = 0.5 * static_cast<double>(b.m_stdRadius[i]);
+  bool isStopped = false;
+  for (int round = 0; round < g_nKeepInsideRounds; ++round) {
+    CMotion motion{p, left / dt, r, dt};
+    CImpact first;
+    bool isMet = false;
+    for (const std::uint32_t order : m_stdCandidates) {
+      if (!m_cBroadPhase.Get(order).m_pShape->GetCanCollide()) continue;
+      ++Stats().m_nSweeps;
+      CImpact impact;
+      // Shapes are at the end of their turn already.
+      if (Geometry::Sweep(m_cBroadPhase.GetGeometry(order), motion, -dt, impact) != eSweep::Impact) continue;
+      isMet = true;
+      first = impact;
+      motion.m_fDuration = impact.m_fTime;
+    }
+    if (!isMet) {
+      if (isStopped) b.m_stdPos[i] = (p + left).cast<float>();
+      return;
+    }
+    isStopped = true;
+    const double share = std::clamp(first.m_fTime / dt, 0.0, 1.0);
+    p += share * left;
+    left *= 1.0 - share;
+    left -= std::min(0.0, left.dot(first.m_vNorm)) * first.m_vNorm; // what remains slides along it
+  }
+  b.m_stdPos[i] = p.cast<float>();
 }
 
 void CNativeEngine::Sweep(const CSubstep& substep) {

@@ -44,6 +44,9 @@ private:
   void CollideWithShapes(const CSubstep& substep);
   template <bool TReports>
   void CollideBalls(const CSubstep& substep);
+  /// Where Continuous is not forbidden: a ball that several contacts in a substep have pushed ends on the
+  /// side of every shape on which it began.
+  void KeepInside(const CSubstep& substep);
   void Sweep(const CSubstep& substep);
 
   template <bool TReports>
@@ -54,6 +57,7 @@ private:
   bool CollideWithBall(std::size_t i, std::size_t j);
 
   CBall Ball(std::size_t i) const;
+  void KeepInside(std::size_t ball, double dt);
   void CollectShapes(const CBall& ball, std::uint32_t firstOrder);
   void CollectBalls(std::size_t i, std::uint32_t first);
   void Count(bool capped) { Stats().m_nSpeedsCapped += capped; }
@@ -62,6 +66,9 @@ private:
   CWorldState& m_cState;
   CEffects m_cRunning;
   std::vector<CStage> m_stdApproximate, m_stdContinuous;
+  bool m_bKeepsInside = false;
+  std::vector<std::uint8_t>
+      m_stdPushes; // of each ball in this substep: 1 for a shape, 2 for a ball, 2 at most
 
   bool m_bShapesChanged = true; // the broad phase is made anew
   CStaticBroadPhase m_cBroadPhase;
