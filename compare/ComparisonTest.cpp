@@ -25,7 +25,7 @@ constexpr std::size_t g_nContacts = 3000;
 constexpr std::uint64_t g_nSeed = 7;
 
 CImpactTrialResult Judge(const CScene& scene, const std::vector<CEngine>& engines, std::uint64_t seed,
-                     std::size_t contacts) {
+                         std::size_t contacts) {
   CImpactTrialOptions options;
   options.m_nSeed = seed;
   options.m_nContacts = contacts;
