@@ -33,7 +33,13 @@ const CBackend* GetBackend(std::string_view name) {
   return nullptr;
 }
 
-const CBackend* GetBackend(eBackend e) { return GetBackend(e == eBackend::Native ? "native" : "box2d"); }
+const CBackend* GetBackend(eBackend e) {
+  switch (e) {
+  case eBackend::Native: return GetBackend("native");
+  case eBackend::Box2D: return GetBackend("box2d");
+  }
+  return nullptr;
+}
 
 const CBackend& GetDefaultBackend() { return *GetBackend(SHAPES_DEFAULT_BACKEND); }
 

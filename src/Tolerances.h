@@ -58,7 +58,7 @@ inline constexpr int g_nMaxAdvancementSteps = 4096;
 inline constexpr float g_fLargestTurn = 0.125f;
 
 /// Share of Box2D's longest move that a ball is to make in one of its steps in a tuned world, dimensionless:
-/// what gravity and a kick add within the step is taken into account, their rounding is not.
+/// what gravity and an impact add within the step is taken into account, their rounding is not.
 inline constexpr float g_fSafeMove = 0.95f;
 
 /// Most parts into which a tuned world cuts a substep for Box2D. A ball or a shape that is still too fast is
@@ -77,9 +77,9 @@ inline constexpr float g_fSkinSlops = 2.5f;
 /// in 10,000).
 inline constexpr float g_fPressMove = 0.5f;
 
-/// Approach speeds at which a ball in a tuned world lies on what is under it, in kicks that gravity gives it
-/// in a step. A perfect ball only where it would bounce more than once in a step; and what leaves no faster
-/// than g_fLiftSpeed lies still.
+/// Resting thresholds of a tuned world, as multiples of g dt: the largest approach speed at which a
+/// ball rests on a surface; the same of an elastic ball, which rests only where it would bounce more than
+/// once in a step; and the largest speed at which a ball leaves the surface and still rests.
 inline constexpr double g_fRestingSpeed = 1.5;
 inline constexpr double g_fElasticRestingSpeed = 0.5;
 inline constexpr double g_fLiftSpeed = 0.25;

@@ -192,6 +192,18 @@ TEST(HouseRulesTest, TheInterfaceShowsNothingOfTheInside) {
         ADD_FAILURE() << shown;
 }
 
+TEST(HouseRulesTest, ThePageOfTheHouseNamesWhatIsThere) {
+  const std::string page = Read("docs/architecture.md");
+  const std::regex path(R"(`((?:include|src|compare|tests|docs)/[\w/.]+)`)");
+  std::size_t paths = 0;
+  for (std::sregex_iterator it(page.begin(), page.end(), path), end; it != end; ++it, ++paths) {
+    const std::string named = (*it)[1].str();
+    const fs::path file = fs::path(SHAPES_SOURCE_DIR) / named;
+    EXPECT_TRUE(fs::exists(file) || fs::exists(file.string() + ".h")) << named;
+  }
+  EXPECT_GT(paths, 20u);
+}
+
 TEST(HouseRulesTest, TheInterfaceThatShowsTheInsideIsNoticed) {
   const auto count = [](const std::string& text) {
     return ShownInside("include/Shapes/World.h", text, {"CEngine"}).size();
@@ -218,7 +230,7 @@ protected:
   }
   static inline const std::set<std::string> m_stdFiles{"src/native/narrowphase/Collide.h",
                                                        "src/box2d_backend/world/FixtureShapes.h",
-                                                       "src/shapes/Response.h", "compare/Scene.h"};
+                                                       "src/shapes/Response.h", "compare/scene/Scene.h"};
 };
 
 TEST_F(CHouseRulesControl, Box2DOutsideOfItsFolder) {
@@ -238,6 +250,11 @@ TEST_F(CHouseRulesControl, EnginesInWhatKnowsNone) {
   EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"native/narrowphase/Collide.h\"\n"), 1u);
   EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"../box2d_backend/world/FixtureShapes.h\"\n"), 1u);
   EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"Response.h\"\n"), 0u);
+  EXPECT_EQ(Count("src/shapes/X.cpp", "#include \"../world/WorldState.h\"\n"), 1u);
+  EXPECT_EQ(Count("src/geometry/X.cpp", "#include \"../world/WorldState.h\"\n"), 1u);
+  EXPECT_EQ(Count("src/geometry/X.cpp", "#include \"../native/narrowphase/Collide.h\"\n"), 1u);
+  EXPECT_EQ(Count("src/world/X.cpp", "#include \"../native/narrowphase/Collide.h\"\n"), 1u);
+  EXPECT_EQ(Count("src/world/X.cpp", "#include \"../geometry/Reach.h\"\n"), 0u);
   EXPECT_GE(Count("include/Shapes/X.h", "#include \"../../src/native/narrowphase/Collide.h\"\n"), 1u);
   EXPECT_GE(Count("include/Shapes/X.h", "#include \"../../src/shapes/Response.h\"\n"), 1u);
 }
@@ -263,7 +280,7 @@ TEST_F(CHouseRulesControl, TheInsidesInWhatSeesTheInterface) {
     EXPECT_EQ(Count(pPath, "#include \"native/narrowphase/Collide.h\"\n"), 1u) << pPath;
     EXPECT_EQ(Count(pPath, "#include <Shapes/World.h>\n#include <vector>\n"), 0u) << pPath;
   }
-  EXPECT_EQ(Count("compare/X.cpp", "#include \"Scene.h\"\n#include \"reference/Reference.h\"\n"), 0u);
+  EXPECT_EQ(Count("compare/X.cpp", "#include \"scene/Scene.h\"\n#include \"reference/Reference.h\"\n"), 0u);
   EXPECT_EQ(Count("tests/shapes/X.cpp", "#include \"shapes/Response.h\"\n"), 0u);
 }
 

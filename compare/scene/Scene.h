@@ -40,7 +40,7 @@ struct CSceneBall {
 };
 
 /// A scene that was loaded is valid: a native world takes its descriptors, its balls start in its bounds. A
-/// world on Box2D may refuse one whose lengths, speeds or masses are beyond its limits (Tolerances.h).
+/// world on Box2D may refuse one whose lengths, speeds or masses are beyond its limits (Limits.h).
 struct CScene {
   std::string m_sName, m_sDescription;
   std::filesystem::path m_cPath;

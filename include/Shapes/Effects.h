@@ -12,7 +12,8 @@ namespace Shapes {
 enum class eEffect {
   /// Balls fall. Called for by a gravity other than 0, where there is a ball.
   Gravity,
-  /// Shapes rotate, and kick what they meet. Called for by a kinematic shape with a rotation speed other
+  /// Shapes rotate, and the balls that they hit take on the velocity of their surface. Called for by a
+  /// kinematic shape with a rotation speed other
   /// than 0; one that stands still is as cheap as a static one.
   Kinematics,
   /// Balls meet balls. Called for by two balls that are solid: neither sensors nor turned off.
@@ -24,9 +25,10 @@ enum class eEffect {
   Events,
   /// Balls meet what is on their way when they are there, instead of what they overlap at the end of a
   /// substep: none gets through a wall. Called for where a ball moves by more than g_fFastMove of its radius
-  /// in a substep, or a rotating shape by more than that of the smallest ball. On Box2D this is its
-  /// continuous
-  /// physics; in a tuned world it always runs, in a game's b2World it is the game's affair.
+  /// in a substep, or a rotating shape by more than that of the smallest ball. Where it is not forbidden, no
+  /// ball is pushed through a shape by others either. On Box2D this is its continuous physics; in a tuned
+  /// world
+  /// it always runs, in a game's b2World it is the game's affair.
   Continuous,
   Size ///< counts them
 };

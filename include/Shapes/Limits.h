@@ -31,7 +31,7 @@ inline constexpr float g_fMinTimeStep = 1e-30f;
 /// Fastest rotation, in revolutions per second.
 inline constexpr float g_fMaxRotSpeed = 1e9f;
 
-/// Most substeps in one step: 64 times what the accuracy ladder uses.
+/// Most substeps in one step: 64 times the most that shapes-compare tries.
 inline constexpr unsigned g_nMaxSubsteps = 4096;
 
 /// A ball that moves by more than this share of its radius in a substep is fast: Continuous is called for.

@@ -153,6 +153,7 @@ private:
   Vector2 m_vStartPos;                // at construction
   Vector2 m_vMoved = Vector2::Zero(); // by Relocate
   Vector2 m_vRotCenter;
+  Vector2 m_vStartRotCenter; // without m_vMoved
   void* m_pUser = nullptr;
   CAabb2D m_cAabb;
 };

@@ -73,6 +73,7 @@ public:
   eShape GetShapeType(CShapeId id) const;
   eMotion GetMotionType(CShapeId id) const;
   const Vector2& GetPos(CShapeId id) const;
+  /// Moves a shape or a ball. The rotation centre of a kinematic shape moves along, until Reset.
   /// @throws std::invalid_argument if the shape would be beyond the limits of the engine there
   void SetPos(CShapeId id, const Vector2& p);
   float GetElasticity(CShapeId id) const;
@@ -95,7 +96,7 @@ public:
   void SetRotSpeed(CShapeId id, float revsPerSecond);
   const Vector2& GetRotCenter(CShapeId id) const;
   void SetRotCenter(CShapeId id, const Vector2& center);
-  /// Puts a kinematic shape back to its pose when it was added.
+  /// Puts a kinematic shape back to its pose and rotation centre when it was added.
   void Reset(CShapeId id);
 
   // Of balls.

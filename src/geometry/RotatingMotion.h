@@ -36,7 +36,8 @@ public:
     return {m_vRotCenter + inFrame(d), inFrame(m_cMotion.m_vVel - m_fTurn * Perp(d)), m_cMotion.m_fRadius};
   }
 
-  /// As of CLinearMotion, and Unknown if the march did not come to an end: nothing is met before t then.
+  /// As of CLinearMotion, and OutOfIterations if the advancement did not come to an end: nothing is met
+  /// before t then.
   template <class TFeature, class F>
   eSweep TimeOfImpact(const TFeature& feature, double deepest, const F& counts, double& t) const {
     const double touch = m_cRoundings.m_fTouch, slow = m_cRoundings.m_fSlow, end = t;

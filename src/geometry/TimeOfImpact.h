@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// TimeOfImpact a ball first meets a shape on a straight way, in double. The normal is a unit vector from the
-// shape to the ball.
+// The time of impact of a ball and a shape on a straight path, in double. The normal is a unit vector from
+// the shape to the ball.
 //
 // An impact is the first time at which the ball touches the shape AND approaches it. Solid are: points; both
 // faces and the round ends of segments; the ring of a circle, met from outside, and from inside by a ball
@@ -22,7 +22,7 @@
 
 namespace Shapes::Geometry {
 
-/// A straight feature of a ball's way.
+/// A straight part of the path of a ball.
 struct CMotion {
   Vector2d m_vPos; ///< of the centre at the beginning
   Vector2d m_vVel;

@@ -212,6 +212,15 @@ void CNativeEngine::KeepInside(const CSubstep& substep) {
   }
 }
 
+namespace {
+
+// A ball that does not fit into a circle, but is in it, is always outside of it for the kernels.
+bool IsTooLargeFor(const CShapeGeometry& geometry, const Vector2d& p, float r) {
+  return geometry.m_fRadius <= static_cast<double>(r) && Norm(p - geometry.m_vCenter) < geometry.m_fRadius;
+}
+
+} // namespace
+
 // Along the straight way of the substep, with half the radius: a smaller overlap is set back in the next one.
 void CNativeEngine::KeepInside(std::size_t i, double dt) {
   CBallArrays& b = m_cState.m_cBalls;
@@ -223,11 +232,13 @@ void CNativeEngine::KeepInside(std::size_t i, double dt) {
     CImpact first;
     bool isMet = false;
     for (const std::uint32_t order : m_stdCandidates) {
-      if (!m_cBroadPhase.Get(order).m_pShape->GetCanCollide()) continue;
+      const CShapeGeometry& geometry = m_cBroadPhase.GetGeometry(order);
+      if (!m_cBroadPhase.Get(order).m_pShape->GetCanCollide() || IsTooLargeFor(geometry, p, b.m_stdRadius[i]))
+        continue;
       ++Stats().m_nSweeps;
       CImpact impact;
       // Shapes are at the end of their turn already.
-      if (Geometry::Sweep(m_cBroadPhase.GetGeometry(order), motion, -dt, impact) != eSweep::Impact) continue;
+      if (Geometry::Sweep(geometry, motion, -dt, impact) != eSweep::Impact) continue;
       isMet = true;
       first = impact;
       motion.m_fDuration = impact.m_fTime;
@@ -237,6 +248,10 @@ void CNativeEngine::KeepInside(std::size_t i, double dt) {
       return;
     }
     isStopped = true;
+    // Or gravity would add to a speed that the ball does not have.
+    const Vector2d v = b.m_stdVel[i].cast<double>();
+    b.m_stdVel[i] =
+        Vector2d(v + ApproachSpeed(v, first.m_vSurface, first.m_vNorm) * first.m_vNorm).cast<float>();
     const double share = std::clamp(first.m_fTime / dt, 0.0, 1.0);
     p += share * left;
     left *= 1.0 - share;

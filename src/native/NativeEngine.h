@@ -13,11 +13,11 @@
 
 namespace Shapes::Native {
 
-/// The native engine. A substep is a list of stages, those that are called for. Without Continuous it gives
-/// the same bits as the plain loop: kinematic shapes advance by id; balls move by id; each ball by id is
-/// tested against every point by id, then every other shape by id, at its present position, and responds at
-/// once; then every pair of balls i < j responds once. Sensors are left out. Boxes only spare tests that must
-/// fail.
+/// The native engine. A substep is a list of stages, those that are called for. With Continuous forbidden it
+/// gives the same bits as the plain loop: kinematic shapes advance by id; balls move by id; each ball by id
+/// is tested against every point by id, then every other shape by id, at its present position, and responds
+/// at once; then every pair of balls i < j responds once. Sensors are left out. Boxes only spare tests that
+/// must fail.
 class CNativeEngine final : public CEngine {
 public:
   explicit CNativeEngine(CWorldCore& world) : m_cWorld(world), m_cState(world.GetState()) {}

@@ -18,7 +18,8 @@ CShape::CShape(const CShapeDesc& desc, eShape type, eMotion motion)
       m_fRotSpeed(desc.m_fRotSpeed),
       m_vPos(desc.m_vPos),
       m_vStartPos(desc.m_vPos),
-      m_vRotCenter(desc.m_vRotCenter) {
+      m_vRotCenter(desc.m_vRotCenter),
+      m_vStartRotCenter(desc.m_vRotCenter) {
   RequireVector("m_vPos", m_vPos, g_fMaxLength);
   RequireRange("m_fElasticity", m_fElasticity, 0.0f, g_fMaxElasticity);
   RequireRange("m_fRotSpeed", m_fRotSpeed, -g_fMaxRotSpeed, g_fMaxRotSpeed);
@@ -35,6 +36,7 @@ void CShape::SetPos(const Vector2& p) {
 }
 
 void CShape::Relocate(const Vector2& p) {
+  if (m_eMotionType != eMotion::Kinematic) return SetPos(p);
   const Vector2 d = p - m_vPos, center = m_vRotCenter + d;
   RequireVector("m_vPos", p, g_fMaxLength);
   RequireVector("m_vRotCenter", center, g_fMaxLength);
@@ -62,6 +64,7 @@ void CShape::SetRotSpeed(float revsPerSecond) {
 void CShape::SetRotCenter(const Vector2& center) {
   RequireVector("m_vRotCenter", center, g_fMaxLength);
   m_vRotCenter = center;
+  m_vStartRotCenter = center - m_vMoved;
 }
 
 void CShape::Rotate(const Vector2& center, float angle) {
@@ -77,7 +80,7 @@ void CShape::Rotate(const Vector2& center, float angle) {
 void CShape::Reset() {
   if (m_eMotionType != eMotion::Kinematic) return;
   m_fOrientation = m_fLastTurn = 0.0f;
-  m_vRotCenter -= m_vMoved;
+  m_vRotCenter = m_vStartRotCenter;
   m_vMoved.setZero();
   BackToStart();
   Update();

@@ -93,7 +93,7 @@ Vector2d GetVelocity(CBallPath path, double t) {
 
 void MakeRelativePath(CBallPath a, CBallPath b, std::vector<CPathVertex>& relative) {
   relative = {{0.0, a[0].m_vPos - b[0].m_vPos}};
-  // Wherever one of them bends; the last points are those of time 1.
+  // At the vertices of both; the last points are those of time 1.
   for (std::size_t i = 1, j = 1; i + 1 < a.size() || j + 1 < b.size();) {
     const bool takeA = j + 1 == b.size() || (i + 1 < a.size() && a[i].m_fTime <= b[j].m_fTime);
     if (takeA)
@@ -188,7 +188,10 @@ CZone::CApproach CZone::Approach(CBallPath path) const {
       part.KeepPt(m_vPt1);
       part.KeepArc(m_vPos, m_fRadius, [this](const Vector2d& p) { return PtInSector(p); });
       break;
-    default: part.KeepPt(m_vPos, m_fRadius);
+    case eShape::Point:
+    case eShape::Circle: part.KeepPt(m_vPos, m_fRadius); break;
+    case eShape::Unknown:
+    case eShape::Line: break; // no shape that can be made has these types
     }
     if (!(part.m_fDistance < best.m_fDistance)) continue;
     const double t0 = path[i].m_fTime, t1 = path[i + 1].m_fTime, share = part.m_fShare;

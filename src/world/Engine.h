@@ -47,8 +47,8 @@ struct CSubstep {
 ///   Access           before everything that the user does
 ///   Added, Removed, Changed
 ///                    once after each change of the state
-///   Plan             before the first Substep after a change of which effects may depend (and of anything
-///                    but velocities, places of balls, elasticities and user pointers); never else
+///   Plan             before the first Substep, and before the next one where the set of running effects is
+///                    another one; what depends on anything else follows from Added, Removed and Changed
 ///   Substep          m_nSubsteps times for each Step; it leaves in the state where everything is then
 ///   Saved            after the state was copied
 ///   Loaded           after the state was replaced; instead of Added and Removed for what is in it

@@ -36,6 +36,7 @@ bool CSensors::Begin(CWorldState& state, std::vector<CSensorEvent>& events) {
 }
 
 void CSensors::FindSensors(const CWorldState& state) {
+  m_stdVertices.clear(); // their balls may have other indices now
   m_stdBalls.clear();
   m_stdShapes.clear();
   for (std::uint32_t i = 0; i < state.m_cBalls.Size(); ++i)
@@ -71,19 +72,19 @@ std::span<const CContactEvent> CSensors::Sense(CWorldState& state, float dt,
 }
 
 void CSensors::TakePaths(const CBallArrays& b) {
-  // An engine tells the bends of each ball in order, but may take the balls in any.
+  // An engine reports the vertices of each ball in the order of time, but may take the balls in any order.
   std::stable_sort(m_stdVertices.begin(), m_stdVertices.end(),
                    [](const CBallVertex& x, const CBallVertex& y) { return x.m_nBall < y.m_nBall; });
   m_stdPoints.clear();
   m_stdFirst.clear();
   m_stdBoxes.clear();
-  auto bend = m_stdVertices.begin();
+  auto vertex = m_stdVertices.begin();
   for (std::size_t i = 0; i < b.Size(); ++i) {
     m_stdFirst.push_back(m_stdPoints.size());
     m_stdPoints.push_back({0.0, b.m_stdPrevPos[i].cast<double>()});
-    for (; bend != m_stdVertices.end() && bend->m_nBall == i; ++bend)
+    for (; vertex != m_stdVertices.end() && vertex->m_nBall == i; ++vertex)
       m_stdPoints.push_back(
-          {std::clamp(bend->m_cPoint.m_fTime, m_stdPoints.back().m_fTime, 1.0), bend->m_cPoint.m_vPos});
+          {std::clamp(vertex->m_cPoint.m_fTime, m_stdPoints.back().m_fTime, 1.0), vertex->m_cPoint.m_vPos});
     m_stdPoints.push_back({1.0, b.m_stdPos[i].cast<double>()});
   }
   m_stdFirst.push_back(m_stdPoints.size());

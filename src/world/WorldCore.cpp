@@ -139,9 +139,9 @@ CShapeId CWorld::CImpl::Add(std::unique_ptr<CShape> pShape) {
   const CShapeId id{m_cState.m_nNextId++};
   CShapeEntry entry(id, std::move(pShape));
   entry.SetHeld(IsForbidden(eEffect::Kinematics));
-  InvalidateSurfaces(entry);
-  UpdateContent({}, CContent::Of(entry));
   m_cState.m_stdShapes.push_back(std::move(entry));
+  InvalidateSurfaces(m_cState.m_stdShapes.back());
+  UpdateContent({}, CContent::Of(m_cState.m_stdShapes.back()));
   m_cSensors.Invalidate();
   m_pEngine->Added(id);
   return id;
@@ -247,7 +247,8 @@ CWorldState CWorld::CImpl::SaveState() {
 void CWorld::CImpl::LoadState(const CWorldState& state) {
   // Ids that were given since are not given again.
   const std::uint32_t nextId = std::max(m_cState.m_nNextId, state.m_nNextId);
-  m_cState = state;
+  CWorldState loaded = state;
+  m_cState = std::move(loaded);
   m_cState.m_nNextId = nextId;
   m_cState.m_cLimits = m_cLimits;
   for (CShapeEntry& entry : m_cState.m_stdShapes)

@@ -111,7 +111,9 @@ void CWorld::CImpl::ChangeShape(CShapeEntry& entry, eChange what, const F& chang
   const CContent before = CContent::Of(entry);
   change(entry);
   const CContent after = CContent::Of(entry);
-  if (what == eChange::Motion || before != after) InvalidateSurfaces(entry);
+  // A rotating shape in another pose may reach farther.
+  const bool turns = what == eChange::Pose && entry.m_pShape->GetRotating();
+  if (what == eChange::Motion || before != after || turns) InvalidateSurfaces(entry);
   UpdateContent(before, after);
   if (what == eChange::Sensor) m_cSensors.Invalidate();
   m_pEngine->Changed(entry.m_cId, what);

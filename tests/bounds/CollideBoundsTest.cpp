@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The bounds of the kernels of src/native/Collide.h for points, segments and two balls, and of the approach
-// speed.
+// The bounds of the kernels of src/native/narrowphase/Collide.h for points, segments and two balls, and of
+// the approach speed.
 #include "CollideTesting.h"
 
 #include <Shapes/Backend.h>

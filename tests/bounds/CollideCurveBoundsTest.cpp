@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bounds of the kernels of src/native/Collide.h for rings and arcs.
+// The bounds of the kernels of src/native/narrowphase/Collide.h for rings and arcs.
 #include "CollideTesting.h"
 
 #include <cmath>

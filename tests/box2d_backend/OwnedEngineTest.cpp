@@ -339,6 +339,20 @@ TEST(OwnedWorldTest, AKinematicShapeIsMetWhereItWasPut) {
   EXPECT_TRUE(isMetAt(1.5f));
 }
 
+// Without a listener restitutions are those of the fixtures, which a shape in another place has anew.
+TEST(OwnedWorldTest, AShapeThatWasMovedKeepsItsElasticity) {
+  CWorldDesc desc;
+  desc.m_cEffects.m_cForbidden = {eEffect::Events};
+  const auto pWorld = GetBackend(eBackend::Box2D)->MakeWorld(desc);
+  const CShapeId wall = pWorld->Add(CLineSegDesc({0, -1}, {0, 1}, 1.0f));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-1, 0}, 0.1f, {1, 0}, 1.0f, 0.5f));
+  pWorld->Add(CDynamicCircleDesc({-1, 5}, 0.1f, {0, 0}, 1.0f, 0.5f));
+  pWorld->Step();
+  pWorld->SetPos(wall, {0, 0});
+  Steps(*pWorld, 90);
+  EXPECT_NEAR(pWorld->GetVel(ball).x(), -0.5f, 1e-3f);
+}
+
 TEST(OwnedWorldTest, ATurningShapeIsMetWhereTheLibrarySaysItIs) {
   // A bar that turns for 500 steps, a little more than 3 turns and a quarter: the angle that Box2D adds up
   // has to stay with the library's, which is reduced to one turn.

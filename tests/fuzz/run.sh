@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Builds the fuzzers and runs each for some time, two at once, beginning with the corpus in a scratch copy. Fails with
+# Builds the fuzzers and runs each for some time, all at once, beginning with the corpus in a scratch copy. Fails with
 # the command that repeats what was found. What is missing is installed, as root or with sudo.
 # tests/fuzz/run.sh [SECONDS]             for each target; 60 by default
 # tests/fuzz/run.sh --control [SECONDS]   the opposite: fuzzers with a fault planted in them have to find it in this time
@@ -69,10 +69,6 @@ fuzz() { # TARGET
 failed=0
 running=()
 for target in $targets; do
-  if ((${#running[@]} == 2)); then
-    wait "${running[0]}" || failed=1
-    running=("${running[@]:1}")
-  fi
   fuzz "$target" &
   running+=($!)
 done

@@ -95,5 +95,44 @@ TEST(ClosedRoom, RandomRoomsLoseNone) {
   EXPECT_GT(PlayRooms(g_cApproximate, 600), 5); // the control
 }
 
+// A ball that lies over a gap that is smaller than itself, pressed by another one, is stopped by the ends. It
+// must not gather speed meanwhile.
+TEST(ClosedRoom, AStoppedBallGathersNoSpeed) {
+  CWorldDesc desc;
+  desc.m_vGravity = {0.0f, -10.0f};
+  const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+  pWorld->Add(CLineSegDesc({-2.0f, 0.0f}, {-0.04f, 0.0f}));
+  pWorld->Add(CLineSegDesc({0.04f, 0.0f}, {2.0f, 0.0f}));
+  pWorld->Add(CDynamicCircleDesc({0.0f, 0.05f}, 0.1f));
+  pWorld->Add(CDynamicCircleDesc({0.0f, 0.2f}, 0.1f));
+  // Of both; that they overlap at first, by .05, may add as much as lifting one of them out takes.
+  const auto energy = [&] {
+    float sum = 0.0f;
+    for (std::size_t i = 0; i < 2; ++i)
+      sum += 0.5f * pWorld->GetBallVelocities()[i].squaredNorm() + 10.0f * pWorld->GetBallPositions()[i].y();
+    return sum;
+  };
+  const float most = energy() + 0.5f;
+  for (int i = 0; i < 300; ++i) {
+    pWorld->Step();
+    ASSERT_LT(energy(), most) << "after step " << i;
+  }
+}
+
+// A post that appears under a ball that is larger than the post pushes it out.
+TEST(ClosedRoom, ABallIsNotTrappedInAPostThatIsSmaller) {
+  for (const CEffectChoice& effects : {g_cAutomatic, g_cApproximate}) {
+    CWorldDesc desc;
+    desc.m_cEffects = effects;
+    const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+    pWorld->Add(CCircleDesc({0.0f, 0.0f}, 0.1f));
+    pWorld->Add(CLineSegDesc({0.38f, -1.0f}, {0.38f, 1.0f}));
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.05f, 0.0f}, 0.15f));
+    for (int i = 0; i < 10; ++i)
+      pWorld->Step();
+    EXPECT_GT(pWorld->GetPos(ball).norm(), 0.2f);
+  }
+}
+
 } // namespace
 } // namespace Shapes

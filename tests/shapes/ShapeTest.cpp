@@ -123,7 +123,9 @@ TEST(Shape, RelocateOutlivesRotationsUntilReset) {
     for (CShape* pShape : {p.get(), pStill.get()})
       pShape->SetOrientation(1.0f);
     p->Relocate(p->GetPos() + d);
-    EXPECT_EQ(p->GetRotCenter(), Vector2(1.0f, 0.0f) + d);
+    if (IsKinematic(*p)) {
+      EXPECT_EQ(p->GetRotCenter(), Vector2(1.0f, 0.0f) + d);
+    }
     const auto expectMoved = [&, &shape = *p] {
       CAabb2D moved = pStill->GetAABB();
       moved.Translate(d);
@@ -140,6 +142,24 @@ TEST(Shape, RelocateOutlivesRotationsUntilReset) {
     EXPECT_EQ(p->GetPos(), Vector2(1.0f, 2.0f));
     EXPECT_EQ(p->GetRotCenter(), Vector2(1.0f, 0.0f));
   }
+}
+
+TEST(Shape, ResetRestoresTheRotationCentreBitForBit) {
+  CLineSegDesc desc({0.3f, 0.1f}, {1.7f, 0.9f});
+  desc.m_vRotCenter = {0.1f, 0.7f};
+  CKinematicLineSeg seg(desc);
+  const Vector2 pos = seg.GetPos();
+  for (int i = 0; i < 9; ++i)
+    seg.Relocate(seg.GetPos() + Vector2(1e6f, -3e5f));
+  seg.Reset();
+  EXPECT_EQ(seg.GetRotCenter(), desc.m_vRotCenter);
+  EXPECT_EQ(seg.GetPos(), pos);
+}
+
+TEST(Shape, AStaticShapeIsRelocatedWithoutItsUnusedCentre) {
+  CPoint point(CPointDesc({-6e17f, 0.0f}));
+  point.Relocate({6e17f, 0.0f});
+  EXPECT_EQ(point.GetPos(), Vector2(6e17f, 0.0f));
 }
 
 TEST(Shape, OnlyKinematicShapesTurn) {

@@ -137,6 +137,20 @@ TEST_F(EngineOrder, ContinuousIsDecidedForEachSubstep) {
   EXPECT_TRUE(m_pEngine->m_cSubstep.m_bIsContinuous);
 }
 
+TEST_F(EngineOrder, AResetThatLetsAShapeReachFartherCallsForContinuous) {
+  m_pWorld->Add(CDynamicCircleDesc({9, 9}, 1));
+  m_pWorld->SetGravity({0, 0});
+  CPointDesc desc({1, 0});
+  desc.m_eMotionType = eMotion::Kinematic;
+  const CShapeId point = m_pWorld->Add(desc);
+  m_pWorld->SetOrientation(point, g_fPi);
+  m_pWorld->SetRotCenter(point, {-1, 0}); // where it is: it reaches nowhere
+  m_pWorld->SetRotSpeed(point, 2);
+  EXPECT_FALSE(m_pWorld->GetEffects().Has(eEffect::Continuous));
+  m_pWorld->Reset(point); // two away from its centre
+  EXPECT_TRUE(m_pWorld->GetEffects().Has(eEffect::Continuous));
+}
+
 TEST_F(EngineOrder, StatesAreSavedAndLoadedAfterTheAccess) {
   m_pWorld->Add(CDynamicCircleDesc({0, 0}, 1));
   Calls();

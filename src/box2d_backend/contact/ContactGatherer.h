@@ -19,7 +19,8 @@ public:
   CContactGatherer(CBodies& bodies, const CScale& scale, const CTuning& tuning)
       : m_cBodies(bodies), m_cScale(scale), m_cTuning(tuning) {}
 
-  /// Collects contacts for Events and Sensors, and where balls bend their ways for Sensors, if they run.
+  /// Collects contacts for Events and Sensors, and the vertices of the paths of balls for Sensors, if they
+  /// run.
   void Collect(CEffects running) {
     m_bPathVertices = running.Has(eEffect::Sensors);
     m_bContacts = m_bPathVertices || running.Has(eEffect::Events);
@@ -37,7 +38,7 @@ public:
   void CollideWithOther(b2Contact& contact);
   void PostSolve(b2Contact* pContact, const b2ContactImpulse* pImpulse) override;
 
-  /// The contacts since the last call, one for each ball and shape that exact, the fastest of several, by
+  /// The contacts since the last call, one for each ball and shape that met, the fastest of several, by
   /// ball and then by shape.
   std::vector<CContactEvent> TakeContacts();
 

@@ -122,7 +122,7 @@ CExactContact ContactOnArc(const CContactGeometry& o, const Vector2d& q, const V
   const bool onCurve = IsInSector(o, q + curve.m_fTime * w - o.m_vCentre);
   if (onCurve && IsInSector(o, q - o.m_vCentre)) return curve;
   const CExactContact end = ContactOnArcEnd(o, q, w, r);
-  // From beyond an end, the end may be in the way of the curve, and a clear ball has not contact the curve.
+  // From beyond an end, the end may be in the way of the curve, and a clear ball has not met the curve.
   const bool curveIsFirst =
       curve.m_fTime > 0.0 ? !IsAhead(end, w) || end.m_fTime > curve.m_fTime : end.m_fGap < 0.0;
   return onCurve && curveIsFirst ? curve : end;

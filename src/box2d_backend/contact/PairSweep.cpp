@@ -87,7 +87,7 @@ void SweepPiece(const TShape& shape, const CMotion& motion, CImpact& best) {
   const b2Sweep &a = motion.m_cSweepA, &b = motion.m_cSweepB;
 
   // b2TimeOfImpact takes shapes that are apart at the end, along the axis that parts them at the beginning,
-  // for shapes that never exact. Seen from a shape that turns, the way of a ball is bent, and it may have
+  // for shapes that never met. Seen from a shape that turns, the path of a ball is bent, and it may have
   // been there and gone: a turn is asked for in parts.
   const int parts = 1 + static_cast<int>(std::min(std::abs(a.a - a.a0) / g_fLargestTurn, 64.0f));
   b2Vec2 normal;

@@ -5,7 +5,7 @@
 
 namespace Shapes::Box2D {
 
-/// Box2D's resolution to CBackend::CollisionDetected, at one metre per user unit. Both shapes are followed
+/// CBackend::CollisionDetected on Box2D, at one metre per user unit. Both shapes are followed
 /// from where they were before their last move, by b2TimeOfImpact; the POI and the normal are those at the
 /// time of impact, and the setback is how far both have moved into each other since, along the normal. Where
 /// there was no impact on the way, an overlap at its end counts, by Box2D's collision functions, its skin

@@ -62,12 +62,12 @@ double CParabolicCorrection::Bounce(const CImpact& impact, CParabolicCorrection&
     if (!(std::abs(next - impact.m_fTime) <= h)) break; // they do no more than touch
     t = next;
   }
-  const double kick = (1.0 + impact.m_fElasticity) * (v - v1).dot(n);
+  const double impulse = (1.0 + impact.m_fElasticity) * (v - v1).dot(n);
   const double back = (1.0 + impact.m_fElasticity) * wn * t;
-  ball.SetDeviation(impact.m_fPart + t / h, p + share * back * n, v - share * kick * n);
+  ball.SetDeviation(impact.m_fPart + t / h, p + share * back * n, v - share * impulse * n);
   if (pOther != nullptr)
     pOther->SetDeviation(impact.m_fPart + t / h, p1 - (1.0 - share) * back * n,
-                         v1 + (1.0 - share) * kick * n);
+                         v1 + (1.0 - share) * impulse * n);
   return -wn - (v - v1).dot(n);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How gravity vertices the way of a ball within a step. Box2D moves a ball along a straight line, at one
+// How gravity bends the path of a ball within a step. Box2D moves a ball along a straight line, at one
 // speed, which is that of the parabola in the middle of the step when the world has no gravity of its own and
-// each ball gets half of its kick before the step and half after it. At a bounce the parabola is elsewhere
-// and has another speed: that deviation is followed through the bounces, each of which mirrors it as it
-// mirrors the ball.
+// each ball gets half of its gravity step before the step and half after it. At a bounce the parabola is
+// elsewhere and has another speed: that deviation is followed through the bounces, each of which mirrors it
+// as it mirrors the ball.
 #pragma once
 
 #include <box2d/box2d.h>
@@ -28,14 +28,14 @@ public:
   struct CImpact {
     double m_fPart; ///< of the step that is over
     double m_fTime =
-        0.0;          ///< seconds from there until the straight ways meet; negative if they have exact before
+        0.0;          ///< seconds from there until the straight ways meet; negative if they have met before
     Vector2d m_vNorm; ///< to the ball
     double m_fSpeed;  ///< relative velocity of the straight ways along the normal, below 0
     double m_fElasticity;
   };
   /// What position and velocity on the parabola have more than those of Box2D at this part of the step.
   void GetDeviation(double part, Vector2d& p, Vector2d& v) const;
-  /// A ball and, if there is one, the other ball resolution an impact.
+  /// A ball and, if there is one, the other ball respond to an impact.
   /// @param share  of the other's mass in that of both; 1 against a shape
   /// @return the approach speed of the parabolas
   static double Bounce(const CImpact& impact, CParabolicCorrection& ball, double share,
@@ -45,7 +45,8 @@ public:
     m_vPos += back;
     m_bHasBounced = true;
   }
-  /// The ball lies on a surface of normal n: what the kick would press it into that is not given.
+  /// The ball lies on a surface of normal n: the part of the gravity step that would press it into the
+  /// surface is not given.
   void Rest(const Vector2d& n) { m_stdRests.push_back(n); }
   /// The last bounce of the ball has been answered.
   void MotionEnds(const b2Body& ball);

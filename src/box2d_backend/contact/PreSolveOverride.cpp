@@ -46,7 +46,7 @@ void Ignore(b2Contact& contact, const b2Vec2& n) {
   contact.GetManifold()->points[0].normalImpulse = 0.0f;
 }
 
-// Across the normal of what is answered, nothing is changed by the resolution.
+// Across the normal of what is answered, the response changes nothing.
 void IgnoreAcross(b2Contact& contact, const b2Vec2& answered, const CBody& ball) {
   b2Vec2 across = b2Cross(1.0f, answered);
   const b2Vec2 p = ball.m_pBody->GetPosition(); // what turns has another velocity everywhere
@@ -251,14 +251,16 @@ bool CPreSolveOverride::ResolvePress(const CInspected& inspected, CBody& shape, 
   return true;
 }
 
-// Whether gravity presses a ball onto a shape, or onto a ball that lies; it is not given that kick then.
+// Whether gravity presses a ball onto a shape, or onto a ball at rest; it is not given that gravity step
+// then.
 bool CPreSolveOverride::IsSupport(const CInspected& inspected, CBody& shape, CBody& ball) const {
   const Vector2d& n = inspected.m_cImpact.m_vNorm;
-  const double pull = ToDouble(m_vGravity).dot(n), kick = static_cast<double>(m_fStep) * std::abs(pull);
-  FailIf(kick == 0.0 || inspected.m_fGap > b2_linearSlop);
+  const double pull = ToDouble(m_vGravity).dot(n),
+               gravityStep = static_cast<double>(m_fStep) * std::abs(pull);
+  FailIf(gravityStep == 0.0 || inspected.m_fGap > b2_linearSlop);
   // A perfect ball lies where it would bounce more than once in a step, any other a bit before that.
   const double most = inspected.m_cImpact.m_fElasticity < 1.0 ? g_fRestingSpeed : g_fElasticRestingSpeed;
-  FailIf(inspected.m_fSpeed > most * kick || inspected.m_fSpeed < -g_fLiftSpeed * kick);
+  FailIf(inspected.m_fSpeed > most * gravityStep || inspected.m_fSpeed < -g_fLiftSpeed * gravityStep);
   const bool ballIsUpper = pull < 0.0;
   const CBody& below = ballIsUpper ? shape : ball;
   FailIf(below.m_bIsBall ? !below.m_bIsSupported && !below.m_bWasSupported : !ballIsUpper);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What Box2D is told of a contact, so that it answers what really happens between a ball and a shape.
+// Overrides contacts before Box2D solves them, so that it responds to the exact contact of a ball and a
+// shape.
 #pragma once
 
 #include <box2d/box2d.h>
@@ -28,7 +29,7 @@ public:
   /// After PostSolve of any contact.
   void AfterSolve();
 
-  /// An resolution to be reported, in Box2D's metres.
+  /// A response to be reported, in Box2D's metres.
   struct CResolution {
     b2Vec2 m_vPOI, m_vNorm; ///< normal to the ball
     float m_fSpeed;         ///< of approach

@@ -100,8 +100,7 @@ void CBodies::CreateBall(const CBallArrays& b, std::size_t i, CBody& body) {
   def.fixedRotation = true;
   def.allowSleep = false;
   def.bullet = m_bBullets;
-  if (m_cTuning.m_bParabolas)
-    def.gravityScale = 0.0f; // what vertices the way of a ball then is CParabolicCorrection
+  if (m_cTuning.m_bParabolas) def.gravityScale = 0.0f; // CParabolicCorrection bends the path of a ball then
   body.m_pBody = m_pWorld->CreateBody(&def);
   body.m_bIsBall = true;
 

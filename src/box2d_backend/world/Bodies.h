@@ -48,7 +48,7 @@ struct CBody {
 class CBodies {
 public:
   /// @param sagitta  in the metres of Box2D
-  /// @param pWatch    to which all fixtures are tied; nullptr where nobody else destroys any
+  /// @param pWatch   watches all fixtures; null where only this library destroys any
   /// @param pairs    whether balls may meet balls
   CBodies(b2World& world, const CScale& scale, const CTuning& tuning, float sagitta,
           CDestructionWatch* pWatch, bool pairs)

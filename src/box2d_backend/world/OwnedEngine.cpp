@@ -31,7 +31,9 @@ void COwnedEngine::Removed(CShapeId id) {
 
 void COwnedEngine::Changed(CShapeId id, eChange change) {
   m_pStepper->Changed(id, change);
-  m_bPlanIsOld |= change == eChange::Properties || change == eChange::Sensor;
+  // A shape in another place has a new body, which has to get its restitution again.
+  const bool isBall = m_cWorld.GetState().FindBall(id) != CWorldState::npos;
+  m_bPlanIsOld |= change != eChange::Motion && !(change == eChange::Pose && isBall);
 }
 
 void COwnedEngine::Plan(CEffects running) {

@@ -23,7 +23,8 @@ struct CEnd {
 };
 
 template <class TShape>
-void AddEnds(const TShape& shape, CShapeId id, const Vector2& front, float bend, std::vector<CEnd>& ends) {
+void AddEnds(const TShape& shape, CShapeId id, const Vector2& front, float curvature,
+             std::vector<CEnd>& ends) {
   Vector2 p[2], t[2];
   shape.GetEndPts(p[0], p[1]);
   shape.GetTangents(t[0], t[1]);
@@ -31,7 +32,7 @@ void AddEnds(const TShape& shape, CShapeId id, const Vector2& front, float bend,
   for (std::size_t i = 0; i < 2; ++i) {
     // The front of an arc is known at end 0; seen from end 1 left and right change places, as for a segment.
     const bool frontIsLeft = (perp(t[0]).dot(front) > 0.0f) == (i == 0);
-    ends.push_back({&shape, id, i, p[i], t[i], i == 0 ? bend : -bend, isSolid[frontIsLeft ? 0 : 1],
+    ends.push_back({&shape, id, i, p[i], t[i], i == 0 ? curvature : -curvature, isSolid[frontIsLeft ? 0 : 1],
                     isSolid[frontIsLeft ? 1 : 0]});
   }
 }

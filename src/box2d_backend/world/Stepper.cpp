@@ -14,7 +14,7 @@ float UnitOf(const CWorldDesc& desc, const CTuning& tuning) {
   return desc.m_cBox2D.m_fLengthUnit / tuning.m_fScale;
 }
 
-// Whether the sharedEnds are those with which the fixtures of a body were made, which has turned since then.
+// Whether the shared ends are those with which the fixtures of a body were made, which has turned since then.
 bool AreSame(const CSharedEnds& then, const CSharedEnds& now, float turn) {
   const auto count = [](const CSharedEnds& sharedEnds) {
     return sharedEnds[0].has_value() + sharedEnds[1].has_value();
@@ -148,7 +148,7 @@ unsigned CStepper::CountSubsteps(float dt) const {
         std::max(fastest, Length(m_cScale.FromMetres(m_cBodies.GetBalls()[i]->m_pBody->GetLinearVelocity())));
     bounciest = std::max(bounciest, b.m_stdElasticity[i]);
   }
-  float most = 1.0f, kick = 0.0f;
+  float most = 1.0f, surfaceTravel = 0.0f;
   for (const CShapeEntry& entry : m_cState.m_stdShapes) {
     const CShape& shape = *entry.m_pShape;
     most = std::max(most, bounciest * shape.GetElasticity());
@@ -158,7 +158,7 @@ unsigned CStepper::CountSubsteps(float dt) const {
     const Vector2 c = shape.GetRotCenter();
     const float reach =
         Length((box.GetTopLeft() - c).cwiseAbs().cwiseMax((box.GetBottomRt() - c).cwiseAbs()));
-    kick = std::max(kick, reach * turn);
+    surfaceTravel = std::max(surfaceTravel, reach * turn);
     // The boxes of Box2D know where a shape is before and after the step. In between it bulges out of them,
     // by reach turn^2 / 8, which has to be within their margin.
     parts = std::max({parts, turn / g_fLargestTurn,
@@ -166,7 +166,8 @@ unsigned CStepper::CountSubsteps(float dt) const {
   }
   // Two balls have the energy of both: that is the most that one of them can leave with.
   if (b.Size() > 1) most *= std::min(std::sqrt(1.0f + heaviest / lightest), 3.0f);
-  const float way = (fastest + Length(m_cScale.FromMetres(GetGravity())) * dt) * dt * most + 2.0f * kick;
+  const float way =
+      (fastest + Length(m_cScale.FromMetres(GetGravity())) * dt) * dt * most + 2.0f * surfaceTravel;
   parts = std::max(parts, m_cScale.ToMetres(way) / (g_fSafeMove * b2_maxTranslation));
   return static_cast<unsigned>(std::min(std::ceil(parts), static_cast<float>(g_nMaxAdaptiveSubsteps)));
 }
@@ -191,9 +192,9 @@ void CStepper::AfterStep() {
 
 std::vector<CStepper::CPathVertex> CStepper::GetPathVertices() const {
   std::vector<CPathVertex> vertices;
-  for (const CContactGatherer::CPathVertex& bend : m_cGatherer.GetPathVertices())
-    if (const std::size_t i = m_cState.FindBall(bend.m_cBall); i != CWorldState::npos)
-      vertices.push_back({i, m_cScale.FromMetres(bend.m_vPos), static_cast<float>(bend.m_fPart)});
+  for (const CContactGatherer::CPathVertex& vertex : m_cGatherer.GetPathVertices())
+    if (const std::size_t i = m_cState.FindBall(vertex.m_cBall); i != CWorldState::npos)
+      vertices.push_back({i, m_cScale.FromMetres(vertex.m_vPos), static_cast<float>(vertex.m_fPart)});
   return vertices;
 }
 
@@ -207,9 +208,9 @@ void CStepper::EndSubstep(float dt) {
 }
 
 void CStepper::CountClamped(float h) {
-  const b2Vec2 kick = m_cTuning.m_bParabolas ? b2Vec2_zero : h * GetGravity();
+  const b2Vec2 gravityStep = m_cTuning.m_bParabolas ? b2Vec2_zero : h * GetGravity();
   for (const CBody* pBall : m_cBodies.GetBalls())
-    if (h * (pBall->m_pBody->GetLinearVelocity() + kick).Length() > b2_maxTranslation)
+    if (h * (pBall->m_pBody->GetLinearVelocity() + gravityStep).Length() > b2_maxTranslation)
       ++m_cStats.m_nMovesClamped;
   for (const CBody* pBody : m_cBodies.GetTurning())
     if (std::abs(pBody->m_fTurnSpeed * h) > b2_maxRotation) ++m_cStats.m_nTurnsClamped;

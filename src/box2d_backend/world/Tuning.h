@@ -9,10 +9,9 @@ namespace Shapes::Box2D {
 struct CTuning {
   float m_fScale = 1.0f; ///< Box2D's metres to a metre of the description; a power of 2 rounds nothing.
   bool m_bExactContacts =
-      false; ///< Normals and depths from the shapes themselves, not from chords and skins.
-  bool m_bParabolas =
-      false;               ///< Gravity vertices the way of a ball within a step, and bounces keep its energy.
-  bool m_bBullets = false; ///< Fast balls meet each other at their time of impact.
+      false;                 ///< Normals and depths from the shapes themselves, not from chords and skins.
+  bool m_bParabolas = false; ///< Gravity bends the path of a ball within a step, and bounces keep its energy.
+  bool m_bBullets = false;   ///< Fast balls meet each other at their time of impact.
   bool m_bGhostVertices = false;    ///< Shapes that share an end are joined by ghost vertices.
   bool m_bAdaptiveSubsteps = false; ///< A step in which Box2D would slow something down is cut.
   bool m_bContinuous = false;       ///< Box2D's continuous physics runs where nothing is fast, too.

@@ -44,6 +44,7 @@ void CStaticBroadPhase::Build(const std::vector<CShapeEntry>& shapes) {
   for (CGroup* pGroup : {&m_cStatic, &m_cKinematic}) {
     pGroup->m_stdOrder.clear();
     pGroup->m_stdBoxes.clear();
+    pGroup->m_nGrown = 0;
   }
   for (std::uint32_t order = 0; order < Size(); ++order) {
     const CShape& shape = GetShape(order);
@@ -71,11 +72,12 @@ void CStaticBroadPhase::Update(const CShapeEntry& entry) {
   CGroup& group = shape.GetMotionType() == eMotion::Kinematic ? m_cKinematic : m_cStatic;
   const auto item = std::lower_bound(group.m_stdOrder.begin(), group.m_stdOrder.end(), order);
   const auto i = static_cast<std::uint32_t>(item - group.m_stdOrder.begin());
-  // The box of the old place stays in the tree, which makes it only less selective; those of kinematic shapes
-  // are fitted again as soon as one of them rotates.
-  group.m_stdBoxes[i] = BoxOf(shape);
-  group.m_cTree.Grow(i, group.m_stdBoxes[i]);
   m_stdIsOld[order] = m_bIsAnyOld = true;
+  group.m_stdBoxes[i] = BoxOf(shape);
+  // The box of the old place stays in the tree, which makes it less selective, until all are fitted again.
+  if (++group.m_nGrown < group.m_stdBoxes.size()) return group.m_cTree.Grow(i, group.m_stdBoxes[i]);
+  group.m_cTree.Refit(group.m_stdBoxes);
+  group.m_nGrown = 0;
 }
 
 void CStaticBroadPhase::BoxKinematic() {

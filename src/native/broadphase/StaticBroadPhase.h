@@ -42,6 +42,7 @@ private:
     std::vector<std::uint32_t> m_stdOrder;
     std::vector<CAabb2D> m_stdBoxes;
     CAabbTree m_cTree;
+    std::size_t m_nGrown = 0; ///< boxes that have grown since the tree was made or refitted
   };
   const CShape& GetShape(std::uint32_t order) const { return *m_stdByOrder[order]->m_pShape; }
 

@@ -347,7 +347,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
 
 // Whether a ball touches its next shape since the substep began, and would not approach it but for gravity,
 // which has pressed it there or into its neighbour in a corner. That is no impact: thrown back, what
-// isResting would hop, and an elastic ball climb.
+// rests would hop, and an elastic ball climb.
 bool CContinuous::IsRestingContact(const CMoving& ball) const {
   const CImpact& impact = ball.m_cNext.m_cImpact;
   const Vector2d &n = impact.m_vNorm, &surface = impact.m_vSurface;

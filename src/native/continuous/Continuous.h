@@ -12,20 +12,19 @@
 
 namespace Shapes::Native {
 
-/// The continuous way through a substep: every solid ball goes straight on at the velocity that it has, from
-/// impact to impact, and is answered at each, in the order of time, at the place and in the direction of the
-/// impact; the rest of the substep it travels on. Shapes turn meanwhile. Computed in double.
+/// The continuous mode of a substep: every solid ball moves straight on at the velocity that it has, from
+/// impact to impact, and responds to each, in the order of time, at the place and in the direction of the
+/// impact; the rest of the substep it moves on. Shapes turn meanwhile. Computed in double.
 ///
-/// - A ball that nothing is in the way of only moves, with the bits of the approximate way.
-/// - Who overlaps something at the beginning is set back along the normal, two balls by their shares of the
-///   mass, but not through anything else. A one-sided shape lets whoever overlaps it by more than rounding
-///   stay.
+/// - An unobstructed ball moves bit-identically to the approximate mode.
+/// - Initial overlaps are pushed out along the normal, of two balls by their shares of the mass, but never
+///   through another shape. An overlap of a one-sided shape by more than rounding stays.
 /// - Impacts at the same time are answered one after the other: shapes before balls, by order and by id.
 /// - A ball that comes back to the same turning shape or inside of an arc within 1/g_nHops of the substep,
 ///   and leaves it all but along the surface, slides: it keeps its speed, but leaves so steeply that it stays
 ///   away for that long, or at g_fShallow radians if that is less.
 /// - A ball that touches a shape at the beginning, and would not approach it but for what gravity has just
-///   added, isResting on it: it does not bounce, whatever the elasticities are.
+///   added, rests on it: it does not bounce, whatever the elasticities are.
 /// - A ball that has had g_nMaxImpacts impacts is halted: it stays where it is, which is a place that it can
 ///   be at, for the rest of the substep, and keeps its velocity; others bounce off it as off a wall.
 class CContinuous {
@@ -33,7 +32,7 @@ public:
   /// Moves the balls by dt seconds, and counts what was done.
   /// @param shapes  as they are at the beginning of the substep
   /// @param pairs   whether balls meet each other
-  /// @param gravityStep    what gravity has added to their velocities in this substep
+  /// @param gravityStep  what gravity has added to their velocities in this substep
   void Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravityStep, float dt,
             CWorldStats& stats);
 
