@@ -21,9 +21,8 @@ namespace Shapes {
 /// dt may differ from step to step. After PostStep contacts, events, positions and velocities are those of
 /// the step. A ball that met a body of the game has a contact event with no shape. What is different from
 /// other worlds:
-/// - CWorld::Step, SaveState and LoadState throw std::logic_error. The time step, the substeps, the
-/// iterations and
-///   the gravity of the description are not used; the b2World has the gravity.
+/// - Step, SaveState and LoadState of its world throw std::logic_error. The time step, the substeps, the
+///   iterations and the gravity of the description are not used; the b2World has the gravity.
 /// - Gravity and Continuous run as the b2World has them (SetGravity, SetContinuousPhysics), and can be
 ///   neither forced nor forbidden. Events always runs unless forbidden: a ball may meet the game's bodies.
 /// - Changes throw std::logic_error between PreStep and PostStep, and in callbacks of Box2D. (What cannot be
