@@ -114,7 +114,7 @@ std::set<std::string> ClassesOf(const std::string& text) {
   return names;
 }
 
-/// What a header of the interface shows that it must not: protected members, but for those of CShapeCommon
+/// The faults of a header of the interface: protected members, but for those of CShapeCommon
 /// and the constructors and assignments of bases; hooks for engines; and classes of the sources.
 /// @param internal  the names of those
 std::vector<std::string> ShownInside(const std::string& path, const std::string& text,

@@ -118,6 +118,11 @@ constexpr std::size_t FindFirstImpactFigure() {
 
 } // namespace
 
+const char* GetKind(const CFigure& figure) {
+  if (figure.m_pRate != nullptr) return "rate";
+  return IsOfImpact(figure) ? "impact" : "run";
+}
+
 std::span<const CFigure> GetFigures() { return g_stdFigures; }
 
 std::span<const CFigure> GetImpactFigures() {

@@ -39,6 +39,9 @@ struct CFigure {
   std::optional<double> (*m_pOfRun)(const CSceneReport&, const CEngineReport&) = nullptr;
 };
 
+/// The form of a figure in run.json: "rate", "impact" (a summary over impacts) or "run" (a number).
+const char* GetKind(const CFigure& figure);
+
 /// All figures, in the order in which they are shown.
 std::span<const CFigure> GetFigures();
 /// Those of each impact, which come one after the other.

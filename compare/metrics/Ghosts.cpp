@@ -97,7 +97,7 @@ void CGhostHunter::Judge(const CExactGame& game, CImpactTrialResult& result) {
       m_stdQuiet.push_back(i);
   if (m_stdQuiet.empty()) return;
   Ask(game);
-  if (!m_stdRecommendations.empty()) {
+  if (!m_stdResponses.empty()) {
     CExactGame ahead = game;
     try {
       for (int i = 0; i < g_nLookAhead && ahead.IsInBounds(); ++i) {
@@ -114,7 +114,7 @@ void CGhostHunter::Judge(const CExactGame& game, CImpactTrialResult& result) {
 
 // Every response of a quiet ball, on every engine.
 void CGhostHunter::Ask(const CExactGame& game) {
-  m_stdRecommendations.clear();
+  m_stdResponses.clear();
   for (std::size_t e = 0; e < m_stdEngines.size(); ++e) {
     CTrialWorld world(m_cScene, m_stdEngines[e], game.GetBalls(), game.GetTime());
     world.m_pWorld->Step();
@@ -129,7 +129,7 @@ void CGhostHunter::Ask(const CExactGame& game) {
         const auto other =
             isBall ? std::lower_bound(balls.begin(), balls.end(), response->m_cShape) - balls.begin()
                    : it - shapes.begin();
-        m_stdRecommendations.push_back({e, ball, static_cast<std::size_t>(other), isBall});
+        m_stdResponses.push_back({e, ball, static_cast<std::size_t>(other), isBall});
       }
   }
 }
@@ -137,7 +137,7 @@ void CGhostHunter::Ask(const CExactGame& game) {
 // Takes away the answers to what the exact ball touched in the last step of the game.
 void CGhostHunter::MarkTouched(const CExactGame& game) {
   const CReference<double>& reference = game.GetReference();
-  std::erase_if(m_stdRecommendations, [&](const CAnswer& a) {
+  std::erase_if(m_stdResponses, [&](const CResponse& a) {
     const bool met =
         std::any_of(game.GetEvents().begin(), game.GetEvents().end(), [&](const CExactEvent<double>& e) {
           if (e.m_bIsBall != a.m_bIsBall) return false;
@@ -156,11 +156,11 @@ void CGhostHunter::MarkTouched(const CExactGame& game) {
 
 // One for each ball and engine, however many shapes it answered.
 void CGhostHunter::CountGhosts(CImpactTrialResult& result) {
-  const auto same = [](const CAnswer& a, const CAnswer& b) {
+  const auto same = [](const CResponse& a, const CResponse& b) {
     return a.m_nEngine == b.m_nEngine && a.m_nBall == b.m_nBall;
   };
-  for (auto it = m_stdRecommendations.begin(); it != m_stdRecommendations.end(); ++it)
-    if (std::none_of(m_stdRecommendations.begin(), it, [&](const CAnswer& a) { return same(a, *it); }))
+  for (auto it = m_stdResponses.begin(); it != m_stdResponses.end(); ++it)
+    if (std::none_of(m_stdResponses.begin(), it, [&](const CResponse& a) { return same(a, *it); }))
       ++result.m_stdGhosts[it->m_nEngine];
 }
 

@@ -24,7 +24,7 @@ public:
   void Judge(const CExactGame& game, CImpactTrialResult& result);
 
 private:
-  struct CAnswer { // what an engine said about a quiet ball
+  struct CResponse { // what an engine said about a quiet ball
     std::size_t m_nEngine, m_nBall, m_nOther;
     bool m_bIsBall;
   };
@@ -39,7 +39,7 @@ private:
   const std::vector<CEngine>& m_stdEngines;
   std::uint64_t m_nSeen = 0;           // quiet steps
   std::vector<std::size_t> m_stdQuiet; // balls
-  std::vector<CAnswer> m_stdRecommendations;
+  std::vector<CResponse> m_stdResponses;
 };
 
 } // namespace Shapes::Compare

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the sweep of a scene says to somebody who has to choose a setting.
+// Recommendations from the parameter sweep of a scene.
 #include "WorkPrecision.h"
 
 #include <fmt/format.h>

@@ -139,14 +139,12 @@ ordered_json EngineToJson(const CEngine& engine, const CSceneReport& scene, cons
   return json;
 }
 
-// What the page draws them by.
+// The table of figures, by which the page draws them.
 ordered_json FiguresToJson() {
   ordered_json json = ordered_json::array();
   for (const CFigure& figure : GetFigures())
     json.push_back({{"key", figure.m_sKey},
-                    {"kind", figure.m_pRate != nullptr       ? "rate"
-                             : figure.m_pOfImpact != nullptr ? "impact"
-                                                             : "run"},
+                    {"kind", GetKind(figure)},
                     {"group", figure.m_sGroup},
                     {"label", figure.m_sLabel},
                     {"unit", figure.m_sUnit},

@@ -35,8 +35,8 @@ inline constexpr float g_fMaxRotSpeed = 1e9f;
 inline constexpr unsigned g_nMaxSubsteps = 4096;
 
 /// A ball that moves by more than this share of its radius in a substep is fast: Continuous is called for.
-/// What moves by less than its whole radius does not get through a wall in one substep; half of it leaves
-/// room for what an impact adds in the middle of one.
+/// A ball that moves by less than its whole radius does not get through a wall in one substep; half of it
+/// leaves room for the speed that an impact adds in the middle of one.
 inline constexpr float g_fFastMove = 0.5f;
 
 /// Most impacts of a ball in a substep where Continuous runs: bounds time. A ball that has had as many stays

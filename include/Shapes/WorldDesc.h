@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a world is made from, and what is added to it.
+// The description of a world, and the descriptors of its shapes.
 #pragma once
 
 #include <Shapes/Arc.h>

@@ -37,7 +37,7 @@ eSweep ImpactBallBall(const CMotion& other, const CMotion& ball, CImpact& impact
 bool OverlapBallBall(const CMotion& other, const CMotion& ball, CImpact& impact, double& depth) {
   const CLinearMotion motion = Relative(other, ball);
   FailIf(!KeepEarliest(other, CStandingMotion(motion), 0.0, impact));
-  // What it is seen larger by is no overlap.
+  // Subtract the radius inflation.
   depth = -impact.m_fTime - (motion.GetMotion().m_fRadius - ball.m_fRadius);
   FailIf(!(depth > 0.0));
   impact.m_fTime = 0.0;

@@ -59,7 +59,7 @@ bool Overlap(const CShapeGeometry& shape, const CMotion& ball, double start, CIm
                            ? Run(now, CStandingMotion(CLinearMotion(motion, roundings)), 0.0, impact)
                            : Run(now, CStandingMotion(CRotatingMotion(now, motion, roundings)), 0.0, impact);
   FailIf(found != eSweep::Impact);
-  // What it is seen larger by is no overlap.
+  // Subtract the radius inflation.
   depth = -impact.m_fTime - (motion.m_fRadius - ball.m_fRadius);
   FailIf(!(depth > 0.0));
   impact.m_fTime = 0.0;

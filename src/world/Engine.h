@@ -23,7 +23,7 @@ struct CWorldLimits {
   friend bool operator==(const CWorldLimits&, const CWorldLimits&) = default;
 };
 
-/// What has changed of a shape or a ball.
+/// The kind of a change of a shape or a ball.
 enum class eChange {
   Pose,      ///< where it is, or its rotation centre
   Motion,    ///< velocity or rotation speed
@@ -31,7 +31,7 @@ enum class eChange {
   Properties ///< elasticity, can-collide, user pointer
 };
 
-/// What the user is about to do with the world.
+/// The kind of the call that the user is about to make.
 enum class eAccess { Read, Change, SetGravity, Step, SaveLoad };
 
 /// One substep.

@@ -45,7 +45,6 @@ struct CShapeEntry {
         m_fRotSpeed(entry.m_fRotSpeed),
         m_bIsHeld(entry.m_bIsHeld) {}
   CShapeEntry(CShapeEntry&&) = default;
-  CShapeEntry& operator=(const CShapeEntry& entry) { return *this = CShapeEntry(entry); }
   CShapeEntry& operator=(CShapeEntry&&) = default;
 
   void SetRotSpeed(float revsPerSecond) {

@@ -346,9 +346,7 @@ CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
            {"effects", json::array()}};
   for (const CFigure& figure : GetFigures())
     run["figures"].push_back({{"key", figure.m_sKey},
-                              {"kind", figure.m_pRate != nullptr       ? "rate"
-                                       : figure.m_pOfImpact != nullptr ? "impact"
-                                                                       : "run"},
+                              {"kind", GetKind(figure)},
                               {"group", figure.m_sGroup},
                               {"label", figure.m_sLabel},
                               {"unit", figure.m_sUnit},
