@@ -15,8 +15,8 @@ cd "$root"
 # shellcheck disable=SC2086 # several arguments in one variable
 quietly cmake --fresh --preset "$preset" "${launcher[@]}" ${SHAPES_CMAKE_ARGS:-}
 cmake --build --preset "$preset" --parallel "$(nproc)"
-# One more than there are cores: browsers wait now and then.
-ctest --preset "$preset" --output-on-failure --parallel "$(($(nproc) + 1))"
+# Two more than there are cores: browsers wait most of the time.
+ctest --preset "$preset" --output-on-failure --parallel "$(($(nproc) + 2))"
 # CTest counts runs of programs; their tests are many more.
 sed -n 's/^\[  PASSED  \] \([0-9]*\) tests*\.$/\1/p' "build/$preset/Testing/Temporary/LastTest.log" |
   awk '{sum += $1} END {print sum " tests passed in these runs"}'
