@@ -11,9 +11,10 @@ source "$root/scripts/build.sh"
 install_missing_packages "${build_packages[@]}" "${test_packages[@]}"
 
 cd "$root"
-# Fresh: what an earlier run was told to do differently is forgotten.
+# What an earlier run was told to do differently is forgotten; cmake --fresh would forget what is compiled, too.
+rm -f "build/$preset/CMakeCache.txt"
 # shellcheck disable=SC2086 # several arguments in one variable
-quietly cmake --fresh --preset "$preset" "${launcher[@]}" ${SHAPES_CMAKE_ARGS:-}
+quietly cmake --preset "$preset" "${launcher[@]}" ${SHAPES_CMAKE_ARGS:-}
 cmake --build --preset "$preset" --parallel "$(nproc)"
 # Two more than there are cores: browsers wait most of the time.
 ctest --preset "$preset" --output-on-failure --parallel "$(($(nproc) + 2))"

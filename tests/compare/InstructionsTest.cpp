@@ -90,7 +90,9 @@ TEST(InstructionsTest, TheSameWorldTakesTheSameAndAnEffectThatRunsMore) {
   EXPECT_LT(n[2], 0.8 * n[0]);
   EXPECT_GT(n[2], 10.0);
   EXPECT_NEAR(n[4], n[5], 0.002 * n[4]);
-  EXPECT_EQ(Count(scene, worlds, 40).m_stdPerBallStep, n);
+  const CInstructions again = Count(scene, worlds, 40);
+  for (std::size_t i = 0; i < n.size(); ++i)
+    EXPECT_NEAR(again.m_stdPerBallStep.at(i), n[i], 0.002 * n[i]) << i;
   // Only steps are counted, not what is made before: twice as many take about as many each.
   EXPECT_NEAR(Count(scene, {native}, 80).m_stdPerBallStep.at(0), n[0], 0.3 * n[0]);
 }
