@@ -36,10 +36,37 @@ inline constexpr float g_fCandidateSlack = 0.25f;
 inline constexpr float g_fTouchRounding = 0x1p-21f;
 
 /// Hops in a substep of a ball that slides along the inside of an arc or a turning shape where Continuous
-/// runs. It is off its way by (v dt / g_nHops)^2 / (8 R).
+/// runs. It is off its way by (v dt / g_nHops)^2 / (8 R). Under gravity a ball whose hop would be shorter
+/// than that part of the substep makes none: it loses at most (closing acceleration dt / g_nHops)^2 / 8 of
+/// its energy per mass, once.
 inline constexpr unsigned g_nHops = 16;
 /// Steepest hop, in radians: bounces that are steeper are never taken for sliding.
 inline constexpr float g_fShallow = 0.01f;
+/// Largest turn, in radians, of a surface or of a ball along it, after which the way of a ball that slides is
+/// computed anew. It is a parabola in between, off by the turn cubed times the radius / 6 at most.
+inline constexpr float g_fHoldTurn = 0.03125f;
+/// Most of these parts in a substep.
+inline constexpr unsigned g_nMaxHolds = 64;
+/// Two balls rest on each other if they approach or part by no more than gravity gives in so many substeps,
+/// and would touch within one. With 1 a pile of 200 does not come to rest.
+inline constexpr double g_fRestingSteps = 2.0;
+/// Most impacts in a substep of a ball that touches others, under gravity: for the rest of it it is halted.
+/// Bounds the time of a pile that falls together.
+inline constexpr unsigned g_nCrowded = 16;
+/// Rounds, up and down, in which balls of a pile that overlap are moved apart, and the overlap, in radii,
+/// that is none.
+inline constexpr int g_nSeparateRounds = 12;
+inline constexpr double g_fSeparateError = 1e-6;
+/// Rounds, up and down, of the solver of resting contacts, and the change of a velocity in one, as a share of
+/// what is slow, after which it has come to an end. Counted in piles of 200: with 20 rounds half of them come
+/// to rest, with 40 nearly all.
+inline constexpr int g_nRestingRounds = 40;
+inline constexpr double g_fRestingError = 1e-3;
+/// Where it has come no nearer to its end than to so many times that change, that many rounds from the bottom
+/// up follow in which the lower one of two balls does not give way (shock propagation). Without them balls
+/// of 1,000 times the mass press the others through each other.
+inline constexpr double g_fShock = 10.0;
+inline constexpr int g_nShockRounds = 2;
 
 /// Most straight parts of the path of a ball, between two of its vertices, in the frame of a turning sensor:
 /// bounds time where a sensor turns hundreds of times in a substep. The path is coarser than

@@ -6,6 +6,7 @@
 #include "ShapeGeometry.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace Shapes::Geometry {
 
@@ -20,8 +21,15 @@ struct CBallAt {
 struct CSpot {
   double m_fGap; ///< negative if they overlap
   Vector2d m_vNorm, m_vPOI;
+  /// Of curvature of the feature there: positive where it bulges towards the ball, infinite where it is flat.
+  double m_fRadius = std::numeric_limits<double>::infinity();
 
   double Rate(const CBallAt& ball) const { return m_vNorm.dot(ball.m_vVel); } ///< of the gap
+  /// Minus the second derivative of the gap, for this acceleration of the ball relative to the feature.
+  double Closing(const CBallAt& ball, const Vector2d& acceleration) const {
+    const double along = Cross(m_vNorm, ball.m_vVel), R = m_fRadius + ball.m_fRadius;
+    return -m_vNorm.dot(acceleration) - (R == 0.0 ? 0.0 : along * along / R);
+  }
 };
 
 /// Direction of d, which is from a feature to the ball. From exactly on the spot it is back where it came
@@ -38,7 +46,7 @@ struct CDisk {
 
   CSpot At(const CBallAt& ball) const {
     const Vector2d d = ball.m_vPos - m_vCenter, n = Away(d, ball);
-    return {Norm(d) - (m_fRadius + ball.m_fRadius), n, m_vCenter + m_fRadius * n};
+    return {Norm(d) - (m_fRadius + ball.m_fRadius), n, m_vCenter + m_fRadius * n, m_fRadius};
   }
 };
 
@@ -51,7 +59,7 @@ struct CRing {
     const Vector2d d = ball.m_vPos - m_vCenter, out = Away(d, ball);
     // Right in the middle it is met where it goes.
     const Vector2d n = d.isZero(0.0) ? out : Vector2d(-out);
-    return {m_fRadius - ball.m_fRadius - Norm(d), n, m_vCenter - m_fRadius * n};
+    return {m_fRadius - ball.m_fRadius - Norm(d), n, m_vCenter - m_fRadius * n, -m_fRadius};
   }
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The search of a sweep through the features of a shape. It is written once for each shape, in the file of
-// the pair, for all ways to look at a motion: CLinearMotion, CRotatingMotion, and CStandingMotion of these.
+// the pair, for all ways to look at a motion: CLinearMotion, CParabolicMotion, CCurvedMotion, and
+// CStandingMotion of the first and the last.
 #pragma once
 
+#include "CurvedMotion.h"
 #include "LinearMotion.h"
-#include "RotatingMotion.h"
+#include "ParabolicMotion.h"
 
 namespace Shapes::Geometry {
 
@@ -31,6 +33,7 @@ public:
   double GetCurve(const TFeature& feature, const CSpot& spot) const {
     return m_cMotion.GetCurve(feature, spot);
   }
+  double GetClosing(const CSpot& spot, double) const { return m_cMotion.GetClosing(spot, 0.0); }
 
 private:
   TMotion m_cMotion;
@@ -59,7 +62,13 @@ public:
     if (found == eSweep::None || (m_eFound != eSweep::None && !(t < m_cImpact.m_fTime))) return;
     m_eFound = found;
     const CSpot spot = feature.At(m_cMotion.At(t));
-    m_cImpact = {t, spot.m_vPOI, spot.m_vNorm, Vector2d::Zero(), m_cMotion.GetCurve(feature, spot)};
+    m_cImpact = {t,
+                 spot.m_vPOI,
+                 spot.m_vNorm,
+                 Vector2d::Zero(),
+                 m_cMotion.GetCurve(feature, spot),
+                 m_cMotion.GetClosing(spot, t),
+                 spot.m_fRadius};
   }
   /// Wherever the centre is, and however deep.
   template <class TFeature>
@@ -86,8 +95,9 @@ void ImpactCircleArc(CImpactSearch<TMotion>& search);
 /// At the end of each of these files.
 #define SHAPES_IMPACTS_FOR_ALL_MOTIONS(ImpactPair)                                                           \
   template void ImpactPair(CImpactSearch<CLinearMotion>&);                                                   \
-  template void ImpactPair(CImpactSearch<CRotatingMotion>&);                                                 \
+  template void ImpactPair(CImpactSearch<CParabolicMotion>&);                                                \
+  template void ImpactPair(CImpactSearch<CCurvedMotion>&);                                                   \
   template void ImpactPair(CImpactSearch<CStandingMotion<CLinearMotion>>&);                                  \
-  template void ImpactPair(CImpactSearch<CStandingMotion<CRotatingMotion>>&);
+  template void ImpactPair(CImpactSearch<CStandingMotion<CCurvedMotion>>&);
 
 } // namespace Shapes::Geometry

@@ -112,6 +112,8 @@ public:
   double GetCurve(const TFeature&, const CSpot&) const {
     return 0.0;
   }
+  /// CImpact::m_fClosing.
+  double GetClosing(const CSpot& spot, double t) const { return spot.Closing(At(t), m_cMotion.m_vAcc); }
 
 private:
   double Rate(const CSpot& spot) const { return spot.Rate(At(0.0)); }

@@ -37,11 +37,13 @@ eSweep Sweep(const CShapeGeometry& shape, const CMotion& ball, double start, CIm
   const CRoundings roundings = Roundings(shape, ball);
   const CMotion motion = Seen(ball, roundings);
   eSweep found;
-  if (shape.m_fTurnSpeed == 0.0) {
+  if (shape.m_fTurnSpeed == 0.0 && motion.m_vAcc.isZero(0.0)) {
     found = Run(shape, CLinearMotion(motion, roundings), motion.m_fDuration, impact);
+  } else if (shape.m_fTurnSpeed == 0.0) {
+    found = Run(shape, CParabolicMotion(shape, motion, roundings), motion.m_fDuration, impact);
   } else {
     const CShapeGeometry now = RotatedFor(shape, start);
-    found = Run(now, CRotatingMotion(now, motion, roundings), motion.m_fDuration, impact);
+    found = Run(now, CCurvedMotion(now, motion, roundings), motion.m_fDuration, impact);
     if (found != eSweep::Impact) return found;
     const double angle = shape.m_fTurnSpeed * impact.m_fTime;
     impact.m_vNorm = Turned(impact.m_vNorm, angle);
@@ -51,19 +53,26 @@ eSweep Sweep(const CShapeGeometry& shape, const CMotion& ball, double start, CIm
   return found;
 }
 
-bool Overlap(const CShapeGeometry& shape, const CMotion& ball, double start, CImpact& impact, double& depth) {
+bool Near(const CShapeGeometry& shape, const CMotion& ball, double start, double reach, CImpact& impact,
+          double& gap) {
   const CRoundings roundings = Roundings(shape, ball);
   const CMotion motion = Seen(ball, roundings);
   const CShapeGeometry now = RotatedFor(shape, start);
   const eSweep found = shape.m_fTurnSpeed == 0.0
-                           ? Run(now, CStandingMotion(CLinearMotion(motion, roundings)), 0.0, impact)
-                           : Run(now, CStandingMotion(CRotatingMotion(now, motion, roundings)), 0.0, impact);
+                           ? Run(now, CStandingMotion(CLinearMotion(motion, roundings)), reach, impact)
+                           : Run(now, CStandingMotion(CCurvedMotion(now, motion, roundings)), reach, impact);
   FailIf(found != eSweep::Impact);
   // Subtract the radius inflation.
-  depth = -impact.m_fTime - (motion.m_fRadius - ball.m_fRadius);
-  FailIf(!(depth > 0.0));
+  gap = impact.m_fTime + (motion.m_fRadius - ball.m_fRadius);
+  FailIf(!(gap < reach));
   impact.m_fTime = 0.0;
   impact.m_vSurface = shape.m_fSpin * Perp(impact.m_vPOI - shape.m_vRotCenter);
+  return true;
+}
+
+bool Overlap(const CShapeGeometry& shape, const CMotion& ball, double start, CImpact& impact, double& depth) {
+  FailIf(!Near(shape, ball, start, 0.0, impact, depth));
+  depth = -depth;
   return true;
 }
 

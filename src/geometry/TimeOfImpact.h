@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The time of impact of a ball and a shape on a straight path, in double. The normal is a unit vector from
-// the shape to the ball.
+// The time of impact of a ball and a shape on a straight path or a parabola, in double. The normal is a unit
+// vector from the shape to the ball.
 //
 // An impact is the first time at which the ball touches the shape AND approaches it. Solid are: points; both
 // faces and the round ends of segments; the ring of a circle, met from outside, and from inside by a ball
@@ -22,12 +22,16 @@
 
 namespace Shapes::Geometry {
 
-/// A straight part of the path of a ball.
+/// A part of the path of a ball: a parabola, or straight.
 struct CMotion {
   Vector2d m_vPos; ///< of the centre at the beginning
-  Vector2d m_vVel;
+  Vector2d m_vVel; ///< likewise
   double m_fRadius;
-  double m_fDuration; ///< seconds, at least 0
+  double m_fDuration;                 ///< seconds, at least 0
+  Vector2d m_vAcc = Vector2d::Zero(); ///< units per second squared
+
+  Vector2d PosAt(double t) const { return m_vPos + (m_vVel + 0.5 * t * m_vAcc) * t; }
+  Vector2d VelAt(double t) const { return m_vVel + t * m_vAcc; }
 };
 
 struct CImpact {
@@ -39,6 +43,10 @@ struct CImpact {
   /// u t - m_fCurve t^2/2 at least, for short t and with the velocity across n that it has. 0 for what is
   /// convex and rests, (speed across n)^2 / (R - r) inside a ring or an arc.
   double m_fCurve = 0.0;
+  /// Minus the second derivative of the gap: what closes it again if it stays as it is, units per second
+  /// squared. Of a ball that falls or a shape that turns; otherwise m_fCurve.
+  double m_fClosing = 0.0;
+  double m_fRadius = 0.0; ///< Of curvature of the shape at the POI: CSpot::m_fRadius.
 };
 
 enum class eSweep {
@@ -67,5 +75,11 @@ eSweep ImpactBallBall(const CMotion& other, const CMotion& ball, CImpact& impact
 bool Overlap(const CShapeGeometry& shape, const CMotion& motion, double start, CImpact& impact,
              double& depth);
 bool OverlapBallBall(const CMotion& other, const CMotion& ball, CImpact& impact, double& depth);
+
+/// Whether the gap at the beginning of the motion is less than `reach`, and where: the smallest of several in
+/// `gap`, negative where they overlap. The time is 0; one-sided shapes as in Overlap.
+bool Near(const CShapeGeometry& shape, const CMotion& motion, double start, double reach, CImpact& impact,
+          double& gap);
+bool NearBallBall(const CMotion& other, const CMotion& ball, double reach, CImpact& impact, double& gap);
 
 } // namespace Shapes::Geometry

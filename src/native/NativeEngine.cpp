@@ -52,7 +52,6 @@ void CNativeEngine::Plan(CEffects running) {
       reports ? &CNativeEngine::CollideBalls<true> : &CNativeEngine::CollideBalls<false>);
   m_bKeepsInside = !m_cWorld.GetDesc().m_cEffects.m_cForbidden.Has(eEffect::Continuous);
   add(m_stdApproximate, m_bKeepsInside, &CNativeEngine::KeepInside);
-  add(m_stdContinuous, Runs(eEffect::Gravity), &CNativeEngine::Accelerate);
   add(m_stdContinuous, true, &CNativeEngine::Sweep);
   add(m_stdContinuous, Runs(eEffect::Kinematics), &CNativeEngine::TurnShapes);
 }
@@ -261,8 +260,10 @@ void CNativeEngine::KeepInside(std::size_t i, double dt) {
 }
 
 void CNativeEngine::Sweep(const CSubstep& substep) {
-  m_cContinuous.Step(m_cState.m_cBalls, m_cBroadPhase, Runs(eEffect::BallPairs), substep.m_vGravityStep,
-                     substep.m_fTime, Stats());
+  const Vector2 gravity = Runs(eEffect::Gravity) ? m_cState.m_vGravity : Vector2(Vector2::Zero());
+  if (Runs(eEffect::Gravity)) Stats().m_nBallsAccelerated += m_cState.m_cBalls.Size();
+  m_cContinuous.Step(m_cState.m_cBalls, m_cBroadPhase, Runs(eEffect::BallPairs), gravity, substep.m_fTime,
+                     Stats());
   for (const CContinuous::CPathVertex& vertex : m_cContinuous.GetPathVertices())
     m_cWorld.AddPathVertex(vertex.m_nBall, vertex.m_vPos, vertex.m_fPart);
   if (!Runs(eEffect::Events)) return;

@@ -27,7 +27,13 @@ public:
   void Changed(CShapeId id, eChange change) override;
   void Plan(CEffects running) override;
   void Substep(const CSubstep& substep) override;
-  void Loaded() override { m_bShapesChanged = true; }
+  /// A world that goes on and one that is loaded take the same steps.
+  void Saved() override { m_cContinuous.Forget(); }
+  void Loaded() override {
+    m_bShapesChanged = true;
+    m_cContinuous.Forget();
+  }
+  bool NeedsContinuousToFall() const override { return true; }
 
 private:
   using CStage = void (CNativeEngine::*)(const CSubstep&);

@@ -66,6 +66,9 @@ public:
   virtual void Substep(const CSubstep& substep) = 0;
   virtual void Saved() {}
   virtual void Loaded() = 0;
+
+  /// Whether balls that fall and meet anything call for Continuous on this engine, however slow they are.
+  virtual bool NeedsContinuousToFall() const { return false; }
 };
 
 /// One row of the table of engines.

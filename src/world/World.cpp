@@ -217,8 +217,10 @@ void CWorld::SetPos(CShapeId id, const Vector2& p) {
     return SetPose(*m_pImpl, FindEntry(state, id), [&](CShape& shape) { shape.Relocate(p); });
   const Vector2 r = Vector2::Constant(state.m_cBalls.m_stdRadius[i]);
   RequireExtent(m_pImpl->GetLimits(), CAabb2D(p - r, p + r));
-  m_pImpl->ChangeBall(i, eChange::Pose,
-                      [&](CBallArrays& b, std::size_t ball) { b.m_stdPos[ball] = b.m_stdPrevPos[ball] = p; });
+  m_pImpl->ChangeBall(i, eChange::Pose, [&](CBallArrays& b, std::size_t ball) {
+    b.m_stdPos[ball] = b.m_stdPrevPos[ball] = p;
+    b.m_stdPosTail[ball] = Vector2::Zero();
+  });
 }
 
 float CWorld::GetElasticity(CShapeId id) const {
@@ -332,7 +334,10 @@ void CWorld::SetVel(CShapeId id, const Vector2& v) {
   m_pImpl->Access(eAccess::Change);
   const std::size_t i = FindBall(m_pImpl->GetState(), id);
   RequireVector("m_vVel", v, m_pImpl->GetLimits().m_fMaxSpeed);
-  m_pImpl->ChangeBall(i, eChange::Motion, [&](CBallArrays& b, std::size_t ball) { b.m_stdVel[ball] = v; });
+  m_pImpl->ChangeBall(i, eChange::Motion, [&](CBallArrays& b, std::size_t ball) {
+    b.m_stdVel[ball] = v;
+    b.m_stdVelTail[ball] = Vector2::Zero();
+  });
 }
 
 std::span<const CShapeId> CWorld::GetBallIds() const { return m_pImpl->ReadState().m_cBalls.m_stdId; }

@@ -73,7 +73,11 @@ void CWorld::CImpl::PlanSubsteps() {
   m_bPlanIsOld = false;
   CountEffects();
   const CEffectChoice& choice = m_cDesc.m_cEffects;
-  const CEffects called = GetCalledFor(m_cContent, m_cState) | choice.m_cForced | m_cNeeds;
+  CEffects called = GetCalledFor(m_cContent, m_cState);
+  if (called.Has(eEffect::Gravity) && !IsForbidden(eEffect::Gravity) && m_cContent.CanMeet() &&
+      m_pEngine->NeedsContinuousToFall())
+    called.Set(eEffect::Continuous);
+  called = called | choice.m_cForced | m_cNeeds;
   const CEffects running = (called - choice.m_cForbidden) & g_cBuilt;
   m_bEngineIsPlanned = m_bEngineIsPlanned && running == m_cRunning;
   m_cRunning = running;
@@ -132,6 +136,8 @@ std::string CWorld::CImpl::ExplainEffects() {
 
 void CWorld::CImpl::SetGravity(const Vector2& g) {
   m_cState.m_vGravity = m_cDesc.m_vGravity = g;
+  for (std::vector<Vector2>* pTails : {&m_cState.m_cBalls.m_stdPosTail, &m_cState.m_cBalls.m_stdVelTail})
+    std::fill(pTails->begin(), pTails->end(), Vector2::Zero());
   InvalidatePlan();
 }
 

@@ -17,6 +17,10 @@ struct CBallArrays {
   std::vector<Vector2> m_stdPos;
   std::vector<Vector2> m_stdPrevPos; // at the beginning of the substep
   std::vector<Vector2> m_stdVel;
+  // What the floats above lack of the doubles that an engine has computed: over many small steps their
+  // roundings would add up. Zero where anybody else has set them.
+  std::vector<Vector2> m_stdPosTail;
+  std::vector<Vector2> m_stdVelTail;
   std::vector<float> m_stdRadius;
   std::vector<float> m_stdMass;
   std::vector<float> m_stdElasticity;

@@ -28,9 +28,14 @@ public:
       : m_cWorld(played.GetWorld()),
         m_nShapes(played.GetShapes().size()),
         m_fStep(static_cast<double>(m_cWorld.GetDesc().m_fTimeStep)),
-        // The gravity as it acts: what is added to the velocity is rounded.
-        m_vGravity(Vector2(m_cWorld.GetDesc().m_vGravity * m_cWorld.GetDesc().m_fTimeStep).cast<double>() /
-                   m_fStep),
+        m_bIsParabola(!m_cWorld.GetDesc().m_cEffects.m_cForbidden.Has(eEffect::Continuous)),
+        // The gravity as it acts: in semi-implicit steps what is added to the velocity is rounded.
+        m_vGravity(
+            m_bIsParabola
+                ? m_cWorld.GetDesc().m_vGravity.cast<double>()
+                : Vector2d(
+                      Vector2(m_cWorld.GetDesc().m_vGravity * m_cWorld.GetDesc().m_fTimeStep).cast<double>() /
+                      m_fStep)),
         m_fEnergy0(GetEnergy()) {}
 
   double GetEnergy() const {
@@ -76,10 +81,11 @@ private:
     return 0.5 * m_cWorld.GetBallVelocities()[ball.m_nValue - 1 - m_nShapes].cast<double>().squaredNorm();
   }
 
-  // What semi-implicit steps keep: the energy plus half of what gravity adds in a step.
+  // Parabolas keep the energy, semi-implicit steps that plus half of what gravity adds in a step.
   double Kept(const Vector2& p, const Vector2& v) const {
     const Vector2d v2 = v.cast<double>();
-    return 0.5 * v2.squaredNorm() - m_vGravity.dot(p.cast<double>()) + 0.5 * m_fStep * m_vGravity.dot(v2);
+    const double energy = 0.5 * v2.squaredNorm() - m_vGravity.dot(p.cast<double>());
+    return m_bIsParabola ? energy : energy + 0.5 * m_fStep * m_vGravity.dot(v2);
   }
   double SizeOfKept(const Vector2& p, const Vector2& v) const {
     const double g = m_vGravity.norm(), speed = static_cast<double>(v.norm()) + g * m_fStep;
@@ -89,6 +95,7 @@ private:
   const CWorld& m_cWorld;
   std::size_t m_nShapes;
   double m_fStep;
+  bool m_bIsParabola;
   Vector2d m_vGravity;
   double m_fEnergy0;
   double m_fHits = 0.0;

@@ -178,7 +178,6 @@ CHardCase OnAParabola() {
   c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
   Of(c, eColumn::Native) =
       Off(0.0047, ".0047 early: met at the end of the step, and v changes once in a step");
-  Of(c, eColumn::Continuous) = Off(0.0031, ".0031 early: v changes once in a step");
   Of(c, eColumn::Box2D) = Off(0.00066, ".0007 late: v changes once in a step, and it stops a ball .015 deep");
   c.m_fnError = [=](eColumn column) {
     const double error = std::abs(Shoot(column, shot).m_fContactTime - static_cast<double>(right));

@@ -105,14 +105,15 @@ TEST(ClosedRoom, AStoppedBallGathersNoSpeed) {
   pWorld->Add(CLineSegDesc({0.04f, 0.0f}, {2.0f, 0.0f}));
   pWorld->Add(CDynamicCircleDesc({0.0f, 0.05f}, 0.1f));
   pWorld->Add(CDynamicCircleDesc({0.0f, 0.2f}, 0.1f));
-  // Of both; that they overlap at first, by .05, may add as much as lifting one of them out takes.
+  // Of both; that they overlap at first may add as much as lifting them out takes, .042 and .092,
+  // and a twentieth more, because they are set back in turns.
   const auto energy = [&] {
     float sum = 0.0f;
     for (std::size_t i = 0; i < 2; ++i)
       sum += 0.5f * pWorld->GetBallVelocities()[i].squaredNorm() + 10.0f * pWorld->GetBallPositions()[i].y();
     return sum;
   };
-  const float most = energy() + 0.5f;
+  const float most = energy() + 1.4f;
   for (int i = 0; i < 300; ++i) {
     pWorld->Step();
     ASSERT_LT(energy(), most) << "after step " << i;

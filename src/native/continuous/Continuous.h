@@ -9,22 +9,26 @@
 
 #include "../broadphase/AabbTree.h"
 #include "../broadphase/StaticBroadPhase.h"
+#include "RestingContacts.h"
 
 namespace Shapes::Native {
 
-/// The continuous mode of a substep: every solid ball moves straight on at the velocity that it has, from
-/// impact to impact, and responds to each, in the order of time, at the place and in the direction of the
-/// impact; the rest of the substep it moves on. Shapes turn meanwhile. Computed in double.
+/// The continuous mode of a substep: every solid ball moves on its parabola, without gravity straight on at
+/// the velocity that it has, from impact to impact, and responds to each, in the order of time, at the place
+/// and in the direction of the impact; the rest of the substep it moves on. Shapes turn meanwhile. Computed
+/// in double.
 ///
-/// - An unobstructed ball moves bit-identically to the approximate mode.
+/// - Without gravity an unobstructed ball moves bit-identically to the approximate mode.
 /// - Initial overlaps are pushed out along the normal, of two balls by their shares of the mass, but never
 ///   through another shape. An overlap of a one-sided shape by more than rounding stays.
 /// - Impacts at the same time are answered one after the other: shapes before balls, by order and by id.
-/// - A ball that comes back to the same turning shape or inside of an arc within 1/g_nHops of the substep,
-///   and leaves it all but along the surface, slides: it keeps its speed, but leaves so steeply that it stays
-///   away for that long, or at g_fShallow radians if that is less.
-/// - A ball that touches a shape at the beginning, and would not approach it but for what gravity has just
-///   added, rests on it: it does not bounce, whatever the elasticities are.
+/// - Under gravity, a ball that would be back at a shape within 1/g_nHops of the substep after it has left it
+///   does not leave it: it lies on it or slides along it, without friction, until it would have to be pulled.
+///   It loses the energy of that hop, and no other.
+/// - Without gravity, a ball that comes back to the same turning shape or inside of an arc within 1/g_nHops
+/// of
+///   the substep, and leaves it all but along the surface, slides: it keeps its speed, but leaves so steeply
+///   that it stays away for that long, or at g_fShallow radians if that is less.
 /// - A ball that has had g_nMaxImpacts impacts is halted: it stays where it is, which is a place that it can
 ///   be at, for the rest of the substep, and keeps its velocity; others bounce off it as off a wall.
 class CContinuous {
@@ -32,9 +36,12 @@ public:
   /// Moves the balls by dt seconds, and counts what was done.
   /// @param shapes  as they are at the beginning of the substep
   /// @param pairs   whether balls meet each other
-  /// @param gravityStep  what gravity has added to their velocities in this substep
-  void Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravityStep, float dt,
+  /// @param gravity  user units per second squared
+  void Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravity, float dt,
             CWorldStats& stats);
+
+  /// Forgets what the next substep would begin its search for forces with.
+  void Forget() { m_cResting.Forget(); }
 
   /// The impacts of the last call in the order of time.
   const std::vector<CContactEvent>& GetContacts() const { return m_stdContacts; }
@@ -47,33 +54,6 @@ public:
   const std::vector<CPathVertex>& GetPathVertices() const { return m_stdPathVertices; }
 
 private:
-  static constexpr std::uint32_t g_nNone = 0xFFFFFFFFu;
-
-  /// What a ball meets next.
-  struct CNext {
-    eSweep m_eSweep = eSweep::None;
-    bool m_bIsBall = false;
-    std::uint32_t m_nOther = g_nNone;  // order of the shape, or index in m_stdBalls
-    std::uint32_t m_nOtherVersion = 0; // of a ball
-    double m_fOtherTime = 0.0;         // of a ball: seconds on its own motion
-    CImpact m_cImpact;                 // at the time on the motion of this ball; the normal points to it
-  };
-  struct CMoving {
-    std::size_t m_nBall; // index in the arrays
-    Vector2d m_vPos;     // where the motion begins
-    Vector2d m_vVel;
-    Vector2d m_vFirst; // velocity at the beginning, gravity included
-    double m_fRadius, m_fMass, m_fElasticity;
-    double m_fTime = 0.0; // when the motion begins, seconds in the substep
-    CNext m_cNext;
-    std::uint32_t m_nVersion = 0; // changes with the motion
-    unsigned m_nImpacts = 0;
-    std::uint32_t m_nLastOrder = g_nNone; // of the shape that it has just left
-    bool m_bIsHalted = false;
-    bool m_bIsMoved = false; // by anything but its velocity
-
-    Vector2d GetPathVel() const { return m_bIsHalted ? Vector2d(Vector2d::Zero()) : m_vVel; }
-  };
   struct CEvent {
     double m_fTime;
     std::uint32_t m_nBall;
@@ -83,7 +63,8 @@ private:
 
   void TakeBalls(const CBallArrays& balls);
   void SortBalls(bool pairs);
-  void PutBalls(CBallArrays& balls) const;
+  void PutBalls(CBallArrays& balls);
+  void Put(const Vector2d& p, const Vector2d& v, std::size_t i, CBallArrays& b) const;
   CMotion GetMotion(const CMoving& ball) const;
   CAabb2D GetBox(const CMoving& ball) const;
   void FindShapes(std::uint32_t i);
@@ -91,20 +72,39 @@ private:
   void SetBackFromBalls(std::uint32_t i);
   void CorrectPosition(std::uint32_t i, const Vector2d& n, double depth);
   void FindNext(std::uint32_t i);
+  void FindNextShape(CMoving& ball);
+  void FindRestingContacts();
+  void SolveRestingContacts();
   void FindShapeImpacts(CMoving& ball);
+  bool IsFalling() const { return !m_vGravity.isZero(0.0); }
+  bool IsHop(double out, double closing, double speed) const;
+  bool CanFollow(const CMoving& ball, std::uint32_t order, const CImpact& impact) const;
+  void Hold(CMoving& ball, const CHold& hold);
+  CHold MakeHold(const CMoving& ball, std::uint32_t order, const CImpact& impact) const;
+  bool HoldIfTouching(CMoving& ball, std::uint32_t order);
+  void ReportHold(const CMoving& ball);
+  bool IsSlow(const CMoving& ball, const CMoving& other, double approach) const;
+  void Rest(CMoving& ball, CMoving& other, const Vector2d& n);
+  bool AreAtRest(std::uint32_t i, std::uint32_t j) const;
+  void Settle(CMoving& ball, const CMotion& before);
+  double GetHoldTime(const CMoving& ball) const;
+  void Free(CMoving& ball) const;
   void FindBallImpacts(std::uint32_t i);
-  void KeepEarliest(const CNext& found, double size, CMoving& ball) const;
+  void KeepEarliest(const CNext& found, CMoving& ball) const;
   void Queue(std::uint32_t i);
   void Advance(CMoving& ball, double motion);
   void Resolve(std::uint32_t i);
+  void PassOn();
   void ResolveWithShape(CMoving& ball);
   void ResolveWithBall(CMoving& ball, CMoving& other);
-  bool IsRestingContact(const CMoving& ball) const;
+  void Collide(CMoving& ball, CMoving& other, const Vector2d& n, bool isSlow);
+  void HoldAnew(CMoving& ball);
+  /// The speed that gravity gives in g_fRestingSteps substeps.
+  double GetSlow() const;
   void Slide(CMoving& ball, const CImpact& impact) const;
   void Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n, double speed);
   void EndMotion(CMoving& ball);
   void Halt(CMoving& ball);
-  void NewMotion(std::uint32_t i);
 
   std::vector<CContactEvent> m_stdContacts;
   std::vector<CPathVertex> m_stdPathVertices;
@@ -114,13 +114,15 @@ private:
   CStaticBroadPhase* m_pShapes = nullptr;
   CWorldStats* m_pStats = nullptr;
   double m_fStep = 0.0;
-  Vector2d m_vGravityStep = Vector2d::Zero();
+  Vector2d m_vGravity = Vector2d::Zero();
   std::vector<CMoving> m_stdBalls; // that are solid
   std::vector<CAabb2D> m_stdBoxes; // of their motions
   CAabbTree m_cBallTree;
   int m_nRefits = 0;              // since it was built
   std::vector<CEvent> m_stdQueue; // a heap
   std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound;
+  CRestingContacts m_cResting;
+  std::vector<std::uint32_t> m_stdHit, m_stdPassing;
 };
 
 } // namespace Shapes::Native

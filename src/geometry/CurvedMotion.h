@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A motion as a turning shape sees it, and when it reaches a feature: by steps that are never too long.
+// A motion on a curve, as a turning shape sees it or as a ball falls, and when it reaches a feature: by steps
+// that are never too long.
 #pragma once
 
 #include "LinearMotion.h"
@@ -10,30 +11,35 @@ namespace Shapes::Geometry {
 /// cannot reach 0 before the smallest root h of f + f' h - K h^2/2, and that is the step. Close to the impact
 /// it converges as Newton's method does.
 ///
-/// K is the least that is known: the centre of what is round moves on a circle, so the distance from it,
-/// which is convex, has K = its acceleration. In the frame the ball is accelerated by at most M = 2|w||v| +
-/// w^2 |x - c|, so the distance from a segment with its ends, which is convex too, has K = M. From inside a
-/// circle it is (rho^2 - |x|^2)/2 that is followed, where rho = R - r.
-class CRotatingMotion {
+/// K is the least that is known, A being the acceleration of the ball in the world: the centre of what is
+/// round moves on a circle, so the distance from it, which is convex, has K = its acceleration + A. In the
+/// frame the ball is accelerated by at most M = 2|w||v| + w^2 |x - c| + A, so the distance from a segment
+/// with its ends, which is convex too, has K = M. From inside a circle it is (rho^2 - |x|^2)/2 that is
+/// followed, where rho = R - r.
+class CCurvedMotion {
 public:
-  CRotatingMotion(const CShapeGeometry& shape, const CMotion& motion, const CRoundings& roundings)
+  CCurvedMotion(const CShapeGeometry& shape, const CMotion& motion, const CRoundings& roundings)
       : m_cMotion(motion),
         m_cRoundings(roundings),
         m_vRotCenter(shape.m_vRotCenter),
         m_fTurn(shape.m_fTurnSpeed),
-        m_fSpeed(Norm(motion.m_vVel)) {
-    m_fReach = std::max(Norm(FromCenter(0.0)), Norm(FromCenter(motion.m_fDuration)));
+        m_fFall(Norm(motion.m_vAcc)),
+        m_fSpeed(Norm(motion.m_vVel) + m_fFall * motion.m_fDuration) {
+    // A parabola is nowhere farther from its chord than that.
+    const double sagitta = 0.125 * m_fFall * motion.m_fDuration * motion.m_fDuration;
+    m_fReach = std::max(Norm(FromCenter(0.0)), Norm(FromCenter(motion.m_fDuration))) + sagitta;
   }
 
   const CMotion& GetMotion() const { return m_cMotion; }
   double GetTouch() const { return m_cRoundings.m_fTouch; }
   CBallAt At(double t) const {
-    const Vector2d d = FromCenter(t);
+    const Vector2d d = FromCenter(t), v = m_cMotion.VelAt(t);
+    if (m_fTurn == 0.0) return {m_vRotCenter + d, v, m_cMotion.m_fRadius};
     const double c = std::cos(m_fTurn * t), s = std::sin(m_fTurn * t);
-    const auto inFrame = [&](const Vector2d& v) -> Vector2d {
-      return {c * v.x() + s * v.y(), c * v.y() - s * v.x()};
+    const auto inFrame = [&](const Vector2d& x) -> Vector2d {
+      return {c * x.x() + s * x.y(), c * x.y() - s * x.x()};
     };
-    return {m_vRotCenter + inFrame(d), inFrame(m_cMotion.m_vVel - m_fTurn * Perp(d)), m_cMotion.m_fRadius};
+    return {m_vRotCenter + inFrame(d), inFrame(v - m_fTurn * Perp(d)), m_cMotion.m_fRadius};
   }
 
   /// As of CLinearMotion, and OutOfIterations if the advancement did not come to an end: nothing is met
@@ -83,6 +89,12 @@ public:
   double GetCurve(const TFeature& feature, const CSpot&) const {
     return GetCurve(feature);
   }
+  double GetClosing(const CSpot& spot, double t) const {
+    const CBallAt ball = At(t);
+    const Vector2d fall = Turned(m_cMotion.m_vAcc, -m_fTurn * t);
+    const Vector2d inFrame = m_fTurn * (m_fTurn * (ball.m_vPos - m_vRotCenter) - 2.0 * Perp(ball.m_vVel));
+    return spot.Closing(ball, fall + inFrame);
+  }
 
 private:
   static constexpr double g_fEps = std::numeric_limits<double>::epsilon();
@@ -111,7 +123,7 @@ private:
   template <class TFeature>
   CFollowed Nearing(const TFeature&, double gap, double rate) const {
     const double w = std::abs(m_fTurn);
-    return {gap, rate, 2.0 * w * m_fSpeed + w * w * m_fReach};
+    return {gap, rate, 2.0 * w * m_fSpeed + w * w * m_fReach + m_fFall};
   }
   // f falls to 0 where a ball that is let through is clear again. (No ball goes through a whole segment.)
   CFollowed Leaving(const CDisk& feature, double gap, double rate) const {
@@ -128,9 +140,13 @@ private:
     return Nearing(feature, -gap, -rate);
   }
 
-  Vector2d FromCenter(double t) const { return m_cMotion.m_vPos - m_vRotCenter + m_cMotion.m_vVel * t; }
-  // Of a point of the shape, and of the ball relative to it.
-  double Acceleration(const Vector2d& p) const { return m_fTurn * m_fTurn * Norm(p - m_vRotCenter); }
+  Vector2d FromCenter(double t) const {
+    return m_cMotion.m_vPos - m_vRotCenter + (m_cMotion.m_vVel + 0.5 * t * m_cMotion.m_vAcc) * t;
+  }
+  // Of the ball relative to a point of the shape, at most.
+  double Acceleration(const Vector2d& p) const {
+    return m_fTurn * m_fTurn * Norm(p - m_vRotCenter) + m_fFall;
+  }
   double Speed(const Vector2d& p) const { return m_fSpeed + std::abs(m_fTurn) * Norm(p - m_vRotCenter); }
 
   // Smallest h > 0 with f + f' h - K h^2/2 = 0, for f > 0.
@@ -148,7 +164,8 @@ private:
   CRoundings m_cRoundings;
   Vector2d m_vRotCenter;
   double m_fTurn;
-  double m_fSpeed; // of the ball in the world
+  double m_fFall;  // acceleration of the ball in the world
+  double m_fSpeed; // likewise, at most
   double m_fReach; // how far from the centre of rotation it gets
 };
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// A ball that falls, as a shape at rest sees it, and when it reaches a feature: lines by closed forms, what
+// is round by the steps of CCurvedMotion.
+#pragma once
+
+#include "CurvedMotion.h"
+
+namespace Shapes::Geometry {
+
+/// TimeOfImpact as of CLinearMotion, and OutOfIterations as of CCurvedMotion.
+class CParabolicMotion {
+public:
+  CParabolicMotion(const CShapeGeometry& shape, const CMotion& motion, const CRoundings& roundings)
+      : m_cCurved(shape, motion, roundings), m_cRoundings(roundings) {}
+
+  const CMotion& GetMotion() const { return m_cCurved.GetMotion(); }
+  double GetTouch() const { return m_cRoundings.m_fTouch; }
+  CBallAt At(double t) const { return {GetMotion().PosAt(t), GetMotion().VelAt(t), GetMotion().m_fRadius}; }
+
+  /// Discs, and rings from inside.
+  template <class TFeature, class F>
+  eSweep TimeOfImpact(const TFeature& feature, double deepest, const F& counts, double& t) const {
+    return m_cCurved.TimeOfImpact(feature, deepest, counts, t);
+  }
+
+  /// The root of gap + rate t + a t^2/2 at which the gap falls: with s = sqrt(rate^2 - 2 a gap) it is 2 gap /
+  /// (s - rate), and (s + rate) / -a where the rate is above 0. Error as of CLinearMotion.
+  template <class F>
+  eSweep TimeOfImpact(const CHalfPlane& feature, double deepest, const F& counts, double& t) const {
+    const CBallAt ball = At(0.0);
+    const CSpot spot = feature.At(ball);
+    const double touch = GetTouch(), a = feature.m_vNorm.dot(GetMotion().m_vAcc), rate = spot.Rate(ball);
+    const double gap = spot.m_fGap;
+    // One that touches is there at once, or when gravity has turned it round. One that began deeper is let go
+    // until it is clear, or begins to approach.
+    const bool isTouching = gap <= touch, isLetGo = gap < -std::max(deepest, touch);
+    if (isTouching && !isLetGo) {
+      if (rate < -m_cRoundings.m_fSlow) return Then(0.0, 1.0, counts, t);
+      if (!(a < 0.0)) return eSweep::None;
+      const double up = std::max(rate, 0.0);
+      return Then((gap < -touch ? up : 2.0 * up) + m_cRoundings.m_fSlow, -a, counts, t);
+    }
+    const double discriminant = rate * rate - 2.0 * a * gap;
+    if (!(discriminant > 0.0)) return eSweep::None;
+    const double s = std::sqrt(discriminant);
+    return rate > 0.0 ? Then(s + rate, -a, counts, t) : Then(2.0 * gap, s - rate, counts, t);
+  }
+
+  /// Either face, and the ends.
+  template <class F>
+  eSweep TimeOfImpact(const CSegment& feature, double deepest, const F& counts, double& t) const {
+    const CBallAt ball = At(0.0);
+    const Vector2d along = feature.Along();
+    const auto between = [&](const Vector2d& p) {
+      return along.dot(p - feature.m_vPt0) >= -GetTouch() && along.dot(p - feature.m_vPt1) <= GetTouch();
+    };
+    // The face that is seen may be overlapped; the other one is behind it until the ball is round an end.
+    const double side = feature.m_vFront.dot(ball.m_vPos - feature.m_vPt0);
+    const bool isInFront = side > 0.0 || (side == 0.0 && !(feature.m_vFront.dot(ball.m_vVel) > 0.0));
+    bool isMet = false;
+    for (const bool seen : {true, false}) {
+      const CHalfPlane face{feature.m_vPt0,
+                            isInFront == seen ? feature.m_vFront : Vector2d(-feature.m_vFront)};
+      isMet |= TimeOfImpact(face, seen ? deepest : 0.0, between, t) == eSweep::Impact;
+    }
+    bool isOut = false;
+    for (const Vector2d& end : {feature.m_vPt0, feature.m_vPt1}) {
+      double until = t;
+      const eSweep found = m_cCurved.TimeOfImpact(CDisk{end, 0.0}, deepest, counts, until);
+      if (found == eSweep::None) continue;
+      t = until;
+      isMet |= found == eSweep::Impact;
+      isOut = found == eSweep::OutOfIterations;
+    }
+    return isOut ? eSweep::OutOfIterations : isMet ? eSweep::Impact : eSweep::None;
+  }
+
+  template <class TFeature>
+  double GetCurve(const TFeature& feature, const CSpot& spot) const {
+    return m_cCurved.GetCurve(feature, spot);
+  }
+  double GetClosing(const CSpot& spot, double t) const { return spot.Closing(At(t), GetMotion().m_vAcc); }
+
+private:
+  // At the time above / below, if that is a number from 0 to t.
+  template <class F>
+  eSweep Then(double above, double below, const F& counts, double& t) const {
+    if (!(above >= 0.0)) return eSweep::None;
+    const double quotient = Quotient(above, below, t), time = std::min(quotient, t);
+    if (!std::isfinite(quotient) || !counts(At(time).m_vPos)) return eSweep::None;
+    t = time;
+    return eSweep::Impact;
+  }
+
+  CCurvedMotion m_cCurved;
+  CRoundings m_cRoundings;
+};
+
+} // namespace Shapes::Geometry

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// From impact to impact: the next one of a ball, and what it does.
+#include "Continuous.h"
+
+#include "../../shapes/Response.h"
+#include "Rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace Shapes::Native {
+
+void CContinuous::FindNext(std::uint32_t i) {
+  CMoving& ball = m_stdBalls[i];
+  ball.m_cNext = CNext();
+  if (!ball.m_bIsHalted) {
+    FindShapes(i);
+    FindNextShape(ball);
+  }
+  FindBallImpacts(i);
+  Queue(i);
+}
+
+void CContinuous::Queue(std::uint32_t i) {
+  const CMoving& ball = m_stdBalls[i];
+  if (ball.m_cNext.m_eSweep == eSweep::None) return;
+  const double time = std::min(ball.m_fTime + ball.m_cNext.m_cImpact.m_fTime, m_fStep);
+  m_stdQueue.push_back({time, i, ball.m_nVersion});
+  std::push_heap(m_stdQueue.begin(), m_stdQueue.end());
+}
+
+// Of the shapes that were found, or the end of what holds it.
+void CContinuous::FindNextShape(CMoving& ball) {
+  FindShapeImpacts(ball);
+  const double time = GetHoldTime(ball);
+  CNext& next = ball.m_cNext;
+  if (!(time < m_fStep - ball.m_fTime) || (next.m_eSweep != eSweep::None && !(time < next.m_cImpact.m_fTime)))
+    return;
+  next = CNext();
+  next.m_eSweep = eSweep::Impact;
+  next.m_cImpact.m_fTime = time;
+}
+
+// Of those that were found.
+void CContinuous::FindShapeImpacts(CMoving& ball) {
+  for (const std::uint32_t order : m_stdShapesFound) {
+    if (!m_pShapes->Get(order).m_pShape->GetCanCollide() || ball.m_cHolds.Has(order, false)) continue;
+    ++m_pStats->m_nSweeps;
+    const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
+    CNext found;
+    found.m_nOther = order;
+    found.m_eSweep = Sweep(geometry, GetMotion(ball), ball.m_fTime, found.m_cImpact);
+    KeepEarliest(found, ball);
+  }
+}
+
+// Whether two balls rest on each other as they move now.
+bool CContinuous::AreAtRest(std::uint32_t i, std::uint32_t j) const {
+  const CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
+  FailIf(!ball.m_bIsInPile || !other.m_bIsInPile);
+  const auto isHeld = [](const CMoving& upper, const CMoving& lower, std::uint32_t index) {
+    const auto holds = upper.m_cHolds.Get();
+    return std::any_of(holds.begin(), holds.end(), [&](const CHold& hold) {
+      return hold.m_bIsBall && hold.m_nOther == index && hold.m_nVersion == lower.m_nVersion;
+    });
+  };
+  return m_cResting.Has(i, j) || isHeld(ball, other, j) || isHeld(other, ball, i);
+}
+
+void CContinuous::FindBallImpacts(std::uint32_t i) {
+  CMoving& ball = m_stdBalls[i];
+  m_stdBallsFound.clear();
+  m_cBallTree.Query(m_stdBoxes[i], m_stdBallsFound);
+  for (const std::uint32_t j : m_stdBallsFound) {
+    const CMoving& other = m_stdBalls[j];
+    if (j == i || AreAtRest(i, j)) continue;
+    ++m_pStats->m_nSweeps;
+    // Both from the time at which the later motion of the two begins; none beyond what stops it.
+    const double start = std::max(ball.m_fTime, other.m_fTime), since = start - ball.m_fTime;
+    double otherSince = start - other.m_fTime;
+    if (other.m_cNext.m_eSweep != eSweep::None)
+      otherSince = std::min(otherSince, other.m_cNext.m_cImpact.m_fTime);
+    CMotion motion = GetMotion(ball), otherMotion = GetMotion(other);
+    motion.m_vPos = motion.PosAt(since), motion.m_vVel = motion.VelAt(since);
+    otherMotion.m_vPos = otherMotion.PosAt(otherSince), otherMotion.m_vVel = otherMotion.VelAt(otherSince);
+    motion.m_fDuration = otherMotion.m_fDuration = m_fStep - start;
+
+    CNext found;
+    found.m_bIsBall = true;
+    found.m_nOther = j;
+    found.m_nOtherVersion = other.m_nVersion;
+    found.m_eSweep = ImpactBallBall(otherMotion, motion, found.m_cImpact);
+    if (found.m_eSweep == eSweep::None) continue;
+    found.m_fOtherTime = otherSince + found.m_cImpact.m_fTime;
+    found.m_cImpact.m_fTime += since;
+    KeepEarliest(found, ball);
+  }
+}
+
+// Takes what was found as the next of the ball if it comes first.
+void CContinuous::KeepEarliest(const CNext& found, CMoving& ball) const {
+  if (found.m_eSweep == eSweep::None) return;
+  const auto order = [](const CNext& n) { return std::tuple(n.m_cImpact.m_fTime, n.m_bIsBall, n.m_nOther); };
+  if (ball.m_cNext.m_eSweep == eSweep::None || order(found) < order(ball.m_cNext)) ball.m_cNext = found;
+}
+
+void CContinuous::Resolve(std::uint32_t i) {
+  CMoving& ball = m_stdBalls[i];
+  const CNext next = ball.m_cNext;
+  m_stdHit.assign(1, i);
+  if (next.m_eSweep == eSweep::OutOfIterations) {
+    Advance(ball, next.m_cImpact.m_fTime);
+    Halt(ball);
+  } else if (next.m_nOther == g_nNobody) {
+    HoldAnew(ball);
+  } else if (next.m_bIsBall) {
+    m_stdHit.push_back(next.m_nOther);
+    ResolveWithBall(ball, m_stdBalls[next.m_nOther]);
+  } else {
+    ResolveWithShape(ball);
+  }
+  if (!m_cResting.IsEmpty()) PassOn();
+  // All boxes have to be there before any looks for the others.
+  for (const std::uint32_t j : m_stdHit) {
+    m_stdBoxes[j] = GetBox(m_stdBalls[j]);
+    m_cBallTree.Grow(j, m_stdBoxes[j]);
+  }
+  for (auto it = m_stdHit.rbegin(); it != m_stdHit.rend(); ++it)
+    FindNext(*it);
+}
+
+// From balls that were hit to those that rest on them, at the same time: two that rest on each other and
+// approach faster than that are an impact.
+void CContinuous::PassOn() {
+  const double now = m_stdBalls[m_stdHit.front()].m_fTime;
+  std::vector<std::uint32_t>& queue = m_stdPassing;
+  queue = m_stdHit;
+  for (std::size_t k = 0; k < queue.size(); ++k) {
+    const std::uint32_t i = queue[k];
+    for (const auto& [self, j] : m_cResting.GetNeighbours(i)) {
+      CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
+      if (ball.m_bIsHalted && other.m_bIsHalted) continue;
+      const CMotion motion = GetMotion(other);
+      const double since = now - other.m_fTime;
+      const Vector2d n = Unit(ball.m_vPos - motion.PosAt(since), Vector2d::UnitY());
+      if (ApproachSpeed(GetMotion(ball).m_vVel, motion.VelAt(since), n) <= GetSlow()) continue;
+      if (since > 0.0) Advance(other, since);
+      ++other.m_nVersion;
+      Collide(ball, other, n, false);
+      for (const std::uint32_t hit : {j, i})
+        if (std::find(queue.begin() + static_cast<std::ptrdiff_t>(k) + 1, queue.end(), hit) == queue.end())
+          queue.push_back(hit);
+      if (std::find(m_stdHit.begin(), m_stdHit.end(), j) == m_stdHit.end()) m_stdHit.push_back(j);
+    }
+  }
+}
+
+void CContinuous::Advance(CMoving& ball, double motion) {
+  const CMotion before = GetMotion(ball);
+  ball.m_vPos = before.PosAt(motion);
+  if (!ball.m_bIsHalted) ball.m_vVel = before.VelAt(motion);
+  ball.m_fTime = std::min(ball.m_fTime + motion, m_fStep);
+  ball.m_bIsMoved = true;
+  ++ball.m_nVersion;
+  if (!ball.m_cHolds.IsEmpty() && !ball.m_bIsHalted) Settle(ball, before);
+}
+
+void CContinuous::ResolveWithShape(CMoving& ball) {
+  const CImpact impact = ball.m_cNext.m_cImpact;
+  const std::uint32_t order = ball.m_cNext.m_nOther;
+  const CShapeEntry& entry = m_pShapes->Get(order);
+  const Vector2d &n = impact.m_vNorm, &surface = impact.m_vSurface;
+  Advance(ball, impact.m_fTime);
+  const double depth = ball.m_fRadius - (ball.m_vPos - impact.m_vPOI).dot(n);
+  const double size = SizeOf(ball.m_vPos, ball.m_fRadius) + m_pShapes->GetGeometry(order).m_fSize;
+  const double clear = Clear(size, ball.m_vVel.norm() * m_fStep);
+  // Exactly onto the shape; but one that began deep in something stays there.
+  if (depth <= Rounding(size))
+    ball.m_vPos = impact.m_vPOI + std::max(ball.m_fRadius, FloatRounding(ball.m_vPos) + clear) * n;
+  else
+    ball.m_vPos += clear * n;
+  const double approach = ApproachSpeed(ball.m_vVel, surface, n);
+  const double e = ball.m_fElasticity * static_cast<double>(entry.m_pShape->GetElasticity());
+  const double speed = Norm(ball.m_vVel) + Norm(surface);
+  if (IsFalling() && IsHop(e * approach, impact.m_fClosing, speed) && CanFollow(ball, order, impact)) {
+    Hold(ball, MakeHold(ball, order, impact));
+  } else {
+    RespondKinematic(n, 0.0, e, surface, ball.m_vPos, ball.m_vVel);
+    Free(ball);
+    if (ball.m_nLastOrder == order && impact.m_fTime * g_nHops < m_fStep) Slide(ball, impact);
+  }
+  m_pStats->m_nSpeedsCapped += CapSpeed(ball.m_vVel);
+  ball.m_nLastOrder = order;
+  Report(entry.m_cId, ball, impact.m_vPOI, n, approach);
+  EndMotion(ball);
+}
+
+// A ball that stays on a surface that curves towards it would meet it again at once, and again.
+void CContinuous::Slide(CMoving& ball, const CImpact& impact) const {
+  const Vector2d &n = impact.m_vNorm, u = ball.m_vVel - impact.m_vSurface;
+  const double most = static_cast<double>(g_fShallow) * (ball.m_vVel.norm() + impact.m_vSurface.norm());
+  const double hop = std::min(impact.m_fCurve * m_fStep / (2.0 * g_nHops), most), out = u.dot(n);
+  if (!(out < hop)) return;
+  const Vector2d along = u - out * n;
+  const double speed = along.norm();
+  // What it gains across it loses along the surface.
+  const double left = std::sqrt(std::max(0.0, u.squaredNorm() - hop * hop));
+  ball.m_vVel = impact.m_vSurface + hop * n + (speed > 0.0 ? left / speed : 0.0) * along;
+}
+
+void CContinuous::ResolveWithBall(CMoving& ball, CMoving& other) {
+  const CNext next = ball.m_cNext;
+  const Vector2d n = next.m_cImpact.m_vNorm;
+  Advance(ball, next.m_cImpact.m_fTime);
+  Advance(other, next.m_fOtherTime);
+  other.m_fTime = ball.m_fTime;
+  const double approach = ApproachSpeed(GetMotion(ball).m_vVel, GetMotion(other).m_vVel, n);
+  Collide(ball, other, n, IsSlow(ball, other, approach));
+}
+
+// Two balls that touch at the present place of both.
+void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, bool isSlow) {
+  const double approach = ApproachSpeed(GetMotion(ball).m_vVel, GetMotion(other).m_vVel, n);
+  const double e = isSlow ? 0.0 : ball.m_fElasticity * other.m_fElasticity;
+  const double size = SizeOf(ball.m_vPos, ball.m_fRadius) + SizeOf(other.m_vPos, other.m_fRadius);
+  const double clear = Clear(size, (ball.m_vVel - other.m_vVel).norm() * m_fStep);
+  const double rounding = FloatRounding(ball.m_vPos) + FloatRounding(other.m_vPos);
+  const double apart = std::max(ball.m_fRadius + other.m_fRadius, rounding + clear);
+  double setback = apart - (ball.m_vPos - other.m_vPos).dot(n);
+  if (std::abs(setback) > Rounding(size)) setback = clear; // they began deep in each other
+  const Vector2d rest = Vector2d::Zero();
+  if (other.m_bIsHalted)
+    RespondKinematic(n, setback, e, rest, ball.m_vPos, ball.m_vVel);
+  else if (ball.m_bIsHalted)
+    RespondKinematic(Vector2d(-n), setback, e, rest, other.m_vPos, other.m_vVel);
+  else
+    RespondDynamic(n, setback, e, other.m_fMass, ball.m_fMass, other.m_vPos, other.m_vVel, ball.m_vPos,
+                   ball.m_vVel);
+  for (CMoving* pBall : {&ball, &other}) {
+    m_pStats->m_nSpeedsCapped += CapSpeed(pBall->m_vVel);
+    pBall->m_nLastOrder = g_nNobody;
+  }
+  if (isSlow) {
+    Rest(ball, other, n);
+  } else {
+    Free(ball);
+    Free(other);
+  }
+  const bool ballIsFirst = ball.m_nBall < other.m_nBall;
+  const CMoving &first = ballIsFirst ? ball : other, &second = ballIsFirst ? other : ball;
+  const Vector2d nhat = ballIsFirst ? n : Vector2d(-n);
+  Report(m_pBalls->m_stdId[second.m_nBall], first, second.m_vPos + second.m_fRadius * nhat, nhat, approach);
+  for (CMoving* pBall : {&ball, &other})
+    if (!pBall->m_bIsHalted) EndMotion(*pBall);
+}
+
+void CContinuous::Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n,
+                         double speed) {
+  ++m_pStats->m_nContacts;
+  CContactEvent event;
+  event.m_cShape = shape;
+  event.m_cBall = m_pBalls->m_stdId[ball.m_nBall];
+  event.m_vPOI = ToFloat(poi);
+  event.m_vNorm = n.cast<float>();
+  event.m_fSpeed = static_cast<float>(speed);
+  m_stdContacts.push_back(event);
+}
+
+void CContinuous::EndMotion(CMoving& ball) {
+  m_stdPathVertices.push_back(
+      {ball.m_nBall, ToFloat(ball.m_vPos), static_cast<float>(ball.m_fTime / m_fStep)});
+  ++ball.m_nImpacts;
+  const bool isCrowded = ball.m_bIsInPile && ball.m_nImpacts == g_nCrowded;
+  if (isCrowded || ball.m_nImpacts == g_nMaxImpacts) Halt(ball);
+}
+
+void CContinuous::Halt(CMoving& ball) {
+  ball.m_bIsHalted = true;
+  ++m_pStats->m_nBallsHalted;
+}
+
+} // namespace Shapes::Native

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// Contact that lasts: balls that lie on shapes or slide along them, and balls that rest on each other.
+#include "Continuous.h"
+
+#include "../../shapes/Response.h"
+#include "Rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Shapes::Native {
+
+// Pairs of balls that touch or could by the end of the substep, and the shapes around these balls. They are
+// separated where they overlap.
+void CContinuous::FindRestingContacts() {
+  const double reach = g_fRestingSteps * Norm(m_vGravity) * m_fStep * m_fStep;
+  const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
+  for (std::uint32_t i = 0; i < n; ++i) {
+    m_stdBallsFound.clear();
+    m_cBallTree.Query(m_stdBoxes[i], m_stdBallsFound);
+    std::sort(m_stdBallsFound.begin(), m_stdBallsFound.end());
+    for (const std::uint32_t j : m_stdBallsFound) {
+      CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
+      CImpact impact;
+      double gap;
+      if (j <= i || !NearBallBall(GetMotion(other), GetMotion(ball), reach, impact, gap)) continue;
+      m_cResting.Add(i, j, true, impact, gap);
+      ball.m_bIsInPile = other.m_bIsInPile = true;
+    }
+  }
+  if (m_cResting.IsEmpty()) return;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const CMoving& ball = m_stdBalls[i];
+    if (!ball.m_bIsInPile) continue;
+    FindShapes(i);
+    for (const std::uint32_t order : m_stdShapesFound) {
+      CImpact impact;
+      double gap;
+      if (m_pShapes->Get(order).m_pShape->GetCanCollide() &&
+          Near(m_pShapes->GetGeometry(order), GetMotion(ball), 0.0, reach + 0.25 * ball.m_fRadius, impact,
+               gap) &&
+          CanFollow(ball, order, impact))
+        m_cResting.Add(i, order, false, impact, gap);
+    }
+  }
+  m_cResting.Separate(m_stdBalls, m_vGravity);
+  for (std::uint32_t i = 0; i < n; ++i)
+    if (m_stdBalls[i].m_bIsInPile) m_stdBoxes[i] = GetBox(m_stdBalls[i]), m_cBallTree.Grow(i, m_stdBoxes[i]);
+}
+
+void CContinuous::SolveRestingContacts() {
+  m_cResting.Solve(m_stdBalls, m_vGravity, m_fStep);
+  m_cResting.ForEach([this](std::uint32_t i, std::uint32_t other, bool isBall, const Vector2d& norm) {
+    const CMoving& ball = m_stdBalls[i];
+    Report(isBall ? m_pBalls->m_stdId[m_stdBalls[other].m_nBall] : m_pShapes->Get(other).m_cId, ball,
+           ball.m_vPos - ball.m_fRadius * norm, norm, 0.0);
+  });
+}
+
+double CContinuous::GetSlow() const { return g_fRestingSteps * Norm(m_vGravity) * m_fStep; }
+
+// Whether a ball that leaves a surface at the speed `out` is back at once, being accelerated towards it: it
+// lies on it, or leaves it all but along the surface.
+bool CContinuous::IsHop(double out, double closing, double speed) const {
+  const double most = std::max(Norm(m_vGravity) * m_fStep / g_nHops, static_cast<double>(g_fShallow) * speed);
+  return closing > 0.0 && out <= most && 2.0 * g_nHops * out < closing * m_fStep;
+}
+
+// Whether the way along a surface can be followed: not where it turns too far within a substep.
+bool CContinuous::CanFollow(const CMoving& ball, std::uint32_t order, const CImpact& impact) const {
+  const double speed = Norm(ball.m_vVel) + Norm(m_vGravity) * m_fStep;
+  const double bend = speed / std::abs(impact.m_fRadius + ball.m_fRadius);
+  const double turn = std::abs(m_pShapes->GetGeometry(order).m_fTurnSpeed) + bend;
+  return turn * m_fStep < static_cast<double>(g_fHoldTurn) * g_nMaxHolds;
+}
+
+void CContinuous::Free(CMoving& ball) const {
+  ball.m_cHolds.Clear();
+  ball.m_vAcc = m_vGravity;
+}
+
+// The shapes that hold a ball, as they are now.
+void CContinuous::HoldAnew(CMoving& ball) {
+  Advance(ball, ball.m_cNext.m_cImpact.m_fTime);
+  const CHolds holds = ball.m_cHolds;
+  Free(ball);
+  for (const CHold& hold : holds.Get())
+    if (!hold.m_bIsBall) HoldIfTouching(ball, hold.m_nOther);
+  EndMotion(ball);
+}
+
+// The impact is that of the motion of the ball, whose acceleration its closing is of.
+CHold CContinuous::MakeHold(const CMoving& ball, std::uint32_t order, const CImpact& impact) const {
+  const Vector2d& n = impact.m_vNorm;
+  return {order,
+          false,
+          n,
+          n.dot(impact.m_vSurface),
+          n.dot(ball.m_vAcc) + impact.m_fClosing,
+          std::abs(impact.m_fRadius + ball.m_fRadius)};
+}
+
+void CContinuous::Hold(CMoving& ball, const CHold& hold) {
+  ball.m_cHolds.Add(hold);
+  ball.m_vVel += (hold.m_fSpeed - hold.m_vNorm.dot(ball.m_vVel)) * hold.m_vNorm;
+  ball.m_vVel = ball.m_cHolds.ConstrainVel(ball.m_vVel);
+  ball.m_vAcc = ball.m_cHolds.ConstrainAcc(m_vGravity);
+  ball.m_cHolds.DropPulling(ball.m_vAcc, m_vGravity);
+  ball.m_bIsMoved = true;
+}
+
+// A ball that lies on a shape where its motion begins, or slides along it.
+bool CContinuous::HoldIfTouching(CMoving& ball, std::uint32_t order) {
+  const CShapeEntry& entry = m_pShapes->Get(order);
+  const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
+  FailIf(!entry.m_pShape->GetCanCollide());
+  const double reach = Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + geometry.m_fSize);
+  CImpact impact;
+  double gap;
+  if (!Near(geometry, GetMotion(ball), ball.m_fTime, reach, impact, gap) || gap < -reach) return false;
+  const Vector2d& n = impact.m_vNorm;
+  const double apart = n.dot(ball.m_vVel - impact.m_vSurface);
+  const double speed = Norm(ball.m_vVel) + Norm(impact.m_vSurface);
+  const double e = ball.m_fElasticity * static_cast<double>(entry.m_pShape->GetElasticity());
+  if (!IsHop(std::max(apart, -e * apart), impact.m_fClosing, speed) || !CanFollow(ball, order, impact))
+    return false;
+  ball.m_vPos -= gap * n;
+  Hold(ball, MakeHold(ball, order, impact));
+  return true;
+}
+
+// The last one that has come.
+void CContinuous::ReportHold(const CMoving& ball) {
+  if (ball.m_cHolds.IsEmpty()) return;
+  const CHold& hold = ball.m_cHolds.Get().back();
+  Report(m_pShapes->Get(hold.m_nOther).m_cId, ball, ball.m_vPos - ball.m_fRadius * hold.m_vNorm, hold.m_vNorm,
+         0.0);
+}
+
+// Onto the surfaces that hold it: the parabola leaves those that curve with the third power of the time.
+void CContinuous::Settle(CMoving& ball, const CMotion& before) {
+  bool isAtRest = true, isMoved = false;
+  for (const CHold& hold : ball.m_cHolds.Get()) {
+    if (hold.m_bIsBall) continue;
+    const CShapeGeometry& geometry = m_pShapes->GetGeometry(hold.m_nOther);
+    isAtRest &= geometry.m_fTurnSpeed == 0.0;
+    if (geometry.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius)) continue;
+    CImpact impact;
+    double gap;
+    if (!Near(geometry, GetMotion(ball), ball.m_fTime, 0.01 * ball.m_fRadius, impact, gap)) continue;
+    const Vector2d& n = impact.m_vNorm;
+    ball.m_vPos -= gap * n;
+    ball.m_vVel -= n.dot(ball.m_vVel - impact.m_vSurface) * n;
+    isMoved = true;
+  }
+  if (!isMoved || !isAtRest) return;
+  if (ball.m_bIsInPile) return;
+  // Nothing but gravity has done work. A ball that turns round is put back to where its speed is zero.
+  const double square = before.m_vVel.squaredNorm() + 2.0 * m_vGravity.dot(ball.m_vPos - before.m_vPos);
+  const double now = ball.m_vVel.squaredNorm();
+  if (now > 0.0) ball.m_vVel *= std::sqrt(std::max(0.0, square) / now);
+  const double pull = ball.m_vAcc.squaredNorm();
+  if (square < 0.0 && pull > 0.0) ball.m_vPos -= 0.5 * square / pull * ball.m_vAcc;
+}
+
+// Until the ball is past the end of a segment, or has turned so far on what curves that it is no parabola.
+double CContinuous::GetHoldTime(const CMoving& ball) const {
+  double time = std::numeric_limits<double>::infinity();
+  const double left = m_fStep - ball.m_fTime;
+  for (const CHold& hold : ball.m_cHolds.Get()) {
+    if (hold.m_bIsBall) continue;
+    const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
+    if (o.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius)) {
+      const Vector2d along = -Perp(o.m_vFront);
+      for (const double sign : {1.0, -1.0}) {
+        const double gap = sign * along.dot((sign > 0.0 ? o.m_vPt1 : o.m_vPt0) - ball.m_vPos);
+        const double v = sign * along.dot(ball.m_vVel), a = sign * along.dot(ball.m_vAcc);
+        // The first root of v t + a t^2/2 = gap.
+        const double discriminant = v * v + 2.0 * a * gap;
+        if (!(discriminant >= 0.0)) continue;
+        const double s = std::sqrt(discriminant);
+        const double root = v > 0.0 ? Geometry::Quotient(2.0 * std::max(gap, 0.0), v + s, left)
+                                    : Geometry::Quotient(s - v, a, left);
+        time = std::min(time, root);
+      }
+    } else {
+      const double speed = Norm(ball.m_vVel) + Norm(ball.m_vAcc) * left;
+      time = std::min(time, Geometry::Quotient(static_cast<double>(g_fHoldTurn),
+                                               std::abs(o.m_fTurnSpeed) + speed / hold.m_fRadius, left));
+    }
+  }
+  return std::max(time, m_fStep / g_nMaxHolds);
+}
+
+// Whether two balls meet no faster than what gravity gives in a substep presses them together.
+bool CContinuous::IsSlow(const CMoving& ball, const CMoving& other, double approach) const {
+  if (!IsFalling() || ball.m_bIsHalted || other.m_bIsHalted) return false;
+  const double out = ball.m_fElasticity * other.m_fElasticity * approach;
+  if (IsHop(out, ball.m_cNext.m_cImpact.m_fClosing, 0.0)) return true;
+  return (ball.m_bIsInPile || other.m_bIsInPile) && approach <= GetSlow();
+}
+
+// The upper one of two balls comes to rest on the lower one, until the substep ends.
+void CContinuous::Rest(CMoving& ball, CMoving& other, const Vector2d& n) {
+  for (CMoving* pBall : {&ball, &other}) {
+    pBall->m_bIsInPile = true;
+    pBall->m_vVel = pBall->m_cHolds.ConstrainVel(pBall->m_vVel);
+    pBall->m_vAcc = pBall->m_cHolds.ConstrainAcc(m_vGravity);
+  }
+  const bool isAbove = !(n.dot(m_vGravity) > 0.0);
+  CMoving &upper = isAbove ? ball : other, &lower = isAbove ? other : ball;
+  const Vector2d up = isAbove ? n : Vector2d(-n);
+  const double along = Cross(up, upper.m_vVel - lower.m_vVel), R = upper.m_fRadius + lower.m_fRadius;
+  const double bend = R > 0.0 ? along * along / R : 0.0;
+  upper.m_cHolds.Add({static_cast<std::uint32_t>(&lower - m_stdBalls.data()), true, up, up.dot(lower.m_vVel),
+                      up.dot(lower.m_vAcc) - bend, std::numeric_limits<double>::infinity(),
+                      lower.m_nVersion});
+  upper.m_vVel = upper.m_cHolds.ConstrainVel(upper.m_vVel);
+  upper.m_vAcc = upper.m_cHolds.ConstrainAcc(m_vGravity);
+}
+
+} // namespace Shapes::Native

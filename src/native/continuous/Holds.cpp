@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "Holds.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace Shapes::Native {
+namespace {
+
+using Geometry::Cross;
+
+// The point closest to x with n . point >= b for all: it is x, on one of the lines, or where two cross. What
+// rounding violates is no violation; if all are violated, the one that is violated least.
+template <class F>
+Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound) {
+  Vector2d best = x;
+  double bestExcess = std::numeric_limits<double>::infinity(), bestSquare = bestExcess;
+  const auto offer = [&](const Vector2d& p) {
+    double excess = 0.0, size = x.cwiseAbs().maxCoeff() + p.cwiseAbs().maxCoeff();
+    for (const CHold& hold : holds)
+      excess = std::max(excess, bound(hold) - hold.m_vNorm.dot(p));
+    if (excess <= 16.0 * std::numeric_limits<double>::epsilon() * size) excess = 0.0;
+    const double square = (p - x).squaredNorm();
+    if (excess < bestExcess || (excess == bestExcess && square < bestSquare))
+      best = p, bestExcess = excess, bestSquare = square;
+  };
+  offer(x);
+  for (std::size_t i = 0; i < holds.size(); ++i) {
+    const Vector2d& n = holds[i].m_vNorm;
+    offer(x + (bound(holds[i]) - n.dot(x)) * n);
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vector2d& m = holds[j].m_vNorm;
+      const double det = Cross(n, m);
+      if (std::abs(det) < 0.05) continue; // far away, where the two all but contradict each other
+      const double b = bound(holds[i]), c = bound(holds[j]);
+      offer(Vector2d(b * m.y() - c * n.y(), c * n.x() - b * m.x()) / det);
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+bool CHolds::Has(std::uint32_t other, bool isBall) const {
+  const auto holds = Get();
+  return std::any_of(holds.begin(), holds.end(),
+                     [=](const CHold& hold) { return hold.m_nOther == other && hold.m_bIsBall == isBall; });
+}
+
+void CHolds::Add(const CHold& hold) {
+  if (m_nSize == m_stdHolds.size()) std::shift_left(m_stdHolds.begin(), m_stdHolds.end(), 1), --m_nSize;
+  m_stdHolds[m_nSize++] = hold;
+}
+
+Vector2d CHolds::ConstrainVel(const Vector2d& v) const {
+  return Closest(v, Get(), [](const CHold& hold) { return hold.m_fSpeed; });
+}
+
+Vector2d CHolds::ConstrainAcc(const Vector2d& a) const {
+  return Closest(a, Get(), [](const CHold& hold) { return hold.m_fAcc; });
+}
+
+void CHolds::DropPulling(const Vector2d& acc, const Vector2d& free) {
+  const auto end = m_stdHolds.begin() + static_cast<std::ptrdiff_t>(m_nSize);
+  const auto pulls = [&](const CHold& hold) {
+    const double size = free.cwiseAbs().maxCoeff() + std::abs(hold.m_fAcc);
+    return hold.m_vNorm.dot(acc) > hold.m_fAcc + 64.0 * std::numeric_limits<double>::epsilon() * size;
+  };
+  m_nSize = static_cast<std::size_t>(std::remove_if(m_stdHolds.begin(), end, pulls) - m_stdHolds.begin());
+}
+
+} // namespace Shapes::Native

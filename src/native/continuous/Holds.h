@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The shapes and balls on which a ball lies or slides.
+#pragma once
+
+#include "../../geometry/Vector.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace Shapes::Native {
+
+/// A contact that lasts: the ball touches a shape or another ball, and neither goes into it nor leaves it.
+struct CHold {
+  std::uint32_t m_nOther = 0; ///< order of the shape, or index of the ball
+  bool m_bIsBall = false;
+  Vector2d m_vNorm = Vector2d::Zero(); ///< unit, from the other one
+  double m_fSpeed = 0.0;               ///< of the surface along the normal
+  double m_fAcc = 0.0;                 ///< along the normal, with which the ball follows the surface
+  /// Of curvature of the way of the centre along the surface; infinite where it is flat, or not looked at.
+  double m_fRadius = 0.0;
+  std::uint32_t m_nVersion = 0; ///< of the motion of the other ball
+};
+
+/// All lasting contacts of a ball.
+class CHolds {
+public:
+  bool IsEmpty() const { return m_nSize == 0; }
+  bool Has(std::uint32_t other, bool isBall) const;
+  std::span<const CHold> Get() const { return {m_stdHolds.data(), m_nSize}; }
+  void Clear() { m_nSize = 0; }
+  /// Of more than there is room for, the oldest goes. (Two are enough to hold a ball in the plane.)
+  void Add(const CHold& hold);
+
+  /// The velocity closest to v that goes into none of them, and the acceleration closest to a. By Gauss's
+  /// principle of least constraint that is the one of a ball without friction.
+  Vector2d ConstrainVel(const Vector2d& v) const;
+  Vector2d ConstrainAcc(const Vector2d& a) const;
+  /// Takes out those that would have to pull a ball that is accelerated by `acc` instead of by `free`.
+  void DropPulling(const Vector2d& acc, const Vector2d& free);
+
+private:
+  std::array<CHold, 4> m_stdHolds;
+  std::size_t m_nSize = 0;
+};
+
+} // namespace Shapes::Native

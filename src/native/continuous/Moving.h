@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A ball in a substep of the continuous mode.
+#pragma once
+
+#include "../../geometry/TimeOfImpact.h"
+
+#include <cstddef>
+#include <cstdint>
+
+#include "Holds.h"
+
+namespace Shapes::Native {
+
+using namespace Geometry;
+
+inline constexpr std::uint32_t g_nNobody = 0xFFFFFFFFu;
+
+/// The next event of a ball.
+struct CNext {
+  eSweep m_eSweep = eSweep::None;
+  bool m_bIsBall = false;
+  std::uint32_t m_nOther = g_nNobody; // order of the shape, or index of the ball; none where holds end
+  std::uint32_t m_nOtherVersion = 0;  // of a ball
+  double m_fOtherTime = 0.0;          // of a ball: seconds on its own motion
+  CImpact m_cImpact;                  // at the time on the motion of this ball; the normal points to it
+};
+
+/// A solid ball, and the part of its path that begins at m_fTime.
+struct CMoving {
+  std::size_t m_nBall; // index in the arrays
+  Vector2d m_vPos;     // where the motion begins
+  Vector2d m_vVel;     // likewise
+  Vector2d m_vAcc;     // of the motion
+  double m_fRadius, m_fMass, m_fElasticity;
+  CHolds m_cHolds;
+  double m_fTime = 0.0; // when the motion begins, seconds in the substep
+  CNext m_cNext;
+  std::uint32_t m_nVersion = 0; // changes with the motion
+  unsigned m_nImpacts = 0;
+  std::uint32_t m_nLastOrder = g_nNobody; // of the shape that it has just left
+  bool m_bIsHalted = false;
+  bool m_bIsMoved = false;  // by anything but its velocity and gravity
+  bool m_bIsInPile = false; // rests on other balls, or they on it
+};
+
+} // namespace Shapes::Native

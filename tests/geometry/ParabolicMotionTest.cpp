@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "../../src/geometry/TimeOfImpact.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../../src/geometry/VisitShape.h"
+#include "Random.h"
+
+namespace Shapes::Geometry {
+namespace {
+
+using Tests::CRandom;
+
+Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
+
+// The distance of x from the shape, which has no sides; of a ring from inside and outside.
+double DistanceTo(const CShape& shape, const Vector2d& x) {
+  const Vector2d c = Wide(shape.GetPos());
+  return VisitShape(
+      shape, CPerShape{[&](const CPoint&) { return (x - c).norm(); },
+                       [&](const CLineSeg& seg) {
+                         const Vector2d a = Wide(seg.GetEndPt0()), u = Wide(seg.GetEndPt1()) - a;
+                         return (x - a - std::clamp(u.dot(x - a) / u.squaredNorm(), 0.0, 1.0) * u).norm();
+                       },
+                       [&](const CCircle& circle) {
+                         return std::abs((x - c).norm() - static_cast<double>(circle.GetRadius()));
+                       },
+                       [&](const CArc& arc) {
+                         // Its ends are moved onto the circle, by less than their rounding.
+                         const CShapeGeometry o = MakeShapeGeometry(arc, 0.0);
+                         const double ends = std::min((x - o.m_vPt0).norm(), (x - o.m_vPt1).norm());
+                         const double ring = std::abs((x - c).norm() - static_cast<double>(arc.GetRadius()));
+                         return InSector(o, x - c, 0.0) ? std::min(ring, ends) : ends;
+                       }});
+}
+
+// The first time at which the path comes as close as the radius, by small steps and bisection.
+double Search(const CShape& shape, const CMotion& motion) {
+  const auto gap = [&](double t) { return DistanceTo(shape, motion.PosAt(t)) - motion.m_fRadius; };
+  const int n = 5000;
+  for (int i = 1; i <= n; ++i) {
+    double high = motion.m_fDuration * i / n, low = motion.m_fDuration * (i - 1) / n;
+    if (!(gap(high) <= 0.0)) continue;
+    for (int k = 0; k < 80; ++k)
+      (gap(0.5 * (low + high)) <= 0.0 ? high : low) = 0.5 * (low + high);
+    return high;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+// The control is the way without gravity.
+TEST(ParabolicMotion, FindsTheFirstImpactOnAParabola) {
+  CRandom random(17);
+  SCOPED_TRACE(random.GetSeed());
+  int impacts = 0, others = 0;
+  for (int i = 0; i < 1200; ++i) {
+    const Vector2 p = random.InSquare(1);
+    const float r = random.Uniform(0.2f, 1.0f), a = random.Uniform(0, 6.28f);
+    std::unique_ptr<CShape> pShape;
+    switch (i % 4) {
+    case 0: pShape = std::make_unique<CPoint>(CPointDesc(p)); break;
+    case 1: pShape = std::make_unique<CLineSeg>(CLineSegDesc(p, p + random.VectorOfLength(0.1f, 2))); break;
+    case 2: pShape = std::make_unique<CCircle>(CCircleDesc(p, r)); break;
+    default: pShape = std::make_unique<CArc>(CArcDesc(p, r, a, random.Uniform(0, 6.28f)));
+    }
+    CMotion motion;
+    motion.m_fRadius = static_cast<double>(random.Uniform(0, 0.15f));
+    motion.m_fDuration = 1.0;
+    motion.m_vPos = Wide(random.InSquare(2));
+    motion.m_vVel = Wide(random.VectorOfLength(0, 4));
+    motion.m_vAcc = Wide(random.VectorOfLength(0, 12));
+    if (DistanceTo(*pShape, motion.m_vPos) <= motion.m_fRadius) continue; // begins in it
+    const double exact = Search(*pShape, motion);
+    CImpact impact;
+    const CShapeGeometry geometry = MakeShapeGeometry(*pShape, 0.0);
+    const eSweep found = Sweep(geometry, motion, 0.0, impact);
+    ASSERT_NE(found, eSweep::OutOfIterations) << i;
+    if (std::isinf(exact)) {
+      // A graze between two steps of the search is all that it may miss.
+      if (found == eSweep::Impact) {
+        EXPECT_LT(std::abs(motion.VelAt(impact.m_fTime).dot(impact.m_vNorm)), 0.01) << i;
+      }
+      continue;
+    }
+    ++impacts;
+    ASSERT_EQ(found, eSweep::Impact) << i;
+    const double approach = -motion.VelAt(impact.m_fTime).dot(impact.m_vNorm);
+    EXPECT_GT(approach, 0.0);
+    // The documented bound, size and speed being below 20, with a factor of 4 for the search.
+    EXPECT_LT(std::abs(impact.m_fTime - exact) * std::min(approach, 1.0),
+              4.0 * (64 + 16) * 20.0 * std::numeric_limits<double>::epsilon())
+        << i;
+    EXPECT_NEAR(DistanceTo(*pShape, motion.PosAt(impact.m_fTime)), motion.m_fRadius, 1e-12);
+    CMotion straight = motion;
+    straight.m_vAcc = Vector2d::Zero();
+    CImpact other;
+    others +=
+        Sweep(geometry, straight, 0.0, other) != eSweep::Impact || std::abs(other.m_fTime - exact) > 1e-3;
+  }
+  EXPECT_GT(impacts, 100);
+  EXPECT_GT(others, impacts / 2);
+}
+
+TEST(ParabolicMotion, ABallThatIsThrownUpMeetsTheFloorThatItLeft) {
+  const CShapeGeometry floor = MakeShapeGeometry(CLineSeg(CLineSegDesc({-5, 0}, {5, 0})), 0.0);
+  CMotion motion{{0, 0.5}, {1, 3}, 0.5, 1.0, {0, -10}};
+  CImpact impact;
+  ASSERT_EQ(Sweep(floor, motion, 0.0, impact), eSweep::Impact);
+  EXPECT_NEAR(impact.m_fTime, 0.6, 1e-12);
+  EXPECT_NEAR(impact.m_fClosing, 10.0, 1e-12);
+  motion.m_fDuration = 0.59;
+  EXPECT_EQ(Sweep(floor, motion, 0.0, impact), eSweep::None);
+  motion.m_vAcc = {0, 10};
+  motion.m_fDuration = 100.0;
+  EXPECT_EQ(Sweep(floor, motion, 0.0, impact), eSweep::None);
+}
+
+// Over a gap of a wall and back from behind.
+TEST(ParabolicMotion, TheBackOfASegmentIsMetByABallThatComesRoundItsEnd) {
+  const CShapeGeometry wall = MakeShapeGeometry(CLineSeg(CLineSegDesc({0, -1}, {0, 1})), 0.0);
+  // From the left over the end at y = 1, and pulled back to the left by the acceleration.
+  const CMotion motion{{-1, 2}, {4, -1}, 0.1, 3.0, {-4, 0}};
+  CImpact impact;
+  ASSERT_EQ(Sweep(wall, motion, 0.0, impact), eSweep::Impact);
+  // x = -1 + 4 t - 2 t^2 = .1 on its way back.
+  EXPECT_NEAR(impact.m_fTime, 1.0 + std::sqrt(1.0 - 0.55), 1e-12);
+  EXPECT_NEAR(impact.m_vNorm.x(), 1.0, 1e-12);
+}
+
+} // namespace
+} // namespace Shapes::Geometry

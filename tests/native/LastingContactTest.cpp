@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// Contact that lasts under gravity, and what bounces until it does.
+#include <Shapes/Shapes.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "Random.h"
+
+namespace Shapes::Tests {
+namespace {
+
+constexpr float g_fDt = 1.0f / 60.0f;
+
+std::unique_ptr<CWorld> MakeWorldOf(const CEffectChoice& effects, float gravity = 10.0f, float dt = g_fDt,
+                                    unsigned substeps = 1) {
+  CWorldDesc desc;
+  desc.m_vGravity = {0.0f, -gravity};
+  desc.m_fTimeStep = dt;
+  desc.m_nSubsteps = substeps;
+  desc.m_cEffects = effects;
+  return GetBackend(eBackend::Native)->MakeWorld(desc);
+}
+
+// Per mass, above the floor on which a ball of radius r lies.
+double EnergyOf(const CWorld& world, CShapeId ball, double g, double r) {
+  return 0.5 * world.GetVel(ball).cast<double>().squaredNorm() +
+         g * (static_cast<double>(world.GetPos(ball).y()) - r);
+}
+
+// Gravity is in the way of a ball, not added once a step: no bounce changes the energy, whatever the share of
+// the step at which it comes. The control is the approximate way.
+TEST(LastingContact, AnElasticDropKeepsItsEnergy) {
+  const auto drift = [](const CEffectChoice& effects, float height, float g, int steps) {
+    const auto pWorld = MakeWorldOf(effects, g);
+    pWorld->Add(CLineSegDesc({-5, 0}, {5, 0}));
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, height + 0.1f}, 0.1f));
+    const double first = EnergyOf(*pWorld, ball, static_cast<double>(g), 0.1);
+    double most = 0.0;
+    for (int step = 0; step < steps; ++step) {
+      pWorld->Step();
+      most = std::max(most, std::abs(EnergyOf(*pWorld, ball, static_cast<double>(g), 0.1) / first - 1.0));
+    }
+    return most;
+  };
+  CRandom random(7);
+  SCOPED_TRACE(random.GetSeed());
+  for (int i = 0; i < 20; ++i) {
+    const float height = random.Uniform(0.3f, 3.0f), g = random.Uniform(5, 12);
+    // Roundings of the floats that are looked at; those of the steps are kept.
+    EXPECT_LT(drift(g_cAutomatic, height, g, 20000), 1e-5) << height << ", " << g;
+  }
+  EXPECT_LT(drift(g_cContinuous, 1.4f, 8.0f, 20000), 1e-5);
+  EXPECT_GT(drift(g_cApproximate, 1.4f, 8.0f, 20000), 0.01);
+}
+
+TEST(LastingContact, ABallComesToRestWhenItsBouncesEnd) {
+  for (const float e : {0.1f, 0.3f, 0.5f, 0.8f, 0.9f}) {
+    const auto pWorld = MakeWorldOf(g_cAutomatic, 9.81f);
+    pWorld->Add(CLineSegDesc({-5, 0}, {5, 0}, e));
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 1.1f}, 0.1f));
+    const double exact =
+        std::sqrt(2.0 / 9.81) * (1.0 + 2.0 * static_cast<double>(e) / (1.0 - static_cast<double>(e)));
+    int last = 0; // step in which it moved
+    for (int step = 1; step <= 1200; ++step) {
+      pWorld->Step();
+      if (pWorld->GetVel(ball) != Vector2::Zero()) last = step;
+    }
+    // Seen at the end of a step; hops of less than a sixteenth of one are not made.
+    EXPECT_NEAR(last * static_cast<double>(g_fDt), exact, 0.01 * exact + static_cast<double>(g_fDt)) << e;
+    EXPECT_EQ(pWorld->GetPos(ball).y(), 0.1f);
+  }
+}
+
+// The pendulum: elliptic integral of the first kind by the arithmetic-geometric mean.
+TEST(LastingContact, ABallSlidesInABowlAsAPendulum) {
+  for (const double amplitude : {0.1, 0.5, 1.0, 1.5}) {
+    const auto pWorld = MakeWorldOf(g_cAutomatic);
+    pWorld->Add(CArcDesc({0, 0}, 1, 0, 0, 0.0f));
+    const Vector2 start(0.8f * static_cast<float>(std::sin(amplitude)),
+                        -0.8f * static_cast<float>(std::cos(amplitude)));
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc(start, 0.2f));
+    double a = 1.0, g = std::cos(0.5 * amplitude);
+    for (int i = 0; i < 6; ++i) {
+      const double mean = 0.5 * (a + g);
+      g = std::sqrt(a * g);
+      a = mean;
+    }
+    const double period = 2.0 * 3.14159265358979 * std::sqrt(0.8 / 10.0) / a;
+    const auto energy = [&] { return EnergyOf(*pWorld, ball, 10.0, -0.8); };
+    const double first = energy();
+    int crossings = 0;
+    double time = 0.0, x = static_cast<double>(start.x()), lastCrossing = 0.0;
+    for (int step = 1; step <= 6000; ++step) {
+      pWorld->Step();
+      const double now = static_cast<double>(pWorld->GetPos(ball).x());
+      if ((x > 0.0) != (now > 0.0)) {
+        ++crossings;
+        lastCrossing = time + static_cast<double>(g_fDt) * x / (x - now);
+      }
+      x = now;
+      time = step * static_cast<double>(g_fDt);
+      ASSERT_NEAR(pWorld->GetPos(ball).norm(), 0.8f, 1e-6f);
+      ASSERT_NEAR(energy(), first, 2e-6 * (1.0 + first)) << step;
+    }
+    EXPECT_NEAR(lastCrossing / (0.5 * crossings - 0.25), period, 1e-3 * period) << amplitude;
+    EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u);
+  }
+}
+
+// However slow, however many substeps and wherever: what touches and approaches is answered.
+TEST(LastingContact, ASlowBallBounces) {
+  for (const unsigned substeps : {1u, 64u, 4096u}) {
+    const auto pNear = MakeWorldOf(g_cContinuous, 0.0f, g_fDt, substeps);
+    pNear->Add(CLineSegDesc({-1, 0}, {1, 0}));
+    const CShapeId slow = pNear->Add(CDynamicCircleDesc({0, 0.15f}, 0.1f, {0, -0.1f}));
+    const auto pFar = MakeWorldOf(g_cContinuous, 0.0f, g_fDt, substeps);
+    pFar->Add(CLineSegDesc({99999, 0}, {100001, 0}));
+    const CShapeId far = pFar->Add(CDynamicCircleDesc({100000, 5}, 0.5f, {0, -5}));
+    for (int step = 0; step < 60; ++step) {
+      pNear->Step();
+      pFar->Step();
+    }
+    EXPECT_EQ(pNear->GetVel(slow).y(), 0.1f) << substeps;
+    EXPECT_EQ(pFar->GetVel(far).y(), 5.0f) << substeps;
+  }
+}
+
+TEST(LastingContact, WhatLiesFarFromTheOriginDoesNotLeap) {
+  for (const float dt : {1e-2f, 1e-4f, 1e-5f}) {
+    const auto pWorld = MakeWorldOf(g_cContinuous, 10.0f, dt);
+    pWorld->Add(CLineSegDesc({999, 0}, {1001, 0}));
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({1000, 0.1f}, 0.1f));
+    for (int step = 0; step < 20000; ++step) {
+      pWorld->Step();
+      ASSERT_NEAR(pWorld->GetPos(ball).y(), 0.1f, 1e-6f) << dt << ", step " << step;
+    }
+    EXPECT_EQ(pWorld->GetVel(ball).norm(), 0.0f);
+  }
+}
+
+// Five balls that touch, and lie: what comes in on one side goes out on the other.
+TEST(LastingContact, ARowOfBallsThatTouchPassesAnImpactOn) {
+  const auto pWorld = MakeWorldOf(g_cAutomatic);
+  pWorld->Add(CLineSegDesc({-9, 0}, {9, 0}));
+  std::vector<CShapeId> row;
+  for (int i = 0; i < 5; ++i)
+    row.push_back(pWorld->Add(CDynamicCircleDesc({0.2f * static_cast<float>(i), 0.1f}, 0.1f)));
+  const CShapeId first = pWorld->Add(CDynamicCircleDesc({-1, 0.1f}, 0.1f, {2, 0}));
+  for (int step = 0; step < 60; ++step)
+    pWorld->Step();
+  EXPECT_NEAR(pWorld->GetVel(first).x(), 0.0f, 1e-5f);
+  for (std::size_t i = 0; i + 1 < row.size(); ++i)
+    EXPECT_NEAR(pWorld->GetVel(row[i]).x(), 0.0f, 1e-5f) << i;
+  EXPECT_NEAR(pWorld->GetVel(row.back()).x(), 2.0f, 1e-5f);
+}
+
+// A box that is twice as high as wide, or a V, and balls that fall into it.
+struct CPile {
+  std::unique_ptr<CWorld> m_pWorld;
+  float m_fWidth, m_fHeight;
+  bool m_bIsV;
+
+  CPile(const CEffectChoice& effects, int balls, bool isV, float e, std::uint64_t seed)
+      : m_pWorld(MakeWorldOf(effects)), m_bIsV(isV) {
+    CRandom random(seed);
+    const float r = 0.2f, side = std::max(2.0f, std::sqrt(static_cast<float>(balls) * 8.8f) * r);
+    m_fWidth = isV ? 2.5f * side : side;
+    m_fHeight = 2.0f * m_fWidth;
+    const auto wall = [&](const Vector2& a, const Vector2& b) { m_pWorld->Add(CLineSegDesc(a, b)); };
+    const float middle = 0.5f * m_fWidth;
+    wall({isV ? middle : 0.0f, 0}, {0, m_fHeight});
+    wall({isV ? middle : m_fWidth, 0}, {m_fWidth, m_fHeight});
+    wall({0, m_fHeight}, {m_fWidth, m_fHeight});
+    if (!isV) wall({0, 0}, {m_fWidth, 0});
+    const int columns = static_cast<int>((isV ? 0.4f * m_fWidth : m_fWidth - 2.2f * r) / (2.1f * r));
+    for (int i = 0; i < balls; ++i) {
+      const float x = 2.1f * r * static_cast<float>(i % columns) + 0.02f * random.Uniform(0, 1);
+      const float y = 2.1f * r * static_cast<float>(i / columns);
+      CDynamicCircleDesc ball(
+          {x + (isV ? 0.3f * m_fWidth : 1.1f * r), y + (isV ? 0.5f * m_fHeight : 1.1f * r)}, r,
+          {random.Uniform(-0.5f, 0.5f), 0});
+      ball.m_fElasticity = e;
+      m_pWorld->Add(ball);
+    }
+  }
+
+  std::size_t CountLost() const {
+    std::size_t lost = 0;
+    for (const Vector2& p : m_pWorld->GetBallPositions()) {
+      const float half = m_bIsV ? 0.5f * m_fWidth * p.y() / m_fHeight : 0.5f * m_fWidth;
+      lost += !(std::abs(p.x() - 0.5f * m_fWidth) < half && p.y() > 0.0f && p.y() < m_fHeight);
+    }
+    return lost;
+  }
+  /// The largest of two balls, in radii.
+  float GetOverlap() const {
+    const auto p = m_pWorld->GetBallPositions();
+    float most = 0.0f;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        most = std::max(most, (0.4f - (p[i] - p[j]).norm()) / 0.2f);
+    return most;
+  }
+  float GetFastest() const {
+    float most = 0.0f;
+    for (const Vector2& v : m_pWorld->GetBallVelocities())
+      most = std::max(most, v.norm());
+    return most;
+  }
+};
+
+TEST(LastingContact, APileSettlesAndLosesNone) {
+  for (const bool isV : {false, true})
+    for (const int balls : {10, 50, 120})
+      for (const float e : {0.0f, 0.5f, 0.9f}) {
+        const std::uint64_t seed = 100 + static_cast<std::uint64_t>(balls);
+        SCOPED_TRACE(testing::Message() << balls << " balls, e = " << e << (isV ? ", in a V" : ", in a box")
+                                        << ", seed " << seed);
+        CPile pile(g_cAutomatic, balls, isV, e, seed);
+        for (int step = 0; step < 900; ++step) {
+          pile.m_pWorld->Step();
+          ASSERT_EQ(pile.CountLost(), 0u) << step;
+        }
+        EXPECT_LT(pile.GetOverlap(), 0.1f);
+        EXPECT_LT(pile.GetFastest(), 1.0f); // Balls without friction roll on for long.
+      }
+  // The control.
+  CPile pile(g_cApproximate, 120, false, 0.5f, 1);
+  for (int step = 0; step < 900; ++step)
+    pile.m_pWorld->Step();
+  EXPECT_GT(pile.GetFastest() + static_cast<float>(pile.CountLost()), 1.0f);
+}
+
+// What the solver begins its search with is no part of a saved state.
+TEST(LastingContact, APileThatIsLoadedTakesTheSameSteps) {
+  CPile pile(g_cAutomatic, 40, false, 0.5f, 3), other(g_cAutomatic, 40, false, 0.5f, 3);
+  for (int step = 0; step < 150; ++step)
+    pile.m_pWorld->Step();
+  const CSavedState saved = pile.m_pWorld->SaveState();
+  other.m_pWorld->LoadState(saved);
+  for (int step = 0; step < 100; ++step) {
+    pile.m_pWorld->Step();
+    other.m_pWorld->Step();
+    for (std::size_t i = 0; i < 40; ++i)
+      ASSERT_EQ(pile.m_pWorld->GetBallPositions()[i], other.m_pWorld->GetBallPositions()[i]) << step;
+  }
+}
+
+} // namespace
+} // namespace Shapes::Tests
