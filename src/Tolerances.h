@@ -67,6 +67,8 @@ inline constexpr double g_fRestingError = 1e-3;
 /// of 1,000 times the mass press the others through each other.
 inline constexpr double g_fShock = 10.0;
 inline constexpr int g_nShockRounds = 2;
+/// Last rounds in which only shapes push: a ball in a wedge is pushed by both sides in turns.
+inline constexpr int g_nWedgeRounds = 8;
 
 /// Most straight parts of the path of a ball, between two of its vertices, in the frame of a turning sensor:
 /// bounds time where a sensor turns hundreds of times in a substep. The path is coarser than

@@ -40,7 +40,9 @@ inline constexpr unsigned g_nMaxSubsteps = 4096;
 inline constexpr float g_fFastMove = 0.5f;
 
 /// Most impacts of a ball in a substep where Continuous runs: bounds time. A ball that has had as many stays
-/// where it is for the rest of the substep, and is counted: CWorldStats::m_nBallsHalted.
+/// where it is for the rest of the substep, or goes along with the turning shape that it has met last, and is
+/// counted: CWorldStats::m_nBallsHalted. In a pile of balls under gravity a sixteenth of these impacts is
+/// enough.
 inline constexpr unsigned g_nMaxImpacts = 256;
 
 /// Error of the path of a ball in the frame of a turning sensor, in its radii: a ball that touches by less

@@ -89,7 +89,9 @@ public:
   double GetCurve(const TFeature& feature, const CSpot&) const {
     return GetCurve(feature);
   }
+  /// Of a ball that falls; 0 otherwise.
   double GetClosing(const CSpot& spot, double t) const {
+    if (m_fFall == 0.0) return 0.0;
     const CBallAt ball = At(t);
     const Vector2d fall = Turned(m_cMotion.m_vAcc, -m_fTurn * t);
     const Vector2d inFrame = m_fTurn * (m_fTurn * (ball.m_vPos - m_vRotCenter) - 2.0 * Perp(ball.m_vVel));

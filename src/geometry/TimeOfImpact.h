@@ -44,7 +44,7 @@ struct CImpact {
   /// convex and rests, (speed across n)^2 / (R - r) inside a ring or an arc.
   double m_fCurve = 0.0;
   /// Minus the second derivative of the gap: what closes it again if it stays as it is, units per second
-  /// squared. Of a ball that falls or a shape that turns; otherwise m_fCurve.
+  /// squared. Where a shape turns, only of a ball that falls.
   double m_fClosing = 0.0;
   double m_fRadius = 0.0; ///< Of curvature of the shape at the POI: CSpot::m_fRadius.
 };

@@ -234,6 +234,59 @@ TEST(LastingContact, APileSettlesAndLosesNone) {
   EXPECT_GT(pile.GetFastest() + static_cast<float>(pile.CountLost()), 1.0f);
 }
 
+// A ball that rests in a V of one-sided walls is not let go by rounding, wherever that is.
+TEST(LastingContact, AOneSidedVKeepsWhatIsInIt) {
+  for (const float x : {0.0f, 10.0f, 100.0f, 1000.0f, 10000.0f})
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      SCOPED_TRACE(testing::Message() << "at " << x << ", seed " << seed);
+      CRandom random(seed);
+      const auto pWorld = MakeWorldOf(g_cAutomatic);
+      for (const float side : {-1.0f, 1.0f}) {
+        CLineSegDesc wall({x, 0}, {x + 3 * side, 3});
+        wall.m_eSides = CLineSeg(wall).GetNormal().y() > 0.0f ? eSides::Front : eSides::Back;
+        pWorld->Add(wall);
+      }
+      const float e = random.Uniform(0, 0.8f);
+      for (int i = 0; i < 5; ++i) {
+        CDynamicCircleDesc ball({x - 1 + 0.5f * static_cast<float>(i), random.Uniform(2, 3)},
+                                random.Uniform(0.1f, 0.2f), {random.Uniform(-0.5f, 0.5f), 0});
+        ball.m_fElasticity = e;
+        pWorld->Add(ball);
+      }
+      for (int step = 0; step < 600; ++step)
+        pWorld->Step();
+      for (const Vector2& p : pWorld->GetBallPositions())
+        EXPECT_GT(p.y(), std::abs(p.x() - x));
+    }
+}
+
+// It turns so fast that balls are halted: these go along with it.
+TEST(LastingContact, AClosedBoxThatTurnsKeepsWhatIsInIt) {
+  std::uint64_t halted = 0;
+  for (const float revsPerSecond : {1.0f, 10.0f, 45.0f})
+    for (const float gravity : {0.0f, 10.0f})
+      for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        SCOPED_TRACE(testing::Message()
+                     << revsPerSecond << " rev/s, gravity " << gravity << ", seed " << seed);
+        CRandom random(seed);
+        const auto pWorld = MakeWorldOf(g_cAutomatic, gravity);
+        std::vector<CAnyShapeDesc> box;
+        const Vector2 corners[] = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
+        for (std::size_t i = 0; i < 4; ++i)
+          box.emplace_back(CLineSegDesc(corners[i], corners[(i + 1) % 4], 0.3f));
+        pWorld->AddCompound(box, {0, 0}, revsPerSecond);
+        for (int i = 0; i < 5; ++i)
+          pWorld->Add(CDynamicCircleDesc({-1 + 0.5f * static_cast<float>(i), random.Uniform(-0.5f, 0.5f)},
+                                         0.2f, random.InSquare(1)));
+        for (int step = 0; step < 120; ++step)
+          pWorld->Step();
+        for (const Vector2& p : pWorld->GetBallPositions())
+          EXPECT_LT(p.norm(), 2.0f * std::sqrt(2.0f));
+        halted += pWorld->GetStats().m_nBallsHalted;
+      }
+  EXPECT_GT(halted, 0u);
+}
+
 // What the solver begins its search with is no part of a saved state.
 TEST(LastingContact, APileThatIsLoadedTakesTheSameSteps) {
   CPile pile(g_cAutomatic, 40, false, 0.5f, 3), other(g_cAutomatic, 40, false, 0.5f, 3);

@@ -23,6 +23,7 @@ public:
   void Update(const CShapeEntry& entry);
 
   std::size_t Size() const { return m_stdByOrder.size(); }
+  bool HasKinematic() const { return !m_cKinematic.m_stdOrder.empty(); }
   const CShapeEntry& Get(std::uint32_t order) const { return *m_stdByOrder[order]; }
 
   /// Puts boxes around the kinematic shapes as they are now, or around all that they sweep in the next dt

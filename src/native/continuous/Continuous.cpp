@@ -39,16 +39,13 @@ void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs
     FindShapes(i);
     for (int turn = 0; turn < g_nSetBackRounds && SetBackFromShapes(i); ++turn)
       FindShapes(i);
-    if (IsFalling() && !m_stdBalls[i].m_bIsInPile)
+    if (m_stdBalls[i].m_bIsInPile) continue;
+    if (IsFalling())
       for (const std::uint32_t order : m_stdShapesFound)
         if (HoldIfTouching(m_stdBalls[i], order)) ReportHold(m_stdBalls[i]);
+    FindFirst(i);
   }
   if (!m_cResting.IsEmpty()) SolveRestingContacts();
-  for (std::uint32_t i = 0; i < n; ++i) {
-    FindShapes(i);
-    m_pStats->m_nBallsSwept += !m_stdShapesFound.empty();
-    FindNextShape(m_stdBalls[i]);
-  }
   for (std::uint32_t i = 0; i < n; ++i) {
     FindBallImpacts(i);
     Queue(i);
@@ -69,12 +66,20 @@ void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs
   PutBalls(balls);
 }
 
+// The first impact of a ball with the shapes that were found.
+void CContinuous::FindFirst(std::uint32_t i) {
+  m_pStats->m_nBallsSwept += !m_stdShapesFound.empty();
+  FindNextShape(m_stdBalls[i]);
+}
+
 void CContinuous::TakeBalls(const CBallArrays& b) {
-  m_stdBalls.clear();
   m_stdBoxes.clear();
+  std::size_t n = 0;
   for (std::size_t i = 0; i < b.Size(); ++i) {
     if (!b.m_stdCanCollide[i] || b.m_stdSensor[i]) continue;
-    CMoving ball;
+    // Those of the last substep are taken again: most of what they have is not looked at before it is set.
+    if (n == m_stdBalls.size()) m_stdBalls.emplace_back();
+    CMoving& ball = m_stdBalls[n++];
     ball.m_nBall = i;
     ball.m_vPos = Join(b.m_stdPos[i], b.m_stdPosTail[i]);
     ball.m_vVel = Join(b.m_stdVel[i], b.m_stdVelTail[i]);
@@ -82,9 +87,10 @@ void CContinuous::TakeBalls(const CBallArrays& b) {
     ball.m_fRadius = static_cast<double>(b.m_stdRadius[i]);
     ball.m_fMass = static_cast<double>(b.m_stdMass[i]);
     ball.m_fElasticity = static_cast<double>(b.m_stdElasticity[i]);
+    ball.Begin();
     m_stdBoxes.push_back(GetBox(ball));
-    m_stdBalls.push_back(ball);
   }
+  m_stdBalls.resize(n);
 }
 
 // The tree does not matter to what comes out, so it may be an old one whose boxes have moved on.

@@ -68,6 +68,7 @@ private:
   CMotion GetMotion(const CMoving& ball) const;
   CAabb2D GetBox(const CMoving& ball) const;
   void FindShapes(std::uint32_t i);
+  void FindFirst(std::uint32_t i);
   bool SetBackFromShapes(std::uint32_t i);
   void SetBackFromBalls(std::uint32_t i);
   void CorrectPosition(std::uint32_t i, const Vector2d& n, double depth);
@@ -97,7 +98,8 @@ private:
   void PassOn();
   void ResolveWithShape(CMoving& ball);
   void ResolveWithBall(CMoving& ball, CMoving& other);
-  void Collide(CMoving& ball, CMoving& other, const Vector2d& n, bool isSlow);
+  void Collide(CMoving& ball, CMoving& other, const Vector2d& n, double setback, bool isSlow);
+  void GoAlong(CMoving& ball, double time);
   void HoldAnew(CMoving& ball);
   /// The speed that gravity gives in g_fRestingSteps substeps.
   double GetSlow() const;

@@ -148,7 +148,7 @@ void CContinuous::PassOn() {
       if (ApproachSpeed(GetMotion(ball).m_vVel, motion.VelAt(since), n) <= GetSlow()) continue;
       if (since > 0.0) Advance(other, since);
       ++other.m_nVersion;
-      Collide(ball, other, n, false);
+      Collide(ball, other, n, 0.0, false);
       for (const std::uint32_t hit : {j, i})
         if (std::find(queue.begin() + static_cast<std::ptrdiff_t>(k) + 1, queue.end(), hit) == queue.end())
           queue.push_back(hit);
@@ -160,11 +160,36 @@ void CContinuous::PassOn() {
 void CContinuous::Advance(CMoving& ball, double motion) {
   const CMotion before = GetMotion(ball);
   ball.m_vPos = before.PosAt(motion);
-  if (!ball.m_bIsHalted) ball.m_vVel = before.VelAt(motion);
+  if (!ball.m_bIsHalted) {
+    ball.m_vVel = before.VelAt(motion);
+  } else if (ball.m_nLastTurning != g_nNobody) {
+    GoAlong(ball, motion);
+  }
   ball.m_fTime = std::min(ball.m_fTime + motion, m_fStep);
   ball.m_bIsMoved = true;
   ++ball.m_nVersion;
   if (!ball.m_cHolds.IsEmpty() && !ball.m_bIsHalted) Settle(ball, before);
+}
+
+// A halted ball with the turning shape that it has met last, until something else is in the way of that.
+void CContinuous::GoAlong(CMoving& ball, double time) {
+  const CShapeGeometry& o = m_pShapes->GetGeometry(ball.m_nLastTurning);
+  const Vector2d way =
+      Turned(ball.m_vPos - o.m_vRotCenter, o.m_fTurnSpeed * time) - (ball.m_vPos - o.m_vRotCenter);
+  CAabb2D box(ToFloat(ball.m_vPos), ToFloat(ball.m_vPos));
+  box += ToFloat(ball.m_vPos + way);
+  std::vector<std::uint32_t> orders;
+  m_pShapes->Query(Padded(box, static_cast<float>(ball.m_fRadius) * (1.0f + g_fBoxPadding)), orders);
+  CMotion motion{ball.m_vPos, way / g_fInstant, ball.m_fRadius, g_fInstant};
+  for (const std::uint32_t order : orders) {
+    const CShapeGeometry& other = m_pShapes->GetGeometry(order);
+    if (other.m_fTurnSpeed == o.m_fTurnSpeed && other.m_vRotCenter == o.m_vRotCenter) continue;
+    CImpact impact;
+    if (m_pShapes->Get(order).m_pShape->GetCanCollide() &&
+        Sweep(other, motion, ball.m_fTime, impact) != eSweep::None)
+      motion.m_fDuration = std::min(motion.m_fDuration, impact.m_fTime);
+  }
+  ball.m_vPos += motion.m_fDuration / g_fInstant * way;
 }
 
 void CContinuous::ResolveWithShape(CMoving& ball) {
@@ -193,6 +218,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   }
   m_pStats->m_nSpeedsCapped += CapSpeed(ball.m_vVel);
   ball.m_nLastOrder = order;
+  if (m_pShapes->GetGeometry(order).m_fTurnSpeed != 0.0) ball.m_nLastTurning = order;
   Report(entry.m_cId, ball, impact.m_vPOI, n, approach);
   EndMotion(ball);
 }
@@ -217,19 +243,19 @@ void CContinuous::ResolveWithBall(CMoving& ball, CMoving& other) {
   Advance(other, next.m_fOtherTime);
   other.m_fTime = ball.m_fTime;
   const double approach = ApproachSpeed(GetMotion(ball).m_vVel, GetMotion(other).m_vVel, n);
-  Collide(ball, other, n, IsSlow(ball, other, approach));
-}
-
-// Two balls that touch at the present place of both.
-void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, bool isSlow) {
-  const double approach = ApproachSpeed(GetMotion(ball).m_vVel, GetMotion(other).m_vVel, n);
-  const double e = isSlow ? 0.0 : ball.m_fElasticity * other.m_fElasticity;
   const double size = SizeOf(ball.m_vPos, ball.m_fRadius) + SizeOf(other.m_vPos, other.m_fRadius);
   const double clear = Clear(size, (ball.m_vVel - other.m_vVel).norm() * m_fStep);
   const double rounding = FloatRounding(ball.m_vPos) + FloatRounding(other.m_vPos);
   const double apart = std::max(ball.m_fRadius + other.m_fRadius, rounding + clear);
   double setback = apart - (ball.m_vPos - other.m_vPos).dot(n);
   if (std::abs(setback) > Rounding(size)) setback = clear; // they began deep in each other
+  Collide(ball, other, n, setback, IsSlow(ball, other, approach));
+}
+
+// Two balls that touch at the present place of both.
+void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, double setback, bool isSlow) {
+  const double approach = ApproachSpeed(GetMotion(ball).m_vVel, GetMotion(other).m_vVel, n);
+  const double e = isSlow ? 0.0 : ball.m_fElasticity * other.m_fElasticity;
   const Vector2d rest = Vector2d::Zero();
   if (other.m_bIsHalted)
     RespondKinematic(n, setback, e, rest, ball.m_vPos, ball.m_vVel);
@@ -272,7 +298,8 @@ void CContinuous::EndMotion(CMoving& ball) {
   m_stdPathVertices.push_back(
       {ball.m_nBall, ToFloat(ball.m_vPos), static_cast<float>(ball.m_fTime / m_fStep)});
   ++ball.m_nImpacts;
-  const bool isCrowded = ball.m_bIsInPile && ball.m_nImpacts == g_nCrowded;
+  // Where shapes turn, they could get past a ball that is halted.
+  const bool isCrowded = ball.m_bIsInPile && ball.m_nImpacts == g_nCrowded && !m_pShapes->HasKinematic();
   if (isCrowded || ball.m_nImpacts == g_nMaxImpacts) Halt(ball);
 }
 

@@ -56,6 +56,11 @@ void CContinuous::SolveRestingContacts() {
     Report(isBall ? m_pBalls->m_stdId[m_stdBalls[other].m_nBall] : m_pShapes->Get(other).m_cId, ball,
            ball.m_vPos - ball.m_fRadius * norm, norm, 0.0);
   });
+  for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
+    if (!m_stdBalls[i].m_bIsInPile) continue;
+    FindShapes(i);
+    FindFirst(i);
+  }
 }
 
 double CContinuous::GetSlow() const { return g_fRestingSteps * Norm(m_vGravity) * m_fStep; }
@@ -141,19 +146,25 @@ void CContinuous::ReportHold(const CMoving& ball) {
 // Onto the surfaces that hold it: the parabola leaves those that curve with the third power of the time.
 void CContinuous::Settle(CMoving& ball, const CMotion& before) {
   bool isAtRest = true, isMoved = false;
-  for (const CHold& hold : ball.m_cHolds.Get()) {
-    if (hold.m_bIsBall) continue;
-    const CShapeGeometry& geometry = m_pShapes->GetGeometry(hold.m_nOther);
-    isAtRest &= geometry.m_fTurnSpeed == 0.0;
-    if (geometry.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius)) continue;
-    CImpact impact;
-    double gap;
-    if (!Near(geometry, GetMotion(ball), ball.m_fTime, 0.01 * ball.m_fRadius, impact, gap)) continue;
-    const Vector2d& n = impact.m_vNorm;
-    ball.m_vPos -= gap * n;
-    ball.m_vVel -= n.dot(ball.m_vVel - impact.m_vSurface) * n;
-    isMoved = true;
-  }
+  // Between two of them in turns.
+  const int rounds = ball.m_cHolds.Get().size() > 1 ? g_nWedgeRounds : 1;
+  for (int round = 0; round < rounds; ++round)
+    for (const CHold& hold : ball.m_cHolds.Get()) {
+      if (hold.m_bIsBall) continue;
+      const CShapeGeometry& geometry = m_pShapes->GetGeometry(hold.m_nOther);
+      isAtRest &= geometry.m_fTurnSpeed == 0.0;
+      const bool isFlat = geometry.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius);
+      if (isFlat && rounds == 1) continue;
+      CImpact impact;
+      double gap;
+      if (!Near(geometry, GetMotion(ball), ball.m_fTime, isFlat ? 0.0 : 0.01 * ball.m_fRadius, impact, gap))
+        continue;
+      const Vector2d& n = impact.m_vNorm;
+      ball.m_vPos -= gap * n;
+      if (isFlat) continue;
+      ball.m_vVel -= n.dot(ball.m_vVel - impact.m_vSurface) * n;
+      isMoved = true;
+    }
   if (!isMoved || !isAtRest) return;
   if (ball.m_bIsInPile) return;
   // Nothing but gravity has done work. A ball that turns round is put back to where its speed is zero.

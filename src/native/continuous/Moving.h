@@ -27,20 +27,32 @@ struct CNext {
 
 /// A solid ball, and the part of its path that begins at m_fTime.
 struct CMoving {
-  std::size_t m_nBall; // index in the arrays
-  Vector2d m_vPos;     // where the motion begins
-  Vector2d m_vVel;     // likewise
-  Vector2d m_vAcc;     // of the motion
-  double m_fRadius, m_fMass, m_fElasticity;
+  std::size_t m_nBall = 0;            // index in the arrays
+  Vector2d m_vPos = Vector2d::Zero(); // where the motion begins
+  Vector2d m_vVel = Vector2d::Zero(); // likewise
+  Vector2d m_vAcc = Vector2d::Zero(); // of the motion
+  double m_fRadius = 0.0, m_fMass = 1.0, m_fElasticity = 0.0;
   CHolds m_cHolds;
-  double m_fTime = 0.0; // when the motion begins, seconds in the substep
   CNext m_cNext;
-  std::uint32_t m_nVersion = 0; // changes with the motion
-  unsigned m_nImpacts = 0;
-  std::uint32_t m_nLastOrder = g_nNobody; // of the shape that it has just left
-  bool m_bIsHalted = false;
-  bool m_bIsMoved = false;  // by anything but its velocity and gravity
-  bool m_bIsInPile = false; // rests on other balls, or they on it
+  double m_fTime = 0.0;                     // when the motion begins, seconds in the substep
+  std::uint32_t m_nVersion = 0;             // changes with the motion
+  unsigned m_nImpacts = 0;                  // in this substep
+  std::uint32_t m_nLastOrder = g_nNobody;   // of the shape that it has just left
+  std::uint32_t m_nLastTurning = g_nNobody; // of the turning shape that it has met last
+  bool m_bIsHalted = false;                 // goes along with that one for the rest of the substep
+  bool m_bIsMoved = false;                  // by anything but its velocity and gravity
+  bool m_bIsInPile = false;                 // rests on other balls, or they on it
+
+  /// A new substep.
+  void Begin() {
+    m_cHolds.Clear();
+    m_cNext.m_eSweep = eSweep::None;
+    m_fTime = 0.0;
+    m_nVersion = 0;
+    m_nImpacts = 0;
+    m_nLastOrder = m_nLastTurning = g_nNobody;
+    m_bIsHalted = m_bIsMoved = m_bIsInPile = false;
+  }
 };
 
 } // namespace Shapes::Native

@@ -81,8 +81,9 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls, const Vector2d& gra
     for (CContact& c : m_stdContacts)
       any |= separate(c, true);
   }
-  for (CContact& c : m_stdContacts)
-    if (!c.m_bIsBall) separate(c, true);
+  for (int round = 0; round < g_nWedgeRounds; ++round)
+    for (CContact& c : m_stdContacts)
+      if (!c.m_bIsBall) separate(c, true);
   for (CContact& c : m_stdContacts) {
     const CMoving& ball = balls[c.m_nBall];
     if (c.m_bIsBall) {
@@ -139,8 +140,9 @@ void CRestingContacts::Iterate(const std::vector<CMoving>& balls, double accurat
   for (int round = 0; most > g_fShock * accurate && round < g_nShockRounds; ++round)
     for (const CContact& c : m_stdContacts)
       stop(c);
-  for (const CContact& c : m_stdContacts)
-    if (!c.m_bIsBall) stop(c);
+  for (int round = 0; round < g_nWedgeRounds; ++round)
+    for (const CContact& c : m_stdContacts)
+      if (!c.m_bIsBall) stop(c);
 }
 
 void CRestingContacts::Solve(std::vector<CMoving>& balls, const Vector2d& gravity, double dt) {
@@ -167,7 +169,7 @@ void CRestingContacts::Solve(std::vector<CMoving>& balls, const Vector2d& gravit
     if (known != m_stdKnown.end() && known->m_nPair == Pair(c)) c.m_fImpulse = known->m_fImpulse;
   }
   // Pairs of balls may overlap for a substep; into a shape none goes.
-  for (int round = 0; round < 2; ++round)
+  for (int round = 0; round < g_nWedgeRounds; ++round)
     for (const CContact& c : m_stdContacts) {
       if (c.m_bIsBall) continue;
       Vector2d& v = balls[c.m_nBall].m_vVel;
