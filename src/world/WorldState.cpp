@@ -10,7 +10,8 @@ namespace {
 template <class F>
 void ForEachArray(CBallArrays& b, F f) {
   f(b.m_stdId), f(b.m_stdPos), f(b.m_stdPrevPos), f(b.m_stdVel), f(b.m_stdRadius), f(b.m_stdMass);
-  f(b.m_stdPosTail), f(b.m_stdVelTail), f(b.m_stdElasticity), f(b.m_stdSensor), f(b.m_stdCanCollide), f(b.m_stdUser);
+  f(b.m_stdPosTail), f(b.m_stdVelTail), f(b.m_stdElasticity), f(b.m_stdSensor), f(b.m_stdCanCollide),
+      f(b.m_stdUser);
 }
 
 } // namespace

@@ -75,7 +75,8 @@ bool CContinuous::IsHop(double out, double closing, double speed) const {
 // Whether the way along a surface can be followed: not where it turns too far within a substep.
 bool CContinuous::CanFollow(const CMoving& ball, std::uint32_t order, const CImpact& impact) const {
   const double speed = Norm(ball.m_vVel) + Norm(m_vGravity) * m_fStep;
-  const double bend = speed / std::abs(impact.m_fRadius + ball.m_fRadius);
+  const double bend = Geometry::Quotient(speed, std::abs(impact.m_fRadius + ball.m_fRadius),
+                                         static_cast<double>(g_fMaxRotSpeed));
   const double turn = std::abs(m_pShapes->GetGeometry(order).m_fTurnSpeed) + bend;
   return turn * m_fStep < static_cast<double>(g_fHoldTurn) * g_nMaxHolds;
 }
