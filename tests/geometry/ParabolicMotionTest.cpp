@@ -117,6 +117,40 @@ TEST(ParabolicMotion, ABallThatIsThrownUpMeetsTheFloorThatItLeft) {
   EXPECT_EQ(Sweep(floor, motion, 0.0, impact), eSweep::None);
 }
 
+// By differences of the gap, for a shape that turns and a ball that falls.
+TEST(ParabolicMotion, TheGapClosesAsItsSecondDerivativeSays) {
+  CRandom random(29);
+  SCOPED_TRACE(random.GetSeed());
+  int impacts = 0;
+  for (int i = 0; i < 300; ++i) {
+    const CCircle disc(CCircleDesc(random.InSquare(1), random.Uniform(0.1f, 0.5f)));
+    const CLineSeg bar(CLineSegDesc(random.InSquare(1), random.InSquare(1)));
+    CShapeGeometry o = MakeShapeGeometry(i % 2 == 0 ? static_cast<const CShape&>(disc) : bar, 0.0);
+    o.m_vRotCenter = Wide(random.InSquare(1));
+    o.m_fTurnSpeed = o.m_fSpin = static_cast<double>(random.Uniform(-6, 6));
+    o.m_fSize = 4.0;
+    CMotion motion{Wide(random.InSquare(2)), Wide(random.VectorOfLength(0, 4)), 0.1, 1.0,
+                   Wide(random.VectorOfLength(0, 12))};
+    const auto gap = [&](double t) {
+      const CShapeGeometry now = RotatedFor(o, t);
+      const Vector2d x = motion.PosAt(t), u = now.m_vPt1 - now.m_vPt0;
+      if (i % 2 == 0) return (x - now.m_vCenter).norm() - now.m_fRadius - 0.1;
+      return (x - now.m_vPt0 - std::clamp(u.dot(x - now.m_vPt0) / u.squaredNorm(), 0.0, 1.0) * u).norm() -
+             0.1;
+    };
+    CImpact impact;
+    if (!(gap(0.0) > 0.0) || Sweep(o, motion, 0.0, impact) != eSweep::Impact) continue;
+    const double t = impact.m_fTime, h = 1e-4;
+    const double closing = -(gap(t + h) - 2.0 * gap(t) + gap(t - h)) / (h * h);
+    // At an end of the bar the second derivative jumps.
+    const double later = -(gap(t + 2 * h) - 2.0 * gap(t + h) + gap(t)) / (h * h);
+    if (std::abs(later - closing) > 0.01 * (1.0 + std::abs(closing))) continue;
+    ++impacts;
+    EXPECT_NEAR(impact.m_fClosing, closing, 0.02 * (1.0 + std::abs(closing))) << i;
+  }
+  EXPECT_GT(impacts, 50);
+}
+
 // Over a gap of a wall and back from behind.
 TEST(ParabolicMotion, TheBackOfASegmentIsMetByABallThatComesRoundItsEnd) {
   const CShapeGeometry wall = MakeShapeGeometry(CLineSeg(CLineSegDesc({0, -1}, {0, 1})), 0.0);

@@ -25,12 +25,14 @@ namespace Shapes::Native {
 /// - Under gravity, a ball that would be back at a shape within 1/g_nHops of the substep after it has left it
 ///   does not leave it: it lies on it or slides along it, without friction, until it would have to be pulled.
 ///   It loses the energy of that hop, and no other.
+/// - Under gravity, balls that touch and hardly approach rest on each other: CRestingContacts. An impact that
+///   is faster is passed on among them at once.
 /// - Without gravity, a ball that comes back to the same turning shape or inside of an arc within 1/g_nHops
-/// of
-///   the substep, and leaves it all but along the surface, slides: it keeps its speed, but leaves so steeply
-///   that it stays away for that long, or at g_fShallow radians if that is less.
-/// - A ball that has had g_nMaxImpacts impacts is halted: it stays where it is, which is a place that it can
-///   be at, for the rest of the substep, and keeps its velocity; others bounce off it as off a wall.
+///   of the substep, and leaves it all but along the surface, slides: it keeps its speed, but leaves so
+///   steeply that it stays away for that long, or at g_fShallow radians if that is less.
+/// - A ball that has had g_nMaxImpacts impacts, or g_nCrowded in a pile, is halted: for the rest of the
+///   substep it stays where it is, which is a place that it can be at, or goes along with the turning shape
+///   that it has met last. It keeps its velocity; others bounce off it as off a wall.
 class CContinuous {
 public:
   /// Moves the balls by dt seconds, and counts what was done.

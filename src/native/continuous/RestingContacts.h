@@ -38,8 +38,7 @@ public:
   void Separate(std::vector<CMoving>& balls, const Vector2d& gravity);
   /// Sets the accelerations of all balls that are in a contact; the shapes that push become holds.
   void Solve(std::vector<CMoving>& balls, const Vector2d& gravity, double dt);
-  /// Calls f(ball, other, isBall, normal) for each contact that pushes, in the order in which they were
-  /// added.
+  /// Calls f(ball, other, isBall, normal) for each contact that pushes, from the bottom up.
   template <class F>
   void ForEach(const F& f) const {
     for (const CContact& c : m_stdContacts)
