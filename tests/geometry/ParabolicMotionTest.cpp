@@ -122,7 +122,7 @@ TEST(ParabolicMotion, TheGapClosesAsItsSecondDerivativeSays) {
   CRandom random(29);
   SCOPED_TRACE(random.GetSeed());
   int impacts = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 1200; ++i) {
     const CCircle disc(CCircleDesc(random.InSquare(1), random.Uniform(0.1f, 0.5f)));
     const CLineSeg bar(CLineSegDesc(random.InSquare(1), random.InSquare(1)));
     CShapeGeometry o = MakeShapeGeometry(i % 2 == 0 ? static_cast<const CShape&>(disc) : bar, 0.0);
