@@ -5,6 +5,8 @@
 
 #include <Shapes/Limits.h>
 
+#include <cstddef>
+
 namespace Shapes {
 
 /// Most of an approach speed that a response looks at, in units per second: a surface may be faster than any
@@ -47,21 +49,46 @@ inline constexpr float g_fShallow = 0.01f;
 inline constexpr float g_fHoldTurn = 0.03125f;
 /// Most of these parts in a substep.
 inline constexpr unsigned g_nMaxHolds = 64;
+/// Speed below which a ball that lies on something is at rest where Continuous runs, as a share of what
+/// gravity gives in a substep, and the seconds after which it sleeps, if all of its pile has been at rest so
+/// long. At 60 substeps a second it does not come to that on a slope of .2 degrees, with longer ones on one
+/// in proportion.
+inline constexpr double g_fCalmSpeed = 0.05;
+inline constexpr float g_fCalmTime = 0.5f;
 /// Two balls rest on each other if they approach or part by no more than gravity gives in so many substeps,
 /// and would touch within one. With 1 a pile of 200 does not come to rest.
 inline constexpr double g_fRestingSteps = 2.0;
 /// Most impacts in a substep of a ball that touches others, under gravity: for the rest of it it is halted.
 /// Bounds the time of a pile that falls together.
 inline constexpr unsigned g_nCrowded = 16;
+/// A correction of the place of a ball by more than this share of its radius might take it through a shape,
+/// and is swept. In a pile, where balls move each other, the shapes that near are looked at.
+inline constexpr double g_fFarCorrection = 0.25;
+/// Farthest that a ball of a pile is moved out of others in a substep, in its radii: less than
+/// g_fFarCorrection.
+inline constexpr double g_fMostSeparation = 0.2;
+/// How far a ball may be from a surface that curves, in its radii, to be put back onto it after a part of its
+/// way along it. More than the parabola leaves it; beyond it the ball has left.
+inline constexpr double g_fSettleReach = 0.01;
+/// Sine of the angle below which two surfaces that hold a ball are parallel: they cross far away, where they
+/// all but contradict each other.
+inline constexpr double g_fParallel = 0.05;
 /// Rounds, up and down, in which balls of a pile that overlap are moved apart, and the overlap, in radii,
-/// that is none.
-inline constexpr int g_nSeparateRounds = 12;
-inline constexpr double g_fSeparateError = 1e-6;
-/// Rounds, up and down, of the solver of resting contacts, and the change of a velocity in one, as a share of
-/// what is slow, after which it has come to an end. Counted in piles of 200: with 20 rounds half of them come
-/// to rest, with 40 nearly all.
-inline constexpr int g_nRestingRounds = 40;
+/// that may remain.
+inline constexpr std::size_t g_nSeparateRounds = 12;
+/// Contacts of a ball, in the mean, above which these rounds become fewer: the time of a step in which many
+/// are put in one place. In a pile of equal balls it is at most 3.
+inline constexpr std::size_t g_nManyContacts = 8;
+inline constexpr double g_fSeparateError = 2e-4;
+/// Most rounds, up and down, of the solver of resting contacts, and the change of a velocity in one, as a
+/// share of what is slow, after which it has come to an end. A pile of 1,000 needs 200 to come to rest; one
+/// of 50 has come to an end after some ten.
+inline constexpr int g_nRestingRounds = 200;
 inline constexpr double g_fRestingError = 1e-3;
+/// The same change as a share of the speed of the fastest ball of the pile, above half of what is slow: a
+/// pile that flows need not be as exact as one that comes to rest. With .03 a pile of 200 in a V takes twice
+/// as long to come to rest, with 0 each step takes twice as long while it flows.
+inline constexpr double g_fFlowError = 0.01;
 /// Where it has come no nearer to its end than to so many times that change, that many rounds from the bottom
 /// up follow in which the lower one of two balls does not give way (shock propagation). Without them balls
 /// of 1,000 times the mass press the others through each other.

@@ -11,7 +11,7 @@ source "$root/scripts/build.sh"
 install_missing_packages "${build_packages[@]}" "${test_packages[@]}"
 
 cd "$root"
-# What an earlier run was told to do differently is forgotten; cmake --fresh would forget what is compiled, too.
+# The cache of an earlier run with other arguments goes; cmake --fresh would delete compiled objects, too.
 rm -f "build/$preset/CMakeCache.txt"
 # shellcheck disable=SC2086 # several arguments in one variable
 quietly cmake --preset "$preset" "${launcher[@]}" ${SHAPES_CMAKE_ARGS:-}

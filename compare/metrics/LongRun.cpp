@@ -31,7 +31,7 @@ bool KeepsEnergy(const CScene& scene) {
       if (GetBase(shape.m_cDesc).m_fElasticity * balls[i].m_cDesc.m_fElasticity != 1.0f) return false;
   }
   return std::none_of(scene.m_stdShapes.begin(), scene.m_stdShapes.end(), [](const CSceneShape& shape) {
-    return Turns(shape) || shape.m_bIsDrain || GetBase(shape.m_cDesc).m_bIsSensor;
+    return Moves(shape) || shape.m_bIsDrain || GetBase(shape.m_cDesc).m_bIsSensor;
   });
 }
 
@@ -43,7 +43,7 @@ std::optional<Vector2> FindCentre(const CScene& scene) {
     const bool round = std::holds_alternative<CCircleDesc>(shape.m_cDesc) ||
                        (pArc != nullptr && CArc(*pArc).IsFullCircle() && pArc->m_eSides == eSides::Both);
     const Vector2& p = GetBase(shape.m_cDesc).m_vPos;
-    if (!round || Turns(shape) || shape.m_bIsDrain || (centre && *centre != p)) return std::nullopt;
+    if (!round || Moves(shape) || shape.m_bIsDrain || (centre && *centre != p)) return std::nullopt;
     centre = p;
   }
   return centre;

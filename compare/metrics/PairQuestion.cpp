@@ -39,9 +39,11 @@ std::unique_ptr<CShape> MakeKinematic(const CDynamicCircleDesc&) { return nullpt
 
 CPairQuestion::CPairQuestion(const CSceneShape& shape, const CDynamicCircleDesc& ball, double time,
                              const CWorldDesc& world)
-    // A kinematic shape that does not turn is where a static one is, so one class serves both.
+    // A kinematic shape that does not move is where a static one is, so one class serves both.
     : m_pShape(std::visit([](const auto& desc) { return MakeKinematic(desc); }, shape.m_cDesc)),
       m_pBall(Fly(ball, world)) {
+  if (const Eigen::Vector2d way = OffsetAt(shape, time); !way.isZero(0.0))
+    m_pShape->Relocate((m_pShape->GetPos().cast<double>() + way).cast<float>());
   if (const float angle = OrientationAt(shape, time); angle != 0.0f) m_pShape->SetOrientation(angle);
   m_pShape->SetRotSpeed(RotSpeedAt(shape, time, world.m_fTimeStep));
   m_pShape->Advance(world.m_fTimeStep);

@@ -121,6 +121,11 @@ public:
   /// @throws std::invalid_argument unless the shape is kinematic and the value is finite
   void SetOrientation(std::size_t shape, const T& angle);
   void SetRotSpeed(std::size_t shape, const T& revsPerSecond);
+  /// How far a shape and its rotation centre have moved from where they are described. (Its velocity is that
+  /// of its descriptor.)
+  /// @throws std::invalid_argument if it is not finite
+  void SetOffset(std::size_t shape, const CVec<T>& way);
+  const CVec<T>& GetOffset(std::size_t shape) const { return m_stdShapes.at(shape).m_vMoved; }
 
   /// One step of dt seconds. Events are answered in the order of their times, and appended in that order:
   /// with e the product of the elasticities and V the velocity of the surface along n, v_n becomes V + e (V -
@@ -161,19 +166,24 @@ public:
 private:
   struct CSolid {
     CShapeGeometry<T> m_cGeometry; // as described
-    CVec<T> m_vRotCenter;
+    CVec<T> m_vRotCenter;          // as described
+    CVec<T> m_vVel;
+    CVec<T> m_vMoved; // by the beginning of the step
     T m_fRevs;
     T m_fAngle;
     T m_fElasticity;
     bool m_bKinematic;
     bool m_bIsSensor;
     bool m_bCanCollide;
-    CVec<T> m_vLow; // box, of all angles if it turns
+    CVec<T> m_vLow; // box, of all angles if it turns, where it is described
     CVec<T> m_vHigh;
 
     T GetSpeed() const;
     bool Turns() const { return m_bKinematic && m_fRevs != T(0); }
+    bool Moves() const { return Turns() || !(m_vVel.x() == T(0) && m_vVel.y() == T(0)); }
+    // At the time t of the step.
     CShapeGeometry<T> GetGeometry(const T& t) const;
+    CTurning<T> GetTurning(const T& t) const;
     void SetBox();
   };
   struct CNext { // the next event of a ball, at m_cHit.m_fTime in the step

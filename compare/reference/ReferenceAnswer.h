@@ -118,11 +118,11 @@ void CReference<T>::AnswerShape(const CHit<T>& hit, CPair& pair, CExactEvent<T>&
   const CVec<T>& n = hit.m_vNorm;
   const T vn = (ball.m_vVel - hit.m_vSurface).dot(n), e = ball.m_fElasticity * solid.m_fElasticity;
   const bool pressed = Begins(hit, pair) ||
-                       ((hit.m_ePart == ePart::Inside || solid.Turns()) && -vn < T(g_fPressed) * m_fSpeeds);
+                       ((hit.m_ePart == ePart::Inside || solid.Moves()) && -vn < T(g_fPressed) * m_fSpeeds);
   const bool slides = Slides(pair, e, T(-vn), pressed);
   if (!slides) {
     pair.m_fOut = std::max(T(0), T(-e * vn));
-  } else if ((hit.m_ePart == ePart::Front || hit.m_ePart == ePart::Back) && !solid.Turns()) {
+  } else if ((hit.m_ePart == ePart::Front || hit.m_ePart == ePart::Back) && !solid.Moves()) {
     pair.m_bRests = true;
     pair.m_fOut = T(0);
     ++m_nRests;

@@ -70,8 +70,11 @@ void CReference<T>::MeetShapes(std::size_t i, CNext& next) {
   high += CVec<T>(pad, pad);
   for (std::size_t k = 0; k < m_stdShapes.size(); ++k) {
     const CSolid& solid = m_stdShapes[k];
-    if (low.x() > solid.m_vHigh.x() || high.x() < solid.m_vLow.x() || low.y() > solid.m_vHigh.y() ||
-        high.y() < solid.m_vLow.y() || !solid.m_bCanCollide)
+    // As seen from the shape, which may have moved.
+    const CVec<T> from = solid.m_vMoved + now * solid.m_vVel, to = solid.m_vMoved + m_fStep * solid.m_vVel;
+    const CVec<T> lower = low - from.cwiseMax(to), upper = high - from.cwiseMin(to);
+    if (lower.x() > solid.m_vHigh.x() || upper.x() < solid.m_vLow.x() || lower.y() > solid.m_vHigh.y() ||
+        upper.y() < solid.m_vLow.y() || !solid.m_bCanCollide)
       continue;
     const bool sensor = solid.m_bIsSensor || m_stdBalls[i].m_bIsSensor;
     if (const CPair* pPair = FindPair(i, k, false);
@@ -80,8 +83,7 @@ void CReference<T>::MeetShapes(std::size_t i, CNext& next) {
     CHit<T> hit;
     const eMeet meet = sensor && now == T(0) ? eMeet::Touching : eMeet::Approaching;
     const bool found = solid.m_bKinematic
-                           ? Sweep(solid.GetGeometry(now), CTurning<T>{solid.m_vRotCenter, solid.GetSpeed()},
-                                   ball, left, hit, meet)
+                           ? Sweep(solid.GetGeometry(now), solid.GetTurning(now), ball, left, hit, meet)
                            : Sweep(solid.m_cGeometry, ball, left, hit, meet);
     hit.m_fTime += now;
     Offer(next, found && !IsNegligible(i, k, false, hit), false, i, k, hit);
@@ -120,7 +122,7 @@ template <class T>
 bool CReference<T>::IsNegligible(std::size_t i, std::size_t other, bool isBall, const CHit<T>& hit) {
   const CPair* pPair = FindPair(i, other, isBall);
   if (pPair == nullptr || !pPair->m_bSlides || hit.m_bBegins) return false;
-  if (!isBall && (hit.m_ePart == ePart::Inside || m_stdShapes[other].Turns())) return false;
+  if (!isBall && (hit.m_ePart == ePart::Inside || m_stdShapes[other].Moves())) return false;
   const CVec<T> acc = isBall ? CVec<T>(m_stdAcc[i] - m_stdAcc[other]) : m_stdAcc[i];
   const T eps = T(g_nTouchRoundings) * std::numeric_limits<T>::epsilon();
   if (acc.dot(hit.m_vNorm) < -eps * Norm(m_vGravity)) return false;

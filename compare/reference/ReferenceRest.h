@@ -29,9 +29,8 @@ void CReference<T>::PassEnd(std::size_t i, const CNext& next) {
   Advance(i, m_fNow);
   CPair& pair = GetPair(i, next.m_nOther, false);
   const CShapeGeometry<T> f = m_stdShapes[next.m_nOther].GetGeometry(m_fNow);
-  const T touch =
-      T(g_nTouchRoundings) * std::numeric_limits<T>::epsilon() *
-      GetExtent(f, GetSwept(i, m_fNow), CTurning<T>{m_stdShapes[next.m_nOther].m_vRotCenter, T(0)});
+  const T touch = T(g_nTouchRoundings) * std::numeric_limits<T>::epsilon() *
+                  GetExtent(f, GetSwept(i, m_fNow), m_stdShapes[next.m_nOther].GetTurning(m_fNow));
   const CVec<T> past = m_stdBalls[i].m_vPos - next.m_cHit.m_vPOI;
   m_stdBalls[i].m_vPos += (T(2) * touch - past.dot(next.m_cHit.m_vNorm)) * next.m_cHit.m_vNorm;
   pair.m_bRests = pair.m_bSlides = false;

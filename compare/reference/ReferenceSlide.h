@@ -51,9 +51,10 @@ T CReference<T>::Press(const CPair& pair, const CHit<T>& hit) const {
   const CExactBall<T>& ball = m_stdBalls[pair.m_nBall];
   const CSolid& solid = m_stdShapes[pair.m_nOther];
   const T w = solid.GetSpeed(), R = solid.m_cGeometry.m_fRadius;
-  const CVec<T> q = hit.m_vCenter - solid.m_vRotCenter, rel = ball.m_vVel - w * Perp(q);
+  const CVec<T> q = hit.m_vCenter - solid.GetTurning(m_fNow).m_vCenter;
+  const CVec<T> rel = ball.m_vVel - solid.m_vVel - w * Perp(q);
   T press = -m_stdAcc[pair.m_nBall].dot(n);
-  if (w != T(0)) press += T(2) * abs(w) * Norm(ball.m_vVel) + w * w * Norm(q);
+  if (w != T(0)) press += T(2) * abs(w) * Norm(CVec<T>(ball.m_vVel - solid.m_vVel)) + w * w * Norm(q);
   const T along = Cross(n, rel);
   if (hit.m_ePart == ePart::Inside)
     press += along * along / (R - ball.m_fRadius);

@@ -30,11 +30,18 @@ T CReference<T>::CSolid::GetSpeed() const {
 template <class T>
 CShapeGeometry<T> CReference<T>::CSolid::GetGeometry(const T& t) const {
   const T angle = m_fAngle + GetSpeed() * t;
-  if (angle == T(0)) return m_cGeometry;
+  const CVec<T> way = m_vMoved + t * m_vVel;
   CShapeGeometry<T> f = m_cGeometry;
-  for (CVec<T>* p : {&f.m_vCenter, &f.m_vPt0, &f.m_vPt1})
-    *p = m_vRotCenter + Turned(CVec<T>(*p - m_vRotCenter), angle);
+  for (CVec<T>* p : {&f.m_vCenter, &f.m_vPt0, &f.m_vPt1}) {
+    if (angle != T(0)) *p = m_vRotCenter + Turned(CVec<T>(*p - m_vRotCenter), angle);
+    *p += way;
+  }
   return f;
+}
+
+template <class T>
+CTurning<T> CReference<T>::CSolid::GetTurning(const T& t) const {
+  return {m_vRotCenter + m_vMoved + t * m_vVel, GetSpeed(), m_vVel};
 }
 
 template <class T>
@@ -71,6 +78,8 @@ CReference<T>::CReference(std::span<const CAnyShapeDesc> shapes, std::span<const
           if (desc.m_eMotionType != eMotion::Static && desc.m_eMotionType != eMotion::Kinematic)
             throw std::invalid_argument("m_eMotionType is neither Static nor Kinematic");
           solid.m_vRotCenter = desc.m_vRotCenter.template cast<T>();
+          solid.m_vVel = desc.m_vVel.template cast<T>();
+          solid.m_vMoved = CVec<T>::Zero();
           solid.m_bKinematic = desc.m_eMotionType == eMotion::Kinematic;
           solid.m_fRevs = T(desc.m_fRotSpeed);
           solid.m_fElasticity = T(desc.m_fElasticity);
@@ -108,6 +117,12 @@ void CReference<T>::SetOrientation(std::size_t shape, const T& angle) {
   solid.m_fAngle = TakeTurnsOff(angle);
   if (solid.m_fAngle < T(0)) solid.m_fAngle += tau;
   if (solid.m_fAngle >= tau) solid.m_fAngle = T(0);
+}
+
+template <class T>
+void CReference<T>::SetOffset(std::size_t shape, const CVec<T>& way) {
+  if (!IsFinite(T(way.x() + way.y()))) throw std::invalid_argument("way is not finite");
+  m_stdShapes.at(shape).m_vMoved = way;
 }
 
 template <class T>
@@ -158,8 +173,11 @@ void CReference<T>::Step(const T& dt, std::vector<CExactEvent<T>>& events) {
   CountNearMisses(dt);
   for (std::size_t i = 0; i < balls; ++i)
     Advance(i, dt);
-  for (std::size_t i = 0; i < m_stdShapes.size(); ++i)
-    if (m_stdShapes[i].Turns()) SetOrientation(i, m_stdShapes[i].m_fAngle + m_stdShapes[i].GetSpeed() * dt);
+  for (std::size_t i = 0; i < m_stdShapes.size(); ++i) {
+    CSolid& solid = m_stdShapes[i];
+    solid.m_vMoved += dt * solid.m_vVel;
+    if (solid.Turns()) SetOrientation(i, solid.m_fAngle + solid.GetSpeed() * dt);
+  }
 }
 
 template <class T>

@@ -28,14 +28,17 @@ CPathDesc<T> MakePathDesc(const CSweptBall<T>& ball, const T& tMax, const T& siz
           T(eps * acc)};
 }
 
-/// The first hit of the ball on the figure in [0, tMax], while the figure turns from the pose that is given.
-/// Error of the time at most (g_nTouchRoundings + 16) eps (size of the coordinates and of the way) / approach
-/// speed + 4 eps t; without rotation 16 instead of the first factor, unless the ball touches at time 0.
+/// The first hit of the ball on the figure in [0, tMax], while the figure moves and turns from the pose that
+/// is given. Error of the time at most (g_nTouchRoundings + 16) eps (size of the coordinates and of the way)
+/// / approach speed + 4 eps t; without rotation 16 instead of the first factor, unless the ball touches at
+/// time 0.
 /// @return whether there is one; hit.m_bGraze is set in any case
 template <class T>
-bool Sweep(const CShapeGeometry<T>& f, const CTurning<T>& turning, const CSweptBall<T>& ball, const T& tMax,
+bool Sweep(const CShapeGeometry<T>& f, const CTurning<T>& turning, const CSweptBall<T>& mover, const T& tMax,
            CHit<T>& hit, eMeet meet = eMeet::Approaching) {
   using std::abs;
+  // As somebody sees it who moves with the figure.
+  const CSweptBall<T> ball{mover.m_vPos, mover.m_vVel - turning.m_vVel, mover.m_fRadius, mover.m_vAcc};
   const T size = GetExtent(f, ball, turning), w = turning.m_fSpeed;
   const CPathDesc<T> desc = MakePathDesc(ball, tMax, size, T(Norm(ball.m_vVel) + abs(w) * size));
   const auto run = [&](const auto& path) {
@@ -53,8 +56,9 @@ bool Sweep(const CShapeGeometry<T>& f, const CTurning<T>& turning, const CSweptB
   } else if (!run(CStraightPath<T>(desc))) {
     return false;
   }
-  hit.m_vSurface = w * Perp(CVec<T>(hit.m_vPOI - turning.m_vCenter));
-  hit.m_vCenter = ball.GetPos(hit.m_fTime);
+  hit.m_vSurface = turning.m_vVel + w * Perp(CVec<T>(hit.m_vPOI - turning.m_vCenter));
+  hit.m_vPOI += hit.m_fTime * turning.m_vVel;
+  hit.m_vCenter = mover.GetPos(hit.m_fTime);
   return true;
 }
 

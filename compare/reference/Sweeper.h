@@ -44,6 +44,7 @@ template <class T>
 struct CTurning {
   CVec<T> m_vCenter = CVec<T>::Zero();
   T m_fSpeed = T(0);
+  CVec<T> m_vVel = CVec<T>::Zero(); ///< of the figure and the centre
 };
 
 template <class T>

@@ -74,15 +74,14 @@ ordered_json Settings(const CEngine& engine, const CScene& scene) {
 
 // What of a scene an engine has to do something for.
 ordered_json Features(const CScene& scene) {
-  bool turns = false, senses = false;
+  bool moves = false, senses = false;
   for (const CSceneShape& shape : scene.m_stdShapes) {
-    const CShapeDesc& desc = std::visit([](const auto& d) -> const CShapeDesc& { return d; }, shape.m_cDesc);
-    turns |= shape.m_cFlip.has_value() || desc.m_fRotSpeed != 0.0f;
-    senses |= desc.m_bIsSensor;
+    moves |= Moves(shape);
+    senses |= GetBase(shape.m_cDesc).m_bIsSensor;
   }
   ordered_json features = ordered_json::array();
   if (!scene.m_cWorld.m_vGravity.isZero(0.0f)) features.push_back("gravity");
-  if (turns) features.push_back("kinematics");
+  if (moves) features.push_back("kinematics");
   if (scene.m_stdBalls.size() > 1) features.push_back("ball_pairs");
   if (senses) features.push_back("sensors");
   return features;

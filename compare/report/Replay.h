@@ -16,7 +16,7 @@ struct CClip {
   std::size_t m_nContact = 0; ///< the step in which the worst contact happens; 0 for "start"
   std::size_t m_nBall = 0;    ///< whose contact it is
   std::string m_sWhat;        ///< what goes wrong, in words; empty for "start"
-  double m_fTime = 0.0;       ///< scene time at the first frame, for shapes that turn
+  double m_fTime = 0.0;       ///< scene time at the first frame, for shapes that move
   /// [track][frame * balls + ball]; tracks are the engines in their order, then the reference. A frame is
   /// the end of a step; frame 0 is the start.
   std::vector<std::vector<Vector2>> m_stdTracks;

@@ -77,6 +77,7 @@ ordered_json ToJson(const CSceneShape& shape, const CRounder& round) {
   json["sensor"] = GetBase(shape.m_cDesc).m_bIsSensor;
   json["turns"] = Turns(shape);
   if (Turns(shape)) json["center"] = round(GetBase(shape.m_cDesc).m_vRotCenter);
+  if (const Vector2& v = GetBase(shape.m_cDesc).m_vVel; !v.isZero(0.0f)) json["velocity"] = round(v);
   return json;
 }
 
@@ -93,6 +94,7 @@ ordered_json ToJson(const CClip& clip, const CScene& scene, const CRounder& roun
                     {"what", clip.m_sWhat},
                     {"contact", clip.m_nContact},
                     {"ball", clip.m_nBall},
+                    {"time", clip.m_fTime},
                     {"frames", frames},
                     {"tracks", ordered_json::array()},
                     {"orientations", ordered_json::array()}};

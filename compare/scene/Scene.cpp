@@ -44,9 +44,10 @@ constexpr CPairRule g_cPoint{"a point [x, y]", g_cNumber}, g_cVector{"a vector [
 constexpr std::string_view g_stdTypes[] = {"point", "line_segment", "circle", "arc"},
                            g_stdMotions[] = {"static", "kinematic"}, g_stdSides[] = {"both", "front", "back"};
 
-// What is turned in one piece: a kinematic shape, or the shapes of a compound.
-struct CSceneRotation {
+// The motion of a kinematic shape, or of the shapes of a compound, which move and turn as one.
+struct CSceneMotion {
   eMotion m_eMotion = eMotion::Static;
+  Vector2 m_vVel = Vector2::Zero();
   float m_fRotSpeed = 0.0f;
   Vector2 m_vRotCenter = Vector2::Zero();
   std::optional<CFlip> m_cFlip;
@@ -135,8 +136,9 @@ private:
     m_cScene.m_cBounds = CAabb2D(topLeft, bottomRight);
   }
 
-  CSceneRotation ReadTurning(CSceneFields& fields) const {
-    CSceneRotation turning;
+  CSceneMotion ReadMotion(CSceneFields& fields) const {
+    CSceneMotion turning;
+    fields.Read("velocity", turning.m_vVel, g_cVector);
     fields.Read("rotation_speed", turning.m_fRotSpeed, g_cRotSpeed);
     fields.Read("rotation_center", turning.m_vRotCenter, g_cPoint);
     if (fields.Has("flip")) turning.m_cFlip = ReadFlip(fields.GetPath());
@@ -147,11 +149,13 @@ private:
   }
 
   // Rules between two fields, checked after all fields are read: a misspelled one is the better reason.
-  void CheckTurning(const CJsonPath& path, const CSceneRotation& turning) const {
+  void CheckMotion(const CJsonPath& path, const CSceneMotion& turning) const {
     if (turning.m_cFlip && turning.m_fRotSpeed != 0.0f)
       Refuse(path / "rotation_speed", "none for what has a flip");
     if (turning.m_eMotion == eMotion::Static && (turning.m_cFlip || turning.m_fRotSpeed != 0.0f))
       Refuse(path / "motion", "\"kinematic\" for a shape that turns");
+    if (turning.m_eMotion == eMotion::Static && !turning.m_vVel.isZero(0.0f))
+      Refuse(path / "motion", "\"kinematic\" for a shape that moves");
   }
 
   CFlip ReadFlip(const CJsonPath& owner) const {
@@ -174,14 +178,15 @@ private:
 
   void ReadCompound(const CJsonPath& path) {
     CSceneFields fields = Fields(path, "an object that describes a compound");
-    CSceneRotation turning;
+    CSceneMotion turning;
     turning.m_eMotion = eMotion::Kinematic;
+    fields.Read("velocity", turning.m_vVel, g_cVector);
     fields.Read("rotation_speed", turning.m_fRotSpeed, g_cRotSpeed);
     fields.Read("rotation_center", turning.m_vRotCenter, g_cPoint, eNeed::Required);
     if (fields.Has("flip")) turning.m_cFlip = ReadFlip(path);
     const auto shapes = fields.ReadList("shapes", "a list of at least one shape", 1);
     fields.RefuseOthers();
-    CheckTurning(path, turning);
+    CheckMotion(path, turning);
     for (const CJsonPath& shape : shapes)
       ReadShape(shape, &turning, path);
   }
@@ -240,12 +245,12 @@ private:
     desc.SetAngles(static_cast<float>(a[0]), static_cast<float>(span < turn - rounding ? a[1] : a[0]));
   }
 
-  /// @param pCompound  how its compound turns; null for a shape by itself  @param turner  what turns
-  void ReadShape(const CJsonPath& path, const CSceneRotation* pCompound, const CJsonPath& turner) {
+  /// @param pCompound  how its compound moves; null for a shape by itself  @param mover  what moves
+  void ReadShape(const CJsonPath& path, const CSceneMotion* pCompound, const CJsonPath& mover) {
     CSceneFields fields = Fields(path, pCompound != nullptr ? "an object that describes a shape of a compound"
                                                             : "an object that describes a shape");
     CSceneShape shape{ReadGeometry(fields), {}, {}, false};
-    const CSceneRotation turning = pCompound != nullptr ? *pCompound : ReadTurning(fields);
+    const CSceneMotion turning = pCompound != nullptr ? *pCompound : ReadMotion(fields);
     fields.Read("name", shape.m_sName);
     fields.Read("drain", shape.m_bIsDrain);
     shape.m_cFlip = turning.m_cFlip;
@@ -255,14 +260,15 @@ private:
           desc.m_bIsSensor = shape.m_bIsDrain;
           fields.Read("sensor", desc.m_bIsSensor);
           desc.m_eMotionType = turning.m_eMotion;
+          desc.m_vVel = turning.m_vVel;
           desc.m_fRotSpeed = turning.m_fRotSpeed;
           desc.m_vRotCenter = turning.m_vRotCenter;
         },
         shape.m_cDesc);
     fields.RefuseOthers();
-    if (pCompound == nullptr) CheckTurning(path, turning);
+    if (pCompound == nullptr) CheckMotion(path, turning);
     if (shape.m_bIsDrain && !GetBase(shape.m_cDesc).m_bIsSensor) Refuse(path / "sensor", "true for a drain");
-    Checked({path, turner}, [&] { return m_pWorld->Add(shape.m_cDesc); });
+    Checked({path, mover}, [&] { return m_pWorld->Add(shape.m_cDesc); });
     m_cScene.m_stdShapes.push_back(std::move(shape));
   }
   void ReadShape(const CJsonPath& path) { ReadShape(path, nullptr, path); }
@@ -340,6 +346,8 @@ std::vector<CScene> LoadScenes(const std::filesystem::path& folder) {
 const CShapeDesc& GetBase(const CAnyShapeDesc& any) {
   return std::visit([](const auto& desc) -> const CShapeDesc& { return desc; }, any);
 }
+
+bool Moves(const CSceneShape& shape) { return Turns(shape) || !GetBase(shape.m_cDesc).m_vVel.isZero(0.0f); }
 
 bool Turns(const CSceneShape& shape) { return shape.m_cFlip || GetBase(shape.m_cDesc).m_fRotSpeed != 0.0f; }
 

@@ -22,7 +22,8 @@ struct CFlip {
   float m_fPhase = 0.0f;  ///< Seconds of the first period that are over at time 0.
 };
 
-/// A shape that is not a ball. The shapes of a compound carry its rotation centre, speed and flip each.
+/// A shape that is not a ball. The shapes of a compound carry its velocity, rotation centre, speed and flip
+/// each.
 struct CSceneShape {
   CAnyShapeDesc m_cDesc;
   std::string m_sName;          ///< Empty if the file gives none.
@@ -56,6 +57,8 @@ const CShapeDesc& GetBase(const CAnyShapeDesc& any);
 
 /// Whether a shape turns, by its rotation speed or by a flip.
 bool Turns(const CSceneShape& shape);
+/// Whether it turns, or moves by its velocity.
+bool Moves(const CSceneShape& shape);
 
 /// The descriptors of all shapes of a scene.
 std::vector<CAnyShapeDesc> GetShapes(const CScene& scene);

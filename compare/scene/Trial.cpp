@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -84,6 +85,9 @@ CStart MakeStart(const CScene& scene, std::uint64_t seed, std::uint64_t trial) {
   const double phase = dice.Between(0, 1) * static_cast<double>(scene.m_cWorld.m_fTimeStep);
   // Whole seconds would leave a shape that turns once a second where it is.
   start.m_fTime = dice.Between(0, 17);
+  if (std::any_of(scene.m_stdShapes.begin(), scene.m_stdShapes.end(),
+                  [](const CSceneShape& shape) { return !GetBase(shape.m_cDesc).m_vVel.isZero(0.0f); }))
+    start.m_fTime = 0.0;
   for (const CSceneBall& ball : scene.m_stdBalls) {
     CDynamicCircleDesc desc = ball.m_cDesc;
     const double dx = dice.Between(-1, 1), dy = dice.Between(-1, 1);
@@ -116,6 +120,10 @@ float RotSpeedAt(const CSceneShape& shape, double time, double dt) {
   return static_cast<float>(turn / (g_fTurn * dt));
 }
 
+Eigen::Vector2d OffsetAt(const CSceneShape& shape, double time) {
+  return time * GetBase(shape.m_cDesc).m_vVel.cast<double>();
+}
+
 CTrialWorld::CTrialWorld(const CScene& scene, const CEngine& engine,
                          std::span<const CDynamicCircleDesc> balls, double time)
     : m_pWorld(engine.m_pBackend->MakeWorld(engine.MakeWorldDesc(scene))) {
@@ -124,6 +132,8 @@ CTrialWorld::CTrialWorld(const CScene& scene, const CEngine& engine,
     const CShapeId id = m_pWorld->Add(shape.m_cDesc);
     m_stdShapes.push_back(id);
     if (m_pWorld->GetMotionType(id) != eMotion::Kinematic) continue;
+    if (const Eigen::Vector2d way = OffsetAt(shape, time); !way.isZero(0.0))
+      m_pWorld->SetPos(id, (m_pWorld->GetPos(id).cast<double>() + way).cast<float>());
     if (const float angle = OrientationAt(shape, time); angle != 0.0f) m_pWorld->SetOrientation(id, angle);
     m_pWorld->SetRotSpeed(id, RotSpeedAt(shape, time, dt));
   }

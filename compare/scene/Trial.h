@@ -60,12 +60,13 @@ static_assert(std::size(g_stdEffects) == static_cast<std::size_t>(eEffect::Size)
 /// Where a trial begins.
 struct CStart {
   std::vector<CDynamicCircleDesc> m_stdBalls;
-  double m_fTime = 0.0; ///< Seconds of turning that rotating shapes and flippers have behind them.
+  double m_fTime = 0.0; ///< Seconds that shapes have moved and turned.
 };
 
 /// Start number `trial` of a scene: each ball varied by its spread, all balls moved along their velocities by
 /// the same random part of a step, so that impacts fall anywhere within a step, and turning shapes at a
-/// random angle. The same arguments give the same start on every machine.
+/// random angle; but where a shape moves by its velocity all shapes begin as they are described. The same
+/// arguments give the same start on every machine.
 CStart MakeStart(const CScene& scene, std::uint64_t seed, std::uint64_t trial);
 
 /// Steps that a trial takes, at least one.
@@ -75,6 +76,8 @@ std::size_t GetStepsPerTrial(const CScene& scene);
 /// speed, or that which brings a flipper to where it belongs at the end of the step.
 float RotSpeedAt(const CSceneShape& shape, double time, double dt);
 float OrientationAt(const CSceneShape& shape, double time);
+/// How far it has moved by its velocity.
+Eigen::Vector2d OffsetAt(const CSceneShape& shape, double time);
 
 /// A world with the shapes and these balls. Ids are consecutive: shapes in their order, then balls in theirs.
 struct CTrialWorld {

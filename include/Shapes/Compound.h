@@ -7,11 +7,12 @@
 
 namespace Shapes {
 
-/// Kinematic shapes that turn as one. The shapes belong to whoever made them and must live as long as the
-/// compound; it only points to them.
+/// Kinematic shapes that move and turn as one. The shapes belong to whoever made them and must live as long
+/// as the compound; it only points to them.
 class CCompoundShape : public CShapeCommon {
 public:
-  /// Adds a shape. It gets the rotation speed and centre of the compound and is turned to its orientation.
+  /// Adds a shape. It gets the velocity, the rotation speed and the centre of the compound and is turned to
+  /// its orientation.
   /// @throws std::invalid_argument if pShape is null
   void AddShape(CShape* pShape);
   const std::vector<CShape*>& GetShapes() const { return m_stdShapes; }
@@ -25,6 +26,8 @@ public:
 
   float GetOrientation() const { return m_fOrientation; } ///< Radians in [0, 2 pi).
   void SetOrientation(float angle) { Rotate(m_vRotCenter, angle); }
+  const Vector2& GetVel() const { return m_vVel; } ///< Units per second.
+  void SetVel(const Vector2& v);
   float GetRotSpeed() const { return m_fRotSpeed; } ///< Revolutions per second.
   void SetRotSpeed(float revsPerSecond);
   const Vector2& GetRotCenter() const { return m_vRotCenter; }
@@ -33,8 +36,11 @@ public:
 private:
   std::vector<CShape*> m_stdShapes;
   float m_fOrientation = 0.0f;
+  Vector2 m_vVel = Vector2::Zero();
   float m_fRotSpeed = 0.0f;
   Vector2 m_vRotCenter = Vector2::Zero();
+  Eigen::Vector2d m_vMoved = Eigen::Vector2d::Zero();          // of m_vRotCenter, by m_vVel
+  Eigen::Vector2d m_vStartRotCenter = Eigen::Vector2d::Zero(); // without it
 };
 
 } // namespace Shapes

@@ -17,7 +17,6 @@ public:
   CDynamicCircleDesc(const Vector2& p, float r, const Vector2& v = Vector2::Zero(), float m = 1.0f,
                      float e = 1.0f);
 
-  Vector2 m_vVel = Vector2::Zero();
   float m_fMass = 1.0f;
 };
 
@@ -28,9 +27,6 @@ public:
   explicit CDynamicCircle(const CDynamicCircleDesc& desc);
   std::unique_ptr<CShape> Clone() const override;
 
-  const Vector2& GetVel() const { return m_vVel; }
-  /// @throws std::invalid_argument if v is not finite or faster than g_fMaxSpeed
-  void SetVel(const Vector2& v);
   float GetMass() const { return m_fMass; }
   /// Where the ball was before the last move; its position if it was placed by SetPos since.
   const Vector2& GetPrevPos() const { return m_vPrevPos; }
@@ -50,7 +46,6 @@ public:
 private:
   void Translate(const Vector2& d) override;
 
-  Vector2 m_vVel;
   Vector2 m_vPrevPos;
   float m_fMass;
   bool m_bSpeedCapped = false;

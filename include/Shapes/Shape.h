@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Shapes/Aabb2D.h>
+#include <Shapes/Limits.h>
 #include <Shapes/ShapeMath.h>
 
 #include <memory>
@@ -13,8 +14,8 @@ class CContactDesc;
 
 enum class eShape { Unknown, Point, Line, LineSeg, Circle, Arc };
 
-/// Static shapes stay, kinematic shapes turn as told, dynamic shapes (balls) move and respond. Size counts
-/// them.
+/// Static shapes stay, kinematic shapes move and turn as told, dynamic shapes (balls) move and respond. Size
+/// counts them.
 enum class eMotion { Static, Kinematic, Dynamic, Size };
 
 /// Which faces of a segment or an arc are solid. Front is the side to which the normal points: to the left of
@@ -41,8 +42,10 @@ public:
   float m_fElasticity = 1.0f;            ///< 0 keeps no normal speed, 1 all of it, above 1 adds (bumpers).
   eMotion m_eMotionType = eMotion::Static; ///< Static or Kinematic; balls have a descriptor of their own.
   bool m_bIsSensor = false;                ///< Detects, but neither responds nor causes a response.
-  float m_fRotSpeed = 0.0f;                ///< Kinematic: revolutions per second, counterclockwise.
-  Vector2 m_vRotCenter = Vector2::Zero();  ///< Kinematic: centre of the rotation, user units.
+  /// Kinematic and dynamic: units per second. The rotation centre of a kinematic shape moves along.
+  Vector2 m_vVel = Vector2::Zero();
+  float m_fRotSpeed = 0.0f;               ///< Kinematic: revolutions per second, counterclockwise.
+  Vector2 m_vRotCenter = Vector2::Zero(); ///< Kinematic: centre of the rotation, user units.
 
 protected:
   explicit CShapeDesc(eShape e) : m_eShapeType(e) {}
@@ -65,7 +68,7 @@ public:
 
   const Vector2& GetPos() const { return m_vPos; }
   /// Moves the shape so that its position is p; the ends of segments and arcs go with it. A kinematic shape
-  /// starts its next rotation from its pose at construction again.
+  /// starts its next motion from its pose at construction again.
   /// @throws std::invalid_argument if p is not finite or too large (g_fMaxLength)
   void SetPos(const Vector2& p);
 
@@ -91,17 +94,27 @@ public:
   virtual void Rotate(const Vector2& center, float angle);
   /// Puts a kinematic shape back to its pose at construction, bit for bit.
   virtual void Reset();
-  /// One step of m_fTimeStep: a kinematic shape turns by its rotation speed about its centre, a ball moves.
+  /// One step of m_fTimeStep: a kinematic shape moves by its velocity and turns by its rotation speed about
+  /// its centre, a ball moves.
   virtual void move() { Advance(m_fTimeStep); }
-  /// Turns a kinematic shape by its rotation speed for dt seconds. Others stay.
-  void Advance(float dt);
+  /// Moves and turns a kinematic shape for dt seconds. Others stay. Of many steps only the last one is
+  /// rounded: the place errs by at most 2 ulp of itself. A shape whose position or rotation centre would get
+  /// beyond `maxLength` stays where it is.
+  void Advance(float dt, float maxLength = g_fMaxLength);
 
   /// Whether the shape turns by itself: kinematic with a rotation speed other than 0.
   bool GetRotating() const { return m_eMotionType == eMotion::Kinematic && m_fRotSpeed != 0.0f; }
+  /// Whether it moves or turns by itself: kinematic with a velocity or a rotation speed other than 0.
+  bool GetMoving() const;
   /// Radians from the pose at construction, in [0, 2 pi).
   float GetOrientation() const { return m_fOrientation; }
   /// Same as Rotate(GetRotCenter(), angle).
   void SetOrientation(float angle) { Rotate(m_vRotCenter, angle); }
+  /// Of a kinematic shape with its rotation centre, units per second; (0, 0) for a static one.
+  const Vector2& GetVel() const { return m_vVel; }
+  /// @throws std::invalid_argument if v is not finite or faster than g_fMaxSpeed, or other than (0, 0) for a
+  /// static shape
+  void SetVel(const Vector2& v);
   /// Revolutions per second, counterclockwise.
   float GetRotSpeed() const { return m_fRotSpeed; }
   /// @throws std::invalid_argument unless |revolutions per second| <= g_fMaxRotSpeed
@@ -112,9 +125,12 @@ public:
   /// Radians by which the last move or Advance turned the shape, not reduced; 0 after any other change of
   /// pose.
   float GetLastTurn() const { return m_fLastTurn; }
+  /// Likewise, by how much they moved it, and its rotation centre.
+  const Vector2& GetLastMove() const { return m_vLastMove; }
 
-  /// Velocity of the point p of this shape, user units per second: 2 pi rotation speed perp(p - centre) for a
-  /// kinematic shape, zero for a static one. Each component within 2 ulp of itself.
+  /// Velocity of the point p of this shape, user units per second: its velocity + 2 pi rotation speed
+  /// perp(p - centre) for a kinematic shape, zero for a static one. Each component within 3 ulp of the larger
+  /// of both.
   Vector2 GetSurfaceVelocity(const Vector2& p) const;
 
   /// Whether c.m_pCircle meets this shape, by the default engine; fills in c if so. See
@@ -138,6 +154,7 @@ private:
   // Puts them where a turn of the pose at construction, moved by m_vMoved, leaves them. Returns the position.
   virtual Vector2 TurnFromStart(const Vector2& center, float angle);
   virtual void BackToStart();
+  Vector2 Moved(const Vector2& start) const { return (start.cast<double>() + m_vMoved).cast<float>(); }
   // Box and whatever else follows from the pose; ends every change of it.
   virtual void Update() = 0;
 
@@ -149,11 +166,13 @@ private:
   float m_fRotSpeed;
   float m_fOrientation = 0.0f;
   float m_fLastTurn = 0.0f;
+  Vector2 m_vLastMove = Vector2::Zero();
+  Vector2 m_vVel;
   Vector2 m_vPos;
-  Vector2 m_vStartPos;                // at construction
-  Vector2 m_vMoved = Vector2::Zero(); // by Relocate
+  Vector2 m_vStartPos;                                // at construction
+  Eigen::Vector2d m_vMoved = Eigen::Vector2d::Zero(); // by Relocate and Advance
   Vector2 m_vRotCenter;
-  Vector2 m_vStartRotCenter; // without m_vMoved
+  Eigen::Vector2d m_vStartRotCenter; // without m_vMoved
   void* m_pUser = nullptr;
   CAabb2D m_cAabb;
 };

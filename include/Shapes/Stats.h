@@ -18,7 +18,7 @@ struct CWorldStats {
   std::array<std::uint64_t, static_cast<std::size_t>(eEffect::Size)> m_stdSubstepsWith{};
   std::uint64_t GetSubstepsWith(eEffect e) const { return m_stdSubstepsWith[static_cast<std::size_t>(e)]; }
   std::uint64_t m_nBallsAccelerated = 0; ///< Times that gravity was added to the velocity of a ball.
-  std::uint64_t m_nShapesTurned = 0;     ///< Times that a shape was turned by its rotation speed.
+  std::uint64_t m_nShapesTurned = 0;     ///< Times that a shape was moved or turned by its speeds.
   std::uint64_t m_nShapeTests = 0; ///< Native: pair kernels called for a ball and a shape that is not a ball.
   std::uint64_t m_nBallTests = 0;  ///< Native: pair kernels called for two balls.
   std::uint64_t m_nSweeps = 0;     ///< Native: times of impact looked for, of a ball with a shape or a ball.

@@ -46,10 +46,10 @@ public:
   CShapeId Add(const CArcDesc& desc);
   CShapeId Add(const CDynamicCircleDesc& desc);
   CShapeId Add(const CAnyShapeDesc& desc);
-  /// Adds a compound: kinematic shapes about one rotation centre with one rotation speed. All or none is
-  /// added.
+  /// Adds a compound: kinematic shapes about one rotation centre with one rotation speed and one velocity.
+  /// All or none is added.
   std::vector<CShapeId> AddCompound(std::span<const CAnyShapeDesc> descs, const Vector2& rotCenter,
-                                    float revsPerSecond = 0.0f);
+                                    float revsPerSecond = 0.0f, const Vector2& v = Vector2::Zero());
   void Remove(CShapeId id);
   bool Contains(CShapeId id) const;
 
@@ -66,7 +66,7 @@ public:
   /// What the next substep will simulate, from what is in the world now.
   CEffects GetEffects() const;
   /// The same in words: a line for each effect with its name, whether it runs, and why. "Kinematics: runs; 2
-  /// shapes rotate".
+  /// shapes move or rotate".
   std::string ExplainEffects() const;
 
   // Of any shape.
@@ -99,9 +99,15 @@ public:
   /// Puts a kinematic shape back to its pose and rotation centre when it was added.
   void Reset(CShapeId id);
 
-  // Of balls.
+  // Of balls and kinematic shapes.
+  /// Units per second; (0, 0) of a static shape.
   const Vector2& GetVel(CShapeId id) const;
+  /// A kinematic shape moves by it with its rotation centre, through whatever is there, and pushes balls;
+  /// beyond the limits of the engine it goes no farther. Moved by SetPos instead it would have no speed.
+  /// @throws std::invalid_argument if v is not finite or faster than the engine can go
   void SetVel(CShapeId id, const Vector2& v);
+
+  // Of balls.
   float GetRadius(CShapeId id) const;
   float GetMass(CShapeId id) const;
   /// All balls in the order of their ids, one array for each property. Valid until a ball is added or

@@ -25,9 +25,7 @@ public:
         m_fTurn(shape.m_fTurnSpeed),
         m_fFall(Norm(motion.m_vAcc)),
         m_fSpeed(Norm(motion.m_vVel) + m_fFall * motion.m_fDuration) {
-    // A parabola is nowhere farther from its chord than that.
-    const double sagitta = 0.125 * m_fFall * motion.m_fDuration * motion.m_fDuration;
-    m_fReach = std::max(Norm(FromCenter(0.0)), Norm(FromCenter(motion.m_fDuration))) + sagitta;
+    m_fReach = std::max(Norm(FromCenter(0.0)), Norm(FromCenter(motion.m_fDuration))) + motion.GetSagitta();
   }
 
   const CMotion& GetMotion() const { return m_cMotion; }

@@ -78,15 +78,22 @@ struct CSegment {
   Vector2d m_vPt0, m_vPt1, m_vFront;
 
   Vector2d Along() const { return -Perp(m_vFront); }
+  /// Whether p is not beyond an end by more than `touch`.
+  bool IsBetween(const Vector2d& p, double touch) const {
+    return Along().dot(p - m_vPt0) >= -touch && Along().dot(p - m_vPt1) <= touch;
+  }
+  /// Whether the ball is on the side of the front; exactly on the line, whether it came from there.
+  bool IsInFront(const CBallAt& ball) const {
+    const double s = m_vFront.dot(ball.m_vPos - m_vPt0);
+    return s > 0.0 || (s == 0.0 && !(m_vFront.dot(ball.m_vVel) > 0.0));
+  }
 
   CSpot At(const CBallAt& ball) const {
     const Vector2d from0 = ball.m_vPos - m_vPt0;
     if (!(Along().dot(from0) > 0.0)) return CDisk{m_vPt0, 0.0}.At(ball);
     if (!(Along().dot(ball.m_vPos - m_vPt1) < 0.0)) return CDisk{m_vPt1, 0.0}.At(ball);
     const double s = m_vFront.dot(from0);
-    // Exactly on the line, the side from which it came.
-    const bool front = s > 0.0 || (s == 0.0 && !(m_vFront.dot(ball.m_vVel) > 0.0));
-    const Vector2d n = front ? m_vFront : Vector2d(-m_vFront);
+    const Vector2d n = IsInFront(ball) ? m_vFront : Vector2d(-m_vFront);
     return {std::abs(s) - ball.m_fRadius, n, ball.m_vPos - s * m_vFront};
   }
 };

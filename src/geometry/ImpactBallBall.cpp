@@ -52,6 +52,7 @@ bool NearBallBall(const CMotion& other, const CMotion& ball, double reach, CImpa
   gap = impact.m_fTime + (relative.m_cMotion.m_fRadius - ball.m_fRadius);
   FailIf(!(gap < reach));
   impact.m_fTime = 0.0;
+  impact.m_vSurface = other.m_vVel;
   impact.m_vPOI += other.m_vPos;
   return true;
 }

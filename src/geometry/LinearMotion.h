@@ -21,6 +21,16 @@ private:
   static constexpr double g_fShare = g_nSweepRoundings * std::numeric_limits<double>::epsilon();
 };
 
+/// The end of a closed form: an impact of the motion at the time above / below, neither negative, if that is
+/// a number up to t, and the place counts.
+template <class TMotion, class F>
+eSweep MeetAt(const TMotion& motion, double above, double below, const F& counts, double& t) {
+  const double quotient = Quotient(above, below, t), time = std::min(quotient, t);
+  if (!std::isfinite(quotient) || !counts(motion.At(time).m_vPos)) return eSweep::None;
+  t = time;
+  return eSweep::Impact;
+}
+
 /// TimeOfImpact(feature, deepest, counts, t): whether the ball touches and approaches the feature at some
 /// time up to t, and the first such time in t. Then `counts` says of the place of the centre whether the
 /// feature is solid there. A ball that overlaps by more than `deepest` is let go.
@@ -50,7 +60,7 @@ public:
     if (reach < aside || (reach == aside && R > 0.0)) return eSweep::None;
     // One by one, because the product of four lengths may underflow.
     const double root = std::sqrt(reach - aside) * std::sqrt(reach + aside);
-    return Then(spot.m_fGap * (Norm(d) + R), root - b, counts, t);
+    return MeetAt(*this, spot.m_fGap * (Norm(d) + R), root - b, counts, t);
   }
 
   /// The later root, R being the difference of the radii. The approach may be as slow as nothing, where the
@@ -72,8 +82,8 @@ public:
     }
     const double root = std::sqrt(reach - aside) * std::sqrt(reach + aside);
     // What touches and rolls along it is there already: how fast it comes closer is rounding.
-    if (b > 0.0) return Then(gap > GetTouch() ? gap * (R + dist) : 0.0, b + root, counts, t);
-    return Then(root - b, speed * speed, counts, t);
+    if (b > 0.0) return MeetAt(*this, gap > GetTouch() ? gap * (R + dist) : 0.0, b + root, counts, t);
+    return MeetAt(*this, root - b, speed * speed, counts, t);
   }
 
   /// Error as for a disc.
@@ -81,7 +91,7 @@ public:
   eSweep TimeOfImpact(const CHalfPlane& feature, double deepest, const F& counts, double& t) const {
     const CSpot spot = feature.At(At(0.0));
     if (spot.m_fGap <= GetTouch()) return AtOnce(spot, deepest, counts, t);
-    return Then(spot.m_fGap, -Rate(spot), counts, t);
+    return MeetAt(*this, spot.m_fGap, -Rate(spot), counts, t);
   }
 
   /// Where it does not meet the face that it sees, it meets the ends if anything: it is clear of the segment,
@@ -93,10 +103,7 @@ public:
     const Vector2d from0 = m_cMotion.m_vPos - feature.m_vPt0;
     const CHalfPlane face{feature.m_vPt0,
                           feature.m_vFront.dot(from0) < 0.0 ? Vector2d(-feature.m_vFront) : feature.m_vFront};
-    const Vector2d along = feature.Along();
-    const auto between = [&](const Vector2d& p) {
-      return along.dot(p - feature.m_vPt0) >= -GetTouch() && along.dot(p - feature.m_vPt1) <= GetTouch();
-    };
+    const auto between = [&](const Vector2d& p) { return feature.IsBetween(p, GetTouch()); };
     if (TimeOfImpact(face, deepest, between, t) == eSweep::Impact) return eSweep::Impact;
     const bool met0 = TimeOfImpact(CDisk{feature.m_vPt0, 0.0}, deepest, counts, t) == eSweep::Impact;
     const bool met1 = TimeOfImpact(CDisk{feature.m_vPt1, 0.0}, deepest, counts, t) == eSweep::Impact;
@@ -124,15 +131,6 @@ private:
     const bool letGo = spot.m_fGap < -std::max(deepest, GetTouch());
     if (letGo || !Approaches(spot) || !counts(m_cMotion.m_vPos)) return eSweep::None;
     t = 0.0;
-    return eSweep::Impact;
-  }
-
-  // At the time above / below, if that is a number up to t.
-  template <class F>
-  eSweep Then(double above, double below, const F& counts, double& t) const {
-    const double quotient = Quotient(above, below, t), time = std::min(quotient, t);
-    if (!std::isfinite(quotient) || !counts(At(time).m_vPos)) return eSweep::None;
-    t = time;
     return eSweep::Impact;
   }
 

@@ -35,28 +35,26 @@ public:
     // until it is clear, or begins to approach.
     const bool isTouching = gap <= touch, isLetGo = gap < -std::max(deepest, touch);
     if (isTouching && !isLetGo) {
-      if (rate < -m_cRoundings.m_fSlow) return Then(0.0, 1.0, counts, t);
+      if (rate < -m_cRoundings.m_fSlow) return MeetAt(*this, 0.0, 1.0, counts, t);
       if (!(a < 0.0)) return eSweep::None;
-      const double up = std::max(rate, 0.0);
-      return Then((gap < -touch ? up : 2.0 * up) + m_cRoundings.m_fSlow, -a, counts, t);
+      const double up = std::max(rate, 0.0), slow = m_cRoundings.m_fSlow;
+      if (gap >= -touch) return MeetAt(*this, 2.0 * up + slow, -a, counts, t);
+      if (up * up <= -2.0 * a * (touch - gap)) return MeetAt(*this, up + slow, -a, counts, t);
+      // It is clear before it begins to approach.
     }
     const double discriminant = rate * rate - 2.0 * a * gap;
     if (!(discriminant > 0.0)) return eSweep::None;
     const double s = std::sqrt(discriminant);
-    return rate > 0.0 ? Then(s + rate, -a, counts, t) : Then(2.0 * gap, s - rate, counts, t);
+    if (rate > 0.0) return MeetAt(*this, s + rate, -a, counts, t);
+    return gap < 0.0 ? eSweep::None : MeetAt(*this, 2.0 * gap, s - rate, counts, t);
   }
 
   /// Either face, and the ends.
   template <class F>
   eSweep TimeOfImpact(const CSegment& feature, double deepest, const F& counts, double& t) const {
-    const CBallAt ball = At(0.0);
-    const Vector2d along = feature.Along();
-    const auto between = [&](const Vector2d& p) {
-      return along.dot(p - feature.m_vPt0) >= -GetTouch() && along.dot(p - feature.m_vPt1) <= GetTouch();
-    };
+    const auto between = [&](const Vector2d& p) { return feature.IsBetween(p, GetTouch()); };
     // The face that is seen may be overlapped; the other one is behind it until the ball is round an end.
-    const double side = feature.m_vFront.dot(ball.m_vPos - feature.m_vPt0);
-    const bool isInFront = side > 0.0 || (side == 0.0 && !(feature.m_vFront.dot(ball.m_vVel) > 0.0));
+    const bool isInFront = feature.IsInFront(At(0.0));
     bool isMet = false;
     for (const bool seen : {true, false}) {
       const CHalfPlane face{feature.m_vPt0,
@@ -82,16 +80,6 @@ public:
   double GetClosing(const CSpot& spot, double t) const { return spot.Closing(At(t), GetMotion().m_vAcc); }
 
 private:
-  // At the time above / below, if that is a number from 0 to t.
-  template <class F>
-  eSweep Then(double above, double below, const F& counts, double& t) const {
-    if (!(above >= 0.0)) return eSweep::None;
-    const double quotient = Quotient(above, below, t), time = std::min(quotient, t);
-    if (!std::isfinite(quotient) || !counts(At(time).m_vPos)) return eSweep::None;
-    t = time;
-    return eSweep::Impact;
-  }
-
   CCurvedMotion m_cCurved;
   CRoundings m_cRoundings;
 };

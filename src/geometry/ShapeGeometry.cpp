@@ -53,6 +53,7 @@ CShapeGeometry MakeShapeGeometry(const CShape& shape, double turnSpeed) {
                          SetArc(o, arc);
                        }});
 
+  o.m_vVel = Wide(shape.GetVel());
   const Vector2d& c = o.m_vRotCenter = Wide(shape.GetRotCenter());
   const bool isRound = o.m_eShapeType == eShape::Point || o.m_eShapeType == eShape::Circle || o.m_bFull;
   o.m_fSpin = turnSpeed;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A shape as the sweeps see it: in double, in its pose at the beginning of a substep, and how it turns.
+// A shape as the sweeps see it: in double, in its pose at the beginning of a substep, and how it moves and
+// turns.
 #pragma once
 
 #include <Shapes/Shape.h>
@@ -22,19 +23,30 @@ struct CShapeGeometry {
   Vector2d m_vFront = Vector2d::UnitY(); ///< Unit normal of a segment, to the left from end 0 to 1.
   double m_fRadius = 0.0;
   Vector2d m_vRotCenter = Vector2d::Zero();
+  Vector2d m_vVel = Vector2d::Zero(); ///< units per second; the centre of rotation moves along
   /// Radians per second, counterclockwise. 0 where the shape stays in its place, as what is round does when
   /// it turns about its own centre.
   double m_fTurnSpeed = 0.0;
   double m_fSpin = 0.0; ///< The same without this exception: how fast the surface moves.
   /// Largest coordinate, however it turns, plus the radius: what roundings are shares of.
   double m_fSize = 0.0;
+
+  bool IsMoving() const { return m_fTurnSpeed != 0.0 || !m_vVel.isZero(0.0); }
+  bool MovesAs(const CShapeGeometry& other) const {
+    return m_fTurnSpeed == other.m_fTurnSpeed && m_vRotCenter == other.m_vRotCenter && m_vVel == other.m_vVel;
+  }
+  /// Of the surface at p, after the centre of rotation has moved for `time` seconds.
+  Vector2d GetSurfaceVelocity(const Vector2d& p, double time) const {
+    return m_vVel + m_fSpin * Perp(p - m_vRotCenter - time * m_vVel);
+  }
 };
 
-/// The geometry of a shape in its present pose that is going to turn at this speed, in radians per second.
+/// The geometry of a shape in its present pose that is going to turn at this speed, in radians per second,
+/// and to move at its velocity.
 CShapeGeometry MakeShapeGeometry(const CShape& shape, double turnSpeed);
 
-/// The geometry after its turn for `time` seconds. Error at most 4 eps (size + angle * distance from the
-/// centre of rotation).
+/// The geometry after its turn for `time` seconds, where it would be had it not moved. Error at most 4 eps
+/// (size + angle * distance from the centre of rotation).
 CShapeGeometry RotatedFor(const CShapeGeometry& shape, double time);
 
 /// Whether x, measured from the centre, is in the sector of the arc. By cross products with the ends; a

@@ -31,9 +31,23 @@ eSweep Run(const CShapeGeometry& shape, const TMotion& motion, double end, CImpa
   return search.GetFound();
 }
 
+// As somebody sees it who moves with the shape.
+CMotion Relative(CMotion motion, const CShapeGeometry& shape, double start) {
+  motion.m_vPos -= start * shape.m_vVel;
+  motion.m_vVel -= shape.m_vVel;
+  return motion;
+}
+
+// The impact on a shape that has moved for `time` seconds, as seen by somebody who rests.
+void Complete(const CShapeGeometry& shape, double time, CImpact& impact) {
+  impact.m_vPOI += time * shape.m_vVel;
+  impact.m_vSurface = shape.GetSurfaceVelocity(impact.m_vPOI, time);
+}
+
 } // namespace
 
-eSweep Sweep(const CShapeGeometry& shape, const CMotion& ball, double start, CImpact& impact) {
+eSweep Sweep(const CShapeGeometry& shape, const CMotion& moving, double start, CImpact& impact) {
+  const CMotion ball = Relative(moving, shape, start);
   const CRoundings roundings = Roundings(shape, ball);
   const CMotion motion = Seen(ball, roundings);
   eSweep found;
@@ -49,12 +63,13 @@ eSweep Sweep(const CShapeGeometry& shape, const CMotion& ball, double start, CIm
     impact.m_vNorm = Turned(impact.m_vNorm, angle);
     impact.m_vPOI = shape.m_vRotCenter + Turned(impact.m_vPOI - shape.m_vRotCenter, angle);
   }
-  if (found == eSweep::Impact) impact.m_vSurface = shape.m_fSpin * Perp(impact.m_vPOI - shape.m_vRotCenter);
+  if (found == eSweep::Impact) Complete(shape, start + impact.m_fTime, impact);
   return found;
 }
 
-bool Near(const CShapeGeometry& shape, const CMotion& ball, double start, double reach, CImpact& impact,
+bool Near(const CShapeGeometry& shape, const CMotion& moving, double start, double reach, CImpact& impact,
           double& gap) {
+  const CMotion ball = Relative(moving, shape, start);
   const CRoundings roundings = Roundings(shape, ball);
   const CMotion motion = Seen(ball, roundings);
   const CShapeGeometry now = RotatedFor(shape, start);
@@ -66,7 +81,7 @@ bool Near(const CShapeGeometry& shape, const CMotion& ball, double start, double
   gap = impact.m_fTime + (motion.m_fRadius - ball.m_fRadius);
   FailIf(!(gap < reach));
   impact.m_fTime = 0.0;
-  impact.m_vSurface = shape.m_fSpin * Perp(impact.m_vPOI - shape.m_vRotCenter);
+  Complete(shape, start, impact);
   return true;
 }
 

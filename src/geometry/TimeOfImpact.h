@@ -32,6 +32,8 @@ struct CMotion {
 
   Vector2d PosAt(double t) const { return m_vPos + (m_vVel + 0.5 * t * m_vAcc) * t; }
   Vector2d VelAt(double t) const { return m_vVel + t * m_vAcc; }
+  /// How far the path is from its chord at most.
+  double GetSagitta() const { return 0.125 * Norm(m_vAcc) * m_fDuration * m_fDuration; }
 };
 
 struct CImpact {
@@ -57,7 +59,8 @@ enum class eSweep {
   OutOfIterations
 };
 
-/// The first impact in [0, duration] on a shape that has turned for `start` seconds when the motion begins.
+/// The first impact in [0, duration] on a shape that has moved and turned for `start` seconds when the motion
+/// begins.
 /// Error of the time at most (g_nSweepRoundings + 16) eps (size of the coordinates and of the way) / approach
 /// speed + 4 eps t; where the shape rests 16 instead of the first factor, unless the ball touches at time 0.
 /// Where it turns, the size is to be multiplied by 1 + the angle by which it has turned. The POI and the way

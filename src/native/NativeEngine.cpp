@@ -44,7 +44,7 @@ void CNativeEngine::Plan(CEffects running) {
     if (runs) stages.push_back(stage);
   };
   add(m_stdApproximate, Runs(eEffect::Gravity), &CNativeEngine::Accelerate);
-  add(m_stdApproximate, Runs(eEffect::Kinematics), &CNativeEngine::TurnShapes);
+  add(m_stdApproximate, Runs(eEffect::Kinematics), &CNativeEngine::MoveShapes);
   add(m_stdApproximate, true, &CNativeEngine::MoveBalls);
   add(m_stdApproximate, true,
       reports ? &CNativeEngine::CollideWithShapes<true> : &CNativeEngine::CollideWithShapes<false>);
@@ -53,7 +53,7 @@ void CNativeEngine::Plan(CEffects running) {
   m_bKeepsInside = !m_cWorld.GetDesc().m_cEffects.m_cForbidden.Has(eEffect::Continuous);
   add(m_stdApproximate, m_bKeepsInside, &CNativeEngine::KeepInside);
   add(m_stdContinuous, true, &CNativeEngine::Sweep);
-  add(m_stdContinuous, Runs(eEffect::Kinematics), &CNativeEngine::TurnShapes);
+  add(m_stdContinuous, Runs(eEffect::Kinematics), &CNativeEngine::MoveShapes);
 }
 
 void CNativeEngine::Substep(const CSubstep& substep) {
@@ -69,10 +69,10 @@ void CNativeEngine::Accelerate(const CSubstep& substep) {
   Stats().m_nBallsAccelerated += b.Size();
 }
 
-void CNativeEngine::TurnShapes(const CSubstep& substep) {
+void CNativeEngine::MoveShapes(const CSubstep& substep) {
   for (CShape* pShape : m_stdKinematic) {
-    Stats().m_nShapesTurned += pShape->GetRotating();
-    pShape->Advance(substep.m_fTime);
+    Stats().m_nShapesTurned += pShape->GetMoving();
+    pShape->Advance(substep.m_fTime, m_cWorld.GetLimits().m_fMaxLength);
   }
   m_cBroadPhase.BoxKinematic();
 }

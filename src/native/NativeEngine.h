@@ -44,7 +44,7 @@ private:
 
   // Stages.
   void Accelerate(const CSubstep& substep);
-  void TurnShapes(const CSubstep& substep);
+  void MoveShapes(const CSubstep& substep);
   void MoveBalls(const CSubstep& substep);
   template <bool TReports>
   void CollideWithShapes(const CSubstep& substep);

@@ -97,8 +97,8 @@ void CArc::Translate(const Vector2& d) {
 
 Vector2 CArc::TurnFromStart(const Vector2& center, float angle) {
   // The ends are turned as points: adding the angle to both angles could round a short arc to a full circle.
-  m_vPt0 = RotatePt(m_vStartPt0 + m_vMoved, center, angle);
-  m_vPt1 = RotatePt(m_vStartPt1 + m_vMoved, center, angle);
+  m_vPt0 = RotatePt(Moved(m_vStartPt0), center, angle);
+  m_vPt1 = RotatePt(Moved(m_vStartPt1), center, angle);
   m_fAngle0 = NormalizeAngle(m_fStartAngle0 + angle);
   return CCircle::TurnFromStart(center, angle);
 }

@@ -9,6 +9,7 @@ namespace Shapes {
 
 void CCompoundShape::AddShape(CShape* pShape) {
   if (pShape == nullptr) Refuse("pShape", "null", "a shape");
+  pShape->SetVel(m_vVel);
   pShape->SetRotSpeed(m_fRotSpeed);
   pShape->SetRotCenter(m_vRotCenter);
   if (m_fOrientation != 0.0f || pShape->GetOrientation() != 0.0f) pShape->SetOrientation(m_fOrientation);
@@ -25,6 +26,8 @@ void CCompoundShape::Rotate(const Vector2& center, float angle) {
 
 void CCompoundShape::Reset() {
   m_fOrientation = 0.0f;
+  m_vMoved.setZero();
+  m_vRotCenter = m_vStartRotCenter.cast<float>();
   for (CShape* pShape : m_stdShapes)
     pShape->Reset();
 }
@@ -33,6 +36,15 @@ void CCompoundShape::move() {
   for (CShape* pShape : m_stdShapes)
     pShape->move();
   m_fOrientation = NormalizeAngle(m_fOrientation + g_fTwoPi * m_fRotSpeed * m_fTimeStep);
+  m_vMoved += m_vVel.cast<double>() * static_cast<double>(m_fTimeStep);
+  m_vRotCenter = (m_vStartRotCenter + m_vMoved).cast<float>();
+}
+
+void CCompoundShape::SetVel(const Vector2& v) {
+  RequireVector("m_vVel", v, g_fMaxSpeed);
+  m_vVel = v;
+  for (CShape* pShape : m_stdShapes)
+    pShape->SetVel(v);
 }
 
 void CCompoundShape::SetRotSpeed(float revsPerSecond) {
@@ -45,6 +57,7 @@ void CCompoundShape::SetRotSpeed(float revsPerSecond) {
 void CCompoundShape::SetRotCenter(const Vector2& center) {
   RequireVector("m_vRotCenter", center, g_fMaxLength);
   m_vRotCenter = center;
+  m_vStartRotCenter = center.cast<double>() - m_vMoved;
   for (CShape* pShape : m_stdShapes)
     pShape->SetRotCenter(center);
 }

@@ -10,25 +10,17 @@
 namespace Shapes {
 
 CDynamicCircleDesc::CDynamicCircleDesc(const Vector2& p, float r, const Vector2& v, float m, float e)
-    : CCircleDesc(p, r, e), m_vVel(v), m_fMass(m) {
+    : CCircleDesc(p, r, e), m_fMass(m) {
+  m_vVel = v;
   m_eMotionType = eMotion::Dynamic;
 }
 
 CDynamicCircle::CDynamicCircle(const CDynamicCircleDesc& desc)
-    : CCircle(desc, eShape::Circle, eMotion::Dynamic),
-      m_vVel(desc.m_vVel),
-      m_vPrevPos(desc.m_vPos),
-      m_fMass(desc.m_fMass) {
-  RequireVector("m_vVel", m_vVel, g_fMaxSpeed);
+    : CCircle(desc, eShape::Circle, eMotion::Dynamic), m_vPrevPos(desc.m_vPos), m_fMass(desc.m_fMass) {
   RequireRange("m_fMass", m_fMass, g_fMinMass, g_fMaxMass);
 }
 
 std::unique_ptr<CShape> CDynamicCircle::Clone() const { return std::make_unique<CDynamicCircle>(*this); }
-
-void CDynamicCircle::SetVel(const Vector2& v) {
-  RequireVector("m_vVel", v, g_fMaxSpeed);
-  m_vVel = v;
-}
 
 void CDynamicCircle::Translate(const Vector2&) { m_vPrevPos = m_vPos; }
 

@@ -93,8 +93,8 @@ void CLineSeg::Translate(const Vector2& d) {
 }
 
 Vector2 CLineSeg::TurnFromStart(const Vector2& center, float angle) {
-  m_vPt0 = RotatePt(m_vStartPt0 + m_vMoved, center, angle);
-  m_vPt1 = RotatePt(m_vStartPt1 + m_vMoved, center, angle);
+  m_vPt0 = RotatePt(Moved(m_vStartPt0), center, angle);
+  m_vPt1 = RotatePt(Moved(m_vStartPt1), center, angle);
   if (Before(m_vPt1, m_vPt0)) std::swap(m_vPt0, m_vPt1);
   m_vNormal = RotatePt(m_vStartNormal, Vector2::Zero(), angle);
   return Midpoint(m_vPt0, m_vPt1);

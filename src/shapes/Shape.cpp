@@ -2,6 +2,7 @@
 #include <Shapes/Shape.h>
 
 #include "../Tolerances.h"
+#include "../geometry/Vector.h"
 
 #include "Validate.h"
 
@@ -16,14 +17,16 @@ CShape::CShape(const CShapeDesc& desc, eShape type, eMotion motion)
       m_bIsSensor(desc.m_bIsSensor),
       m_fElasticity(desc.m_fElasticity),
       m_fRotSpeed(desc.m_fRotSpeed),
+      m_vVel(motion == eMotion::Static ? Vector2(Vector2::Zero()) : desc.m_vVel),
       m_vPos(desc.m_vPos),
       m_vStartPos(desc.m_vPos),
       m_vRotCenter(desc.m_vRotCenter),
-      m_vStartRotCenter(desc.m_vRotCenter) {
+      m_vStartRotCenter(desc.m_vRotCenter.cast<double>()) {
   RequireVector("m_vPos", m_vPos, g_fMaxLength);
   RequireRange("m_fElasticity", m_fElasticity, 0.0f, g_fMaxElasticity);
   RequireRange("m_fRotSpeed", m_fRotSpeed, -g_fMaxRotSpeed, g_fMaxRotSpeed);
   RequireVector("m_vRotCenter", m_vRotCenter, g_fMaxLength);
+  RequireVector("m_vVel", desc.m_vVel, g_fMaxSpeed);
 }
 
 void CShape::SetPos(const Vector2& p) {
@@ -31,6 +34,7 @@ void CShape::SetPos(const Vector2& p) {
   const Vector2 d = p - m_vPos;
   m_vPos = p;
   m_fLastTurn = 0.0f;
+  m_vLastMove.setZero();
   Translate(d);
   Update();
 }
@@ -42,11 +46,11 @@ void CShape::Relocate(const Vector2& p) {
   RequireVector("m_vRotCenter", center, g_fMaxLength);
   SetPos(p);
   m_vRotCenter = center;
-  m_vMoved += d;
+  m_vMoved += d.cast<double>();
 }
 
 Vector2 CShape::TurnFromStart(const Vector2& center, float angle) {
-  return RotatePt(m_vStartPos + m_vMoved, center, angle);
+  return RotatePt(Moved(m_vStartPos), center, angle);
 }
 
 void CShape::BackToStart() { m_vPos = m_vStartPos; }
@@ -54,6 +58,13 @@ void CShape::BackToStart() { m_vPos = m_vStartPos; }
 void CShape::SetElasticity(float e) {
   RequireRange("m_fElasticity", e, 0.0f, g_fMaxElasticity);
   m_fElasticity = e;
+}
+
+void CShape::SetVel(const Vector2& v) {
+  RequireVector("m_vVel", v, g_fMaxSpeed);
+  if (m_eMotionType == eMotion::Static && v != Vector2::Zero())
+    Refuse("m_vVel", ToText(v), "(0, 0): a static shape does not move");
+  m_vVel = v;
 }
 
 void CShape::SetRotSpeed(float revsPerSecond) {
@@ -64,7 +75,7 @@ void CShape::SetRotSpeed(float revsPerSecond) {
 void CShape::SetRotCenter(const Vector2& center) {
   RequireVector("m_vRotCenter", center, g_fMaxLength);
   m_vRotCenter = center;
-  m_vStartRotCenter = center - m_vMoved;
+  m_vStartRotCenter = center.cast<double>() - m_vMoved;
 }
 
 void CShape::Rotate(const Vector2& center, float angle) {
@@ -73,6 +84,7 @@ void CShape::Rotate(const Vector2& center, float angle) {
   RequireFinite("angle", angle);
   m_fOrientation = NormalizeAngle(angle);
   m_fLastTurn = 0.0f;
+  m_vLastMove.setZero();
   m_vPos = TurnFromStart(center, m_fOrientation);
   Update();
 }
@@ -80,25 +92,42 @@ void CShape::Rotate(const Vector2& center, float angle) {
 void CShape::Reset() {
   if (m_eMotionType != eMotion::Kinematic) return;
   m_fOrientation = m_fLastTurn = 0.0f;
-  m_vRotCenter = m_vStartRotCenter;
+  m_vLastMove.setZero();
   m_vMoved.setZero();
+  m_vRotCenter = m_vStartRotCenter.cast<float>();
   BackToStart();
   Update();
 }
 
-void CShape::Advance(float dt) {
-  if (!GetRotating()) {
+bool CShape::GetMoving() const {
+  return GetRotating() || (m_eMotionType == eMotion::Kinematic && m_vVel != Vector2::Zero());
+}
+
+void CShape::Advance(float dt, float maxLength) {
+  if (!GetMoving()) {
     m_fLastTurn = 0.0f;
+    m_vLastMove.setZero();
     return;
+  }
+  const Vector2d way = m_vVel.cast<double>() * static_cast<double>(dt);
+  const Vector2d far =
+      m_cAabb.GetTopLeft().cwiseAbs().cwiseMax(m_cAabb.GetBottomRt().cwiseAbs()).cast<double>();
+  const Vector2d center = m_vStartRotCenter + m_vMoved + way;
+  const bool stays =
+      (far + way.cwiseAbs()).cwiseMax(center.cwiseAbs()).maxCoeff() > static_cast<double>(maxLength);
+  if (!stays) {
+    m_vMoved += way;
+    m_vRotCenter = center.cast<float>();
   }
   const float turn = g_fTwoPi * m_fRotSpeed * dt;
   Rotate(m_vRotCenter, m_fOrientation + turn);
   m_fLastTurn = turn;
+  if (!stays) m_vLastMove = way.cast<float>();
 }
 
 Vector2 CShape::GetSurfaceVelocity(const Vector2& p) const {
-  if (!GetRotating()) return Vector2::Zero();
-  return g_fTwoPi * m_fRotSpeed * perp(p - m_vRotCenter);
+  if (!GetMoving()) return Vector2::Zero();
+  return m_vVel + g_fTwoPi * m_fRotSpeed * perp(p - m_vRotCenter);
 }
 
 } // namespace Shapes

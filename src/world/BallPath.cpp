@@ -104,16 +104,20 @@ void MakeRelativePath(CBallPath a, CBallPath b, std::vector<CPathVertex>& relati
   relative.push_back({1.0, a.back().m_vPos - b.back().m_vPos});
 }
 
-void MakeRotatedPath(CBallPath path, const Vector2d& center, double turn, double r,
+void MakeRotatedPath(CBallPath path, const Vector2d& center, double turn, const Vector2d& move, double r,
                      std::vector<CPathVertex>& turned) {
-  // At time t the shape has still to turn by (1 - t) turn; the ball is turned with it.
+  // At time t the shape has still to move by (1 - t) move, which leaves what is straight so, and to turn by
+  // (1 - t) turn; the ball goes and is turned with it.
+  const auto moved = [&](const CPathVertex& p) {
+    return CPathVertex{p.m_fTime, p.m_vPos + (1.0 - p.m_fTime) * move};
+  };
   const auto add = [&](double t, const Vector2d& p) {
     turned.push_back({t, Turn(p, center, (1.0 - t) * turn)});
   };
   turned.clear();
-  add(path[0].m_fTime, path[0].m_vPos);
+  add(path[0].m_fTime, moved(path[0]).m_vPos);
   for (std::size_t i = 1; i < path.size(); ++i) {
-    const CPathVertex &p0 = path[i - 1], &p1 = path[i];
+    const CPathVertex p0 = moved(path[i - 1]), p1 = moved(path[i]);
     // A chord of a curve q(s), 0 <= s <= 1, errs by at most max|q''| / 8; here |q''| <= angle^2 D + 2 angle
     // L.
     const double angle = std::abs(turn) * (p1.m_fTime - p0.m_fTime);

@@ -37,10 +37,11 @@ Vector2d GetVelocity(CBallPath path, double t);
 /// The path of a as b sees it, which does not turn.
 void MakeRelativePath(CBallPath a, CBallPath b, std::vector<CPathVertex>& relative);
 
-/// The path of a ball of radius r as a shape sees it that turns by `turn` radians about `center` during the
-/// substep: in the frame in which the shape is at the end. Cut into straight parts that err by at most
-/// g_fRotatedPathError radii, unless that took more than g_nMaxTurnParts for one part of the path.
-void MakeRotatedPath(CBallPath path, const Vector2d& center, double turn, double r,
+/// The path of a ball of radius r as a shape sees it that during the substep turns by `turn` radians about
+/// `center`, which moves by `move` and is at `center` at the end: in the frame in which the shape is then.
+/// Cut into straight parts that err by at most g_fRotatedPathError radii, unless that took more than
+/// g_nMaxTurnParts for one part of the path.
+void MakeRotatedPath(CBallPath path, const Vector2d& center, double turn, const Vector2d& move, double r,
                      std::vector<CPathVertex>& turned);
 
 /// p turned about center.

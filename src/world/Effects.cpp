@@ -29,7 +29,7 @@ std::string Why(eEffect e, const CContent& c, const CWorldState& state, const CL
   switch (e) {
   case eEffect::Gravity:
     return "gravity is " + ToText(state.m_vGravity) + ", " + Plural(c.m_nBalls, "ball", "balls");
-  case eEffect::Kinematics: return Plural(c.m_nRotating, "shape rotates", "shapes rotate");
+  case eEffect::Kinematics: return Plural(c.m_nMoving, "shape moves or rotates", "shapes move or rotate");
   case eEffect::BallPairs: return Plural(c.m_nSolidBalls, "solid ball", "solid balls");
   case eEffect::Sensors:
     return Plural(c.m_nSensors, "sensor", "sensors") +
@@ -68,7 +68,8 @@ std::string_view GetName(eEffect e) {
 CContent CContent::Of(const CShapeEntry& entry) {
   const CShape& shape = *entry.m_pShape;
   CContent c;
-  c.m_nRotating = entry.m_fRotSpeed != 0.0f && shape.GetMotionType() == eMotion::Kinematic;
+  c.m_nMoving = shape.GetMotionType() == eMotion::Kinematic &&
+                (entry.m_fRotSpeed != 0.0f || entry.m_vVel != Vector2::Zero());
   c.m_nSensors = shape.GetSensor();
   c.m_nSolidShapes = shape.GetCanCollide() && !shape.GetSensor();
   return c;
@@ -86,7 +87,7 @@ CContent& CContent::operator+=(const CContent& other) {
   m_nBalls += other.m_nBalls;
   m_nSolidBalls += other.m_nSolidBalls;
   m_nSolidShapes += other.m_nSolidShapes;
-  m_nRotating += other.m_nRotating;
+  m_nMoving += other.m_nMoving;
   m_nSensors += other.m_nSensors;
   return *this;
 }
@@ -95,7 +96,7 @@ CContent& CContent::operator-=(const CContent& other) {
   m_nBalls -= other.m_nBalls;
   m_nSolidBalls -= other.m_nSolidBalls;
   m_nSolidShapes -= other.m_nSolidShapes;
-  m_nRotating -= other.m_nRotating;
+  m_nMoving -= other.m_nMoving;
   m_nSensors -= other.m_nSensors;
   return *this;
 }
@@ -112,7 +113,7 @@ CContent CountContent(const CWorldState& state) {
 CEffects GetCalledFor(const CContent& c, const CWorldState& state) {
   CEffects called;
   called.Set(eEffect::Gravity, c.m_nBalls > 0 && state.m_vGravity != Vector2::Zero());
-  called.Set(eEffect::Kinematics, c.m_nRotating > 0);
+  called.Set(eEffect::Kinematics, c.m_nMoving > 0);
   called.Set(eEffect::BallPairs, c.m_nSolidBalls > 1);
   called.Set(eEffect::Sensors, c.m_nSensors > 0 || !state.m_stdTouching.empty());
   called.Set(eEffect::Events, c.CanMeet() || called.Has(eEffect::Sensors));
@@ -139,9 +140,9 @@ double FindLongestSurfaceMove(const CWorldState& state, float dt) {
   double longest = 0.0;
   for (const CShapeEntry& entry : state.m_stdShapes) {
     const CShape& shape = *entry.m_pShape;
-    if (!shape.GetRotating() || !shape.GetCanCollide() || shape.GetSensor()) continue;
+    if (!shape.GetMoving() || !shape.GetCanCollide() || shape.GetSensor()) continue;
     const double turn = static_cast<double>(g_fTwoPi) * std::abs(shape.GetRotSpeed()) * dt;
-    longest = std::max(longest, turn * GetReach(shape));
+    longest = std::max(longest, turn * GetReach(shape) + shape.GetVel().cast<double>().norm() * dt);
   }
   return longest;
 }

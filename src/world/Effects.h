@@ -17,7 +17,7 @@ struct CContent {
   std::size_t m_nBalls = 0;
   std::size_t m_nSolidBalls = 0;
   std::size_t m_nSolidShapes = 0;
-  std::size_t m_nRotating = 0;
+  std::size_t m_nMoving = 0;  ///< Shapes that move or rotate by themselves.
   std::size_t m_nSensors = 0; ///< Shapes and balls.
 
   /// The counts of one shape, and of one ball.
@@ -36,7 +36,7 @@ CContent CountContent(const CWorldState& state);
 CEffects GetCalledFor(const CContent& content, const CWorldState& state);
 
 /// Decides before a substep whether anything in it is fast: a solid ball that moves by more than g_fFastMove
-/// of its radius, or a rotating solid shape that does so of the smallest one's.
+/// of its radius, or a solid shape whose surface does so of the smallest one's.
 class CFastMoves {
 public:
   /// To be called before IsAny when a ball was added, removed, or is solid or not any more; and when that has
@@ -62,7 +62,7 @@ private:
   double m_fSurface = 0.0;                                      // longest move of a surface
 };
 
-/// The longest path, in user units, of a point of a rotating solid shape in dt seconds.
+/// The longest path, in user units, of a point of a solid shape in dt seconds.
 double FindLongestSurfaceMove(const CWorldState& state, float dt);
 
 /// The longest moves in dt seconds: that of a ball in its radii, that of a surface in those of the smallest

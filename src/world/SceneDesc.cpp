@@ -95,6 +95,7 @@ std::string Written(const TDesc& desc) {
   if (desc.m_bIsSensor) json.Add("sensor", "true");
   if (desc.m_eMotionType == eMotion::Kinematic)
     json.Add("motion", Quoted("kinematic"))
+        .Add("velocity", desc.m_vVel)
         .Add("rotation_speed", desc.m_fRotSpeed)
         .Add("rotation_center", desc.m_vRotCenter);
   return json.Text();

@@ -107,7 +107,11 @@ void CSensors::TakeShapes(const CWorldState& state) {
     const CShape& shape = *state.m_stdShapes[k].m_pShape;
     if (!shape.GetCanCollide()) continue;
     CSensed sensed{&state.m_stdShapes[k], CZone(shape), CBox2d(), shape.GetRotCenter().cast<double>(),
-                   shape.GetRotating() ? static_cast<double>(shape.GetLastTurn()) : 0.0};
+                   Vector2d::Zero(),      0.0};
+    if (shape.GetMoving()) { // else these are of an earlier step
+      sensed.m_vMove = shape.GetLastMove().cast<double>();
+      sensed.m_fTurn = static_cast<double>(shape.GetLastTurn());
+    }
     sensed.m_cBox = sensed.m_cZone.GetBox();
     if (sensed.m_fTurn != 0.0) { // wherever it is within reach of its centre
       const Vector2d low = (sensed.m_cBox.min() - sensed.m_vRotCenter).cwiseAbs();
@@ -115,6 +119,8 @@ void CSensors::TakeShapes(const CWorldState& state) {
       const Vector2d reach = Vector2d::Constant(low.cwiseMax(high).norm());
       sensed.m_cBox = CBox2d(sensed.m_vRotCenter - reach, sensed.m_vRotCenter + reach);
     }
+    const CBox2d before(sensed.m_cBox.min() - sensed.m_vMove, sensed.m_cBox.max() - sensed.m_vMove);
+    sensed.m_cBox.extend(before);
     m_stdSensed.push_back(sensed);
     m_nSensors += shape.GetSensor();
   }
@@ -124,17 +130,20 @@ void CSensors::TouchShape(const CBallArrays& b, std::size_t i, const CSensed& se
   if (!m_stdBoxes[i].intersects(sensed.m_cBox)) return;
   ++m_nTests;
   const CBallPath path = GetPath(i);
-  const bool turns = sensed.m_fTurn != 0.0;
-  if (turns) MakeRotatedPath(path, sensed.m_vRotCenter, sensed.m_fTurn, b.m_stdRadius[i], m_stdOtherPath);
-  auto touch = sensed.m_cZone.Touch(turns ? CBallPath(m_stdOtherPath) : path, b.m_stdRadius[i]);
+  const bool moves = sensed.m_fTurn != 0.0 || !sensed.m_vMove.isZero(0.0);
+  if (moves)
+    MakeRotatedPath(path, sensed.m_vRotCenter, sensed.m_fTurn, sensed.m_vMove, b.m_stdRadius[i],
+                    m_stdOtherPath);
+  auto touch = sensed.m_cZone.Touch(moves ? CBallPath(m_stdOtherPath) : path, b.m_stdRadius[i]);
   if (!touch) return;
   Vector2d velocity = GetVelocity(path, touch->m_fTime) / dt;
-  if (turns) { // back to the pose at that time
-    const double back = -(1.0 - touch->m_fTime) * sensed.m_fTurn;
+  if (moves) { // back to the pose at that time
+    const double left = 1.0 - touch->m_fTime, back = -left * sensed.m_fTurn;
     touch->m_vPOI = Turn(touch->m_vPOI, sensed.m_vRotCenter, back);
     touch->m_vNorm = Turn(touch->m_vNorm, Vector2d::Zero(), back);
     const Vector2d d = touch->m_vPOI - sensed.m_vRotCenter;
-    velocity -= sensed.m_fTurn / dt * Vector2d(-d.y(), d.x());
+    velocity -= (sensed.m_fTurn * Geometry::Perp(d) + sensed.m_vMove) / dt;
+    touch->m_vPOI -= left * sensed.m_vMove;
   }
   Add(b.m_stdId[i], sensed.m_pEntry->m_cId, *touch, velocity);
 }

@@ -47,7 +47,7 @@ private:
     const CShapeEntry* m_pEntry;
     CZone m_cZone;
     CBox2d m_cBox; // of wherever it was during the substep
-    Vector2d m_vRotCenter;
+    Vector2d m_vRotCenter, m_vMove;
     double m_fTurn;
   };
   struct CSeen {

@@ -19,7 +19,11 @@ namespace {
 // A shape of the class that the motion in the descriptor asks for.
 template <class TStatic, class TKinematic, class TDesc>
 std::unique_ptr<CShape> MakeShape(const TDesc& desc) {
-  if (desc.m_eMotionType == eMotion::Static) return std::make_unique<TStatic>(desc);
+  if (desc.m_eMotionType == eMotion::Static) {
+    auto pShape = std::make_unique<TStatic>(desc);
+    pShape->SetVel(desc.m_vVel); // which a static shape refuses
+    return pShape;
+  }
   if (desc.m_eMotionType == eMotion::Kinematic) return std::make_unique<TKinematic>(desc);
   Refuse("m_eMotionType", "neither static nor kinematic",
          "Static or Kinematic; balls are made from CDynamicCircleDesc");
@@ -47,6 +51,7 @@ void RequireExtent(const CWorldLimits& limits, const CAabb2D& box) {
 void RequireShape(const CWorldLimits& limits, const CShape& shape) {
   RequireExtent(limits, shape.GetAABB());
   RequireVector("m_vRotCenter", shape.GetRotCenter(), limits.m_fMaxLength);
+  RequireVector("m_vVel", shape.GetVel(), limits.m_fMaxSpeed);
 }
 
 void RequireBall(const CWorldLimits& limits, const Vector2& p, float r, const Vector2& v, float mass) {
@@ -161,7 +166,7 @@ CShapeId CWorld::Add(const CAnyShapeDesc& desc) {
 }
 
 std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, const Vector2& rotCenter,
-                                          float revsPerSecond) {
+                                          float revsPerSecond, const Vector2& v) {
   m_pImpl->Access(eAccess::Change);
   RequireVector("m_vRotCenter", rotCenter, m_pImpl->GetLimits().m_fMaxLength);
   std::vector<std::unique_ptr<CShape>> shapes;
@@ -171,6 +176,7 @@ std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, 
           desc.m_eMotionType = eMotion::Kinematic;
           desc.m_vRotCenter = rotCenter;
           desc.m_fRotSpeed = revsPerSecond;
+          desc.m_vVel = v;
           return MakeShape(desc);
         },
         any));
@@ -217,10 +223,7 @@ void CWorld::SetPos(CShapeId id, const Vector2& p) {
     return SetPose(*m_pImpl, FindEntry(state, id), [&](CShape& shape) { shape.Relocate(p); });
   const Vector2 r = Vector2::Constant(state.m_cBalls.m_stdRadius[i]);
   RequireExtent(m_pImpl->GetLimits(), CAabb2D(p - r, p + r));
-  m_pImpl->ChangeBall(i, eChange::Pose, [&](CBallArrays& b, std::size_t ball) {
-    b.m_stdPos[ball] = b.m_stdPrevPos[ball] = p;
-    b.m_stdPosTail[ball] = Vector2::Zero();
-  });
+  m_pImpl->ChangeBall(i, eChange::Pose, [&](CBallArrays& b, std::size_t ball) { b.SetPos(ball, p); });
 }
 
 float CWorld::GetElasticity(CShapeId id) const {
@@ -317,7 +320,8 @@ void CWorld::Reset(CShapeId id) {
 
 const Vector2& CWorld::GetVel(CShapeId id) const {
   const CWorldState& state = m_pImpl->ReadState();
-  return state.m_cBalls.m_stdVel[FindBall(state, id)];
+  const std::size_t i = state.FindBall(id);
+  return i != CWorldState::npos ? state.m_cBalls.m_stdVel[i] : FindEntry(state, id).m_vVel;
 }
 
 float CWorld::GetRadius(CShapeId id) const {
@@ -332,12 +336,14 @@ float CWorld::GetMass(CShapeId id) const {
 
 void CWorld::SetVel(CShapeId id, const Vector2& v) {
   m_pImpl->Access(eAccess::Change);
-  const std::size_t i = FindBall(m_pImpl->GetState(), id);
   RequireVector("m_vVel", v, m_pImpl->GetLimits().m_fMaxSpeed);
-  m_pImpl->ChangeBall(i, eChange::Motion, [&](CBallArrays& b, std::size_t ball) {
-    b.m_stdVel[ball] = v;
-    b.m_stdVelTail[ball] = Vector2::Zero();
-  });
+  const std::size_t i = m_pImpl->GetState().FindBall(id);
+  if (i == CWorldState::npos) {
+    CShapeEntry& entry = FindKinematic(m_pImpl->GetState(), id, "a ball or a kinematic shape, to be moved");
+    if (v == entry.m_vVel) return;
+    return m_pImpl->ChangeShape(entry, eChange::Motion, [&](CShapeEntry& changed) { changed.SetVel(v); });
+  }
+  m_pImpl->ChangeBall(i, eChange::Motion, [&](CBallArrays& b, std::size_t ball) { b.SetVel(ball, v); });
 }
 
 std::span<const CShapeId> CWorld::GetBallIds() const { return m_pImpl->ReadState().m_cBalls.m_stdId; }

@@ -138,6 +138,7 @@ void CWorld::CImpl::SetGravity(const Vector2& g) {
   m_cState.m_vGravity = m_cDesc.m_vGravity = g;
   for (std::vector<Vector2>* pTails : {&m_cState.m_cBalls.m_stdPosTail, &m_cState.m_cBalls.m_stdVelTail})
     std::fill(pTails->begin(), pTails->end(), Vector2::Zero());
+  m_cState.m_cBalls.m_bIsDisturbed = true;
   InvalidatePlan();
 }
 
@@ -146,6 +147,7 @@ CShapeId CWorld::CImpl::Add(std::unique_ptr<CShape> pShape) {
   CShapeEntry entry(id, std::move(pShape));
   entry.SetHeld(IsForbidden(eEffect::Kinematics));
   m_cState.m_stdShapes.push_back(std::move(entry));
+  m_cState.m_cBalls.m_bIsDisturbed = true;
   InvalidateSurfaces(m_cState.m_stdShapes.back());
   UpdateContent({}, CContent::Of(m_cState.m_stdShapes.back()));
   m_cSensors.Invalidate();
@@ -157,6 +159,7 @@ CShapeId CWorld::CImpl::Add(const CDynamicCircleDesc& desc) {
   const CShapeId id{m_cState.m_nNextId++};
   CBallArrays& b = m_cState.m_cBalls;
   b.Add(id, desc);
+  b.m_bIsDisturbed = true;
   m_bBallsChanged = true;
   UpdateContent({}, CContent::Of(b, b.Size() - 1));
   m_cSensors.Invalidate();
@@ -165,6 +168,7 @@ CShapeId CWorld::CImpl::Add(const CDynamicCircleDesc& desc) {
 }
 
 bool CWorld::CImpl::Erase(CShapeId id) {
+  m_cState.m_cBalls.m_bIsDisturbed = true;
   if (const std::size_t i = m_cState.FindBall(id); i != CWorldState::npos) {
     m_bBallsChanged = true;
     UpdateContent(CContent::Of(m_cState.m_cBalls, i), {});

@@ -17,10 +17,14 @@ struct CBallArrays {
   std::vector<Vector2> m_stdPos;
   std::vector<Vector2> m_stdPrevPos; // at the beginning of the substep
   std::vector<Vector2> m_stdVel;
-  // What the floats above lack of the doubles that an engine has computed: over many small steps their
+  // The rest of the doubles that an engine has computed, beyond the floats above: over many small steps their
   // roundings would add up. Zero where anybody else has set them.
   std::vector<Vector2> m_stdPosTail;
   std::vector<Vector2> m_stdVelTail;
+  // Seconds for which each has been at rest, as an engine counts them: g_fCalmTime where it sleeps.
+  std::vector<float> m_stdCalm;
+  // Something was added, moved or removed since the last substep: what sleeps may lie on nothing.
+  bool m_bIsDisturbed = false;
   std::vector<float> m_stdRadius;
   std::vector<float> m_stdMass;
   std::vector<float> m_stdElasticity;
@@ -32,32 +36,51 @@ struct CBallArrays {
   bool IsSolid(std::size_t i) const { return m_stdCanCollide[i] && !m_stdSensor[i]; }
   void Add(CShapeId id, const CDynamicCircleDesc& desc);
   void Remove(std::size_t i);
+  /// As somebody else than the engine does.
+  void SetPos(std::size_t i, const Vector2& p) {
+    m_stdPos[i] = m_stdPrevPos[i] = p;
+    m_stdPosTail[i] = Vector2::Zero();
+  }
+  void SetVel(std::size_t i, const Vector2& v) {
+    m_stdVel[i] = v;
+    m_stdVelTail[i] = Vector2::Zero();
+  }
 };
 
 /// A shape that is not a ball.
 struct CShapeEntry {
   CShapeId m_cId;
-  std::unique_ptr<CShape> m_pShape; ///< Its rotation speed is 0 where Kinematics is forbidden.
-  float m_fRotSpeed;                ///< The one that the user gave it, revolutions per second.
+  std::unique_ptr<CShape> m_pShape; ///< Its velocity and rotation speed are 0 where Kinematics is forbidden.
+  Vector2 m_vVel;                   ///< The one that the user gave it, units per second.
+  float m_fRotSpeed;                ///< Likewise, revolutions per second.
   bool m_bIsHeld = false;
 
   CShapeEntry(CShapeId id, std::unique_ptr<CShape> pShape)
-      : m_cId(id), m_pShape(std::move(pShape)), m_fRotSpeed(m_pShape->GetRotSpeed()) {}
+      : m_cId(id),
+        m_pShape(std::move(pShape)),
+        m_vVel(m_pShape->GetVel()),
+        m_fRotSpeed(m_pShape->GetRotSpeed()) {}
   CShapeEntry(const CShapeEntry& entry)
       : m_cId(entry.m_cId),
         m_pShape(entry.m_pShape->Clone()),
+        m_vVel(entry.m_vVel),
         m_fRotSpeed(entry.m_fRotSpeed),
         m_bIsHeld(entry.m_bIsHeld) {}
   CShapeEntry(CShapeEntry&&) = default;
   CShapeEntry& operator=(CShapeEntry&&) = default;
 
+  void SetVel(const Vector2& v) {
+    m_vVel = v;
+    m_pShape->SetVel(m_bIsHeld ? Vector2(Vector2::Zero()) : v);
+  }
   void SetRotSpeed(float revsPerSecond) {
     m_fRotSpeed = revsPerSecond;
     m_pShape->SetRotSpeed(m_bIsHeld ? 0.0f : revsPerSecond);
   }
-  /// Stands still whatever its rotation speed.
+  /// Stands still whatever its speeds.
   void SetHeld(bool b) {
     m_bIsHeld = b;
+    SetVel(m_vVel);
     SetRotSpeed(m_fRotSpeed);
   }
 };

@@ -79,15 +79,14 @@ TEST(ImportNotesTest, WhatPartsLose) {
   b2Body* pBall = game.AddBall({5, 5});
   CGame::AddFixture(pBall, CGame::Circle({0, 0}, 2))->SetSensor(true);
   const CSceneDesc scene = ImportScene(game.m_cWorld);
-  EXPECT_EQ(
-      scene.m_stdNotes,
-      (CNotes{"Body 1 becomes a ball without its sensors.",
-              "Body 0 (kinematic) stays where it is: only turning has a counterpart, its velocity of (1, -2) "
-              "m/s has none.",
-              "Body 0 fixture 0 is a sensor: natively balls are felt on its circle, not inside.",
-              "Body 0 fixture 1 is a sensor: balls are felt on its geometry, not inside.",
-              "Body 0 fixture 2 loses its skin of 0.5 m."}));
+  EXPECT_EQ(scene.m_stdNotes,
+            (CNotes{"Body 1 becomes a ball without its sensors.",
+                    "Body 0 fixture 0 is a sensor: natively balls are felt on its circle, not inside.",
+                    "Body 0 fixture 1 is a sensor: balls are felt on its geometry, not inside.",
+                    "Body 0 fixture 2 loses its skin of 0.5 m."}));
   EXPECT_EQ(scene.m_stdBalls.size(), 1u);
+  for (const CAnyShapeDesc& any : scene.m_stdShapes)
+    std::visit([](const auto& desc) { EXPECT_EQ(desc.m_vVel, Vector2(1, -2)); }, any);
 }
 
 TEST(ImportNotesTest, DampingAndGravityScale) {

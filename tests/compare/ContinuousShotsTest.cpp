@@ -34,15 +34,42 @@ struct CShot {
   bool m_bIsBall = false;
   CDynamicCircleDesc m_cOther;
   CDynamicCircleDesc m_cBall;
+  Vector2 m_vGravity = Vector2::Zero();
 };
 
 enum class eTarget { Point, LineSeg, LineSegEnd, Circle, Ring, ArcOutside, ArcInside, ArcEnd, Ball };
 
-struct CCase {
+/// How the target moves, and whether gravity pulls the balls.
+struct CMoves {
   const char* m_sName;
-  eTarget m_eTarget;
-  bool m_bTurns;
+  bool m_bTurns, m_bMoves, m_bFalls;
 };
+constexpr CMoves g_stdMoves[] = {{"", false, false, false},
+                                 {"Turning", true, false, false},
+                                 {"Moving", false, true, false},
+                                 {"MovingTurning", true, true, false},
+                                 {"FallingOnto", false, false, true},
+                                 {"FallingOntoTurning", true, false, true},
+                                 {"FallingOntoMovingTurning", true, true, true}};
+constexpr std::pair<const char*, eTarget> g_stdTargets[] = {
+    {"Point", eTarget::Point},         {"LineSeg", eTarget::LineSeg}, {"LineSegEnd", eTarget::LineSegEnd},
+    {"Circle", eTarget::Circle},       {"Ring", eTarget::Ring},       {"ArcOutside", eTarget::ArcOutside},
+    {"ArcInside", eTarget::ArcInside}, {"ArcEnd", eTarget::ArcEnd},   {"Ball", eTarget::Ball}};
+
+struct CCase {
+  std::string m_sName;
+  eTarget m_eTarget;
+  CMoves m_cMoves;
+};
+
+std::vector<CCase> MakeCases() {
+  std::vector<CCase> cases;
+  for (const CMoves& moves : g_stdMoves)
+    for (const auto& [pName, target] : g_stdTargets)
+      if (target != eTarget::Ball || !(moves.m_bTurns || moves.m_bMoves))
+        cases.push_back({std::string(moves.m_sName) + pName, target, moves});
+  return cases;
+}
 
 // From where it touches the target with the normal n there, the ball goes back by a random part of a step.
 CDynamicCircleDesc MakeBall(CRandom& random, const Vector2& poi, const Vector2& n, float r, float way) {
@@ -115,14 +142,26 @@ CShot MakeShot(CRandom& random, const CCase& what) {
     const float back = part * g_fDt; // both at the same time
     shot.m_cBall.m_vPos = c + r * u - shot.m_cBall.m_vVel * back;
   }
-  if (what.m_bTurns)
+  const CMoves& moves = what.m_cMoves;
+  if (moves.m_bTurns || moves.m_bMoves)
     std::visit(
         [&](auto& desc) {
           desc.m_eMotionType = eMotion::Kinematic;
           desc.m_vRotCenter = c + random.Coin() * random.VectorOfLength(0.0f, 4.0f * r);
-          desc.m_fRotSpeed = random.SignedScale(-3, 5); // up to a whole turn in a step
+          if (moves.m_bTurns) desc.m_fRotSpeed = random.SignedScale(-3, 5); // up to a whole turn in a step
+          if (moves.m_bMoves) desc.m_vVel = random.VectorOfLength(0.0f, 50.0f * r / g_fDt);
+          shot.m_cBall.m_vVel += desc.m_vVel; // seen from there the ball comes as it did
         },
         shot.m_cTarget);
+  if (moves.m_bFalls) {
+    shot.m_vGravity = random.VectorOfLength(0.0f, std::min(10.0f, ratio) * r / (g_fDt * g_fDt));
+    // Two that fall together come to each other as they did; one comes about there, about then.
+    const float back = random.Uniform(0.0f, 1.0f) * g_fDt;
+    if (!shot.m_bIsBall) {
+      shot.m_cBall.m_vVel -= shot.m_vGravity * back;
+      shot.m_cBall.m_vPos += shot.m_vGravity * (0.5f * back * back);
+    }
+  }
   return shot;
 }
 
@@ -170,7 +209,7 @@ protected:
         balls.push_back(shot.m_cOther);
       else
         shapes.push_back(shot.m_cTarget);
-      CExact exact = Make(shapes, balls);
+      CExact exact = Make(shapes, balls, shot.m_vGravity);
       if (BeginsWithOverlap(exact)) continue;
       CEvents events;
       try {
@@ -182,6 +221,7 @@ protected:
 
       CWorldDesc desc;
       desc.m_fTimeStep = g_fDt;
+      desc.m_vGravity = shot.m_vGravity;
       desc.m_cEffects = choice;
       const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
       for (const CAnyShapeDesc& shape : shapes)
@@ -245,20 +285,8 @@ TEST_P(ContinuousShotsTest, WhichTheApproximateWayDoes) {
   EXPECT_GT(result.m_nTunneled, result.m_nHits / 5);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    , ContinuousShotsTest,
-    testing::Values(CCase{"Point", eTarget::Point, false}, CCase{"LineSeg", eTarget::LineSeg, false},
-                    CCase{"LineSegEnd", eTarget::LineSegEnd, false}, CCase{"Circle", eTarget::Circle, false},
-                    CCase{"Ring", eTarget::Ring, false}, CCase{"ArcOutside", eTarget::ArcOutside, false},
-                    CCase{"ArcInside", eTarget::ArcInside, false}, CCase{"ArcEnd", eTarget::ArcEnd, false},
-                    CCase{"Ball", eTarget::Ball, false}, CCase{"TurningPoint", eTarget::Point, true},
-                    CCase{"TurningLineSeg", eTarget::LineSeg, true},
-                    CCase{"TurningLineSegEnd", eTarget::LineSegEnd, true},
-                    CCase{"TurningCircle", eTarget::Circle, true}, CCase{"TurningRing", eTarget::Ring, true},
-                    CCase{"TurningArcOutside", eTarget::ArcOutside, true},
-                    CCase{"TurningArcInside", eTarget::ArcInside, true},
-                    CCase{"TurningArcEnd", eTarget::ArcEnd, true}),
-    [](const auto& sample) { return std::string(sample.param.m_sName); });
+INSTANTIATE_TEST_SUITE_P(, ContinuousShotsTest, testing::ValuesIn(MakeCases()),
+                         [](const auto& sample) { return sample.param.m_sName; });
 
 } // namespace
 } // namespace Shapes::Compare

@@ -212,17 +212,18 @@ TEST_F(SceneTest, AWrongFieldIsNamedWithWhatWasExpected) {
        " /shapes/0/position: expected a point [x, y], got [1,2,3]"},
       {[](json& d) { d["shapes"][0]["radius"] = 1; },
        " /shapes/0/radius: expected no such field (known are drain, elasticity, flip, motion, name, "
-       "position, rotation_center, rotation_speed, sensor, type), got 1"},
+       "position, rotation_center, rotation_speed, sensor, type, velocity), got 1"},
       // A misspelled field comes before what its absence leads to.
       {[](json& d) {
          d["shapes"][3].erase("motion");
          d["shapes"][3]["moton"] = "kinematic";
        },
        " /shapes/3/moton: expected no such field (known are angles, drain, elasticity, flip, motion, name, "
-       "position, radius, rotation_center, rotation_speed, sensor, sides, type), got \"kinematic\""},
+       "position, radius, rotation_center, rotation_speed, sensor, sides, type, velocity), got "
+       "\"kinematic\""},
       {[](json& d) { d["shapes"][1]["a/b: 'c'"] = true; },
        " /shapes/1/a~1b: 'c': expected no such field (known are drain, elasticity, flip, motion, name, p0, "
-       "p1, rotation_center, rotation_speed, sensor, sides, type), got true"},
+       "p1, rotation_center, rotation_speed, sensor, sides, type, velocity), got true"},
       {[](json& d) { d["shapes"][1]["type"] = "square"; },
        " /shapes/1/type: expected one of \"point\", \"line_segment\", \"circle\", \"arc\", got \"square\""},
       {[](json& d) { d["shapes"][1].erase("type"); },

@@ -337,7 +337,7 @@ TEST_P(CEffectContract, TheWorldSaysWhatRunsAndWhy) {
   AddBall(*pWorld, {0, 3}, {3, 0});
   AddBall(*pWorld, {0, 5}, {0, 12});
   EXPECT_EQ(pWorld->ExplainEffects(), "Gravity: runs; gravity is (0, -10), 2 balls\n"
-                                      "Kinematics: runs; 1 shape rotates\n"
+                                      "Kinematics: runs; 1 shape moves or rotates\n"
                                       "BallPairs: does not run, forbidden by the description; 2 solid balls\n"
                                       "Sensors: runs, forced by the description; 0 sensors\n"
                                       "Events: runs; 2 solid balls, 1 solid shape, 0 sensors\n"

@@ -150,7 +150,7 @@ TEST(BallPathTest, ATurnedWayErrsByAHundredthOfTheRadius) {
     const Vector2d center = Double(random.InSquare(2));
     const double turn = random.Uniform(-3, 3), r = random.Uniform(0.05f, 0.5f);
     std::vector<CPathVertex> turned;
-    MakeRotatedPath(way, center, turn, r, turned);
+    MakeRotatedPath(way, center, turn, {0, 0}, r, turned);
     for (int k = 0; k <= 1000; ++k) {
       const double t = k / 1000.0;
       const Vector2d exact = Turn(GetPos(way, t), center, (1.0 - t) * turn);
@@ -168,12 +168,12 @@ TEST(BallPathTest, ATurnedWayErrsByAHundredthOfTheRadius) {
 TEST(BallPathTest, AWildTurnEnds) { // 10^9 turns a second for a second, and a ball without extent
   const CPathVertex way[] = {{0.0, {1, 0}}, {1.0, {2, 0}}};
   std::vector<CPathVertex> turned;
-  MakeRotatedPath(way, {0, 0}, 6e9, 0.1, turned);
+  MakeRotatedPath(way, {0, 0}, 6e9, {0, 0}, 0.1, turned);
   EXPECT_EQ(turned.size(), 1u + g_nMaxTurnParts);
   std::feclearexcept(FE_ALL_EXCEPT);
-  MakeRotatedPath(way, {0, 0}, 1, 0, turned);
+  MakeRotatedPath(way, {0, 0}, 1, {0, 0}, 0, turned);
   EXPECT_EQ(turned.size(), 1u + g_nMaxTurnParts);
-  MakeRotatedPath(way, {0, 0}, 0, 0, turned); // which does not bend
+  MakeRotatedPath(way, {0, 0}, 0, {0, 0}, 0, turned); // which does not bend
   EXPECT_EQ(turned.size(), 2u);
   EXPECT_EQ(std::fetestexcept(FE_DIVBYZERO | FE_INVALID), 0);
 }

@@ -90,13 +90,23 @@ const Drawing = (() => {
     ctx.stroke();
   }
 
-  /** All shapes at a frame; angles are listed for those that turn, in their order. */
-  function drawShapes(ctx, camera, shapes, orientations, frame) {
+  /** The place of a shape that has moved for some seconds. */
+  function moved(shape, seconds) {
+    if (!shape.velocity) return shape;
+    const [dx, dy] = shape.velocity.map((v) => v * seconds);
+    return {...shape, points: shape.points.map(([x, y]) => [x + dx, y + dy])};
+  }
+
+  /**
+   * All shapes at a frame, which is this many seconds after they were as described; angles are listed for
+   * those that turn, in their order.
+   */
+  function drawShapes(ctx, camera, shapes, orientations, frame, seconds) {
     const inks = {ink: Data.css('--ink'), muted: Data.css('--muted'), line: Data.css('--line')};
     let turning = 0;
     for (const shape of shapes) {
       const angle = shape.turns ? angleAt(orientations?.[turning++], frame) : 0;
-      drawShape(ctx, camera, turned(shape, angle), inks);
+      drawShape(ctx, camera, moved(turned(shape, angle), seconds), inks);
     }
     ctx.setLineDash([]);
   }

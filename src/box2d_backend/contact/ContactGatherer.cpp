@@ -20,7 +20,7 @@ void CContactGatherer::BeginStep(const b2Vec2& g, float h) {
     pBall->m_cCorrection.Begin(ToDouble(g), static_cast<double>(h));
     pBall->m_bWasSupported = std::exchange(pBall->m_bIsSupported, false);
   }
-  for (CBody* pBody : m_cBodies.GetTurning())
+  for (CBody* pBody : m_cBodies.GetMoving())
     pBody->m_cStart = pBody->m_pBody->GetTransform();
 }
 

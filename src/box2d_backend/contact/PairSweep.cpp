@@ -125,10 +125,10 @@ void SweepPiece(const TShape& shape, const CMotion& motion, CImpact& best) {
   }
 }
 
-// The swept box of B (and of A, if it turns) decides in a few comparisons which edges of a chain are worth a
+// The swept box of B (of A, if it rests) decides in a few comparisons which edges of a chain are worth a
 // sweep.
 bool MayMeet(const b2EdgeShape& edge, const CMotion& motion) {
-  if (motion.m_cSweepA.a0 != 0.0f) return true;
+  if (motion.m_cSweepA.a0 != 0.0f || !(motion.m_cSweepA.c0 == b2Vec2_zero)) return true;
   const float reach = motion.m_cBall.m_radius + 2.0f * edge.m_radius;
   const b2Vec2 r(reach, reach);
   const b2Vec2 lower = b2Min(motion.m_cSweepB.c0, motion.m_cSweepB.c) - r;
@@ -141,7 +141,7 @@ bool MayMeet(const b2EdgeShape& edge, const CMotion& motion) {
 // Whether the swept box of the ball comes near that of the shape, wherever the shape was meanwhile. Making
 // the edges of an arc for a ball that is far from it would cost more than all that follows.
 bool MayMeet(const CShape& shape, const CDynamicCircle& ball) {
-  if (shape.GetLastTurn() != 0.0f) return true;
+  if (shape.GetLastTurn() != 0.0f || shape.GetLastMove() != Vector2::Zero()) return true;
   const CAabb2D path(ball.GetPrevPos(), ball.GetPos());
   const float size = std::max(ball.GetPos().cwiseAbs().maxCoeff(), ball.GetPrevPos().cwiseAbs().maxCoeff());
   const float reach = ball.GetRadius() + 4.0f * b2_polygonRadius + g_fBoxPadding * (size + ball.GetRadius());
@@ -185,7 +185,7 @@ bool CollidePair(CContactDesc& c) {
     return best.m_bFound;
   }
 
-  motion.m_cSweepA = MakeSweep(b2Vec2_zero, b2Vec2_zero, shape.GetLastTurn());
+  motion.m_cSweepA = MakeSweep(scale.ToMetres(-shape.GetLastMove()), b2Vec2_zero, shape.GetLastTurn());
   FailIf(!MayMeet(shape, ball));
   const CFixtureShapes fixtures = CFixtureShapes::Make(shape, origin, scale, g_fSagittaTolerance);
   for (const b2CircleShape& circle : fixtures.m_stdCircles)

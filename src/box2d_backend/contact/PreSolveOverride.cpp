@@ -288,8 +288,13 @@ double CPreSolveOverride::PartAt(const CBody& shape, const CBody& ball) const {
   if (shape.m_bIsBall && shape.m_pBody->GetLinearVelocity().LengthSquared() > way)
     return shape.m_cCorrection.PartAt(*shape.m_pBody, shape.m_cStart.p);
   const double turn = static_cast<double>(shape.m_pBody->GetAngularVelocity() * m_fStep);
-  if (shape.m_bIsBall || way > 0.0f || turn == 0.0)
+  const b2Vec2 move = m_fStep * shape.m_pBody->GetLinearVelocity();
+  if (shape.m_bIsBall || way > 0.0f || (turn == 0.0 && move == b2Vec2_zero))
     return ball.m_cCorrection.PartAt(*ball.m_pBody, ball.m_cStart.p);
+  if (!(move == b2Vec2_zero))
+    return std::clamp(static_cast<double>(b2Dot(shape.m_pBody->GetPosition() - shape.m_cStart.p, move) /
+                                          move.LengthSquared()),
+                      0.0, 1.0);
   const b2Rot turned = b2MulT(shape.m_cStart.q, shape.m_pBody->GetTransform().q);
   return std::clamp(static_cast<double>(turned.GetAngle()) / turn, 0.0, 1.0);
 }

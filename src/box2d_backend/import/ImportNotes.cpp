@@ -56,17 +56,8 @@ private:
   std::string Name(std::size_t kind) const { return m_cSurvey.Name(m_cSurvey.m_stdKinds[kind].m_stdParts); }
 
   void WriteParts() {
-    int lastBody = -1;
     for (const CPart& part : m_cSurvey.m_stdParts) {
       if (part.m_bIsBall) continue;
-      const b2Body& body = m_cSurvey.GetBody(part);
-      const b2Vec2 v = body.GetLinearVelocity();
-      if (part.m_nBody != lastBody && !(v == b2Vec2_zero))
-        m_stdNotes.push_back("Body " + std::to_string(part.m_nBody) +
-                             " (kinematic) stays where it is: only turning has a " +
-                             "counterpart, its velocity of " + ToText(Vector2(v.x, v.y)) + " m/s has none.");
-      lastBody = part.m_nBody;
-
       const b2Shape& shape = *part.m_pFixture->GetShape();
       const std::string name = Capital(NameFixture(part));
       const bool isCircle = shape.GetType() == b2Shape::e_circle;

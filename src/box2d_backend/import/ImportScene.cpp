@@ -75,6 +75,7 @@ private:
     const b2Body& body = m_cSurvey.GetBody(part);
     if (body.GetType() != b2_kinematicBody) return;
     desc.m_eMotionType = eMotion::Kinematic;
+    desc.m_vVel = m_cScale.FromMetres(body.GetLinearVelocity());
     desc.m_fRotSpeed = body.GetAngularVelocity() / g_fTwoPi;
     desc.m_vRotCenter = m_cScale.FromMetres(body.GetPosition());
   }

@@ -72,7 +72,7 @@ void CBodies::Create(const CWorldState& state, CShapeId id, const CSharedEnds& s
   m_stdByBody[body.m_pBody] = &body;
   if (body.m_bIsBall) m_stdBalls.insert(FindIn(m_stdBalls, id), &body);
   SetProperties(state, id);
-  if (body.m_pBody->GetType() == b2_kinematicBody) SetTurning(state, id);
+  if (body.m_pBody->GetType() == b2_kinematicBody) SetMoving(state, id);
 }
 
 template <class TShape, class F>
@@ -158,7 +158,7 @@ void CBodies::Forget(CShapeId id) {
   const auto it = m_stdBodies.find(id);
   m_nArcPieces -= static_cast<std::uint64_t>(it->second.m_nArcPieces);
   m_stdByBody.erase(it->second.m_pBody);
-  for (auto* pBodies : {&m_stdBalls, &m_stdTurning})
+  for (auto* pBodies : {&m_stdBalls, &m_stdMoving})
     if (const auto at = FindIn(*pBodies, id); at != pBodies->end() && *at == &it->second) pBodies->erase(at);
   m_stdBodies.erase(it);
 }
@@ -208,18 +208,20 @@ void CBodies::SetProperties(const CWorldState& state, CShapeId id) {
   body.m_pBody->SetEnabled(true);
 }
 
-void CBodies::SetTurning(const CWorldState& state, CShapeId id) {
+void CBodies::SetMoving(const CWorldState& state, CShapeId id) {
   CBody& body = Get(id);
   const CShape& shape = *state.m_stdShapes[state.FindShape(id)].m_pShape;
+  body.m_vVel = m_cScale.ToMetres(shape.GetVel());
   body.m_fTurnSpeed = shape.GetRotating() ? g_fTwoPi * shape.GetRotSpeed() : 0.0f;
+  body.m_pBody->SetLinearVelocity(body.m_vVel);
   body.m_pBody->SetAngularVelocity(body.m_fTurnSpeed);
-  body.m_cStart = body.m_pBody->GetTransform(); // nobody looks there again as long as it does not turn
-  const auto at = FindIn(m_stdTurning, id);
-  const bool isIn = at != m_stdTurning.end() && *at == &body;
-  if (shape.GetRotating() && !isIn)
-    m_stdTurning.insert(at, &body);
-  else if (!shape.GetRotating() && isIn)
-    m_stdTurning.erase(at);
+  body.m_cStart = body.m_pBody->GetTransform(); // nobody looks there again as long as it does not move
+  const auto at = FindIn(m_stdMoving, id);
+  const bool isIn = at != m_stdMoving.end() && *at == &body;
+  if (shape.GetMoving() && !isIn)
+    m_stdMoving.insert(at, &body);
+  else if (!shape.GetMoving() && isIn)
+    m_stdMoving.erase(at);
 }
 
 void CBodies::SetBullets(bool b) {

@@ -35,6 +35,7 @@ struct CBody {
   CParabolicCorrection m_cCorrection; ///< of a ball
   float m_fRadius = 0.0f;             ///< of a ball, without skin
   float m_fBaseOrientation = 0.0f;    ///< of a shape when its fixtures were made
+  b2Vec2 m_vVel = b2Vec2_zero;        ///< of a shape, metres per second
   float m_fTurnSpeed = 0.0f;          ///< of a shape, radians per second
   int m_nArcPieces = 0;
   bool m_bIsBall = false;
@@ -67,8 +68,8 @@ public:
   void Forget(CShapeId id);
   /// Elasticity, sensor, can-collide and user pointer as they are now.
   void SetProperties(const CWorldState& state, CShapeId id);
-  /// How fast a shape turns, as it is now.
-  void SetTurning(const CWorldState& state, CShapeId id);
+  /// How fast a shape moves and turns, as it is now.
+  void SetMoving(const CWorldState& state, CShapeId id);
   void SetBullets(bool b);
   /// What Box2D mixes by itself: for worlds in which nobody sets the restitution of contacts.
   void SetRestitutions(const CMixing& mixing);
@@ -80,8 +81,8 @@ public:
   const std::vector<CBody*>& GetBalls() const { return m_stdBalls; }
   /// Whether the ball may be touching a body of somebody else.
   bool IsNearOthers(const CBody& ball);
-  /// Shapes that turn, sensors too.
-  const std::vector<CBody*>& GetTurning() const { return m_stdTurning; }
+  /// Shapes that move or turn, sensors too.
+  const std::vector<CBody*>& GetMoving() const { return m_stdMoving; }
   std::uint64_t GetArcPieces() const { return m_nArcPieces; }
 
 private:
@@ -97,7 +98,7 @@ private:
   CDestructionWatch* m_pWatch;
   std::map<CShapeId, CBody> m_stdBodies;
   std::unordered_map<const b2Body*, CBody*> m_stdByBody;
-  std::vector<CBody*> m_stdBalls, m_stdTurning;
+  std::vector<CBody*> m_stdBalls, m_stdMoving;
   bool m_bPairs;
   bool m_bBullets = false;
   std::uint64_t m_nArcPieces = 0;

@@ -57,7 +57,8 @@ void AddEnds(const CShapeEntry& entry, std::vector<CEnd>& ends) {
 bool MoveTogether(const CShape& a, const CShape& b) {
   FailIf(a.GetMotionType() != b.GetMotionType());
   return a.GetMotionType() == eMotion::Static ||
-         (a.GetRotCenter() == b.GetRotCenter() && a.GetRotSpeed() == b.GetRotSpeed());
+         (a.GetVel() == b.GetVel() && a.GetRotCenter() == b.GetRotCenter() &&
+          a.GetRotSpeed() == b.GetRotSpeed());
 }
 
 } // namespace

@@ -86,7 +86,7 @@ void CStepper::Changed(CShapeId id, eChange what) {
     Removed(id);
     Added(id);
   } else {
-    m_cBodies.SetTurning(m_cState, id);
+    m_cBodies.SetMoving(m_cState, id);
     NoteSharedEnds(id);
   }
 }
@@ -132,8 +132,10 @@ bool CStepper::NeedsNoListener() {
 
 void CStepper::BeginSubstep() {
   if (m_bSharedEndsChanged) UpdateSharedEnds();
-  for (const CBody* pBody : m_cBodies.GetTurning()) // Box2D may have cut it
+  for (const CBody* pBody : m_cBodies.GetMoving()) { // Box2D may have cut it
+    pBody->m_pBody->SetLinearVelocity(pBody->m_vVel);
     pBody->m_pBody->SetAngularVelocity(pBody->m_fTurnSpeed);
+  }
   m_cState.m_cBalls.m_stdPrevPos = m_cState.m_cBalls.m_stdPos;
   if (m_cRunning.Has(eEffect::Gravity)) m_cStats.m_nBallsAccelerated += m_cState.m_cBalls.Size();
 }
@@ -152,13 +154,13 @@ unsigned CStepper::CountSubsteps(float dt) const {
   for (const CShapeEntry& entry : m_cState.m_stdShapes) {
     const CShape& shape = *entry.m_pShape;
     most = std::max(most, bounciest * shape.GetElasticity());
-    if (!shape.GetRotating()) continue;
+    if (!shape.GetMoving()) continue;
     const float turn = g_fTwoPi * std::abs(shape.GetRotSpeed()) * dt;
     const CAabb2D& box = shape.GetAABB();
     const Vector2 c = shape.GetRotCenter();
     const float reach =
         Length((box.GetTopLeft() - c).cwiseAbs().cwiseMax((box.GetBottomRt() - c).cwiseAbs()));
-    surfaceTravel = std::max(surfaceTravel, reach * turn);
+    surfaceTravel = std::max(surfaceTravel, reach * turn + Length(shape.GetVel()) * dt);
     // The boxes of Box2D know where a shape is before and after the step. In between it bulges out of them,
     // by reach turn^2 / 8, which has to be within their margin.
     parts = std::max({parts, turn / g_fLargestTurn,
@@ -200,7 +202,7 @@ std::vector<CStepper::CPathVertex> CStepper::GetPathVertices() const {
 
 void CStepper::EndSubstep(float dt) {
   TakeBalls();
-  TurnShapes(dt);
+  MoveShapes(dt);
   for (const CContactEvent& event : m_cGatherer.TakeContacts()) {
     m_cWorld.Report(event);
     ++m_cStats.m_nContacts;
@@ -212,8 +214,10 @@ void CStepper::CountClamped(float h) {
   for (const CBody* pBall : m_cBodies.GetBalls())
     if (h * (pBall->m_pBody->GetLinearVelocity() + gravityStep).Length() > b2_maxTranslation)
       ++m_cStats.m_nMovesClamped;
-  for (const CBody* pBody : m_cBodies.GetTurning())
+  for (const CBody* pBody : m_cBodies.GetMoving()) {
+    if (h * pBody->m_vVel.Length() > b2_maxTranslation) ++m_cStats.m_nMovesClamped;
     if (std::abs(pBody->m_fTurnSpeed * h) > b2_maxRotation) ++m_cStats.m_nTurnsClamped;
+  }
 }
 
 void CStepper::TakeBalls() {
@@ -228,15 +232,16 @@ void CStepper::TakeBalls() {
   }
 }
 
-void CStepper::TurnShapes(float dt) {
-  for (const CBody* pBody : m_cBodies.GetTurning()) {
+void CStepper::MoveShapes(float dt) {
+  for (const CBody* pBody : m_cBodies.GetMoving()) {
     CShape& shape = *m_cState.m_stdShapes[m_cState.FindShape(pBody->m_cId)].m_pShape;
-    shape.Advance(dt);
-    // Box2D adds up the angle in its own way; from here on both have the same one, reduced to one turn.
-    pBody->m_pBody->SetTransform(pBody->m_pBody->GetPosition(),
+    shape.Advance(dt, m_cState.m_cLimits.m_fMaxLength);
+    // Box2D adds up places and angles in its own way; from here on both have the same ones, the angle reduced
+    // to one turn.
+    pBody->m_pBody->SetTransform(m_cScale.ToMetres(shape.GetRotCenter()),
                                  shape.GetOrientation() - pBody->m_fBaseOrientation);
   }
-  m_cStats.m_nShapesTurned += m_cBodies.GetTurning().size();
+  m_cStats.m_nShapesTurned += m_cBodies.GetMoving().size();
 }
 
 } // namespace Shapes::Box2D

@@ -77,7 +77,7 @@ private:
   void NoteSharedEnds(CShapeId id);
   void UpdateSharedEnds();
   void CountClamped(float h);
-  void TurnShapes(float dt);
+  void MoveShapes(float dt);
 
   CWorldCore& m_cWorld;
   CWorldState& m_cState;

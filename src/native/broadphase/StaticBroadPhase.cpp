@@ -23,13 +23,13 @@ CAabb2D BoxOf(const CShape& shape, float margin = 0.0f) {
 // As CShape::Advance turns it, radians.
 float TurnIn(const CShape& shape, float dt) { return g_fTwoPi * shape.GetRotSpeed() * dt; }
 
-// No point of a shape moves by more than its turn times its reach, and all stay within their reach.
-CAabb2D BoxOfTurn(const CShape& shape, float dt) {
+// No point of a shape turns by more than its turn times its reach, and all stay within their reach.
+CAabb2D BoxOfMove(const CShape& shape, float dt) {
   const auto reach = static_cast<float>(GetReach(shape));
-  const float turn = std::abs(TurnIn(shape, dt));
-  if (turn < 1.0f) return BoxOf(shape, turn * reach);
+  const float turn = std::abs(TurnIn(shape, dt)), way = Length(shape.GetVel()) * dt * (1.0f + g_fBoxPadding);
+  if (turn < 1.0f) return BoxOf(shape, turn * reach + way);
   const Vector2& c = shape.GetRotCenter();
-  return Padded(CAabb2D(c, c), reach);
+  return Padded(CAabb2D(c, c), reach + way);
 }
 
 } // namespace
@@ -88,8 +88,20 @@ void CStaticBroadPhase::BoxKinematic() {
 
 void CStaticBroadPhase::BoxKinematic(float dt) {
   for (std::size_t i = 0; i < m_cKinematic.m_stdOrder.size(); ++i)
-    m_cKinematic.m_stdBoxes[i] = BoxOfTurn(GetShape(m_cKinematic.m_stdOrder[i]), dt);
+    m_cKinematic.m_stdBoxes[i] = BoxOfMove(GetShape(m_cKinematic.m_stdOrder[i]), dt);
   m_cKinematic.m_cTree.Refit(m_cKinematic.m_stdBoxes);
+}
+
+bool CStaticBroadPhase::IsAnyMoving() const {
+  const auto& orders = m_cKinematic.m_stdOrder;
+  return std::any_of(orders.begin(), orders.end(),
+                     [this](std::uint32_t order) { return GetShape(order).GetMoving(); });
+}
+
+bool CStaticBroadPhase::MovesNear(const CAabb2D& box) const {
+  for (std::size_t i = 0; i < m_cKinematic.m_stdOrder.size(); ++i)
+    if (GetShape(m_cKinematic.m_stdOrder[i]).GetMoving() && (m_cKinematic.m_stdBoxes[i] && box)) return true;
+  return false;
 }
 
 void CStaticBroadPhase::Query(const CAabb2D& box, std::vector<std::uint32_t>& orders) {
@@ -115,7 +127,7 @@ void CStaticBroadPhase::MakeGeometries(float dt) {
     m_bIsAnyOld = false;
   }
   for (const std::uint32_t order : m_cKinematic.m_stdOrder)
-    if (GetShape(order).GetRotating()) make(order);
+    if (GetShape(order).GetMoving()) make(order);
 }
 
 } // namespace Shapes::Native

@@ -24,6 +24,9 @@ public:
 
   std::size_t Size() const { return m_stdByOrder.size(); }
   bool HasKinematic() const { return !m_cKinematic.m_stdOrder.empty(); }
+  /// Whether any shape moves, and whether one may meet this box where it moves (after BoxKinematic).
+  bool IsAnyMoving() const;
+  bool MovesNear(const CAabb2D& box) const;
   const CShapeEntry& Get(std::uint32_t order) const { return *m_stdByOrder[order]; }
 
   /// Puts boxes around the kinematic shapes as they are now, or around all that they sweep in the next dt

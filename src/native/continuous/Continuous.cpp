@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace Shapes::Native {
+
 bool CContinuous::CEvent::operator<(const CEvent& other) const {
   return std::tie(m_fTime, m_nBall) > std::tie(other.m_fTime, other.m_nBall);
 }
@@ -22,12 +24,19 @@ void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs
   m_stdContacts.clear();
   m_stdPathVertices.clear();
   m_stdQueue.clear();
-  m_cResting.Clear();
+  m_cResting.Begin(m_vGravity, m_fStep);
+  if (std::exchange(balls.m_bIsDisturbed, false) || !IsFalling())
+    std::fill(balls.m_stdCalm.begin(), balls.m_stdCalm.end(), 0.0f);
+  if (AllSleep(balls) && !shapes.IsAnyMoving()) {
+    balls.m_stdPrevPos = balls.m_stdPos;
+    return;
+  }
   shapes.BoxKinematic(dt);
   shapes.MakeGeometries(dt);
 
   TakeBalls(balls);
   SortBalls(pairs);
+  WakeDisturbed(balls);
   const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
   if (IsFalling())
     FindRestingContacts();
@@ -35,6 +44,7 @@ void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs
     for (std::uint32_t i = 0; i < n; ++i)
       SetBackFromBalls(i);
   for (std::uint32_t i = 0; i < n; ++i) {
+    if (m_stdBalls[i].m_bIsAsleep) continue;
     // Out of one shape may be into another: a ball in a wedge is set back in turns.
     FindShapes(i);
     for (int turn = 0; turn < g_nSetBackRounds && SetBackFromShapes(i); ++turn)
@@ -47,6 +57,7 @@ void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs
   }
   if (!m_cResting.IsEmpty()) SolveRestingContacts();
   for (std::uint32_t i = 0; i < n; ++i) {
+    if (m_stdBalls[i].m_bIsAsleep) continue;
     FindBallImpacts(i);
     Queue(i);
   }
@@ -64,6 +75,7 @@ void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs
       Resolve(event.m_nBall);
   }
   PutBalls(balls);
+  if (IsFalling()) FallAsleep(balls);
 }
 
 // The first impact of a ball with the shapes that were found.
@@ -83,11 +95,13 @@ void CContinuous::TakeBalls(const CBallArrays& b) {
     ball.m_nBall = i;
     ball.m_vPos = Join(b.m_stdPos[i], b.m_stdPosTail[i]);
     ball.m_vVel = Join(b.m_stdVel[i], b.m_stdVelTail[i]);
-    ball.m_vAcc = m_vGravity;
+    ball.m_vFall = m_vGravity;
     ball.m_fRadius = static_cast<double>(b.m_stdRadius[i]);
     ball.m_fMass = static_cast<double>(b.m_stdMass[i]);
     ball.m_fElasticity = static_cast<double>(b.m_stdElasticity[i]);
     ball.Begin();
+    ball.m_bIsAsleep = b.m_stdCalm[i] >= g_fCalmTime;
+    ball.m_vAcc = ball.m_bIsAsleep ? Vector2d(Vector2d::Zero()) : m_vGravity;
     m_stdBoxes.push_back(GetBox(ball));
   }
   m_stdBalls.resize(n);
@@ -116,7 +130,9 @@ void CContinuous::PutBalls(CBallArrays& b) {
   auto ball = m_stdBalls.begin();
   for (std::size_t i = 0; i < b.Size(); ++i) {
     const bool isSolid = ball != m_stdBalls.end() && ball->m_nBall == i;
-    if (isSolid && ball->m_bIsMoved) {
+    if (isSolid && ball->m_bIsAsleep) {
+      // It stays.
+    } else if (isSolid && ball->m_bIsMoved) {
       Advance(*ball, m_fStep - ball->m_fTime);
       Put(ball->m_vPos, ball->m_vVel, i, b);
     } else if (IsFalling()) {
@@ -131,18 +147,21 @@ void CContinuous::PutBalls(CBallArrays& b) {
 }
 
 CMotion CContinuous::GetMotion(const CMoving& ball) const {
-  const Vector2d rest = Vector2d::Zero();
-  return {ball.m_vPos, ball.m_bIsHalted ? rest : ball.m_vVel, ball.m_fRadius, m_fStep - ball.m_fTime,
-          ball.m_bIsHalted ? rest : ball.m_vAcc};
+  return {ball.m_vPos, ball.m_bIsHalted ? ball.m_vCarried : ball.m_vVel, ball.m_fRadius,
+          m_fStep - ball.m_fTime, ball.m_bIsHalted ? Vector2d(Vector2d::Zero()) : ball.m_vAcc};
 }
 
 CAabb2D CContinuous::GetBox(const CMoving& ball) const {
   const CMotion motion = GetMotion(ball);
   CAabb2D box(ToFloat(motion.m_vPos), ToFloat(motion.m_vPos));
   box += ToFloat(motion.PosAt(motion.m_fDuration));
-  // A parabola is nowhere farther from its chord than that.
-  const double sagitta = 0.125 * Norm(motion.m_vAcc) * motion.m_fDuration * motion.m_fDuration;
-  return Padded(box, static_cast<float>(motion.m_fRadius + sagitta) * (1.0f + g_fBoxPadding));
+  return Padded(box, static_cast<float>(motion.m_fRadius + motion.GetSagitta()) * (1.0f + g_fBoxPadding));
+}
+
+// Its motion is another one.
+void CContinuous::Rebox(std::uint32_t i) {
+  m_stdBoxes[i] = GetBox(m_stdBalls[i]);
+  m_cBallTree.Grow(i, m_stdBoxes[i]);
 }
 
 void CContinuous::SetBackFromBalls(std::uint32_t i) {
@@ -160,10 +179,10 @@ void CContinuous::SetBackFromBalls(std::uint32_t i) {
   }
 }
 
-// The shapes on the way of the motion, by order.
-void CContinuous::FindShapes(std::uint32_t i) {
+// The shapes on the way of the motion, or within reach of it, by order.
+void CContinuous::FindShapes(std::uint32_t i, float reach) {
   m_stdShapesFound.clear();
-  m_pShapes->Query(m_stdBoxes[i], m_stdShapesFound);
+  m_pShapes->Query(reach > 0.0f ? Padded(m_stdBoxes[i], reach) : m_stdBoxes[i], m_stdShapesFound);
   std::sort(m_stdShapesFound.begin(), m_stdShapesFound.end());
 }
 
@@ -185,32 +204,35 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i) {
   return had;
 }
 
+// The share of a push of a ball from p by `way`, all at once, that no shape is in the way of, as they are at
+// `time`; those that move together with `along` are not.
+double CContinuous::GetFreeShare(const Vector2d& p, const Vector2d& way, double radius, double time,
+                                 const CShapeGeometry* along) const {
+  CAabb2D box(ToFloat(p), ToFloat(p));
+  box += ToFloat(p + way);
+  std::vector<std::uint32_t> orders;
+  m_pShapes->Query(Padded(box, static_cast<float>(radius) * (1.0f + g_fBoxPadding)), orders);
+  CMotion motion{p, way / g_fInstant, radius, g_fInstant};
+  for (const std::uint32_t order : orders) {
+    const CShapeGeometry& o = m_pShapes->GetGeometry(order);
+    if (along != nullptr && o.MovesAs(*along)) continue;
+    CImpact impact;
+    if (m_pShapes->Get(order).m_pShape->GetCanCollide() && Sweep(o, motion, time, impact) != eSweep::None)
+      motion.m_fDuration = std::min(motion.m_fDuration, impact.m_fTime);
+  }
+  return motion.m_fDuration / g_fInstant;
+}
+
 // Moves a ball along n; if it could get through something by that, only up to what is in the way.
 void CContinuous::CorrectPosition(std::uint32_t i, const Vector2d& n, double depth) {
   CMoving& ball = m_stdBalls[i];
-  if (depth > 0.25 * ball.m_fRadius) {
-    CMoving corrected = ball;
-    corrected.m_vVel = depth / m_fStep * n;
-    corrected.m_vAcc = Vector2d::Zero();
-    const CAabb2D box = GetBox(corrected);
-    CMotion motion = GetMotion(corrected);
-    motion.m_vPos += Clear(SizeOf(motion.m_vPos, motion.m_fRadius), depth) * n;
-    motion.m_vVel = depth / g_fInstant * n;
-    motion.m_fDuration = g_fInstant;
-    std::vector<std::uint32_t> orders;
-    m_pShapes->Query(box, orders);
-    for (const std::uint32_t order : orders) {
-      CImpact impact;
-      if (m_pShapes->Get(order).m_pShape->GetCanCollide() &&
-          Sweep(m_pShapes->GetGeometry(order), motion, 0.0, impact) != eSweep::None)
-        motion.m_fDuration = std::min(motion.m_fDuration, impact.m_fTime);
-    }
-    depth *= motion.m_fDuration / g_fInstant;
+  if (depth > g_fFarCorrection * ball.m_fRadius) {
+    const Vector2d from = ball.m_vPos + Clear(SizeOf(ball.m_vPos, ball.m_fRadius), depth) * n;
+    depth *= GetFreeShare(from, depth * n, ball.m_fRadius, 0.0, nullptr);
   }
   ball.m_vPos += depth * n;
   ball.m_bIsMoved = true;
-  m_stdBoxes[i] = GetBox(ball);
-  m_cBallTree.Grow(i, m_stdBoxes[i]);
+  Rebox(i);
 }
 
 } // namespace Shapes::Native

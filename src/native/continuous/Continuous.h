@@ -15,8 +15,8 @@ namespace Shapes::Native {
 
 /// The continuous mode of a substep: every solid ball moves on its parabola, without gravity straight on at
 /// the velocity that it has, from impact to impact, and responds to each, in the order of time, at the place
-/// and in the direction of the impact; the rest of the substep it moves on. Shapes turn meanwhile. Computed
-/// in double.
+/// and in the direction of the impact; the rest of the substep it moves on. Shapes move and turn meanwhile.
+/// Computed in double.
 ///
 /// - Without gravity an unobstructed ball moves bit-identically to the approximate mode.
 /// - Initial overlaps are pushed out along the normal, of two balls by their shares of the mass, but never
@@ -30,8 +30,12 @@ namespace Shapes::Native {
 /// - Without gravity, a ball that comes back to the same turning shape or inside of an arc within 1/g_nHops
 ///   of the substep, and leaves it all but along the surface, slides: it keeps its speed, but leaves so
 ///   steeply that it stays away for that long, or at g_fShallow radians if that is less.
+/// - Under gravity, balls that lie on something sleep once they and all of their pile have been slower than
+///   g_fCalmSpeed of what gravity gives in a substep for g_fCalmTime seconds: they stand still, no contact
+///   of theirs is told, until a ball or a moving shape comes near, or anything is added, removed, moved or
+///   set.
 /// - A ball that has had g_nMaxImpacts impacts, or g_nCrowded in a pile, is halted: for the rest of the
-///   substep it stays where it is, which is a place that it can be at, or goes along with the turning shape
+///   substep it stays where it is, which is a place that it can be at, or goes along with the moving shape
 ///   that it has met last. It keeps its velocity; others bounce off it as off a wall.
 class CContinuous {
 public:
@@ -66,13 +70,21 @@ private:
   void TakeBalls(const CBallArrays& balls);
   void SortBalls(bool pairs);
   void PutBalls(CBallArrays& balls);
+  bool AllSleep(const CBallArrays& balls) const;
+  bool IsOnWay(const CMoving& sleeper, const CMoving& ball) const;
+  void Wake(std::uint32_t i);
+  void WakeDisturbed(CBallArrays& balls);
+  void FallAsleep(CBallArrays& balls);
   void Put(const Vector2d& p, const Vector2d& v, std::size_t i, CBallArrays& b) const;
   CMotion GetMotion(const CMoving& ball) const;
   CAabb2D GetBox(const CMoving& ball) const;
-  void FindShapes(std::uint32_t i);
+  void Rebox(std::uint32_t i);
+  void FindShapes(std::uint32_t i, float reach = 0.0f);
   void FindFirst(std::uint32_t i);
   bool SetBackFromShapes(std::uint32_t i);
   void SetBackFromBalls(std::uint32_t i);
+  double GetFreeShare(const Vector2d& p, const Vector2d& way, double radius, double time,
+                      const CShapeGeometry* along) const;
   void CorrectPosition(std::uint32_t i, const Vector2d& n, double depth);
   void FindNext(std::uint32_t i);
   void FindNextShape(CMoving& ball);
@@ -103,8 +115,6 @@ private:
   void Collide(CMoving& ball, CMoving& other, const Vector2d& n, double setback, bool isSlow);
   void GoAlong(CMoving& ball, double time);
   void HoldAnew(CMoving& ball);
-  /// The speed that gravity gives in g_fRestingSteps substeps.
-  double GetSlow() const;
   void Slide(CMoving& ball, const CImpact& impact) const;
   void Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n, double speed);
   void EndMotion(CMoving& ball);
@@ -126,7 +136,8 @@ private:
   std::vector<CEvent> m_stdQueue; // a heap
   std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound;
   CRestingContacts m_cResting;
-  std::vector<std::uint32_t> m_stdHit, m_stdPassing;
+  std::vector<std::uint32_t> m_stdHit, m_stdPassing, m_stdWoken;
+  std::vector<float> m_stdLeastCalm; // of each pile
 };
 
 } // namespace Shapes::Native

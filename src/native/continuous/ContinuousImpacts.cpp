@@ -15,10 +15,12 @@ namespace Shapes::Native {
 void CContinuous::FindNext(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   ball.m_cNext = CNext();
-  if (!ball.m_bIsHalted) {
-    FindShapes(i);
+  FindShapes(i);
+  // A halted ball goes along with what comes upon it; what it is carried into it cannot avoid.
+  if (!ball.m_bIsHalted)
     FindNextShape(ball);
-  }
+  else if (ball.m_nLastMoving == g_nNobody)
+    FindShapeImpacts(ball);
   FindBallImpacts(i);
   Queue(i);
 }
@@ -46,7 +48,7 @@ void CContinuous::FindNextShape(CMoving& ball) {
 // Of those that were found.
 void CContinuous::FindShapeImpacts(CMoving& ball) {
   for (const std::uint32_t order : m_stdShapesFound) {
-    if (!m_pShapes->Get(order).m_pShape->GetCanCollide() || ball.m_cHolds.Has(order, false)) continue;
+    if (!m_pShapes->Get(order).m_pShape->GetCanCollide() || ball.m_cHolds.HasShape(order)) continue;
     ++m_pStats->m_nSweeps;
     const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
     CNext found;
@@ -60,13 +62,8 @@ void CContinuous::FindShapeImpacts(CMoving& ball) {
 bool CContinuous::AreAtRest(std::uint32_t i, std::uint32_t j) const {
   const CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
   FailIf(!ball.m_bIsInPile || !other.m_bIsInPile);
-  const auto isHeld = [](const CMoving& upper, const CMoving& lower, std::uint32_t index) {
-    const auto holds = upper.m_cHolds.Get();
-    return std::any_of(holds.begin(), holds.end(), [&](const CHold& hold) {
-      return hold.m_bIsBall && hold.m_nOther == index && hold.m_nVersion == lower.m_nVersion;
-    });
-  };
-  return m_cResting.Has(i, j) || isHeld(ball, other, j) || isHeld(other, ball, i);
+  return m_cResting.Has(i, j) || ball.m_cHolds.HasBall(j, other.m_nVersion) ||
+         other.m_cHolds.HasBall(i, ball.m_nVersion);
 }
 
 void CContinuous::FindBallImpacts(std::uint32_t i) {
@@ -75,7 +72,7 @@ void CContinuous::FindBallImpacts(std::uint32_t i) {
   m_cBallTree.Query(m_stdBoxes[i], m_stdBallsFound);
   for (const std::uint32_t j : m_stdBallsFound) {
     const CMoving& other = m_stdBalls[j];
-    if (j == i || AreAtRest(i, j)) continue;
+    if (j == i || (ball.m_bIsHalted && other.m_bIsHalted) || AreAtRest(i, j)) continue;
     ++m_pStats->m_nSweeps;
     // Both from the time at which the later motion of the two begins; none beyond what stops it.
     const double start = std::max(ball.m_fTime, other.m_fTime), since = start - ball.m_fTime;
@@ -123,10 +120,8 @@ void CContinuous::Resolve(std::uint32_t i) {
   }
   if (!m_cResting.IsEmpty()) PassOn();
   // All boxes have to be there before any looks for the others.
-  for (const std::uint32_t j : m_stdHit) {
-    m_stdBoxes[j] = GetBox(m_stdBalls[j]);
-    m_cBallTree.Grow(j, m_stdBoxes[j]);
-  }
+  for (const std::uint32_t j : m_stdHit)
+    Rebox(j);
   for (auto it = m_stdHit.rbegin(); it != m_stdHit.rend(); ++it)
     FindNext(*it);
 }
@@ -145,7 +140,7 @@ void CContinuous::PassOn() {
       const CMotion motion = GetMotion(other);
       const double since = now - other.m_fTime;
       const Vector2d n = Unit(ball.m_vPos - motion.PosAt(since), Vector2d::UnitY());
-      if (ApproachSpeed(GetMotion(ball).m_vVel, motion.VelAt(since), n) <= GetSlow()) continue;
+      if (ApproachSpeed(GetMotion(ball).m_vVel, motion.VelAt(since), n) <= m_cResting.GetSlow()) continue;
       if (since > 0.0) Advance(other, since);
       ++other.m_nVersion;
       Collide(ball, other, n, 0.0, false);
@@ -159,42 +154,35 @@ void CContinuous::PassOn() {
 
 void CContinuous::Advance(CMoving& ball, double motion) {
   const CMotion before = GetMotion(ball);
-  ball.m_vPos = before.PosAt(motion);
   if (!ball.m_bIsHalted) {
+    ball.m_vPos = before.PosAt(motion);
     ball.m_vVel = before.VelAt(motion);
-  } else if (ball.m_nLastTurning != g_nNobody) {
+  } else if (ball.m_nLastMoving != g_nNobody) {
     GoAlong(ball, motion);
   }
   ball.m_fTime = std::min(ball.m_fTime + motion, m_fStep);
   ball.m_bIsMoved = true;
+  ball.m_bIsAsleep = false;
   ++ball.m_nVersion;
   if (!ball.m_cHolds.IsEmpty() && !ball.m_bIsHalted) Settle(ball, before);
 }
 
-// A halted ball with the turning shape that it has met last, until something else is in the way of that.
+// A halted ball with the moving shape that it has met last, until something else is in the way of that.
 void CContinuous::GoAlong(CMoving& ball, double time) {
-  const CShapeGeometry& o = m_pShapes->GetGeometry(ball.m_nLastTurning);
-  const Vector2d way =
-      Turned(ball.m_vPos - o.m_vRotCenter, o.m_fTurnSpeed * time) - (ball.m_vPos - o.m_vRotCenter);
-  CAabb2D box(ToFloat(ball.m_vPos), ToFloat(ball.m_vPos));
-  box += ToFloat(ball.m_vPos + way);
-  std::vector<std::uint32_t> orders;
-  m_pShapes->Query(Padded(box, static_cast<float>(ball.m_fRadius) * (1.0f + g_fBoxPadding)), orders);
-  CMotion motion{ball.m_vPos, way / g_fInstant, ball.m_fRadius, g_fInstant};
-  for (const std::uint32_t order : orders) {
-    const CShapeGeometry& other = m_pShapes->GetGeometry(order);
-    if (other.m_fTurnSpeed == o.m_fTurnSpeed && other.m_vRotCenter == o.m_vRotCenter) continue;
-    CImpact impact;
-    if (m_pShapes->Get(order).m_pShape->GetCanCollide() &&
-        Sweep(other, motion, ball.m_fTime, impact) != eSweep::None)
-      motion.m_fDuration = std::min(motion.m_fDuration, impact.m_fTime);
-  }
-  ball.m_vPos += motion.m_fDuration / g_fInstant * way;
+  const CShapeGeometry& o = m_pShapes->GetGeometry(ball.m_nLastMoving);
+  const Vector2d fromCenter = ball.m_vPos - o.m_vRotCenter - ball.m_fTime * o.m_vVel;
+  const Vector2d way = time * o.m_vVel + Turned(fromCenter, o.m_fTurnSpeed * time) - fromCenter;
+  ball.m_vPos += GetFreeShare(ball.m_vPos, way, ball.m_fRadius, ball.m_fTime, &o) * way;
 }
 
 void CContinuous::ResolveWithShape(CMoving& ball) {
   const CImpact impact = ball.m_cNext.m_cImpact;
   const std::uint32_t order = ball.m_cNext.m_nOther;
+  if (ball.m_bIsHalted) {
+    Advance(ball, impact.m_fTime);
+    ball.m_nLastMoving = order;
+    return Halt(ball);
+  }
   const CShapeEntry& entry = m_pShapes->Get(order);
   const Vector2d &n = impact.m_vNorm, &surface = impact.m_vSurface;
   Advance(ball, impact.m_fTime);
@@ -218,7 +206,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   }
   m_pStats->m_nSpeedsCapped += CapSpeed(ball.m_vVel);
   ball.m_nLastOrder = order;
-  if (m_pShapes->GetGeometry(order).m_fTurnSpeed != 0.0) ball.m_nLastTurning = order;
+  if (m_pShapes->GetGeometry(order).IsMoving()) ball.m_nLastMoving = order;
   Report(entry.m_cId, ball, impact.m_vPOI, n, approach);
   EndMotion(ball);
 }
@@ -231,7 +219,7 @@ void CContinuous::Slide(CMoving& ball, const CImpact& impact) const {
   if (!(out < hop)) return;
   const Vector2d along = u - out * n;
   const double speed = along.norm();
-  // What it gains across it loses along the surface.
+  // The speed stays: the part along the surface shrinks.
   const double left = std::sqrt(std::max(0.0, u.squaredNorm() - hop * hop));
   ball.m_vVel = impact.m_vSurface + hop * n + (speed > 0.0 ? left / speed : 0.0) * along;
 }
@@ -256,11 +244,10 @@ void CContinuous::ResolveWithBall(CMoving& ball, CMoving& other) {
 void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, double setback, bool isSlow) {
   const double approach = ApproachSpeed(GetMotion(ball).m_vVel, GetMotion(other).m_vVel, n);
   const double e = isSlow ? 0.0 : ball.m_fElasticity * other.m_fElasticity;
-  const Vector2d rest = Vector2d::Zero();
   if (other.m_bIsHalted)
-    RespondKinematic(n, setback, e, rest, ball.m_vPos, ball.m_vVel);
+    RespondKinematic(n, setback, e, other.m_vCarried, ball.m_vPos, ball.m_vVel);
   else if (ball.m_bIsHalted)
-    RespondKinematic(Vector2d(-n), setback, e, rest, other.m_vPos, other.m_vVel);
+    RespondKinematic(Vector2d(-n), setback, e, ball.m_vCarried, other.m_vPos, other.m_vVel);
   else
     RespondDynamic(n, setback, e, other.m_fMass, ball.m_fMass, other.m_vPos, other.m_vVel, ball.m_vPos,
                    ball.m_vVel);
@@ -304,8 +291,11 @@ void CContinuous::EndMotion(CMoving& ball) {
 }
 
 void CContinuous::Halt(CMoving& ball) {
+  m_pStats->m_nBallsHalted += !ball.m_bIsHalted;
   ball.m_bIsHalted = true;
-  ++m_pStats->m_nBallsHalted;
+  if (ball.m_nLastMoving != g_nNobody)
+    ball.m_vCarried =
+        m_pShapes->GetGeometry(ball.m_nLastMoving).GetSurfaceVelocity(ball.m_vPos, ball.m_fTime);
 }
 
 } // namespace Shapes::Native

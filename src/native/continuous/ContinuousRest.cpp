@@ -2,7 +2,6 @@
 // Contact that lasts: balls that lie on shapes or slide along them, and balls that rest on each other.
 #include "Continuous.h"
 
-#include "../../shapes/Response.h"
 #include "Rounding.h"
 
 #include <algorithm>
@@ -14,9 +13,10 @@ namespace Shapes::Native {
 // Pairs of balls that touch or could by the end of the substep, and the shapes around these balls. They are
 // separated where they overlap.
 void CContinuous::FindRestingContacts() {
-  const double reach = g_fRestingSteps * Norm(m_vGravity) * m_fStep * m_fStep;
+  const double reach = m_cResting.GetSlow() * m_fStep;
   const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
   for (std::uint32_t i = 0; i < n; ++i) {
+    if (m_stdBalls[i].m_bIsAsleep) continue;
     m_stdBallsFound.clear();
     m_cBallTree.Query(m_stdBoxes[i], m_stdBallsFound);
     std::sort(m_stdBallsFound.begin(), m_stdBallsFound.end());
@@ -24,33 +24,36 @@ void CContinuous::FindRestingContacts() {
       CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
       CImpact impact;
       double gap;
-      if (j <= i || !NearBallBall(GetMotion(other), GetMotion(ball), reach, impact, gap)) continue;
+      if (j <= i || other.m_bIsAsleep || !NearBallBall(GetMotion(other), GetMotion(ball), reach, impact, gap))
+        continue;
       m_cResting.Add(i, j, true, impact, gap);
-      ball.m_bIsInPile = other.m_bIsInPile = true;
+      ball.m_bIsNearBall = other.m_bIsNearBall = true;
     }
   }
   if (m_cResting.IsEmpty()) return;
   for (std::uint32_t i = 0; i < n; ++i) {
     const CMoving& ball = m_stdBalls[i];
-    if (!ball.m_bIsInPile) continue;
-    FindShapes(i);
+    if (!ball.m_bIsNearBall) continue;
+    // Balls that overlap may be moved towards shapes.
+    const double far = reach + g_fFarCorrection * ball.m_fRadius;
+    FindShapes(i, static_cast<float>(far));
     for (const std::uint32_t order : m_stdShapesFound) {
       CImpact impact;
       double gap;
       if (m_pShapes->Get(order).m_pShape->GetCanCollide() &&
-          Near(m_pShapes->GetGeometry(order), GetMotion(ball), 0.0, reach + 0.25 * ball.m_fRadius, impact,
-               gap) &&
+          Near(m_pShapes->GetGeometry(order), GetMotion(ball), 0.0, far, impact, gap) &&
           CanFollow(ball, order, impact))
         m_cResting.Add(i, order, false, impact, gap);
     }
   }
-  m_cResting.Separate(m_stdBalls, m_vGravity);
+  m_cResting.Separate(m_stdBalls);
   for (std::uint32_t i = 0; i < n; ++i)
-    if (m_stdBalls[i].m_bIsInPile) m_stdBoxes[i] = GetBox(m_stdBalls[i]), m_cBallTree.Grow(i, m_stdBoxes[i]);
+    if (m_stdBalls[i].m_bIsNearBall) Rebox(i);
+  m_cResting.FindPiles(m_stdBalls);
 }
 
 void CContinuous::SolveRestingContacts() {
-  m_cResting.Solve(m_stdBalls, m_vGravity, m_fStep);
+  m_cResting.Solve(m_stdBalls);
   m_cResting.ForEach([this](std::uint32_t i, std::uint32_t other, bool isBall, const Vector2d& norm) {
     const CMoving& ball = m_stdBalls[i];
     Report(isBall ? m_pBalls->m_stdId[m_stdBalls[other].m_nBall] : m_pShapes->Get(other).m_cId, ball,
@@ -58,12 +61,11 @@ void CContinuous::SolveRestingContacts() {
   });
   for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     if (!m_stdBalls[i].m_bIsInPile) continue;
+    Rebox(i);
     FindShapes(i);
     FindFirst(i);
   }
 }
-
-double CContinuous::GetSlow() const { return g_fRestingSteps * Norm(m_vGravity) * m_fStep; }
 
 // Whether a ball that leaves a surface at the speed `out` is back at once, being accelerated towards it: it
 // lies on it, or leaves it all but along the surface.
@@ -74,7 +76,7 @@ bool CContinuous::IsHop(double out, double closing, double speed) const {
 
 // Whether the way along a surface can be followed: not where it turns too far within a substep.
 bool CContinuous::CanFollow(const CMoving& ball, std::uint32_t order, const CImpact& impact) const {
-  const double speed = Norm(ball.m_vVel) + Norm(m_vGravity) * m_fStep;
+  const double speed = Norm(ball.m_vVel - m_pShapes->GetGeometry(order).m_vVel) + Norm(m_vGravity) * m_fStep;
   const double bend = Geometry::Quotient(speed, std::abs(impact.m_fRadius + ball.m_fRadius),
                                          static_cast<double>(g_fMaxRotSpeed));
   const double turn = std::abs(m_pShapes->GetGeometry(order).m_fTurnSpeed) + bend;
@@ -83,7 +85,7 @@ bool CContinuous::CanFollow(const CMoving& ball, std::uint32_t order, const CImp
 
 void CContinuous::Free(CMoving& ball) const {
   ball.m_cHolds.Clear();
-  ball.m_vAcc = m_vGravity;
+  ball.m_vAcc = ball.m_vFall;
 }
 
 // The shapes that hold a ball, as they are now.
@@ -111,8 +113,8 @@ void CContinuous::Hold(CMoving& ball, const CHold& hold) {
   ball.m_cHolds.Add(hold);
   ball.m_vVel += (hold.m_fSpeed - hold.m_vNorm.dot(ball.m_vVel)) * hold.m_vNorm;
   ball.m_vVel = ball.m_cHolds.ConstrainVel(ball.m_vVel);
-  ball.m_vAcc = ball.m_cHolds.ConstrainAcc(m_vGravity);
-  ball.m_cHolds.DropPulling(ball.m_vAcc, m_vGravity);
+  ball.m_vAcc = ball.m_cHolds.ConstrainAcc(ball.m_vFall);
+  ball.m_cHolds.DropPulling(ball.m_vAcc, ball.m_vFall);
   ball.m_bIsMoved = true;
 }
 
@@ -153,12 +155,13 @@ void CContinuous::Settle(CMoving& ball, const CMotion& before) {
     for (const CHold& hold : ball.m_cHolds.Get()) {
       if (hold.m_bIsBall) continue;
       const CShapeGeometry& geometry = m_pShapes->GetGeometry(hold.m_nOther);
-      isAtRest &= geometry.m_fTurnSpeed == 0.0;
+      isAtRest &= !geometry.IsMoving();
       const bool isFlat = geometry.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius);
       if (isFlat && rounds == 1) continue;
       CImpact impact;
       double gap;
-      if (!Near(geometry, GetMotion(ball), ball.m_fTime, isFlat ? 0.0 : 0.01 * ball.m_fRadius, impact, gap))
+      if (!Near(geometry, GetMotion(ball), ball.m_fTime, isFlat ? 0.0 : g_fSettleReach * ball.m_fRadius,
+                impact, gap))
         continue;
       const Vector2d& n = impact.m_vNorm;
       ball.m_vPos -= gap * n;
@@ -166,14 +169,15 @@ void CContinuous::Settle(CMoving& ball, const CMotion& before) {
       ball.m_vVel -= n.dot(ball.m_vVel - impact.m_vSurface) * n;
       isMoved = true;
     }
-  if (!isMoved || !isAtRest) return;
-  if (ball.m_bIsInPile) return;
+  if (!isMoved || !isAtRest || ball.m_bIsInPile) return;
   // Nothing but gravity has done work. A ball that turns round is put back to where its speed is zero.
   const double square = before.m_vVel.squaredNorm() + 2.0 * m_vGravity.dot(ball.m_vPos - before.m_vPos);
   const double now = ball.m_vVel.squaredNorm();
   if (now > 0.0) ball.m_vVel *= std::sqrt(std::max(0.0, square) / now);
-  const double pull = ball.m_vAcc.squaredNorm();
-  if (square < 0.0 && pull > 0.0) ball.m_vPos -= 0.5 * square / pull * ball.m_vAcc;
+  // Not farther than it has come: where hardly anything pulls it the quotient is of roundings.
+  const double pull = Norm(ball.m_vAcc), way = Norm(ball.m_vPos - before.m_vPos);
+  if (square < 0.0 && pull > 0.0)
+    ball.m_vPos += std::min(Geometry::Quotient(-0.5 * square, pull, way), way) / pull * ball.m_vAcc;
 }
 
 // Until the ball is past the end of a segment, or has turned so far on what curves that it is no parabola.
@@ -186,8 +190,9 @@ double CContinuous::GetHoldTime(const CMoving& ball) const {
     if (o.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius)) {
       const Vector2d along = -Perp(o.m_vFront);
       for (const double sign : {1.0, -1.0}) {
-        const double gap = sign * along.dot((sign > 0.0 ? o.m_vPt1 : o.m_vPt0) - ball.m_vPos);
-        const double v = sign * along.dot(ball.m_vVel), a = sign * along.dot(ball.m_vAcc);
+        const Vector2d end = (sign > 0.0 ? o.m_vPt1 : o.m_vPt0) + ball.m_fTime * o.m_vVel;
+        const double gap = sign * along.dot(end - ball.m_vPos);
+        const double v = sign * along.dot(ball.m_vVel - o.m_vVel), a = sign * along.dot(ball.m_vAcc);
         // The first root of v t + a t^2/2 = gap.
         const double discriminant = v * v + 2.0 * a * gap;
         if (!(discriminant >= 0.0)) continue;
@@ -197,7 +202,7 @@ double CContinuous::GetHoldTime(const CMoving& ball) const {
         time = std::min(time, root);
       }
     } else {
-      const double speed = Norm(ball.m_vVel) + Norm(ball.m_vAcc) * left;
+      const double speed = Norm(ball.m_vVel - o.m_vVel) + Norm(ball.m_vAcc) * left;
       time = std::min(time, Geometry::Quotient(static_cast<double>(g_fHoldTurn),
                                                std::abs(o.m_fTurnSpeed) + speed / hold.m_fRadius, left));
     }
@@ -210,7 +215,7 @@ bool CContinuous::IsSlow(const CMoving& ball, const CMoving& other, double appro
   if (!IsFalling() || ball.m_bIsHalted || other.m_bIsHalted) return false;
   const double out = ball.m_fElasticity * other.m_fElasticity * approach;
   if (IsHop(out, ball.m_cNext.m_cImpact.m_fClosing, 0.0)) return true;
-  return (ball.m_bIsInPile || other.m_bIsInPile) && approach <= GetSlow();
+  return (ball.m_bIsInPile || other.m_bIsInPile) && approach <= m_cResting.GetSlow();
 }
 
 // The upper one of two balls comes to rest on the lower one, until the substep ends.
@@ -218,7 +223,7 @@ void CContinuous::Rest(CMoving& ball, CMoving& other, const Vector2d& n) {
   for (CMoving* pBall : {&ball, &other}) {
     pBall->m_bIsInPile = true;
     pBall->m_vVel = pBall->m_cHolds.ConstrainVel(pBall->m_vVel);
-    pBall->m_vAcc = pBall->m_cHolds.ConstrainAcc(m_vGravity);
+    pBall->m_vAcc = pBall->m_cHolds.ConstrainAcc(pBall->m_vFall);
   }
   const bool isAbove = !(n.dot(m_vGravity) > 0.0);
   CMoving &upper = isAbove ? ball : other, &lower = isAbove ? other : ball;
@@ -229,7 +234,7 @@ void CContinuous::Rest(CMoving& ball, CMoving& other, const Vector2d& n) {
                       up.dot(lower.m_vAcc) - bend, std::numeric_limits<double>::infinity(),
                       lower.m_nVersion});
   upper.m_vVel = upper.m_cHolds.ConstrainVel(upper.m_vVel);
-  upper.m_vAcc = upper.m_cHolds.ConstrainAcc(m_vGravity);
+  upper.m_vAcc = upper.m_cHolds.ConstrainAcc(upper.m_vFall);
 }
 
 } // namespace Shapes::Native

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Holds.h"
 
+#include "../../Tolerances.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -31,7 +33,7 @@ Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound
     for (std::size_t j = 0; j < i; ++j) {
       const Vector2d& m = holds[j].m_vNorm;
       const double det = Cross(n, m);
-      if (std::abs(det) < 0.05) continue; // far away, where the two all but contradict each other
+      if (std::abs(det) < g_fParallel) continue;
       const double b = bound(holds[i]), c = bound(holds[j]);
       offer(Vector2d(b * m.y() - c * n.y(), c * n.x() - b * m.x()) / det);
     }
@@ -41,10 +43,17 @@ Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound
 
 } // namespace
 
-bool CHolds::Has(std::uint32_t other, bool isBall) const {
+bool CHolds::HasShape(std::uint32_t order) const {
   const auto holds = Get();
   return std::any_of(holds.begin(), holds.end(),
-                     [=](const CHold& hold) { return hold.m_nOther == other && hold.m_bIsBall == isBall; });
+                     [=](const CHold& hold) { return !hold.m_bIsBall && hold.m_nOther == order; });
+}
+
+bool CHolds::HasBall(std::uint32_t ball, std::uint32_t version) const {
+  const auto holds = Get();
+  return std::any_of(holds.begin(), holds.end(), [=](const CHold& hold) {
+    return hold.m_bIsBall && hold.m_nOther == ball && hold.m_nVersion == version;
+  });
 }
 
 void CHolds::Add(const CHold& hold) {

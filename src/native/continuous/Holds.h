@@ -26,7 +26,9 @@ struct CHold {
 class CHolds {
 public:
   bool IsEmpty() const { return m_nSize == 0; }
-  bool Has(std::uint32_t other, bool isBall) const;
+  bool HasShape(std::uint32_t order) const;
+  /// Of the other ball, on this version of its motion.
+  bool HasBall(std::uint32_t ball, std::uint32_t version) const;
   std::span<const CHold> Get() const { return {m_stdHolds.data(), m_nSize}; }
   void Clear() { m_nSize = 0; }
   /// Of more than there is room for, the oldest goes. (Two are enough to hold a ball in the plane.)

@@ -27,31 +27,36 @@ struct CNext {
 
 /// A solid ball, and the part of its path that begins at m_fTime.
 struct CMoving {
-  std::size_t m_nBall = 0;            // index in the arrays
-  Vector2d m_vPos = Vector2d::Zero(); // where the motion begins
-  Vector2d m_vVel = Vector2d::Zero(); // likewise
-  Vector2d m_vAcc = Vector2d::Zero(); // of the motion
+  std::size_t m_nBall = 0;                // index in the arrays
+  Vector2d m_vPos = Vector2d::Zero();     // where the motion begins
+  Vector2d m_vVel = Vector2d::Zero();     // likewise
+  Vector2d m_vAcc = Vector2d::Zero();     // of the motion
+  Vector2d m_vCarried = Vector2d::Zero(); // velocity with which it goes along where it is halted
+  Vector2d m_vFall = Vector2d::Zero();    // gravity, unless the velocity has what it gives in the substep
   double m_fRadius = 0.0, m_fMass = 1.0, m_fElasticity = 0.0;
   CHolds m_cHolds;
   CNext m_cNext;
-  double m_fTime = 0.0;                     // when the motion begins, seconds in the substep
-  std::uint32_t m_nVersion = 0;             // changes with the motion
-  unsigned m_nImpacts = 0;                  // in this substep
-  std::uint32_t m_nLastOrder = g_nNobody;   // of the shape that it has just left
-  std::uint32_t m_nLastTurning = g_nNobody; // of the turning shape that it has met last
-  bool m_bIsHalted = false;                 // goes along with that one for the rest of the substep
-  bool m_bIsMoved = false;                  // by anything but its velocity and gravity
-  bool m_bIsInPile = false;                 // rests on other balls, or they on it
+  double m_fTime = 0.0;                    // when the motion begins, seconds in the substep
+  std::uint32_t m_nVersion = 0;            // changes with the motion
+  unsigned m_nImpacts = 0;                 // in this substep
+  std::uint32_t m_nLastOrder = g_nNobody;  // of the shape that it has just left
+  std::uint32_t m_nLastMoving = g_nNobody; // of the moving shape that it has met last
+  bool m_bIsAsleep = false;                // at rest, and nothing is near that is not
+  bool m_bIsHalted = false;                // goes along with that one for the rest of the substep
+  bool m_bIsMoved = false;                 // by anything but its velocity and gravity
+  bool m_bIsNearBall = false;              // touches one, or could in this substep
+  bool m_bIsInPile = false;                // rests on other balls, or they on it
 
   /// A new substep.
   void Begin() {
     m_cHolds.Clear();
+    m_vCarried = Vector2d::Zero();
     m_cNext.m_eSweep = eSweep::None;
     m_fTime = 0.0;
     m_nVersion = 0;
     m_nImpacts = 0;
-    m_nLastOrder = m_nLastTurning = g_nNobody;
-    m_bIsHalted = m_bIsMoved = m_bIsInPile = false;
+    m_nLastOrder = m_nLastMoving = g_nNobody;
+    m_bIsAsleep = m_bIsHalted = m_bIsMoved = m_bIsNearBall = m_bIsInPile = false;
   }
 };
 

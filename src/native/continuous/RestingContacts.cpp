@@ -5,13 +5,20 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace Shapes::Native {
 
-void CRestingContacts::Clear() {
+void CRestingContacts::Begin(const Vector2d& gravity, double dt) {
+  m_vGravity = gravity;
+  m_fStep = dt;
+  m_fSlow = g_fRestingSteps * Norm(gravity) * dt;
   m_stdContacts.clear();
   m_stdPairs.clear();
+  m_stdRoot.clear();
+  m_stdKnown.swap(m_stdNear);
+  m_stdNear.clear();
 }
 
 void CRestingContacts::Add(std::uint32_t ball, std::uint32_t other, bool isBall, const CImpact& impact,
@@ -24,17 +31,18 @@ void CRestingContacts::Add(std::uint32_t ball, std::uint32_t other, bool isBall,
   c.m_fGap = gap;
   c.m_fSpeed = isBall ? 0.0 : impact.m_vNorm.dot(impact.m_vSurface);
   c.m_fRadius = impact.m_fRadius;
-  c.m_fBend = impact.m_fClosing; // until Solve
+  // Of two balls gravity is none.
+  c.m_fBend = -impact.m_fClosing - (isBall ? 0.0 : impact.m_vNorm.dot(m_vGravity));
   m_stdContacts.push_back(c);
 }
 
-void CRestingContacts::Separate(std::vector<CMoving>& balls, const Vector2d& gravity) {
+void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   for (CContact& c : m_stdContacts) {
     CMoving& ball = balls[c.m_nBall];
     c.m_vPos = ball.m_vPos;
-    c.m_fHeight = -gravity.dot(ball.m_vPos - ball.m_fRadius * c.m_vNorm);
+    c.m_fHeight = -m_vGravity.dot(ball.m_vPos - ball.m_fRadius * c.m_vNorm);
     // The upper one of two balls comes first.
-    if (!c.m_bIsBall || c.m_vNorm.dot(gravity) <= 0.0) continue;
+    if (!c.m_bIsBall || c.m_vNorm.dot(m_vGravity) <= 0.0) continue;
     std::swap(c.m_nBall, c.m_nOther);
     c.m_vNorm = -c.m_vNorm;
   }
@@ -46,7 +54,7 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls, const Vector2d& gra
     Vector2d& moved = m_stdMoves[i];
     const Vector2d before = moved;
     moved += way;
-    const double most = 0.2 * balls[i].m_fRadius, length = Norm(moved);
+    const double most = g_fMostSeparation * balls[i].m_fRadius, length = Norm(moved);
     if (length > most) moved *= most / length;
     balls[i].m_vPos += moved - before;
   };
@@ -67,8 +75,11 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls, const Vector2d& gra
     if (!isLowerFixed) move(c.m_nOther, (share - 1.0) * depth * n);
     return depth > g_fSeparateError * std::min(ball.m_fRadius, other.m_fRadius);
   };
+  // Where many are in one place they need not come apart in one substep.
+  const std::size_t most = g_nManyContacts * balls.size() * g_nSeparateRounds;
+  const std::size_t rounds = std::min(g_nSeparateRounds, 1 + most / (m_stdContacts.size() + 1));
   bool any = true;
-  for (int round = 0; any && round < g_nSeparateRounds; ++round) {
+  for (std::size_t round = 0; any && round < rounds; ++round) {
     any = false;
     for (auto it = m_stdContacts.begin(); it != m_stdContacts.end(); ++it)
       any |= separate(*it, false);
@@ -76,7 +87,7 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls, const Vector2d& gra
       any |= separate(*it, false);
   }
   // Each lower one as if it were the ground: else a high pile sinks into itself.
-  for (int round = 0; any && round < g_nShockRounds; ++round) {
+  for (int round = 0; any && rounds > 1 && round < g_nShockRounds; ++round) {
     any = false;
     for (CContact& c : m_stdContacts)
       any |= separate(c, true);
@@ -106,102 +117,181 @@ std::span<const CRestingContacts::CPair> CRestingContacts::GetNeighbours(std::ui
   return {begin, end};
 }
 
-void CRestingContacts::Iterate(const std::vector<CMoving>& balls, double accurate) {
-  const auto push = [&](const CContact& c, double impulse) {
-    m_stdVels[c.m_nBall] += impulse / balls[c.m_nBall].m_fMass * c.m_vNorm;
-    if (c.m_bIsBall) m_stdVels[c.m_nOther] -= impulse / balls[c.m_nOther].m_fMass * c.m_vNorm;
-  };
-  for (const CContact& c : m_stdContacts)
-    if (c.m_fImpulse > 0.0) push(c, c.m_fImpulse);
-  const auto relax = [&](CContact& c) {
-    const double of = c.m_vNorm.dot(m_stdVels[c.m_nBall]);
-    const double now = c.m_bIsBall ? of - c.m_vNorm.dot(m_stdVels[c.m_nOther]) : of;
-    const double before = c.m_fImpulse;
-    c.m_fImpulse = std::max(0.0, before + c.m_fShare * (c.m_fLeast - now));
-    if (c.m_fImpulse == before) return 0.0;
-    push(c, c.m_fImpulse - before);
-    return std::abs(c.m_fImpulse - before) / c.m_fShare;
-  };
-  double most = std::numeric_limits<double>::infinity();
-  for (int round = 0; most > accurate && round < g_nRestingRounds; ++round) {
-    most = 0.0;
-    for (auto it = m_stdContacts.begin(); it != m_stdContacts.end(); ++it)
-      relax(*it);
-    for (auto it = m_stdContacts.rbegin(); it != m_stdContacts.rend(); ++it)
-      most = std::max(most, relax(*it));
-  }
-  // Each lower one as if it were the ground, as far as the rounds have not come to an end. Shapes last: no
-  // ball is pressed into one by others.
-  const auto stop = [&](const CContact& c) {
-    Vector2d& v = m_stdVels[c.m_nBall];
-    const double of = c.m_vNorm.dot(v), now = c.m_bIsBall ? of - c.m_vNorm.dot(m_stdVels[c.m_nOther]) : of;
-    if (now < c.m_fLeast) v += (c.m_fLeast - now) * c.m_vNorm;
-  };
-  for (int round = 0; most > g_fShock * accurate && round < g_nShockRounds; ++round)
-    for (const CContact& c : m_stdContacts)
-      stop(c);
-  for (int round = 0; round < g_nWedgeRounds; ++round)
-    for (const CContact& c : m_stdContacts)
-      if (!c.m_bIsBall) stop(c);
+// Along the normal, of the velocities at the beginning, the surface's subtracted.
+double CRestingContacts::GetSpeed(const CContact& c, const std::vector<CMoving>& balls) const {
+  Vector2d v = balls[c.m_nBall].m_vVel;
+  if (c.m_bIsBall) v -= balls[c.m_nOther].m_vVel;
+  return c.m_vNorm.dot(v) - c.m_fSpeed;
 }
 
-void CRestingContacts::Solve(std::vector<CMoving>& balls, const Vector2d& gravity, double dt) {
-  const double slow = g_fRestingSteps * Norm(gravity) * dt;
-  for (CContact& c : m_stdContacts) {
-    const CMoving& ball = balls[c.m_nBall];
-    Vector2d acc = ball.m_vAcc, v = ball.m_vVel;
-    double inverse = 1.0 / ball.m_fMass;
-    if (c.m_bIsBall) {
-      const CMoving& other = balls[c.m_nOther];
-      acc -= other.m_vAcc, v -= other.m_vVel, inverse += 1.0 / other.m_fMass;
-    }
-    const double speed = c.m_vNorm.dot(v) - c.m_fSpeed;
-    c.m_bIsSlow = std::abs(speed) <= slow && c.m_fGap <= slow * dt;
-    c.m_fBend = -c.m_fBend - c.m_vNorm.dot(acc);
-    c.m_fShare = 1.0 / inverse;
-    c.m_fLeast = c.m_fSpeed - c.m_fBend * dt - std::max(0.0, 2.0 * std::max(0.0, c.m_fGap) / dt + speed);
-  }
-  std::erase_if(m_stdContacts, [](const CContact& c) { return !c.m_bIsSlow; });
-  m_stdVels.resize(balls.size());
-  for (CContact& c : m_stdContacts) {
-    const auto known = std::lower_bound(m_stdKnown.begin(), m_stdKnown.end(), Pair(c),
-                                        [](const CKnown& k, std::uint64_t pair) { return k.m_nPair < pair; });
-    if (known != m_stdKnown.end() && known->m_nPair == Pair(c)) c.m_fImpulse = known->m_fImpulse;
-  }
-  // Pairs of balls may overlap for a substep; into a shape none goes.
-  for (int round = 0; round < g_nWedgeRounds; ++round)
-    for (const CContact& c : m_stdContacts) {
-      if (c.m_bIsBall) continue;
-      Vector2d& v = balls[c.m_nBall].m_vVel;
-      v += std::max(0.0, c.m_fSpeed - std::max(0.0, c.m_fGap) / dt - c.m_vNorm.dot(v)) * c.m_vNorm;
-    }
+// The lowest index of its pile, with the way to it made shorter.
+std::uint32_t CRestingContacts::FindRoot(std::uint32_t ball) {
+  while (m_stdRoot[ball] != ball)
+    ball = m_stdRoot[ball] = m_stdRoot[m_stdRoot[ball]];
+  return ball;
+}
+
+void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
+  for (const CContact& c : m_stdContacts)
+    m_stdNear.push_back({Pair(c), 0.0});
+  std::sort(m_stdNear.begin(), m_stdNear.end(),
+            [](const CKnown& a, const CKnown& b) { return a.m_nPair < b.m_nPair; });
+  std::erase_if(m_stdContacts, [&](const CContact& c) {
+    const double speed = GetSpeed(c, balls);
+    // Where an approach is still there after a substep it is that of balls that cannot give way.
+    const bool isSlow = speed <= m_fSlow && (speed >= -m_fSlow || Find(m_stdKnown, c) != nullptr);
+    return !(isSlow && c.m_fGap <= m_fSlow * m_fStep);
+  });
+  m_stdRoot.resize(balls.size());
+  std::iota(m_stdRoot.begin(), m_stdRoot.end(), 0u);
   for (const CContact& c : m_stdContacts) {
-    m_stdVels[c.m_nBall] = balls[c.m_nBall].m_vVel + gravity * dt;
     if (!c.m_bIsBall) continue;
-    m_stdVels[c.m_nOther] = balls[c.m_nOther].m_vVel + gravity * dt;
+    const std::uint32_t a = FindRoot(c.m_nBall), b = FindRoot(c.m_nOther);
+    m_stdRoot[std::max(a, b)] = std::min(a, b);
+  }
+  m_stdIsHeld.assign(balls.size(), false);
+  for (const CContact& c : m_stdContacts)
+    if (!c.m_bIsBall) m_stdIsHeld[FindRoot(c.m_nBall)] = true;
+  std::erase_if(m_stdContacts, [&](const CContact& c) { return !m_stdIsHeld[FindRoot(c.m_nBall)]; });
+  std::stable_sort(m_stdContacts.begin(), m_stdContacts.end(), [&](const CContact& a, const CContact& b) {
+    return FindRoot(a.m_nBall) < FindRoot(b.m_nBall);
+  });
+  for (const CContact& c : m_stdContacts) {
+    balls[c.m_nBall].m_bIsInPile = true;
+    if (!c.m_bIsBall) continue;
+    balls[c.m_nOther].m_bIsInPile = true;
     m_stdPairs.emplace_back(c.m_nBall, c.m_nOther);
     m_stdPairs.emplace_back(c.m_nOther, c.m_nBall);
   }
   std::sort(m_stdPairs.begin(), m_stdPairs.end());
+}
 
-  Iterate(balls, g_fRestingError * slow);
-  m_stdKnown.clear();
+double CRestingContacts::GetDifference(const CRow& row) const {
+  return row.m_vNorm.dot(m_stdVels[row.m_nBall] - m_stdVels[row.m_nOther]);
+}
+
+void CRestingContacts::Push(const CRow& row, double impulse) {
+  m_stdVels[row.m_nBall] += impulse * row.m_fInverse * row.m_vNorm;
+  m_stdVels[row.m_nOther] -= impulse * row.m_fOtherInverse * row.m_vNorm;
+}
+
+// Returns the velocity by which it was changed.
+double CRestingContacts::Relax(CRow& row) {
+  const double before = row.m_fImpulse;
+  row.m_fImpulse = std::max(0.0, before + row.m_fShare * (row.m_fLeast - GetDifference(row)));
+  const double change = row.m_fImpulse - before;
+  if (change != 0.0) Push(row, change);
+  return std::abs(change) * (row.m_fInverse + row.m_fOtherInverse);
+}
+
+CRestingContacts::CKnown* CRestingContacts::Find(std::vector<CKnown>& known, const CContact& c) {
+  const auto it = std::lower_bound(known.begin(), known.end(), Pair(c),
+                                   [](const CKnown& k, std::uint64_t pair) { return k.m_nPair < pair; });
+  return it != known.end() && it->m_nPair == Pair(c) ? &*it : nullptr;
+}
+
+// Both ways; returns the largest change of a velocity on the way back.
+double CRestingContacts::RelaxAll(CPile pile) {
+  for (CRow& row : pile)
+    row.m_fBefore = row.m_fImpulse;
+  for (CRow& row : pile)
+    Relax(row);
+  double most = 0.0;
+  for (auto it = pile.rbegin(); it != pile.rend(); ++it)
+    most = std::max(most, Relax(*it));
+  return most;
+}
+
+// On in the direction of the round before, as far as what is left has become smaller. Returns the square of
+// the change of this round.
+double CRestingContacts::GoOn(CPile pile, double squareBefore) {
+  double square = 0.0;
+  for (const CRow& row : pile)
+    square += (row.m_fImpulse - row.m_fBefore) * (row.m_fImpulse - row.m_fBefore) / row.m_fShare;
+  const double on = square < squareBefore ? square / squareBefore : 0.0;
+  for (CRow& row : pile) {
+    const double more = on * row.m_fWay;
+    row.m_fWay = row.m_fImpulse - row.m_fBefore + more;
+    row.m_fImpulse += more;
+    if (more != 0.0) Push(row, more);
+  }
+  return square;
+}
+
+void CRestingContacts::Iterate(CPile pile) {
+  double fastest = 0.0; // squared
+  for (const CRow& row : pile)
+    for (const std::uint32_t i : {row.m_nBall, row.m_nOther})
+      fastest = std::max(fastest, m_stdVels[i].squaredNorm());
+  const double flow = std::max(0.0, std::sqrt(fastest) - 0.5 * m_fSlow);
+  const double accurate = std::max(g_fRestingError * m_fSlow, g_fFlowError * flow);
+  for (const CRow& row : pile)
+    if (row.m_fImpulse > 0.0) Push(row, row.m_fImpulse);
+  double most = RelaxAll(pile), square = 0.0;
+  for (int round = 1; most > accurate && round < g_nRestingRounds; ++round) {
+    square = GoOn(pile, square);
+    most = RelaxAll(pile);
+  }
+  // Each lower one as if it were the ground, as far as the rounds have not come to an end. Shapes last: no
+  // ball is pressed into one by others.
+  const auto stop = [&](const CRow& row) {
+    const double now = GetDifference(row);
+    if (now < row.m_fLeast) m_stdVels[row.m_nBall] += (row.m_fLeast - now) * row.m_vNorm;
+  };
+  for (int round = 0; most > g_fShock * accurate && round < g_nShockRounds; ++round)
+    for (const CRow& row : pile)
+      stop(row);
+  for (int round = 0; round < g_nWedgeRounds; ++round)
+    for (const CRow& row : pile)
+      if (row.m_fOtherInverse == 0.0) stop(row);
+}
+
+void CRestingContacts::Solve(std::vector<CMoving>& balls) {
+  const double dt = m_fStep;
+  const auto nobody = static_cast<std::uint32_t>(balls.size()); // a shape: with a velocity that stays zero
+  m_stdVels.resize(balls.size() + 1);
+  m_stdVels[nobody] = Vector2d::Zero();
+  m_stdRows.clear();
+  const auto accelerate = [&](std::uint32_t i) { m_stdVels[i] = balls[i].m_vVel + m_vGravity * dt; };
+  for (const CContact& c : m_stdContacts) {
+    CRow row;
+    row.m_nBall = c.m_nBall;
+    row.m_nOther = c.m_bIsBall ? c.m_nOther : nobody;
+    row.m_vNorm = c.m_vNorm;
+    row.m_fInverse = 1.0 / balls[c.m_nBall].m_fMass;
+    row.m_fOtherInverse = c.m_bIsBall ? 1.0 / balls[c.m_nOther].m_fMass : 0.0;
+    row.m_fShare = 1.0 / (row.m_fInverse + row.m_fOtherInverse);
+    row.m_fLeast = c.m_fSpeed - 0.5 * c.m_fBend * dt - std::max(0.0, c.m_fGap) / dt;
+    const CKnown* const pKnown = Find(m_stdKnown, c);
+    row.m_fImpulse = pKnown != nullptr ? pKnown->m_fImpulse : 0.0;
+    m_stdRows.push_back(row);
+    accelerate(c.m_nBall);
+    if (c.m_bIsBall) accelerate(c.m_nOther);
+  }
+  for (std::size_t begin = 0; begin < m_stdRows.size();) {
+    std::size_t end = begin + 1;
+    while (end < m_stdRows.size() && FindRoot(m_stdRows[end].m_nBall) == FindRoot(m_stdRows[begin].m_nBall))
+      ++end;
+    Iterate(CPile(m_stdRows).subspan(begin, end - begin));
+    begin = end;
+  }
   const auto take = [&](std::uint32_t i) {
-    balls[i].m_vAcc = (m_stdVels[i] - balls[i].m_vVel) / dt;
+    balls[i].m_vVel = m_stdVels[i];
+    balls[i].m_vFall = balls[i].m_vAcc = Vector2d::Zero(); // gravity has been there
     balls[i].m_bIsMoved = true;
   };
-  for (const CContact& c : m_stdContacts) {
+  for (std::size_t k = 0; k < m_stdContacts.size(); ++k) {
+    CContact& c = m_stdContacts[k];
+    c.m_fImpulse = m_stdRows[k].m_fImpulse;
     take(c.m_nBall);
     if (c.m_bIsBall) take(c.m_nOther);
     if (!(c.m_fImpulse > 0.0)) continue;
-    m_stdKnown.push_back({Pair(c), c.m_fImpulse});
+    Find(m_stdNear, c)->m_fImpulse = c.m_fImpulse;
     CMoving& ball = balls[c.m_nBall];
     if (!c.m_bIsBall)
       ball.m_cHolds.Add(
-          {c.m_nOther, false, c.m_vNorm, c.m_fSpeed, -c.m_fBend, std::abs(c.m_fRadius + ball.m_fRadius)});
+          {c.m_nOther, false, c.m_vNorm, c.m_fSpeed, 0.0, std::abs(c.m_fRadius + ball.m_fRadius)});
   }
-  std::sort(m_stdKnown.begin(), m_stdKnown.end(),
-            [](const CKnown& a, const CKnown& b) { return a.m_nPair < b.m_nPair; });
 }
 
 } // namespace Shapes::Native

@@ -2,6 +2,7 @@
 // Balls that rest on each other: which accelerations they have.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -12,22 +13,36 @@
 namespace Shapes::Native {
 
 /// The slow contacts of balls with each other and with shapes at the beginning of a substep: pairs that touch
-/// or would touch within it, and approach no faster than gravity makes them. They are inelastic. The
-/// velocities at the end of the substep are those that gravity gives, changed by impulses along the normals
-/// that push and never pull, so that no pair ends in an overlap (projected Gauss-Seidel from the bottom up
-/// and back, begun with the impulses of the substep before). In between all accelerations are constant.
+/// or would touch within it, and approach no faster than gravity makes them, in piles: balls that hang
+/// together by such pairs, and lie on a shape. (Those that fall together do not press on each other.) They
+/// are inelastic.
+///
+/// Balls of a pile move straight on within the substep, at the velocities that they have at its end: those
+/// that gravity gives, changed by impulses along the normals that push and never pull, so that no pair ends
+/// in an overlap. These solve a linear complementarity problem, by projected Gauss-Seidel from the bottom up
+/// and back, begun with the impulses of the substep before and accelerated as a conjugate gradient is
+/// (Silcowitz-Hansen, Niebles, Erleben 2010).
 ///
 /// An impulse J at a pair that approaches at u0 before and u1 after does the work -J (u0 + u1) / 2, which is
-/// not above zero for what is asked of u1: contacts give no energy.
+/// not above zero for what is asked of u1; and a ball that is moved by its velocity at the end instead of the
+/// mean has (a dt)^2 / 2 less energy per mass. So contacts give no energy.
 class CRestingContacts {
 public:
-  void Clear();
+  /// Begins a substep.
+  void Begin(const Vector2d& gravity, double dt);
+  /// The speed that gravity gives in g_fRestingSteps substeps.
+  double GetSlow() const { return m_fSlow; }
   /// Takes up a pair of balls, or a ball and the shape of this order (`isBall` false).
-  /// @param impact  as of Near, for the present accelerations of the balls
+  /// @param impact  as of Near, for balls that are accelerated by gravity
   void Add(std::uint32_t ball, std::uint32_t other, bool isBall, const CImpact& impact, double gap);
   bool IsEmpty() const { return m_stdContacts.empty(); }
+  /// The ball by which its pile is known, itself if it is in none.
+  std::uint32_t GetPile(std::uint32_t ball) { return m_stdRoot.empty() ? ball : FindRoot(ball); }
   /// Forgets the impulses of the last substep, so that the next one does not depend on what was before.
-  void Forget() { m_stdKnown.clear(); }
+  void Forget() {
+    m_stdKnown.clear();
+    m_stdNear.clear();
+  }
   using CPair = std::pair<std::uint32_t, std::uint32_t>;
   /// Whether two balls are a pair here.
   bool Has(std::uint32_t ball, std::uint32_t other) const;
@@ -35,10 +50,12 @@ public:
   std::span<const CPair> GetNeighbours(std::uint32_t ball) const;
 
   /// Moves balls that overlap apart, and out of shapes: by less than a quarter of their radius.
-  void Separate(std::vector<CMoving>& balls, const Vector2d& gravity);
-  /// Sets the accelerations of all balls that are in a contact; the shapes that push become holds.
-  void Solve(std::vector<CMoving>& balls, const Vector2d& gravity, double dt);
-  /// Calls f(ball, other, isBall, normal) for each contact that pushes, from the bottom up.
+  void Separate(std::vector<CMoving>& balls);
+  /// Keeps the contacts of piles only, and tells their balls.
+  void FindPiles(std::vector<CMoving>& balls);
+  /// Sets the velocities of all balls of piles; the shapes that push become holds.
+  void Solve(std::vector<CMoving>& balls);
+  /// Calls f(ball, other, isBall, normal) for each contact that pushes, pile by pile from the bottom up.
   template <class F>
   void ForEach(const F& f) const {
     for (const CContact& c : m_stdContacts)
@@ -54,25 +71,52 @@ private:
     double m_fGap, m_fSpeed, m_fRadius;
     double m_fBend;         // second derivative of the gap, without the accelerations of the balls
     double m_fHeight = 0.0; // against gravity
-    double m_fShare = 0.0;  // 1 / (inverse masses)
-    double m_fLeast = 0.0;  // that the difference of velocities along the normal may have at the end
-    bool m_bIsSlow = false; // and so solved
     double m_fImpulse = 0.0;
   };
+  // The same for the search for the impulses; the velocity of a shape is that of a ball that is nobody.
+  struct CRow {
+    std::uint32_t m_nBall, m_nOther;
+    Vector2d m_vNorm;
+    double m_fInverse, m_fOtherInverse; // masses
+    double m_fShare;                    // 1 / (their sum)
+    double m_fLeast; // that the difference of velocities along the normal may be at the end
+    double m_fImpulse;
+    double m_fBefore = 0.0; // the impulse before this round
+    double m_fWay = 0.0;    // of the search
+  };
+  // A pair that was within reach, and its impulse.
   struct CKnown {
     std::uint64_t m_nPair;
     double m_fImpulse;
   };
+  using CPile = std::span<CRow>;
+  // Whichever of two balls is the upper one.
   static std::uint64_t Pair(const CContact& c) {
-    return (std::uint64_t{c.m_nBall} << 33) | (std::uint64_t{c.m_nOther} << 1) | std::uint64_t{c.m_bIsBall};
+    const std::uint32_t first = c.m_bIsBall ? std::min(c.m_nBall, c.m_nOther) : c.m_nBall;
+    const std::uint32_t second = c.m_bIsBall ? std::max(c.m_nBall, c.m_nOther) : c.m_nOther;
+    return (std::uint64_t{first} << 33) | (std::uint64_t{second} << 1) | std::uint64_t{c.m_bIsBall};
   }
-  void Iterate(const std::vector<CMoving>& balls, double accurate);
+  std::uint32_t FindRoot(std::uint32_t ball);
+  double GetSpeed(const CContact& c, const std::vector<CMoving>& balls) const;
+  double GetDifference(const CRow& row) const;
+  void Push(const CRow& row, double impulse);
+  double Relax(CRow& row);
+  double RelaxAll(CPile pile);
+  double GoOn(CPile pile, double squareBefore);
+  static CKnown* Find(std::vector<CKnown>& known, const CContact& c);
+  void Iterate(CPile pile);
 
-  std::vector<CContact> m_stdContacts; // from the bottom up after Separate
-  std::vector<Vector2d> m_stdMoves;    // of each ball
-  std::vector<Vector2d> m_stdVels;     // of each ball at the end of the substep
-  std::vector<CPair> m_stdPairs;       // each both ways
-  std::vector<CKnown> m_stdKnown;      // impulses of the last substep, by pair
+  Vector2d m_vGravity = Vector2d::Zero();
+  double m_fStep = 0.0, m_fSlow = 0.0;
+
+  std::vector<CContact> m_stdContacts;       // pile by pile, from the bottom up
+  std::vector<CRow> m_stdRows;               // of the contacts, in the same order
+  std::vector<Vector2d> m_stdMoves;          // of each ball
+  std::vector<Vector2d> m_stdVels;           // of each ball at the end of the substep
+  std::vector<std::uint32_t> m_stdRoot;      // another ball of the same pile, or itself
+  std::vector<bool> m_stdIsHeld;             // of each root: whether its pile lies on a shape
+  std::vector<CPair> m_stdPairs;             // each both ways
+  std::vector<CKnown> m_stdKnown, m_stdNear; // pairs of the last substep and of this one, in order
 };
 
 } // namespace Shapes::Native

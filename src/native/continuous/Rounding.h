@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What rounding does to places in the continuous mode, and places as floats.
+// Roundings of places in the continuous mode, and places as floats.
 #pragma once
 
 #include "../../Tolerances.h"
