@@ -125,7 +125,6 @@ public:
   /// of its descriptor.)
   /// @throws std::invalid_argument if it is not finite
   void SetOffset(std::size_t shape, const CVec<T>& way);
-  const CVec<T>& GetOffset(std::size_t shape) const { return m_stdShapes.at(shape).m_vMoved; }
 
   /// One step of dt seconds. Events are answered in the order of their times, and appended in that order:
   /// with e the product of the elasticities and V the velocity of the surface along n, v_n becomes V + e (V -

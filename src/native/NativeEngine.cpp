@@ -15,11 +15,15 @@ namespace Shapes::Native {
 
 void CNativeEngine::Added(CShapeId id) { Changed(id, eChange::Sensor); }
 
-void CNativeEngine::Removed(CShapeId) { m_bShapesChanged = true; }
+void CNativeEngine::Removed(CShapeId) {
+  m_bShapesChanged = true;
+  m_cState.m_cBalls.m_bIsDisturbed = true;
+}
 
 void CNativeEngine::Changed(CShapeId id, eChange change) {
   // Balls are found where they are in each step; only solid shapes have boxes that are kept.
   const std::size_t k = m_cState.FindShape(id);
+  if (k == CWorldState::npos || change != eChange::Motion) m_cState.m_cBalls.m_bIsDisturbed = true;
   if (k == CWorldState::npos || change == eChange::Properties || m_bShapesChanged) return;
   if (change == eChange::Sensor)
     m_bShapesChanged = true;
@@ -58,6 +62,7 @@ void CNativeEngine::Plan(CEffects running) {
 
 void CNativeEngine::Substep(const CSubstep& substep) {
   if (m_bShapesChanged) UpdateBroadPhase();
+  if (!substep.m_bIsContinuous) m_cState.m_cBalls.m_bIsDisturbed = true;
   for (const CStage stage : substep.m_bIsContinuous ? m_stdContinuous : m_stdApproximate)
     (this->*stage)(substep);
 }

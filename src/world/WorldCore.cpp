@@ -147,7 +147,6 @@ CShapeId CWorld::CImpl::Add(std::unique_ptr<CShape> pShape) {
   CShapeEntry entry(id, std::move(pShape));
   entry.SetHeld(IsForbidden(eEffect::Kinematics));
   m_cState.m_stdShapes.push_back(std::move(entry));
-  m_cState.m_cBalls.m_bIsDisturbed = true;
   InvalidateSurfaces(m_cState.m_stdShapes.back());
   UpdateContent({}, CContent::Of(m_cState.m_stdShapes.back()));
   m_cSensors.Invalidate();
@@ -159,7 +158,6 @@ CShapeId CWorld::CImpl::Add(const CDynamicCircleDesc& desc) {
   const CShapeId id{m_cState.m_nNextId++};
   CBallArrays& b = m_cState.m_cBalls;
   b.Add(id, desc);
-  b.m_bIsDisturbed = true;
   m_bBallsChanged = true;
   UpdateContent({}, CContent::Of(b, b.Size() - 1));
   m_cSensors.Invalidate();
@@ -168,7 +166,6 @@ CShapeId CWorld::CImpl::Add(const CDynamicCircleDesc& desc) {
 }
 
 bool CWorld::CImpl::Erase(CShapeId id) {
-  m_cState.m_cBalls.m_bIsDisturbed = true;
   if (const std::size_t i = m_cState.FindBall(id); i != CWorldState::npos) {
     m_bBallsChanged = true;
     UpdateContent(CContent::Of(m_cState.m_cBalls, i), {});

@@ -116,7 +116,6 @@ void CWorld::CImpl::ChangeShape(CShapeEntry& entry, eChange what, const F& chang
   if (what == eChange::Motion || before != after || turns) InvalidateSurfaces(entry);
   UpdateContent(before, after);
   if (what == eChange::Sensor) m_cSensors.Invalidate();
-  if (what != eChange::Motion) m_cState.m_cBalls.m_bIsDisturbed = true;
   m_pEngine->Changed(entry.m_cId, what);
 }
 
@@ -127,7 +126,6 @@ void CWorld::CImpl::ChangeBall(std::size_t i, eChange what, const F& change) {
   change(b, i);
   UpdateContent(before, CContent::Of(b, i));
   if (what == eChange::Sensor) m_cSensors.Invalidate();
-  b.m_bIsDisturbed = true;
   m_pEngine->Changed(b.m_stdId[i], what);
 }
 

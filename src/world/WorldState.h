@@ -23,7 +23,8 @@ struct CBallArrays {
   std::vector<Vector2> m_stdVelTail;
   // Seconds for which each has been at rest, as an engine counts them: g_fCalmTime where it sleeps.
   std::vector<float> m_stdCalm;
-  // Something was added, moved or removed since the last substep: what sleeps may lie on nothing.
+  // Something was added, moved or removed since m_stdCalm was counted, or another engine or mode has made a
+  // step: a ball that sleeps may lie on nothing.
   bool m_bIsDisturbed = false;
   std::vector<float> m_stdRadius;
   std::vector<float> m_stdMass;

@@ -340,6 +340,35 @@ TEST_P(CWorldContract, ASavedStateContinuesWithTheSameBits) {
   EXPECT_THROW(pWorld->LoadState(CSavedState()), std::invalid_argument);
 }
 
+// A ball sleeps in the world by default of any engine. Another world throws it up, and gives the state back.
+TEST_P(CWorldContract, ABallThatSleptAndWasThrownByAnotherWorldFallsWhereItWasLeft) {
+  for (const CEffects forbidden : {CEffects(), CEffects({eEffect::Continuous})}) {
+    const auto pHome = GetBackend(eBackend::Native)->MakeWorld([] {
+      CWorldDesc desc;
+      desc.m_vGravity = {0, -10};
+      return desc;
+    }());
+    pHome->Add(CLineSegDesc({-9, 0}, {9, 0}));
+    const CShapeId ball = pHome->Add(CDynamicCircleDesc({0, 0.5f}, 0.5f));
+    for (int step = 0; step < 60; ++step)
+      pHome->Step();
+    CWorldDesc desc;
+    desc.m_vGravity = {0, -10};
+    desc.m_cEffects.m_cForbidden = forbidden;
+    const auto pOther = Backend().MakeWorld(desc);
+    pOther->LoadState(pHome->SaveState());
+    pOther->SetVel(ball, {0, 4});
+    for (int step = 0; step < 30; ++step)
+      pOther->Step();
+    const float left = pOther->GetPos(ball).y();
+    ASSERT_GT(left, 1.0f);
+    pHome->LoadState(pOther->SaveState());
+    for (int step = 0; step < 20; ++step)
+      pHome->Step();
+    EXPECT_LT(pHome->GetPos(ball).y(), left - 0.1f);
+  }
+}
+
 TEST_P(CWorldContract, TheSameRunTwiceHasTheSameBits) {
   auto pWorld = MakeBusyWorld(Backend());
   auto pOther = MakeBusyWorld(Backend());

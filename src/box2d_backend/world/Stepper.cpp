@@ -222,6 +222,7 @@ void CStepper::CountClamped(float h) {
 
 void CStepper::TakeBalls() {
   CBallArrays& b = m_cState.m_cBalls;
+  b.m_bIsDisturbed = true;
   for (std::size_t i = 0; i < b.Size(); ++i) {
     b2Body& body = *m_cBodies.GetBalls()[i]->m_pBody;
     b.m_stdPos[i] = m_cScale.FromMetres(body.GetPosition());

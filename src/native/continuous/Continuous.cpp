@@ -25,9 +25,11 @@ void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs
   m_stdPathVertices.clear();
   m_stdQueue.clear();
   m_cResting.Begin(m_vGravity, m_fStep);
-  if (std::exchange(balls.m_bIsDisturbed, false) || !IsFalling())
+  if (!IsFalling())
+    balls.m_bIsDisturbed = true;
+  else if (std::exchange(balls.m_bIsDisturbed, false))
     std::fill(balls.m_stdCalm.begin(), balls.m_stdCalm.end(), 0.0f);
-  if (AllSleep(balls) && !shapes.IsAnyMoving()) {
+  if (IsFalling() && AllSleep(balls) && !shapes.IsAnyMoving()) {
     balls.m_stdPrevPos = balls.m_stdPos;
     return;
   }
@@ -100,7 +102,7 @@ void CContinuous::TakeBalls(const CBallArrays& b) {
     ball.m_fMass = static_cast<double>(b.m_stdMass[i]);
     ball.m_fElasticity = static_cast<double>(b.m_stdElasticity[i]);
     ball.Begin();
-    ball.m_bIsAsleep = b.m_stdCalm[i] >= g_fCalmTime;
+    ball.m_bIsAsleep = IsFalling() && b.m_stdCalm[i] >= g_fCalmTime;
     ball.m_vAcc = ball.m_bIsAsleep ? Vector2d(Vector2d::Zero()) : m_vGravity;
     m_stdBoxes.push_back(GetBox(ball));
   }
@@ -130,17 +132,15 @@ void CContinuous::PutBalls(CBallArrays& b) {
   auto ball = m_stdBalls.begin();
   for (std::size_t i = 0; i < b.Size(); ++i) {
     const bool isSolid = ball != m_stdBalls.end() && ball->m_nBall == i;
-    if (isSolid && ball->m_bIsAsleep) {
-      // It stays.
-    } else if (isSolid && ball->m_bIsMoved) {
+    if (isSolid && ball->m_bIsMoved) {
       Advance(*ball, m_fStep - ball->m_fTime);
       Put(ball->m_vPos, ball->m_vVel, i, b);
-    } else if (IsFalling()) {
+    } else if (!IsFalling()) {
+      Move(b.m_stdPos[i], b.m_stdVel[i], dt);
+    } else if (!isSolid || !ball->m_bIsAsleep) {
       const CMotion motion{Join(b.m_stdPos[i], b.m_stdPosTail[i]), Join(b.m_stdVel[i], b.m_stdVelTail[i]),
                            0.0, m_fStep, m_vGravity};
       Put(motion.PosAt(m_fStep), motion.VelAt(m_fStep), i, b);
-    } else {
-      Move(b.m_stdPos[i], b.m_stdVel[i], dt);
     }
     ball += isSolid;
   }
