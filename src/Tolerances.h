@@ -73,6 +73,9 @@ inline constexpr double g_fSettleReach = 0.01;
 /// Sine of the angle below which two surfaces that hold a ball are parallel: they cross far away, where they
 /// all but contradict each other.
 inline constexpr double g_fParallel = 0.05;
+/// The same where one of the two is another ball, which gives way: else the ball is squeezed out between them
+/// at the speed of their approach over this sine.
+inline constexpr double g_fSteep = 0.5;
 /// Rounds, up and down, in which balls of a pile that overlap are moved apart, and the overlap, in radii,
 /// that may remain.
 inline constexpr std::size_t g_nSeparateRounds = 12;
@@ -94,6 +97,12 @@ inline constexpr double g_fFlowError = 0.01;
 /// of 1,000 times the mass press the others through each other.
 inline constexpr double g_fShock = 10.0;
 inline constexpr int g_nShockRounds = 2;
+/// Impacts in a substep of a ball that touches others, under gravity, after which it is squeezed between what
+/// comes upon it and what gives no way, and no longer becomes faster than the fastest ball was at the
+/// beginning of the substep, or than so many times the surfaces that were met. Exactly it would leave at the
+/// speed of their approach over the sine of the angle between them, which is small for an instant only.
+inline constexpr unsigned g_nSqueezed = 8;
+inline constexpr double g_fSqueezed = 2.0;
 /// Last rounds in which only shapes push: a ball in a wedge is pushed by both sides in turns.
 inline constexpr int g_nWedgeRounds = 8;
 

@@ -18,7 +18,7 @@ struct CPartTime {
 // In the order of eStage.
 constexpr CPartTime g_stdParts[] = {{"impacts", 0.2},  {"settings", 0.45}, {"timing", 0.05},
                                     {"heat map", 0.1}, {"effects", 0.1},   {"long runs", 0.05},
-                                    {"replay", 0.05}};
+                                    {"lasting", 0.02}, {"replay", 0.03}};
 
 constexpr std::chrono::milliseconds g_cRedrawInterval(100); // between two lines
 constexpr double g_fFirstGuess = 3.0;                       // seconds after which the rest is guessed

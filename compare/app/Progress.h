@@ -9,7 +9,7 @@
 namespace Shapes::Compare {
 
 /// The parts of the work on one scene, in their order.
-enum class eStage { ImpactTrials, ParameterSweep, Timing, HeatMap, Effects, LongRuns, Replay };
+enum class eStage { ImpactTrials, ParameterSweep, Timing, HeatMap, Effects, LongRuns, Lasting, Replay };
 
 /// The share of a scene's time that is over when `share` of a part is, in [0, 1]. By rough experience.
 double ShareOfScene(eStage part, double share);

@@ -97,13 +97,15 @@ CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, 
   progress(eStage::LongRuns, 0.0);
   const std::vector<CLongRun> longRuns =
       MeasureLongRuns(scene, engines, seed, sizes.m_nBounces, sizes.m_nLongSteps);
+  const std::vector<CLasting> lasting =
+      MeasureLasting(scene, engines, seed, sizes.m_nLastingTrials, during(eStage::Lasting));
   progress(eStage::Replay, 0.0);
   report.m_stdClips = MakeClips(scene, engines, report.m_cImpactTrials, seed, sizes.m_nFrames);
 
   for (std::size_t e = 0; e < engines.size(); ++e)
     report.m_stdEngines.push_back({MakeTotals(contacts, e), report.m_cImpactTrials.m_stdGhosts.at(e),
                                    MakeBins(contacts, e), MakeHistogram(contacts, e), costs.at(e),
-                                   longRuns.at(e)});
+                                   longRuns.at(e), lasting.at(e)});
   return report;
 }
 

@@ -19,6 +19,7 @@ constexpr const char* g_sClaims =
     "What CollisionDetected claims (the same in every profile of Box2D): median / p95 / max";
 constexpr const char* g_sResponses = "Correct responses against the exact ones: median / p95 / max";
 constexpr const char* g_sLongRun = "Long run";
+constexpr const char* g_sLasting = "Contact that lasts";
 constexpr const char* g_sCost = "Cost";
 
 bool IsDetected(const C& c) { return c.m_bDetected; }
@@ -27,10 +28,15 @@ bool IsCompared(const C& c) { return c.m_bCompared; }
 
 CHits OfImpacts(const E& e, std::size_t hits) { return {hits, e.m_cTotals.m_nContacts}; }
 
-constexpr CFigure Rate(const char* key, const char* label, CHits (*pRate)(const S&, const E&)) {
-  CFigure figure{key, g_sOutcomes, label, "rate"};
+constexpr CFigure RateOf(const char* key, const char* group, const char* label,
+                         CHits (*pRate)(const S&, const E&)) {
+  CFigure figure{key, group, label, "rate"};
   figure.m_pRate = pRate;
   return figure;
+}
+
+constexpr CFigure Rate(const char* key, const char* label, CHits (*pRate)(const S&, const E&)) {
+  return RateOf(key, g_sOutcomes, label, pRate);
 }
 
 constexpr CFigure OfImpact(const char* key, const char* group, const char* label, const char* unit,
@@ -89,6 +95,26 @@ constexpr CFigure g_stdFigures[] = {
           [](const S&, const E& e) { return e.m_cLongRun.m_fFreePathError; }),
     OfRun("angular_momentum_drift", g_sLongRun, "angular momentum drift over these bounces", "change", true,
           [](const S&, const E& e) { return e.m_cLongRun.m_fAngularMomentumDrift; }),
+
+    RateOf("lasting_lost", g_sLasting, "balls lost",
+           [](const S&, const E& e) {
+             return CHits{e.m_cLasting.m_nLost, e.m_cLasting.m_nBalls};
+           }),
+    OfRun("lasting_overlap", g_sLasting, "deepest overlap at the end", "radii", false,
+          [](const S&, const E& e) { return e.m_cLasting.m_fOverlap; }),
+    OfRun("lasting_speed", g_sLasting, "fastest ball at the end", "units/s", false,
+          [](const S&, const E& e) { return e.m_cLasting.m_fSpeed; }),
+    OfRun("lasting_energy_gained", g_sLasting, "energy from nothing", "change", false,
+          [](const S&, const E& e) { return e.m_cLasting.m_fEnergyGained; }),
+    OfRun("rest_time", g_sLasting, "time until all are at rest", "s", false,
+          [](const S&, const E& e) { return e.m_cLasting.m_fRestTime; }),
+    OfRun("flow", g_sLasting, "flow past the sensors", "balls/s", false,
+          [](const S&, const E& e) { return e.m_cLasting.m_fFlow; }),
+    OfRun("lasting_ns_per_ball_step", g_sLasting, "time per ball and step", "ns", false,
+          [](const S&, const E& e) {
+            return e.m_cLasting.m_nBalls == 0 ? std::optional<double>()
+                                              : e.m_cLasting.m_cNsPerBallStep.m_fMedian;
+          }),
 
     OfRun("ns_per_ball_step", g_sCost, "time per ball and step", "ns", false,
           [](const S&, const E& e) { return std::optional(e.m_cCost.m_cNsPerBallStep.m_fMedian); }),

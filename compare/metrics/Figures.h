@@ -26,7 +26,7 @@ struct CFigure {
   const char* m_sGroup; ///< what stands above it on the page
   const char* m_sLabel; ///< what it is, in words
   const char* m_sUnit;  ///< "radii", "steps", "rad", "relative" (to the exact value), "change" (over a run),
-                        ///< "balls", "ns"
+                        ///< "balls", "ns", "s", "units/s", "balls/s"
   bool m_bIsSigned = false;
 
   /// Of each impact: its value, and whether it was measured there. Summarised over the impacts.

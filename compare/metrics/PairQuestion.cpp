@@ -46,6 +46,7 @@ CPairQuestion::CPairQuestion(const CSceneShape& shape, const CDynamicCircleDesc&
     m_pShape->Relocate((m_pShape->GetPos().cast<double>() + way).cast<float>());
   if (const float angle = OrientationAt(shape, time); angle != 0.0f) m_pShape->SetOrientation(angle);
   m_pShape->SetRotSpeed(RotSpeedAt(shape, time, world.m_fTimeStep));
+  m_pShape->SetVel(VelAt(shape, time, world.m_fTimeStep));
   m_pShape->Advance(world.m_fTimeStep);
 }
 

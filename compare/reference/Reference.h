@@ -121,10 +121,10 @@ public:
   /// @throws std::invalid_argument unless the shape is kinematic and the value is finite
   void SetOrientation(std::size_t shape, const T& angle);
   void SetRotSpeed(std::size_t shape, const T& revsPerSecond);
-  /// How far a shape and its rotation centre have moved from where they are described. (Its velocity is that
-  /// of its descriptor.)
+  /// How far a shape and its rotation centre have moved from where they are described, and their velocity.
   /// @throws std::invalid_argument if it is not finite
   void SetOffset(std::size_t shape, const CVec<T>& way);
+  void SetVel(std::size_t shape, const CVec<T>& v);
 
   /// One step of dt seconds. Events are answered in the order of their times, and appended in that order:
   /// with e the product of the elasticities and V the velocity of the surface along n, v_n becomes V + e (V -

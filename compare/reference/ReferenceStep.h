@@ -126,6 +126,12 @@ void CReference<T>::SetOffset(std::size_t shape, const CVec<T>& way) {
 }
 
 template <class T>
+void CReference<T>::SetVel(std::size_t shape, const CVec<T>& v) {
+  if (!IsFinite(T(v.x() + v.y()))) throw std::invalid_argument("v is not finite");
+  m_stdShapes.at(shape).m_vVel = v;
+}
+
+template <class T>
 void CReference<T>::SetRotSpeed(std::size_t shape, const T& revsPerSecond) {
   CSolid& solid = m_stdShapes.at(shape);
   if (!solid.m_bKinematic || !IsFinite(revsPerSecond))

@@ -77,7 +77,7 @@ ordered_json ToJson(const CSceneShape& shape, const CRounder& round) {
   json["sensor"] = GetBase(shape.m_cDesc).m_bIsSensor;
   json["turns"] = Turns(shape);
   if (Turns(shape)) json["center"] = round(GetBase(shape.m_cDesc).m_vRotCenter);
-  if (const Vector2& v = GetBase(shape.m_cDesc).m_vVel; !v.isZero(0.0f)) json["velocity"] = round(v);
+  if (Travels(shape)) json["moves"] = true;
   return json;
 }
 
@@ -97,7 +97,8 @@ ordered_json ToJson(const CClip& clip, const CScene& scene, const CRounder& roun
                     {"time", clip.m_fTime},
                     {"frames", frames},
                     {"tracks", ordered_json::array()},
-                    {"orientations", ordered_json::array()}};
+                    {"orientations", ordered_json::array()},
+                    {"offsets", ordered_json::array()}};
   for (const std::vector<Vector2>& track : clip.m_stdTracks) {
     ordered_json flat = ordered_json::array();
     for (const Vector2& p : track) {
@@ -114,6 +115,16 @@ ordered_json ToJson(const CClip& clip, const CScene& scene, const CRounder& roun
     for (std::size_t i = 0; i < frames; ++i)
       angles.push_back(roundAngle(OrientationAt(shape, clip.m_fTime + static_cast<double>(i) * dt)));
     json["orientations"].push_back(std::move(angles));
+  }
+  for (const CSceneShape& shape : scene.m_stdShapes) {
+    if (!Travels(shape)) continue;
+    ordered_json ways = ordered_json::array();
+    for (std::size_t i = 0; i < frames; ++i) {
+      const Eigen::Vector2d way = OffsetAt(shape, clip.m_fTime + static_cast<double>(i) * dt);
+      ways.push_back(round(static_cast<float>(way.x())));
+      ways.push_back(round(static_cast<float>(way.y())));
+    }
+    json["offsets"].push_back(std::move(ways));
   }
   return json;
 }

@@ -7,6 +7,7 @@
 #include "metrics/Effects.h"
 #include "metrics/HeatMap.h"
 #include "metrics/ImpactTrials.h"
+#include "metrics/Lasting.h"
 #include "metrics/LongRun.h"
 #include "metrics/Totals.h"
 #include "metrics/WorkPrecision.h"
@@ -26,6 +27,7 @@ struct CEngineReport {
   CHistogram m_cHistogram;
   CCost m_cCost;
   CLongRun m_cLongRun;
+  CLasting m_cLasting;
 };
 
 struct CSceneReport {

@@ -28,6 +28,7 @@ void CExactGame::Step() {
   for (std::size_t i = 0; i < m_cScene.m_stdShapes.size(); ++i) {
     const CSceneShape& shape = m_cScene.m_stdShapes[i];
     m_cReference.SetOffset(i, OffsetAt(shape, m_fTime));
+    m_cReference.SetVel(i, ToDouble(VelAt(shape, m_fTime, dt)));
     const float speed = RotSpeedAt(shape, m_fTime, dt);
     if (speed == 0.0f && m_cReference.GetRotSpeed(i) == 0.0) continue;
     m_cReference.SetOrientation(i, static_cast<double>(OrientationAt(shape, m_fTime)));

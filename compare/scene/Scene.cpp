@@ -37,10 +37,18 @@ constexpr CNumberRule g_cNumber{"a number"}, g_cNotNegative{"a number of at leas
     g_cRotSpeed{"a rotation speed in revolutions per second"},
     g_cAngle{"an angle in radians, from -2 pi to 2 pi", -6.2832, 6.2832},
     g_cTurn{"an angle in radians, from 0 to pi", 0.0, 3.1416},
-    g_cFraction{"a fraction from 0 to 1", 0.0, 1.0};
+    g_cFraction{"a fraction from 0 to 1", 0.0, 1.0}, g_cLasting{"a number from 0 to 3600", 0.0, 3600.0},
+    g_cCount{"a whole number from 1 to 1000", 1.0, 1000.0};
 constexpr CPairRule g_cPoint{"a point [x, y]", g_cNumber}, g_cVector{"a vector [x, y]", g_cNumber},
     g_cAngles{"two angles [from, to] in radians, counterclockwise", g_cAngle},
     g_cHalfWidths{"two lengths [x, y] of at least 0", g_cLength};
+
+// A ball that stands for rows and columns of equal ones.
+struct CGrid {
+  int m_nColumns = 1, m_nRows = 1;
+  Vector2 m_vSpacing = Vector2::Zero();
+};
+
 constexpr std::string_view g_stdTypes[] = {"point", "line_segment", "circle", "arc"},
                            g_stdMotions[] = {"static", "kinematic"}, g_stdSides[] = {"both", "front", "back"};
 
@@ -51,6 +59,7 @@ struct CSceneMotion {
   float m_fRotSpeed = 0.0f;
   Vector2 m_vRotCenter = Vector2::Zero();
   std::optional<CFlip> m_cFlip;
+  std::optional<CShuttle> m_cShuttle;
 };
 
 class CSceneReader {
@@ -115,6 +124,7 @@ private:
     fields.Read("gravity", world.m_vGravity, g_cVector);
     fields.Read("time_step", world.m_fTimeStep, g_cPositive);
     fields.Read("duration", m_cScene.m_fDuration, g_cPositive, eNeed::Required);
+    fields.Read("lasting", m_cScene.m_fLasting, g_cLasting);
   }
 
   void MakeCheckedWorld(const CJsonPath& path) {
@@ -142,6 +152,7 @@ private:
     fields.Read("rotation_speed", turning.m_fRotSpeed, g_cRotSpeed);
     fields.Read("rotation_center", turning.m_vRotCenter, g_cPoint);
     if (fields.Has("flip")) turning.m_cFlip = ReadFlip(fields.GetPath());
+    if (fields.Has("shuttle")) turning.m_cShuttle = ReadShuttle(fields.GetPath());
     std::string motion = "static";
     fields.ReadWord("motion", motion, g_stdMotions);
     if (motion == "kinematic") turning.m_eMotion = eMotion::Kinematic;
@@ -152,10 +163,29 @@ private:
   void CheckMotion(const CJsonPath& path, const CSceneMotion& turning) const {
     if (turning.m_cFlip && turning.m_fRotSpeed != 0.0f)
       Refuse(path / "rotation_speed", "none for what has a flip");
+    if (turning.m_cShuttle && !turning.m_vVel.isZero(0.0f))
+      Refuse(path / "velocity", "none for what has a shuttle");
     if (turning.m_eMotion == eMotion::Static && (turning.m_cFlip || turning.m_fRotSpeed != 0.0f))
       Refuse(path / "motion", "\"kinematic\" for a shape that turns");
-    if (turning.m_eMotion == eMotion::Static && !turning.m_vVel.isZero(0.0f))
+    if (turning.m_eMotion == eMotion::Static && (turning.m_cShuttle || !turning.m_vVel.isZero(0.0f)))
       Refuse(path / "motion", "\"kinematic\" for a shape that moves");
+  }
+
+  CShuttle ReadShuttle(const CJsonPath& owner) const {
+    const CJsonPath path = owner / "shuttle";
+    CSceneFields fields = Fields(path, "an object with way, speed, period and perhaps phase");
+    CShuttle shuttle;
+    fields.Read("way", shuttle.m_vWay, g_cVector, eNeed::Required);
+    fields.Read("speed", shuttle.m_fSpeed, g_cPositive, eNeed::Required);
+    fields.Read("period", shuttle.m_fPeriod, g_cPositive, eNeed::Required);
+    fields.Read("phase", shuttle.m_fPhase, g_cNotNegative);
+    fields.RefuseOthers();
+    if (!(shuttle.m_fSpeed > 0.0f && shuttle.m_fSpeed <= g_fMaxSpeed))
+      Refuse(path / "speed", fmt::format("a number above 0, up to {}", g_fMaxSpeed));
+    const float shortest = 2.0f * Length(shuttle.m_vWay) / shuttle.m_fSpeed;
+    if (!(shuttle.m_fPeriod > 0.0f && shuttle.m_fPeriod >= shortest))
+      Refuse(path / "period", fmt::format("the time to go the way at speed and back, {} or more", shortest));
+    return shuttle;
   }
 
   CFlip ReadFlip(const CJsonPath& owner) const {
@@ -184,6 +214,7 @@ private:
     fields.Read("rotation_speed", turning.m_fRotSpeed, g_cRotSpeed);
     fields.Read("rotation_center", turning.m_vRotCenter, g_cPoint, eNeed::Required);
     if (fields.Has("flip")) turning.m_cFlip = ReadFlip(path);
+    if (fields.Has("shuttle")) turning.m_cShuttle = ReadShuttle(path);
     const auto shapes = fields.ReadList("shapes", "a list of at least one shape", 1);
     fields.RefuseOthers();
     CheckMotion(path, turning);
@@ -254,6 +285,7 @@ private:
     fields.Read("name", shape.m_sName);
     fields.Read("drain", shape.m_bIsDrain);
     shape.m_cFlip = turning.m_cFlip;
+    shape.m_cShuttle = turning.m_cShuttle;
     std::visit(
         [&](auto& desc) {
           fields.Read("elasticity", desc.m_fElasticity, g_cElasticity);
@@ -281,6 +313,23 @@ private:
     fields.RefuseOthers();
   }
 
+  int ReadCount(CSceneFields& fields, const char* name) const {
+    float count = 1.0f;
+    fields.Read(name, count, g_cCount, eNeed::Required);
+    if (count != std::floor(count)) Refuse(fields.GetPath() / name, g_cCount.m_sExpected);
+    return static_cast<int>(count);
+  }
+
+  CGrid ReadGrid(const CJsonPath& path) const {
+    CSceneFields fields = Fields(path, "an object with columns, rows and spacing");
+    CGrid grid;
+    grid.m_nColumns = ReadCount(fields, "columns");
+    grid.m_nRows = ReadCount(fields, "rows");
+    fields.Read("spacing", grid.m_vSpacing, g_cVector, eNeed::Required);
+    fields.RefuseOthers();
+    return grid;
+  }
+
   void ReadBall(const CJsonPath& path) {
     CSceneFields fields = Fields(path, "an object that describes a ball");
     CSceneBall ball;
@@ -290,7 +339,20 @@ private:
     fields.Read("mass", ball.m_cDesc.m_fMass, g_cPositive);
     fields.Read("elasticity", ball.m_cDesc.m_fElasticity, g_cElasticity);
     if (fields.Has("spread")) ReadSpread(path / "spread", ball);
+    CGrid grid;
+    if (fields.Has("grid")) grid = ReadGrid(path / "grid");
     fields.RefuseOthers();
+    const Vector2 first = ball.m_cDesc.m_vPos;
+    for (int row = 0; row < grid.m_nRows; ++row)
+      for (int column = 0; column < grid.m_nColumns; ++column) {
+        ball.m_cDesc.m_vPos =
+            first +
+            Vector2(static_cast<float>(column), static_cast<float>(row)).cwiseProduct(grid.m_vSpacing);
+        AddBall(path, ball);
+      }
+  }
+
+  void AddBall(const CJsonPath& path, const CSceneBall& ball) {
     Checked({path}, [&] { return m_pWorld->Add(ball.m_cDesc); });
     const Vector2 low = ball.m_cDesc.m_vPos - ball.m_vSpread, high = ball.m_cDesc.m_vPos + ball.m_vSpread;
     if (!(m_cScene.m_cBounds && low) || !(m_cScene.m_cBounds && high))
@@ -347,7 +409,11 @@ const CShapeDesc& GetBase(const CAnyShapeDesc& any) {
   return std::visit([](const auto& desc) -> const CShapeDesc& { return desc; }, any);
 }
 
-bool Moves(const CSceneShape& shape) { return Turns(shape) || !GetBase(shape.m_cDesc).m_vVel.isZero(0.0f); }
+bool Travels(const CSceneShape& shape) {
+  return shape.m_cShuttle || !GetBase(shape.m_cDesc).m_vVel.isZero(0.0f);
+}
+
+bool Moves(const CSceneShape& shape) { return Turns(shape) || Travels(shape); }
 
 bool Turns(const CSceneShape& shape) { return shape.m_cFlip || GetBase(shape.m_cDesc).m_fRotSpeed != 0.0f; }
 
@@ -358,14 +424,30 @@ std::vector<CAnyShapeDesc> GetShapes(const CScene& scene) {
   return shapes;
 }
 
-float FlipOrientation(const CFlip& flip, double t) {
-  const double period = flip.m_fPeriod, half = 0.5 * period;
-  double u = std::fmod(t + flip.m_fPhase, period);
+namespace {
+
+// How far from rest something is that goes to `end` and back once in a period, at least 0.
+double GoAndComeBack(double end, double speed, double period, double t) {
+  const double half = 0.5 * period;
+  double u = std::fmod(t, period);
   if (u < 0.0) u += period;
-  const double angle = flip.m_fAngle;
-  const double way = 2.0 * std::numbers::pi * flip.m_fSpeed * (u < half ? u : u - half);
-  const double turned = std::min(way, std::abs(angle));
-  return static_cast<float>(std::copysign(u < half ? turned : std::abs(angle) - turned, angle));
+  const double gone = std::min(speed * (u < half ? u : u - half), end);
+  return u < half ? gone : end - gone;
+}
+
+} // namespace
+
+float FlipOrientation(const CFlip& flip, double t) {
+  const double angle = flip.m_fAngle, speed = 2.0 * std::numbers::pi * flip.m_fSpeed;
+  return static_cast<float>(
+      std::copysign(GoAndComeBack(std::abs(angle), speed, flip.m_fPeriod, t + flip.m_fPhase), angle));
+}
+
+Eigen::Vector2d ShuttleOffset(const CShuttle& shuttle, double t) {
+  const Eigen::Vector2d way = shuttle.m_vWay.cast<double>();
+  const double length = way.norm();
+  if (length == 0.0) return way;
+  return GoAndComeBack(length, shuttle.m_fSpeed, shuttle.m_fPeriod, t + shuttle.m_fPhase) / length * way;
 }
 
 } // namespace Shapes::Compare

@@ -22,13 +22,23 @@ struct CFlip {
   float m_fPhase = 0.0f;  ///< Seconds of the first period that are over at time 0.
 };
 
-/// A shape that is not a ball. The shapes of a compound carry its velocity, rotation centre, speed and flip
-/// each.
+/// A wall that goes and comes back as a flip does: by m_vWay at m_fSpeed, and back when half of the period is
+/// over. A loaded one has the time for both ways: m_fPeriod >= 2 |m_vWay| / m_fSpeed.
+struct CShuttle {
+  Vector2 m_vWay = Vector2::Zero(); ///< User units.
+  float m_fSpeed = 0.0f;            ///< User units per second, above 0.
+  float m_fPeriod = 0.0f;           ///< Seconds, above 0.
+  float m_fPhase = 0.0f;            ///< Seconds of the first period that are over at time 0.
+};
+
+/// A shape that is not a ball. The shapes of a compound carry its velocity, rotation centre, speed, flip and
+/// shuttle each.
 struct CSceneShape {
   CAnyShapeDesc m_cDesc;
   std::string m_sName;          ///< Empty if the file gives none.
   std::optional<CFlip> m_cFlip; ///< The shape is kinematic then, its own rotation speed is 0.
   bool m_bIsDrain = false;      ///< A sensor that puts a ball that touches it back to its start.
+  std::optional<CShuttle> m_cShuttle = std::nullopt; ///< As m_cFlip; its own velocity is 0.
 };
 
 /// A ball and how its start varies: each coordinate of the position by +- m_vSpread, the direction of the
@@ -48,6 +58,7 @@ struct CScene {
   CWorldDesc m_cWorld;
   CAabb2D m_cBounds;        ///< A centre of a ball outside has escaped.
   float m_fDuration = 0.0f; ///< Seconds, at least one time step.
+  float m_fLasting = 0.0f;  ///< Seconds for which contact that lasts is measured, 0 if it is not.
   std::vector<CSceneShape> m_stdShapes;
   std::vector<CSceneBall> m_stdBalls;
 };
@@ -57,7 +68,9 @@ const CShapeDesc& GetBase(const CAnyShapeDesc& any);
 
 /// Whether a shape turns, by its rotation speed or by a flip.
 bool Turns(const CSceneShape& shape);
-/// Whether it turns, or moves by its velocity.
+/// Whether it moves by its velocity or a shuttle.
+bool Travels(const CSceneShape& shape);
+/// Whether it turns or travels.
 bool Moves(const CSceneShape& shape);
 
 /// The descriptors of all shapes of a scene.
@@ -85,5 +98,7 @@ std::vector<CScene> LoadScenes(const std::filesystem::path& folder);
 /// Radians from rest at time t, in seconds; any finite t. In double up to the result, so the error is 1 ulp
 /// of it plus 2 pi speed times the rounding of t.
 float FlipOrientation(const CFlip& flip, double t);
+/// How far it is from rest at time t, user units.
+Eigen::Vector2d ShuttleOffset(const CShuttle& shuttle, double t);
 
 } // namespace Shapes::Compare

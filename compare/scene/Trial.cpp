@@ -121,7 +121,13 @@ float RotSpeedAt(const CSceneShape& shape, double time, double dt) {
 }
 
 Eigen::Vector2d OffsetAt(const CSceneShape& shape, double time) {
+  if (shape.m_cShuttle) return ShuttleOffset(*shape.m_cShuttle, time);
   return time * GetBase(shape.m_cDesc).m_vVel.cast<double>();
+}
+
+Vector2 VelAt(const CSceneShape& shape, double time, double dt) {
+  if (!shape.m_cShuttle) return GetBase(shape.m_cDesc).m_vVel;
+  return ((OffsetAt(shape, time + dt) - OffsetAt(shape, time)) / dt).cast<float>();
 }
 
 CTrialWorld::CTrialWorld(const CScene& scene, const CEngine& engine,
@@ -136,16 +142,19 @@ CTrialWorld::CTrialWorld(const CScene& scene, const CEngine& engine,
       m_pWorld->SetPos(id, (m_pWorld->GetPos(id).cast<double>() + way).cast<float>());
     if (const float angle = OrientationAt(shape, time); angle != 0.0f) m_pWorld->SetOrientation(id, angle);
     m_pWorld->SetRotSpeed(id, RotSpeedAt(shape, time, dt));
+    m_pWorld->SetVel(id, VelAt(shape, time, dt));
   }
   for (const CDynamicCircleDesc& ball : balls)
     m_stdBalls.push_back(m_pWorld->Add(ball));
 }
 
 void CTrialWorld::Flip(const CScene& scene, double time) {
-  for (std::size_t i = 0; i < scene.m_stdShapes.size(); ++i)
-    if (scene.m_stdShapes[i].m_cFlip)
-      m_pWorld->SetRotSpeed(m_stdShapes[i], RotSpeedAt(scene.m_stdShapes[i], time,
-                                                       static_cast<double>(scene.m_cWorld.m_fTimeStep)));
+  const double dt = scene.m_cWorld.m_fTimeStep;
+  for (std::size_t i = 0; i < scene.m_stdShapes.size(); ++i) {
+    const CSceneShape& shape = scene.m_stdShapes[i];
+    if (shape.m_cFlip) m_pWorld->SetRotSpeed(m_stdShapes[i], RotSpeedAt(shape, time, dt));
+    if (shape.m_cShuttle) m_pWorld->SetVel(m_stdShapes[i], VelAt(shape, time, dt));
+  }
 }
 
 CGame::CGame(const CScene& scene, const CEngine& engine, const CStart& start)

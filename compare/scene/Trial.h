@@ -76,8 +76,9 @@ std::size_t GetStepsPerTrial(const CScene& scene);
 /// speed, or that which brings a flipper to where it belongs at the end of the step.
 float RotSpeedAt(const CSceneShape& shape, double time, double dt);
 float OrientationAt(const CSceneShape& shape, double time);
-/// How far it has moved by its velocity.
+/// How far it has moved by its velocity or its shuttle, and its velocity in the step that begins then.
 Eigen::Vector2d OffsetAt(const CSceneShape& shape, double time);
+Vector2 VelAt(const CSceneShape& shape, double time, double dt);
 
 /// A world with the shapes and these balls. Ids are consecutive: shapes in their order, then balls in theirs.
 struct CTrialWorld {
@@ -88,7 +89,7 @@ struct CTrialWorld {
   CTrialWorld(const CScene& scene, const CEngine& engine, std::span<const CDynamicCircleDesc> balls,
               double time);
 
-  /// Gives the flippers the speed that they have in the step that begins at `time`.
+  /// Gives what flips or shuttles the speed that it has in the step that begins at `time`.
   void Flip(const CScene& scene, double time);
 };
 

@@ -30,7 +30,7 @@ std::size_t Slow(std::string_view a, std::string_view b) {
 }
 
 TEST(NearMatchesTest, DistancesAreThoseOfTheDefinition) {
-  Tests::CRandom random(3);
+  Shapes::Tests::CRandom random(3);
   const auto word = [&] {
     std::string text(random.Below(6), ' ');
     for (char& c : text)

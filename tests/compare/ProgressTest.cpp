@@ -12,7 +12,7 @@ namespace {
 
 constexpr eStage g_stdAllParts[] = {eStage::ImpactTrials, eStage::ParameterSweep, eStage::Timing,
                                     eStage::HeatMap,      eStage::Effects,        eStage::LongRuns,
-                                    eStage::Replay};
+                                    eStage::Lasting,      eStage::Replay};
 
 TEST(ProgressTest, PartsFillTheTimeOfASceneInTheirOrder) {
   double last = 0.0;

@@ -105,7 +105,7 @@ private:
   }
 
   const CScene& m_cScene;
-  Tests::CRandom m_cRandom;
+  Shapes::Tests::CRandom m_cRandom;
   std::unique_ptr<CWorld> m_pWorld;
   std::vector<CShapeId> m_stdShapeIds, m_stdBallIds;
   std::vector<Vector2> m_stdStayedAt; // of each ball, where it was when it last left a place

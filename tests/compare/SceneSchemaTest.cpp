@@ -26,11 +26,12 @@ const json& Schema() {
 json OneOfEach() {
   return json::parse(R"({
     "$schema": "scene.schema.json", "name": "all", "description": "one of each", "length_unit": 2,
-    "gravity": [1, -9.5], "time_step": 0.0078125, "duration": 3,
+    "gravity": [1, -9.5], "time_step": 0.0078125, "duration": 3, "lasting": 4,
     "bounds": {"left": -5, "bottom": -6, "right": 7, "top": 8},
     "shapes": [
       {"type": "point", "name": "post", "position": [1, 2], "elasticity": 0.5, "motion": "kinematic",
-       "rotation_speed": 1, "rotation_center": [0, 4]},
+       "rotation_speed": 1, "rotation_center": [0, 4],
+       "shuttle": {"way": [1, 0], "speed": 2, "period": 1, "phase": 0.5}},
       {"type": "line_segment", "p0": [3, 0], "p1": [-3, 1], "sides": "back", "sensor": true, "motion": "static"},
       {"type": "circle", "position": [4, 4], "radius": 0.25, "drain": true, "motion": "kinematic",
        "flip": {"angle": 1, "speed": 1, "period": 2}},
@@ -44,7 +45,8 @@ json OneOfEach() {
       {"rotation_center": [0, 0], "rotation_speed": 1, "shapes": [{"type": "point", "position": [-1, -2]}]}],
     "balls": [
       {"position": [0, 0], "velocity": [3, 4], "radius": 0.5, "mass": 2, "elasticity": 0.25,
-       "spread": {"position": [0.5, 1], "direction": 0.125, "speed": 0.5}}]})");
+       "spread": {"position": [0.5, 1], "direction": 0.125, "speed": 0.5},
+       "grid": {"columns": 2, "rows": 3, "spacing": [0.5, 0.5]}}]})");
 }
 
 // Each field left out, each field with each of these values, and each of these fields in each object.
@@ -93,8 +95,9 @@ std::string FindReaderFault(const json& doc) {
 bool IsBeyondSchemas(const std::string& fault) {
   constexpr std::string_view reasons[] = {
       "expected at least one time_step", "expected a number above left",
-      "expected a number above bottom",  "expected \"kinematic\" for a shape that turns",
+      "expected a number above bottom",  "expected \"kinematic\" for a shape that",
       "expected the time to turn",       "expected none for what has a flip",
+      "expected the time to go",         "expected none for what has a shuttle",
       "expected two angles at most",     "expected true for a drain",
       "expected a point in the bounds"};
   return std::any_of(std::begin(reasons), std::end(reasons),

@@ -76,6 +76,8 @@ protected:
   std::filesystem::path m_cFolder;
 };
 
+json Shuttle() { return {{"way", {1, 0}}, {"speed", 2}, {"period", 1}}; }
+
 template <class T>
 const T& As(const CSceneShape& shape) {
   return std::get<T>(shape.m_cDesc);
@@ -212,18 +214,18 @@ TEST_F(SceneTest, AWrongFieldIsNamedWithWhatWasExpected) {
        " /shapes/0/position: expected a point [x, y], got [1,2,3]"},
       {[](json& d) { d["shapes"][0]["radius"] = 1; },
        " /shapes/0/radius: expected no such field (known are drain, elasticity, flip, motion, name, "
-       "position, rotation_center, rotation_speed, sensor, type, velocity), got 1"},
+       "position, rotation_center, rotation_speed, sensor, shuttle, type, velocity), got 1"},
       // A misspelled field comes before what its absence leads to.
       {[](json& d) {
          d["shapes"][3].erase("motion");
          d["shapes"][3]["moton"] = "kinematic";
        },
        " /shapes/3/moton: expected no such field (known are angles, drain, elasticity, flip, motion, name, "
-       "position, radius, rotation_center, rotation_speed, sensor, sides, type, velocity), got "
+       "position, radius, rotation_center, rotation_speed, sensor, shuttle, sides, type, velocity), got "
        "\"kinematic\""},
       {[](json& d) { d["shapes"][1]["a/b: 'c'"] = true; },
        " /shapes/1/a~1b: 'c': expected no such field (known are drain, elasticity, flip, motion, name, p0, "
-       "p1, rotation_center, rotation_speed, sensor, sides, type, velocity), got true"},
+       "p1, rotation_center, rotation_speed, sensor, shuttle, sides, type, velocity), got true"},
       {[](json& d) { d["shapes"][1]["type"] = "square"; },
        " /shapes/1/type: expected one of \"point\", \"line_segment\", \"circle\", \"arc\", got \"square\""},
       {[](json& d) { d["shapes"][1].erase("type"); },
@@ -305,6 +307,19 @@ TEST_F(SceneTest, FieldsThatContradictEachOtherAreRefused) {
       {[](json& d) { d["compounds"][0]["flip"]["period"] = 0.3; }, // 2 * 1 / (2 pi) = 0.318
        " /compounds/0/flip/period: expected the time to turn by angle at speed and back, 0.31830987 or "
        "more, got 0.3"},
+      {[](json& d) {
+         d["shapes"][3]["velocity"] = {1, 0}, d["shapes"][3]["shuttle"] = Shuttle();
+       },
+       " /shapes/3/velocity: expected none for what has a shuttle, got [1,0]"},
+      {[](json& d) { d["shapes"][1]["shuttle"] = Shuttle(); },
+       " /shapes/1/motion: expected \"kinematic\" for a shape that moves, got nothing"},
+      {[](json& d) { d["shapes"][3]["shuttle"] = Shuttle(), d["shapes"][3]["shuttle"]["period"] = 0.5; },
+       " /shapes/3/shuttle/period: expected the time to go the way at speed and back, 1 or more, got 0.5"},
+      {[](json& d) {
+         d["balls"][0]["grid"] = {{"columns", 1.5}, {"rows", 1}, {"spacing", {1, 1}}};
+       },
+       " /balls/0/grid/columns: expected a whole number from 1 to 1000, got 1.5"},
+      {[](json& d) { d["lasting"] = 4e17; }, " /lasting: expected a number from 0 to 3600, got 4e+17"},
       {[](json& d) { d["compounds"][0]["flip"]["speed"] = 1e10; },
        " /compounds/0/flip/speed: expected a number above 0, up to 1000000000, got 10000000000.0"},
       {[](json& d) {
@@ -431,6 +446,29 @@ TEST(FlipTest, TurnsStaysGoesBackAndRests) {
     EXPECT_LE(std::abs(step), std::numbers::pi / 1024.0 + rounding)
         << "never faster than its speed, t = " << t;
   }
+}
+
+TEST(ShuttleTest, GoesStaysComesBackAndRests) {
+  const CShuttle shuttle{{3, -4}, 10.0f, 2.0f, 0.5f}; // a way takes half a second
+  const auto expect = [&](double t, double share) {
+    EXPECT_NEAR((ShuttleOffset(shuttle, t - 0.5) - share * Eigen::Vector2d(3, -4)).norm(), 0.0, 1e-12) << t;
+  };
+  expect(0.0, 0.0), expect(0.25, 0.5), expect(0.5, 1.0), expect(0.999, 1.0);
+  expect(1.125, 0.75), expect(1.5, 0.0), expect(1.75, 0.0), expect(2.25, 0.5), expect(-1.75, 0.5);
+  EXPECT_TRUE(ShuttleOffset({{0, 0}, 1.0f, 1.0f}, 0.3).isZero(0.0));
+}
+
+TEST(GridTest, StandsForRowsAndColumnsOfBalls) {
+  const CScene scene = ParseScene("s.json", R"({"name": "n", "duration": 1, "lasting": 2,
+    "bounds": {"left": 0, "bottom": 0, "right": 9, "top": 9},
+    "balls": [{"position": [1, 2], "radius": 0.1, "elasticity": 0.5,
+               "grid": {"columns": 3, "rows": 2, "spacing": [0.5, 4]}}]})");
+  EXPECT_EQ(scene.m_fLasting, 2.0f);
+  ASSERT_EQ(scene.m_stdBalls.size(), 6u);
+  EXPECT_EQ(scene.m_stdBalls[0].m_cDesc.m_vPos, Vector2(1, 2));
+  EXPECT_EQ(scene.m_stdBalls[2].m_cDesc.m_vPos, Vector2(2, 2));
+  EXPECT_EQ(scene.m_stdBalls[3].m_cDesc.m_vPos, Vector2(1, 6));
+  EXPECT_EQ(scene.m_stdBalls[5].m_cDesc.m_fElasticity, 0.5f);
 }
 
 } // namespace

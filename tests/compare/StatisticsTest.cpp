@@ -60,7 +60,7 @@ TEST(StatisticsTest, WilsonHasThePublishedValues) {
 }
 
 TEST(StatisticsTest, WilsonHoldsTheTrueRateAsOftenAsItSays) {
-  Tests::CRandom random(11);
+  Shapes::Tests::CRandom random(11);
   int held = 0;
   constexpr int runs = 2000;
   for (int run = 0; run < runs; ++run) {

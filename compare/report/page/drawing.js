@@ -90,23 +90,23 @@ const Drawing = (() => {
     ctx.stroke();
   }
 
-  /** The place of a shape that has moved for some seconds. */
-  function moved(shape, seconds) {
-    if (!shape.velocity) return shape;
-    const [dx, dy] = shape.velocity.map((v) => v * seconds);
+  /** The place of a shape that has moved by [x0, y0, x1, y1, ...] in the frames. */
+  function moved(shape, offsets, frame) {
+    if (!offsets?.length) return shape;
+    const f = Math.max(0, Math.min(frame, offsets.length / 2 - 1)), i = 2 * Math.floor(f);
+    const j = Math.min(i + 2, offsets.length - 2);
+    const [dx, dy] = [0, 1].map((k) => lerp(offsets[i + k], offsets[j + k], f - i / 2));
     return {...shape, points: shape.points.map(([x, y]) => [x + dx, y + dy])};
   }
 
-  /**
-   * All shapes at a frame, which is this many seconds after they were as described; angles are listed for
-   * those that turn, in their order.
-   */
-  function drawShapes(ctx, camera, shapes, orientations, frame, seconds) {
+  /** All shapes at a frame; angles and offsets are listed for those that turn or move, in their order. */
+  function drawShapes(ctx, camera, shapes, orientations, offsets, frame) {
     const inks = {ink: Data.css('--ink'), muted: Data.css('--muted'), line: Data.css('--line')};
-    let turning = 0;
+    let turning = 0, moving = 0;
     for (const shape of shapes) {
       const angle = shape.turns ? angleAt(orientations?.[turning++], frame) : 0;
-      drawShape(ctx, camera, moved(turned(shape, angle), seconds), inks);
+      const ways = shape.moves ? offsets?.[moving++] : undefined;
+      drawShape(ctx, camera, moved(turned(shape, angle), ways, frame), inks);
     }
     ctx.setLineDash([]);
   }

@@ -126,8 +126,7 @@ const Replay = (() => {
       ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
       ctx.fillStyle = Data.css('--surface');
       ctx.fillRect(0, 0, this.#camera.width, this.#camera.height);
-      const seconds = (clip.time ?? 0) + this.#frame * scene.time_step;
-      Drawing.drawShapes(ctx, this.#camera, scene.shapes, clip.orientations, this.#frame, seconds);
+      Drawing.drawShapes(ctx, this.#camera, scene.shapes, clip.orientations, clip.offsets, this.#frame);
       const longest =
           Math.hypot(scene.bounds.right - scene.bounds.left, scene.bounds.top - scene.bounds.bottom) / 4;
       const order = clip.tracks.map((_, i) => i).reverse(); // the exact one below

@@ -5,6 +5,7 @@
 #include "Rounding.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -89,6 +90,7 @@ void CContinuous::FindFirst(std::uint32_t i) {
 void CContinuous::TakeBalls(const CBallArrays& b) {
   m_stdBoxes.clear();
   std::size_t n = 0;
+  double fastest = 0.0; // squared
   for (std::size_t i = 0; i < b.Size(); ++i) {
     if (!b.m_stdCanCollide[i] || b.m_stdSensor[i]) continue;
     // Those of the last substep are taken again: most of what they have is not looked at before it is set.
@@ -102,11 +104,13 @@ void CContinuous::TakeBalls(const CBallArrays& b) {
     ball.m_fMass = static_cast<double>(b.m_stdMass[i]);
     ball.m_fElasticity = static_cast<double>(b.m_stdElasticity[i]);
     ball.Begin();
+    fastest = std::max(fastest, ball.m_vVel.squaredNorm());
     ball.m_bIsAsleep = IsFalling() && b.m_stdCalm[i] >= g_fCalmTime;
     ball.m_vAcc = ball.m_bIsAsleep ? Vector2d(Vector2d::Zero()) : m_vGravity;
     m_stdBoxes.push_back(GetBox(ball));
   }
   m_stdBalls.resize(n);
+  m_fFastest = std::sqrt(fastest);
 }
 
 // The tree does not matter to what comes out, so it may be an old one whose boxes have moved on.

@@ -128,6 +128,8 @@ private:
   CStaticBroadPhase* m_pShapes = nullptr;
   CWorldStats* m_pStats = nullptr;
   double m_fStep = 0.0;
+  double m_fFastest =
+      0.0; // ball at the beginning, or surface that was met, of it g_fSqueezed times the speed
   Vector2d m_vGravity = Vector2d::Zero();
   std::vector<CMoving> m_stdBalls; // that are solid
   std::vector<CAabb2D> m_stdBoxes; // of their motions

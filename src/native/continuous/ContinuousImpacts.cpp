@@ -194,6 +194,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
     ball.m_vPos = impact.m_vPOI + std::max(ball.m_fRadius, FloatRounding(ball.m_vPos) + clear) * n;
   else
     ball.m_vPos += clear * n;
+  m_fFastest = std::max(m_fFastest, g_fSqueezed * Norm(surface));
   const double approach = ApproachSpeed(ball.m_vVel, surface, n);
   const double e = ball.m_fElasticity * static_cast<double>(entry.m_pShape->GetElasticity());
   const double speed = Norm(ball.m_vVel) + Norm(surface);
@@ -285,6 +286,10 @@ void CContinuous::EndMotion(CMoving& ball) {
   m_stdPathVertices.push_back(
       {ball.m_nBall, ToFloat(ball.m_vPos), static_cast<float>(ball.m_fTime / m_fStep)});
   ++ball.m_nImpacts;
+  if (ball.m_bIsNearBall && ball.m_nImpacts >= g_nSqueezed) {
+    const double most = m_fFastest + Norm(m_vGravity) * m_fStep, speed = Norm(ball.m_vVel);
+    if (speed > most) ball.m_vVel *= most / speed;
+  }
   // Where shapes turn, they could get past a ball that is halted.
   const bool isCrowded = ball.m_bIsInPile && ball.m_nImpacts == g_nCrowded && !m_pShapes->HasKinematic();
   if (isCrowded || ball.m_nImpacts == g_nMaxImpacts) Halt(ball);

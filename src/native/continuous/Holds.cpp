@@ -33,7 +33,7 @@ Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound
     for (std::size_t j = 0; j < i; ++j) {
       const Vector2d& m = holds[j].m_vNorm;
       const double det = Cross(n, m);
-      if (std::abs(det) < g_fParallel) continue;
+      if (std::abs(det) < (holds[i].m_bIsBall || holds[j].m_bIsBall ? g_fSteep : g_fParallel)) continue;
       const double b = bound(holds[i]), c = bound(holds[j]);
       offer(Vector2d(b * m.y() - c * n.y(), c * n.x() - b * m.x()) / det);
     }

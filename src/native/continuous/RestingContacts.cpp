@@ -241,6 +241,15 @@ void CRestingContacts::Iterate(CPile pile) {
   for (int round = 0; most > g_fShock * accurate && round < g_nShockRounds; ++round)
     for (const CRow& row : pile)
       stop(row);
+  // Between what comes upon it and what gives no way a ball would leave at the speed of that over the sine of
+  // the angle between them, which is small for an instant only.
+  double limit = std::sqrt(fastest);
+  for (const CRow& row : pile)
+    limit = std::max(limit, g_fSqueezed * std::abs(row.m_fSurface));
+  limit += m_fSlow;
+  for (const CRow& row : pile)
+    for (const std::uint32_t i : {row.m_nBall, row.m_nOther})
+      if (const double speed = Norm(m_stdVels[i]); speed > limit) m_stdVels[i] *= limit / speed;
   for (int round = 0; round < g_nWedgeRounds; ++round)
     for (const CRow& row : pile)
       if (row.m_fOtherInverse == 0.0) stop(row);
@@ -261,6 +270,7 @@ void CRestingContacts::Solve(std::vector<CMoving>& balls) {
     row.m_fInverse = 1.0 / balls[c.m_nBall].m_fMass;
     row.m_fOtherInverse = c.m_bIsBall ? 1.0 / balls[c.m_nOther].m_fMass : 0.0;
     row.m_fShare = 1.0 / (row.m_fInverse + row.m_fOtherInverse);
+    row.m_fSurface = c.m_fSpeed;
     row.m_fLeast = c.m_fSpeed - 0.5 * c.m_fBend * dt - std::max(0.0, c.m_fGap) / dt;
     const CKnown* const pKnown = Find(m_stdKnown, c);
     row.m_fImpulse = pKnown != nullptr ? pKnown->m_fImpulse : 0.0;

@@ -79,6 +79,7 @@ private:
     Vector2d m_vNorm;
     double m_fInverse, m_fOtherInverse; // masses
     double m_fShare;                    // 1 / (their sum)
+    double m_fSurface;                  // velocity of the shape along the normal
     double m_fLeast; // that the difference of velocities along the normal may be at the end
     double m_fImpulse;
     double m_fBefore = 0.0; // the impulse before this round

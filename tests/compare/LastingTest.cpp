@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Contact that lasts: figures of scenes in which what has to come out is known.
+#include "metrics/Lasting.h"
+#include "MadeScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace Shapes::Compare::Tests {
+namespace {
+
+constexpr double g_fDt = 1.0 / 60.0;
+
+CScene MakeLasting(float lasting) {
+  CScene scene = MakeScene(4, 1);
+  scene.m_fLasting = lasting;
+  return scene;
+}
+
+CLasting Measure(const CScene& scene, std::size_t engine, int trials = 1) {
+  return MeasureLasting(scene, {GetEngines()[engine]}, 1, trials).at(0);
+}
+
+TEST(LastingTest, WhatIsNotAskedForIsNotMeasured) {
+  CScene scene = MakeLasting(0);
+  AddBall(scene, {{0, 0}, 0.1f});
+  const CLasting lasting = Measure(scene, g_nContinuous);
+  EXPECT_EQ(lasting.m_nBalls, 0u);
+  EXPECT_FALSE(lasting.m_fOverlap || lasting.m_fSpeed || lasting.m_fEnergyGained || lasting.m_fRestTime ||
+               lasting.m_fFlow);
+}
+
+TEST(LastingTest, BallsOutsideOfTheBoundsAtTheEndAreLostAndAreLookedAtNoMore) {
+  CScene scene = MakeLasting(1);
+  AddBall(scene, {{0, 0}, 0.1f, {1, 0}});
+  AddBall(scene, {{0, 1}, 0.1f, {4.25f, 0}});
+  const CLasting lasting = Measure(scene, g_nContinuous, 3);
+  EXPECT_EQ(lasting.m_nBalls, 6u);
+  EXPECT_EQ(lasting.m_nLost, 3u);
+  EXPECT_EQ(lasting.m_fSpeed, 4.25); // it is lost in the last tenth only
+  scene.m_fLasting = 2;
+  EXPECT_EQ(Measure(scene, g_nContinuous).m_fSpeed, 1.0);
+}
+
+// The end of a segment is open for the approximate mode: a ball stays in it.
+TEST(LastingTest, OverlapsAreInRadiiOfTheSmallerBall) {
+  CScene scene = MakeLasting(1);
+  AddShape(scene, CLineSegDesc({-1, 0}, {0, 0}));
+  AddBall(scene, {{0.03f, 0}, 0.1f});
+  EXPECT_NEAR(Measure(scene, g_nNative).m_fOverlap.value(), 0.7, 1e-6);
+  EXPECT_LT(Measure(scene, g_nContinuous).m_fOverlap.value(), 1e-5); // the control
+  scene.m_stdBalls[0].m_cDesc.m_vPos = {1, 0};
+  EXPECT_EQ(Measure(scene, g_nNative).m_fOverlap.value(), 0.0);
+
+  AddBall(scene, {{1.25f, 0}, 0.2f});
+  std::vector<CEngine> engines = GetEngines();
+  engines[g_nNative].m_cEffects.m_cForbidden = CEffects::All();
+  EXPECT_NEAR(MeasureLasting(scene, {engines[g_nNative]}, 1, 1)[0].m_fOverlap.value(), 0.5, 1e-6);
+}
+
+// A drop from h lands at t = sqrt(2 h / g), and each bounce takes 2 e^k t, until it is slower than the limit.
+TEST(LastingTest, ADropIsAtRestAfterItsLastFastLanding) {
+  CScene scene = MakeLasting(6);
+  scene.m_cWorld.m_vGravity = {0, -10};
+  AddShape(scene, CLineSegDesc({-3, 0}, {3, 0}, 0.5f));
+  AddBall(scene, {{0, 1.1f}, 0.1f});
+  const double slow = g_fAtRest * 10.0 * g_fDt;
+  double time = std::sqrt(0.2), v = 10.0 * time;
+  while (0.5 * v > slow)
+    v *= 0.5, time += 2.0 * v / 10.0;
+  const CLasting lasting = Measure(scene, g_nContinuous);
+  EXPECT_NEAR(lasting.m_fRestTime.value(), time, g_fDt);
+  EXPECT_LT(lasting.m_fSpeed.value(), 1e-6);
+  EXPECT_LT(lasting.m_fEnergyGained.value(), 1e-6);
+  scene.m_fLasting = 1; // the controls: it has not had the time, or does not come to rest
+  EXPECT_FALSE(Measure(scene, g_nContinuous).m_fRestTime);
+  scene.m_fLasting = 6;
+  std::get<CLineSegDesc>(scene.m_stdShapes[0].m_cDesc).m_fElasticity = 1.0f;
+  EXPECT_FALSE(Measure(scene, g_nContinuous).m_fRestTime);
+}
+
+TEST(LastingTest, EnergyFromNothingIsOnlyToldWhereNothingDoesWork) {
+  CScene scene = MakeLasting(2);
+  AddShape(scene, CLineSegDesc({-3, 0}, {3, 0}));
+  AddBall(scene, {{0, 1}, 0.1f});
+  EXPECT_FALSE(Measure(scene, g_nContinuous).m_fEnergyGained); // no gravity, no heights
+  scene.m_cWorld.m_vGravity = {0, -10};
+  EXPECT_TRUE(Measure(scene, g_nContinuous).m_fEnergyGained);
+  std::get<CLineSegDesc>(scene.m_stdShapes[0].m_cDesc).m_fElasticity = 1.5f;
+  EXPECT_FALSE(Measure(scene, g_nContinuous).m_fEnergyGained);
+  // A ball that is set back gains what its weight does on the way: .05 of 4 units above the lowest place.
+  CScene deep = MakeLasting(1);
+  deep.m_cWorld.m_vGravity = {0, -10};
+  AddShape(deep, CLineSegDesc({-3, 0}, {3, 0}, 0.0f));
+  AddBall(deep, {{0, 0.05f}, 0.1f});
+  EXPECT_NEAR(Measure(deep, g_nNative).m_fEnergyGained.value(), 0.05 / 4.05, 1e-3);
+}
+
+TEST(LastingTest, FlowIsBallsPerSecondUntilTheLastOne) {
+  CScene scene = MakeLasting(4);
+  CLineSegDesc gate({-3, 0}, {3, 0});
+  gate.m_bIsSensor = true;
+  AddShape(scene, gate);
+  for (const float height : {1.1f, 2.1f, 3.1f})
+    AddBall(scene, {{height - 2, height}, 0.1f, {0, -1}});
+  EXPECT_NEAR(Measure(scene, g_nContinuous).m_fFlow.value(), 1.0, 2.0 * g_fDt);
+  scene.m_fLasting = 0.5f;
+  EXPECT_EQ(Measure(scene, g_nContinuous).m_fFlow.value(), 0.0);
+  scene.m_stdShapes.clear();
+  EXPECT_FALSE(Measure(scene, g_nContinuous).m_fFlow);
+}
+
+// Pushed by a wall, a jammed row of balls has to give way upward; no ball is shot out or lost. The worst of
+// Box2D in these trials is faster than eight.
+TEST(LastingTest, ThePaddleAndTheGatesLoseNoBallAndThrowNone) {
+  for (const char* name : {"paddle", "closing_gates"}) {
+    const CLasting lasting = Measure(LoadBundled(name), g_nContinuous, 2);
+    EXPECT_EQ(lasting.m_nLost, 0u) << name;
+    EXPECT_LT(lasting.m_fSpeed.value(), 10.0) << name;
+  }
+}
+
+} // namespace
+} // namespace Shapes::Compare::Tests
