@@ -176,17 +176,17 @@ TEST_F(CommandTest, CtrlCReportsWhatIsFinished) {
   bool typed = false;
   const CResult result =
       CallOnTerminal("run --contacts 300 --out " + m_cFolder.string(), [&](const std::string& output) {
-        const bool now = !typed && output.find("2/15 ") != std::string::npos;
+        const bool now = !typed && output.find("2/23 ") != std::string::npos;
         typed |= now;
         return now ? "\x03" : "";
       });
   EXPECT_EQ(result.m_nExit, 130) << result.m_sOutput;
   EXPECT_NE(result.m_sOutput.find("Interrupted: only the"), std::string::npos) << result.m_sOutput;
-  EXPECT_NE(result.m_sOutput.find("1/15 ball_on_ball  impacts 0%"), std::string::npos) << result.m_sOutput;
+  EXPECT_NE(result.m_sOutput.find("1/23 ball_on_ball  impacts 0%"), std::string::npos) << result.m_sOutput;
   const auto json = nlohmann::json::parse(Read("run.json"));
   EXPECT_EQ(json.at("interrupted"), true);
   EXPECT_GE(json.at("scenes").size(), 1u);
-  EXPECT_LT(json.at("scenes").size(), 15u);
+  EXPECT_LT(json.at("scenes").size(), 23u);
   EXPECT_TRUE(fs::exists(m_cFolder / "report.html") && fs::exists(m_cFolder / "contacts.csv"));
 }
 
@@ -227,7 +227,7 @@ TEST_F(CommandTest, EverySceneFitsOnOneScreen) {
 TEST_F(CommandTest, ScenesAreShownAsTheyAreFinished) {
   std::string early;
   CallOnTerminal("run --contacts 300 --out " + m_cFolder.string(), [&](const std::string& output) {
-    const bool now = early.empty() && output.find("2/15 ") != std::string::npos;
+    const bool now = early.empty() && output.find("2/23 ") != std::string::npos;
     if (now) early = output;
     return now ? "\x03" : "";
   });
@@ -253,13 +253,13 @@ TEST_F(CommandTest, ALongRunSaysBeforeHowLongItTakes) {
   bool typed = false;
   const CResult result =
       CallOnTerminal("run --full --out " + m_cFolder.string(), [&](const std::string& output) {
-        const bool now = !typed && output.find("1/15 ") != std::string::npos;
+        const bool now = !typed && output.find("1/23 ") != std::string::npos;
         typed |= now;
         return now ? "\x03" : "";
       });
-  const std::size_t told = result.m_sOutput.find("this takes about 7 minutes");
+  const std::size_t told = result.m_sOutput.find("this takes about 10 minutes");
   ASSERT_NE(told, std::string::npos) << result.m_sOutput;
-  EXPECT_LT(told, result.m_sOutput.find("1/15 "));
+  EXPECT_LT(told, result.m_sOutput.find("1/23 "));
   EXPECT_EQ(Call("run --scenes bowl --contacts 20 --out " + m_cFolder.string()).m_sOutput.find("minutes"),
             std::string::npos); // the control
 }

@@ -121,7 +121,7 @@ TEST(SceneSchemaTest, BundledScenesFitTheSchema) {
   std::vector<json> docs;
   for (const auto& entry : std::filesystem::directory_iterator(SHAPES_SCENES_DIR))
     docs.push_back(Tests::ReadJsonSource("compare/scenes/" + entry.path().filename().string()));
-  EXPECT_GE(docs.size(), 15u);
+  EXPECT_GE(docs.size(), 23u);
   for (const std::string& fault : Tests::FindSchemaFaults(Schema(), docs))
     EXPECT_EQ(fault, "");
 }
