@@ -90,6 +90,8 @@ std::string RunProgram(const std::vector<std::string>& words, const std::filesys
   }
 }
 
+void StartProgram(const std::vector<std::string>& words) { Start(words, "/dev/null"); }
+
 CTemporaryFolder::CTemporaryFolder() {
   std::string name = (std::filesystem::temp_directory_path() / "shapes-compare-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Another program, run to its end.
+// Other programs.
 #pragma once
 
 #include <filesystem>
@@ -19,6 +19,10 @@ std::optional<std::filesystem::path> FindProgram(const std::string& name);
 /// @throws std::runtime_error if it cannot be started
 std::string RunProgram(const std::vector<std::string>& words, const std::filesystem::path& errors,
                        const std::function<void()>& check);
+
+/// Starts a program that may outlive this one; nothing is read or printed.
+/// @throws std::runtime_error if it cannot be started
+void StartProgram(const std::vector<std::string>& words);
 
 /// A folder that is there as long as this is.
 class CTemporaryFolder {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // shapes-compare: runs the same scenes on every engine against an exact reference.
+#include "Child.h"
 #include "FailAbove.h"
 #include "FirstImpact.h"
 #include "Interrupt.h"
@@ -42,8 +43,9 @@ struct COptions {
   std::filesystem::path m_cFolder = FindScenes();
   std::filesystem::path m_cOut = "build/report";
   std::uint64_t m_nSeed = 1;
-  std::size_t m_nContacts = 0; // as many as the sizes say
-  bool m_bFull = false, m_bVerbose = false;
+  std::size_t m_nContacts = 0;  // as many as the sizes say
+  std::filesystem::path m_cSvg; // empty for none
+  bool m_bFull = false, m_bVerbose = false, m_bBrowse = false;
   bool m_bListEngines = false, m_bListFigures = false; // of `list`
   std::size_t m_nSteps = 0;                            // of `step-cost`
   std::vector<std::string> m_stdWorlds;                // the same
@@ -70,6 +72,16 @@ void AnnounceDuration(const COptions& options, std::size_t scenes) {
              CountText(sizes.m_nContacts), scenes, std::ceil(minutes));
 }
 
+// Opens a page as the desktop does; false where there is no program for it.
+bool Browse(const std::filesystem::path& page) {
+  for (const char* pName : {"xdg-open", "open"})
+    if (const auto program = FindProgram(pName)) {
+      StartProgram({program->string(), std::filesystem::absolute(page).string()});
+      return true;
+    }
+  return false;
+}
+
 int Run(const std::vector<CScene>& scenes, const COptions& options, const std::string& command) {
   const std::vector<CEngine> engines = SelectEngines(GetEngines(), options.m_stdEngines);
   std::vector<CLimit> limits;
@@ -92,8 +104,8 @@ int Run(const std::vector<CScene>& scenes, const COptions& options, const std::s
   CatchInterrupt();
   CProgress progress(scenes.size(), isatty(STDERR_FILENO) != 0);
   CRunReport report = RunScenes(scenes, engines, options.GetSizes(), options.m_nSeed, progress,
-                                &CheckInterrupt, [](const CSceneReport& scene) {
-                                  fmt::print("{}", MakeSceneLine(scene));
+                                &CheckInterrupt, [&](const CSceneReport& scene) {
+                                  fmt::print("{}", MakeSceneLine(heading, scene));
                                   std::fflush(stdout);
                                 });
   report.m_sCommand = command;
@@ -104,8 +116,13 @@ int Run(const std::vector<CScene>& scenes, const COptions& options, const std::s
   fmt::print("{}\n", MakeSummary(report));
   if (options.m_bVerbose) fmt::print("{}\n", MakeTable(report));
   WriteReport(report, options.m_cOut);
-  fmt::print("All figures: {}/report.html (open it in a browser), run.json, contacts.csv{}\n",
-             options.m_cOut.string(), options.m_bVerbose ? "" : "; --verbose prints them");
+  if (!options.m_cSvg.empty()) WriteChart(report, options.m_cSvg);
+  const std::filesystem::path page = options.m_cOut / "report.html";
+  fmt::print("Report: {}{}\n", page.string(),
+             options.m_bVerbose ? "" : " (--browse opens it, --verbose prints it)");
+  if (options.m_bBrowse && !Browse(page))
+    fmt::print(stderr, "shapes-compare: neither xdg-open nor open was found: open {} yourself\n",
+               page.string());
 
   const std::vector<std::string> above = FindAbove(report, limits);
   std::fflush(stdout);
@@ -115,15 +132,25 @@ int Run(const std::vector<CScene>& scenes, const COptions& options, const std::s
   return above.empty() ? 0 : g_nAbove;
 }
 
+std::vector<std::string> GetEngineNames() {
+  std::vector<std::string> names;
+  for (const CEngineRow& row : GetEngineRows())
+    names.push_back(row.m_sName);
+  return names;
+}
+
 void AddRunOptions(CLI::App& app, COptions& options) {
   app.add_option("--engines", options.m_stdEngines,
-                 "Only these engines, separated by commas: native, native-continuous, box2d, box2d-tuned "
-                 "(default: all)")
+                 fmt::format("Only these engines, separated by commas: {} (default: all)",
+                             fmt::join(GetEngineNames(), ", ")))
       ->delimiter(',')
       ->type_name("NAME,...");
   app.add_option("--out", options.m_cOut, "Folder for report.html, run.json and contacts.csv")
       ->type_name("FOLDER")
       ->capture_default_str();
+  app.add_option("--svg", options.m_cSvg, "Also write the chart of all scenes into FILE, as SVG")
+      ->type_name("FILE");
+  app.add_flag("--browse", options.m_bBrowse, "Open the report in the default browser");
   app.add_option("--seed", options.m_nSeed, "Seed of the random trials")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber)
@@ -154,8 +181,8 @@ void ListScenes(const std::filesystem::path& folder) {
 }
 
 void ListEngines() {
-  for (const CEngine& engine : GetEngines())
-    fmt::print("{}\n", engine.m_sName);
+  for (const CEngineRow& row : GetEngineRows())
+    fmt::print("{:<19} {}\n", row.m_sName, row.m_sMeaning);
 }
 
 void ListFigures() {

@@ -58,6 +58,21 @@ CMedian MedianWithInterval(std::vector<double> values) {
   return {NearestRank(values, 0.5), {values[low], values[n - 1 - low]}};
 }
 
+CQuantile QuantileWithInterval(std::vector<double> values, double q) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const double n = static_cast<double>(values.size()), half = 1.959964 * std::sqrt(n * q * (1.0 - q));
+  const auto at = [&](double rank) { return values[static_cast<std::size_t>(std::clamp(rank, 1.0, n)) - 1]; };
+  return {NearestRank(values, q), {at(std::floor(n * q - half)), at(std::ceil(n * q + half) + 1.0)}};
+}
+
+double GeometricMean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double x : values)
+    sum += std::log(x);
+  return std::exp(sum / static_cast<double>(values.size()));
+}
+
 bool CanBeToldApart(std::size_t a, std::size_t b) {
   const double both = static_cast<double>(a) + static_cast<double>(b);
   const double apart = std::abs(static_cast<double>(a) - static_cast<double>(b));

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 namespace Shapes::Compare {
+
+/// Radians.
+inline constexpr double g_fDegree = std::numbers::pi / 180.0;
 
 /// Median, 95th percentile and maximum of a sample: no mean, because errors have long tails.
 struct CSummary {
@@ -30,6 +34,17 @@ struct CInterval {
 /// Inference, the Law of Succession, and Statistical Inference, JASA 22, 1927); [0, 1] without trials. With
 /// no hits its upper end is about z^2 / trials.
 CInterval Wilson(std::size_t hits, std::size_t trials, double z = 1.959964);
+
+/// A quantile of a sample with the interval between order statistics that holds the true one with 95% (normal
+/// approximation of the binomial); the quantile by nearest rank. All 0 for an empty sample.
+struct CQuantile {
+  double m_fValue = 0.0;
+  CInterval m_cInterval{0.0, 0.0};
+};
+CQuantile QuantileWithInterval(std::vector<double> values, double q);
+
+/// Of values above 0.
+double GeometricMean(const std::vector<double>& values);
 
 /// Whether two counts of losses at the same impacts differ by more than chance: of two engines that are asked
 /// at the same impacts what counts are those that only one of them lost (Q. McNemar, Psychometrika 12, 1947,

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace Shapes::Compare {
 namespace {
@@ -43,8 +42,6 @@ private:
   CTotals m_cTotals;
   std::vector<std::vector<double>> m_stdValues = std::vector<std::vector<double>>(GetImpactFigures().size());
 };
-
-constexpr double g_fDegree = std::numbers::pi / 180.0;
 
 // A way to sort contacts: bin i has the values from edge i - 1 up to edge i.
 struct CSorting {

@@ -13,10 +13,10 @@ namespace Shapes::Compare {
 
 std::vector<CEngine> GetParameterSweep() {
   const std::vector<CEngine> engines = GetEngines();
-  const auto settings = [&](std::size_t e) {
-    return [engine = engines.at(e)](unsigned substeps, unsigned velocityIterations = 8,
-                                    unsigned positionIterations = 3, float scale = 1.0f,
-                                    float sagittaFactor = 1.0f) mutable {
+  const auto settings = [&](const char* pName) {
+    return [engine = engines.at(FindEngine(engines, pName).value())](
+               unsigned substeps, unsigned velocityIterations = 8, unsigned positionIterations = 3,
+               float scale = 1.0f, float sagittaFactor = 1.0f) mutable {
       engine.m_nSubsteps = substeps;
       engine.m_nVelocityIterations = velocityIterations;
       engine.m_nPositionIterations = positionIterations;
@@ -25,7 +25,9 @@ std::vector<CEngine> GetParameterSweep() {
       return engine;
     };
   };
-  auto native = settings(0), continuous = settings(1), box2d = settings(2), tuned = settings(3);
+  auto native = settings(g_sNative), approximate = settings(g_sNativeApproximate),
+       continuous = settings(g_sNativeContinuous), box2d = settings(g_sBox2D),
+       tuned = settings("box2d-tuned");
   // A substep of Box2D is a whole step of it at a higher rate. Iterations matter where contacts act on each
   // other; the scale shrinks its skin and slop, the sagitta the error of arcs.
   return {
@@ -33,13 +35,14 @@ std::vector<CEngine> GetParameterSweep() {
       native(2),
       native(4),
       native(8),
-      native(16),
-      native(32),
-      native(64),
+      approximate(1),
+      approximate(2),
+      approximate(4),
+      approximate(8),
+      approximate(16),
+      approximate(32),
+      approximate(64),
       continuous(1),
-      continuous(2),
-      continuous(4),
-      continuous(8),
       box2d(1),
       box2d(1, 1, 1),
       box2d(1, 30, 10),

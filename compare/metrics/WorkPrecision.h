@@ -39,11 +39,17 @@ struct CSetting {
   std::size_t GetAllContacts() const { return m_nContacts + m_nConfirmationContacts; }
 };
 
+/// What a user may demand, and the cheapest settings that meet it, by their numbers.
+struct CRecommendation {
+  std::string m_sDemand;
+  std::vector<std::size_t> m_stdChoices; ///< one of each engine, the cheapest of all first
+  std::vector<std::string> m_stdWithout; ///< engines of which no setting that was tried meets it
+  std::optional<std::size_t> m_nClosest; ///< where there is no choice: what comes closest
+};
+
 struct CWorkPrecision {
   std::vector<CSetting> m_stdSettings; ///< the sweep in its order, then the reference
-  /// What a user wants to know, a sentence each: the cheapest setting below 1%, below .1%, and without a
-  /// miss.
-  std::vector<std::string> m_stdRecommendations;
+  std::vector<CRecommendation> m_stdRecommendations;
 };
 
 struct CParameterSweepOptions {
@@ -65,7 +71,7 @@ CWorkPrecision MeasureWorkPrecision(const CScene& scene, const std::vector<CEngi
 /// Marks the settings on the Pareto fronts.
 void MarkFronts(std::vector<CSetting>& settings);
 
-/// The sentences about settings that are measured and marked.
-std::vector<std::string> MakeRecommendations(const std::vector<CSetting>& settings, std::size_t proof);
+/// Three of settings that are measured: an error below .01 rad, below .001 rad, and none lost in `proof`.
+std::vector<CRecommendation> MakeRecommendations(const std::vector<CSetting>& settings, std::size_t proof);
 
 } // namespace Shapes::Compare

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The page: report.html with its parts and the two documents put where it names them as {{name}}.
+// The page: report.html with its parts and the documents put where it names them as {{name}}, and
+// the colours of the engines from their table.
 #include "Report.h"
 
 #include "PageTexts.h"
+
+#include <fmt/format.h>
 
 #include <stdexcept>
 #include <string_view>
@@ -28,7 +31,7 @@ void AppendData(std::string& page, std::string_view json) {
 
 } // namespace
 
-std::string MakeHtml(const std::string& run, const std::string& replay) {
+std::string MakeHtml(const std::string& run, const std::string& replay, const std::string& charts) {
   std::string page;
   std::string_view rest = GetText("report.html");
   for (;;) {
@@ -44,6 +47,11 @@ std::string MakeHtml(const std::string& run, const std::string& replay) {
       AppendData(page, run);
     else if (name == "replay")
       AppendData(page, replay);
+    else if (name == "charts")
+      AppendData(page, charts);
+    else if (name == "light" || name == "dark")
+      for (const CEngineRow& row : GetEngineRows())
+        page += fmt::format("--{}: {}; ", row.m_sName, name == "light" ? row.m_sColour : row.m_sDark);
     else
       page += GetText(name);
   }

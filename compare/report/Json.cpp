@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Machine.h"
 #include "Report.h"
+#include "metrics/Overall.h"
 
 #include <nlohmann/json.hpp>
 
@@ -116,13 +117,22 @@ ordered_json FigureToJson(const CFigure& figure, const CSceneReport& scene, cons
   return isCount ? ordered_json(static_cast<std::size_t>(*value)) : Number(value);
 }
 
-ordered_json EngineToJson(const CEngine& engine, const CSceneReport& scene, const CEngineReport& report) {
+// The name of an engine, or null.
+ordered_json Name(const CRunReport& report, std::optional<std::size_t> e) {
+  return e ? ordered_json(report.m_stdEngines[*e].m_sName) : ordered_json(nullptr);
+}
+
+ordered_json EngineToJson(const CRunReport& run, const CSceneReport& scene, std::size_t e) {
+  const CEngine& engine = run.m_stdEngines[e];
+  const CEngineReport& report = scene.m_stdEngines[e];
   const CTotals& t = report.m_cTotals;
   const CCost& cost = report.m_cCost;
   const std::size_t n = t.m_nContacts;
   ordered_json json{{"name", engine.m_sName},
                     {"settings", Settings(engine, scene.m_cScene)},
                     {"features", Features(engine, scene.m_cScene)},
+                    {"grade", GetName(GradeOf(t))},
+                    {"same_run", Name(run, FindSameRun(run, scene, e))},
                     {"contacts", n},
                     {"correct", n - t.GetTunneled() - t.m_nLate}};
   for (const CFigure& figure : GetFigures())
@@ -172,6 +182,28 @@ ordered_json ToJson(const CHeatMap& map) {
   return json;
 }
 
+ordered_json ToJson(const CRecommendation& recommendation, const std::vector<CSetting>& settings) {
+  ordered_json choices = ordered_json::array();
+  const auto cost = [&](std::size_t i) { return settings[i].m_cNsPerBallSecond.m_fMedian; };
+  for (const std::size_t i : recommendation.m_stdChoices)
+    choices.push_back({{"engine", settings[i].m_cEngine.m_sName},
+                       {"label", settings[i].m_cEngine.GetLabel()},
+                       {"ns_per_ball_second", Number(cost(i))},
+                       {"ns_ratio", Number(cost(i) / cost(recommendation.m_stdChoices.front()))}});
+  ordered_json closest;
+  if (recommendation.m_nClosest) {
+    const CSetting& setting = settings[*recommendation.m_nClosest];
+    closest = {{"engine", setting.m_cEngine.m_sName},
+               {"label", setting.m_cEngine.GetLabel()},
+               {"direction_error_p95", Number(setting.m_fDirectionErrorP95)},
+               {"tunneled", Rate(setting.GetAllTunneled(), setting.GetAllContacts())}};
+  }
+  return {{"demand", recommendation.m_sDemand},
+          {"choices", std::move(choices)},
+          {"without", recommendation.m_stdWithout},
+          {"closest", std::move(closest)}};
+}
+
 ordered_json SceneToJson(const CRunReport& report, const CSceneReport& scene) {
   const CScene& s = scene.m_cScene;
   const Vector2& g = s.m_cWorld.m_vGravity;
@@ -189,15 +221,19 @@ ordered_json SceneToJson(const CRunReport& report, const CSceneReport& scene) {
       {"quiet_steps", scene.m_cImpactTrials.m_nQuietSteps},
       {"set_aside", ToJson(scene.m_cImpactTrials.m_cExcluded)},
       {"apart", FindOther(report.m_stdEngines) ? ToJson(scene.m_cDifference) : ordered_json(nullptr)},
+      {"take", Name(report, FindTake(report, scene))},
       {"verdict", MakeVerdict(report, scene)},
-      {"answers", scene.m_cWork.m_stdRecommendations},
+      {"remarks", MakeRemarks(report, scene)},
+      {"answers", ordered_json::array()},
       {"engines", ordered_json::array()},
       {"heat_map", ToJson(scene.m_cHeatMap)},
       {"sensor_touches", scene.m_cEffects.m_nTouches},
       {"not_counted", scene.m_cEffects.m_sNotCounted.empty() ? ordered_json(nullptr)
                                                              : ordered_json(scene.m_cEffects.m_sNotCounted)}};
+  for (const CRecommendation& recommendation : scene.m_cWork.m_stdRecommendations)
+    json["answers"].push_back(ToJson(recommendation, scene.m_cWork.m_stdSettings));
   for (std::size_t e = 0; e < scene.m_stdEngines.size(); ++e)
-    json["engines"].push_back(EngineToJson(report.m_stdEngines[e], scene, scene.m_stdEngines[e]));
+    json["engines"].push_back(EngineToJson(report, scene, e));
   return json;
 }
 
@@ -247,6 +283,48 @@ ordered_json ToJson(const CEffectCost& cost, const CSceneReport& scene) {
           {"without", ToJson(cost.m_cWithout, touches)}};
 }
 
+// The table of engines, as far as they ran.
+ordered_json EnginesToJson(const CRunReport& report) {
+  ordered_json json = ordered_json::array();
+  for (const CEngine& engine : report.m_stdEngines) {
+    const CEngineRow& row = GetEngineRow(engine.m_sName);
+    json.push_back(
+        {{"name", row.m_sName}, {"short", row.m_sShort}, {"meaning", row.m_sMeaning}, {"mark", row.m_sMark}});
+  }
+  return json;
+}
+
+ordered_json OverallToJson(const CRunReport& report) {
+  const COverall overall = MakeOverall(report);
+  ordered_json json{{"impacts", overall.m_nImpacts},
+                    {"scenes", overall.m_nScenes},
+                    {"take", Name(report, overall.m_nTake)},
+                    {"result", MakeResult(report, overall)},
+                    {"engines", ordered_json::array()}};
+  for (std::size_t e = 0; e < overall.m_stdEngines.size(); ++e) {
+    const CEngineOverall& engine = overall.m_stdEngines[e];
+    const bool isCompared = engine.m_nCompared > 0;
+    const auto angle = [&](const CInterval& i) { return isCompared ? ToJson(i) : ordered_json(nullptr); };
+    json["engines"].push_back(
+        {{"name", report.m_stdEngines[e].m_sName},
+         {"grade", GetName(overall.GetGrade(e))},
+         {"tunneled", Rate(engine.m_nLost, overall.m_nImpacts)},
+         {"compared", engine.m_nCompared},
+         {"direction_error_p95", isCompared ? Number(engine.m_cDirection.m_fValue) : ordered_json(nullptr)},
+         {"direction_error_p95_interval", angle(engine.m_cDirection.m_cInterval)},
+         {"direction_error_p95_scenes", angle(engine.m_cDirectionScenes)},
+         {"ns_per_ball_step", Number(engine.m_cNs.m_fMedian)},
+         {"ns_per_ball_step_interval", ToJson(engine.m_cNs.m_cInterval)},
+         {"ns_per_ball_step_scenes", ToJson(engine.m_cNsScenes)},
+         {"ns_box2d_ratio", engine.m_cTimes ? Number(engine.m_cTimes->m_fMedian) : ordered_json(nullptr)},
+         {"ns_box2d_ratio_interval",
+          engine.m_cTimes ? ToJson(engine.m_cTimes->m_cInterval) : ordered_json(nullptr)},
+         {"ns_box2d_ratio_scenes", engine.m_cTimes ? ToJson(engine.m_cTimesScenes) : ordered_json(nullptr)},
+         {"front", engine.m_bFront}});
+  }
+  return json;
+}
+
 ordered_json HistogramEdges() {
   ordered_json edges = ordered_json::array();
   for (std::size_t i = 0; i <= g_nHistogramBins; ++i)
@@ -256,9 +334,9 @@ ordered_json HistogramEdges() {
 
 } // namespace
 
-std::string MakeJson(const CRunReport& report) {
+std::string MakeJson(const CRunReport& report, int indent) {
   const CMachine machine = DescribeMachine();
-  ordered_json json{{"version", 3},
+  ordered_json json{{"version", g_nRunVersion},
                     {"command", report.m_sCommand},
                     {"seed", report.m_nSeed},
                     {"contacts_per_scene", report.m_nContacts},
@@ -269,6 +347,8 @@ std::string MakeJson(const CRunReport& report) {
                       {"compiler", machine.m_sCompiler},
                       {"cpu", machine.m_sCpu},
                       {"cores", machine.m_nCores}}},
+                    {"engines", EnginesToJson(report)},
+                    {"overall", OverallToJson(report)},
                     {"figures", FiguresToJson()},
                     {"histogram_edges", HistogramEdges()},
                     {"scenes", ordered_json::array()},
@@ -282,7 +362,7 @@ std::string MakeJson(const CRunReport& report) {
       json["effects"].push_back(ToJson(cost, scene));
   }
   // Bytes of a command line or a scene's name that are no UTF-8 are replaced, not refused at the very end.
-  return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 } // namespace Shapes::Compare

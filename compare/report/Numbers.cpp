@@ -12,6 +12,9 @@ namespace {
 // What a percentage shows at least.
 constexpr double g_fLeastPercent = 0.0001;
 
+// Degrees that are told at least: a ball has to fly 57 metres until it is a millimetre aside.
+constexpr double g_fLeastDegrees = 0.001;
+
 // Decimals with which a percentage shows two digits that matter; one from 1 on, four below 0.01.
 int Decimals(double x) {
   if (!(x > 0.0)) return 1;
@@ -79,6 +82,28 @@ std::string TwoDigits(double x) {
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
   return text;
+}
+
+std::string DegreesText(double radians) {
+  const double degrees = radians / g_fDegree;
+  if (degrees < g_fLeastDegrees) return fmt::format("{} degrees", g_fLeastDegrees);
+  return degrees < 9.95 ? TwoDigits(degrees) + " degrees" : fmt::format("{:.0f} degrees", degrees);
+}
+
+std::string LossText(std::size_t lost, std::size_t n) {
+  if (n == 0) return "-";
+  if (lost == 0) return "none of " + CountText(n);
+  if (4 * lost > n) return fmt::format("{:.0f}%", Percent(lost, n));
+  const double one = static_cast<double>(n) / static_cast<double>(lost);
+  if (one < 9.95) return "1 in " + TwoDigits(one);
+  const double digits = std::pow(10.0, std::max(0.0, std::floor(std::log10(one)) - 1.0));
+  return "1 in " + CountText(static_cast<std::size_t>(std::lround(std::round(one / digits) * digits)));
+}
+
+std::string FasterText(double ratio) {
+  if (std::abs(ratio - 1.0) < 0.05) return "as fast";
+  const double times = ratio < 1.0 ? 1.0 / ratio : ratio;
+  return fmt::format("{:.{}f} times {}", times, times < 9.95 ? 1 : 0, ratio < 1.0 ? "slower" : "faster");
 }
 
 bool Overlap(const CInterval& a, const CInterval& b) {

@@ -32,6 +32,16 @@ std::string TimeText(double ns);
 /// 12.3456 as "12", 0.123 as "0.12": two digits that matter, never an exponent from 1e-4 to 1e15.
 std::string TwoDigits(double x);
 
+/// An angle, given in radians, in degrees: "0.6 degrees", never below "0.001 degrees", because
+/// it stands after "within".
+std::string DegreesText(double radians);
+
+/// So many of so many, as people say it: "none of 2,000", "1 in 40", "45%" above a quarter.
+std::string LossText(std::size_t lost, std::size_t n);
+
+/// A time in times of this one: "11 times faster", "1.3 times slower", "as fast" within a twentieth.
+std::string FasterText(double ratio);
+
 bool Overlap(const CInterval& a, const CInterval& b);
 
 } // namespace Shapes::Compare

@@ -10,7 +10,7 @@ if(NOT SHAPES_CHART_JS)
 endif()
 
 set(page_files ${SHAPES_CHART_JS})
-foreach(part report.html report.css failure.js format.js data.js overview.js plotparts.js plots.js histograms.js
+foreach(part report.html report.css failure.js format.js data.js summary.js matrix.js plotparts.js plots.js histograms.js
              tables.js effects.js metrics.js camera.js drawing.js replay.js report.js)
   list(APPEND page_files ${CMAKE_CURRENT_SOURCE_DIR}/report/page/${part})
 endforeach()

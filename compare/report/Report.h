@@ -30,6 +30,8 @@ struct CEngineReport {
   CLasting m_cLasting;
 };
 
+struct COverall; // of metrics/Overall.h
+
 struct CSceneReport {
   CScene m_cScene;
   CImpactTrialResult m_cImpactTrials;
@@ -53,8 +55,9 @@ struct CRunReport {
 /// The first lines of a run on a terminal: the machine, and the heads of the columns of MakeSceneLine. All
 /// text for terminals is ASCII, at most 80 columns wide. @param report  its engines and seed are read
 std::string MakeHeading(const CRunReport& report);
-/// One line of a scene that is finished: what each engine lost, and its time.
-std::string MakeSceneLine(const CSceneReport& scene);
+/// One line of a scene that is finished: the engine to take, what it loses, its error and its time.
+/// @param report  its engines are read
+std::string MakeSceneLine(const CRunReport& report, const CSceneReport& scene);
 /// The result over all scenes, a line for each engine, after the last scene.
 std::string MakeSummary(const CRunReport& report);
 
@@ -69,11 +72,20 @@ std::string MakeEffectTable(const CRunReport& report);
 /// be told.
 std::vector<std::string> MakeEffectChanges(const CSceneReport& scene);
 
-/// What a reader wants to know of one scene first, a sentence each; losses of an engine as plainly as wins.
+/// What a reader wants to know of one scene first: which engine to take, and what it does; a sentence each,
+/// one alone where nothing was judged.
 std::vector<std::string> MakeVerdict(const CRunReport& report, const CSceneReport& scene);
+/// What else is wrong with an engine in a scene, a sentence each.
+std::vector<std::string> MakeRemarks(const CRunReport& report, const CSceneReport& scene);
+/// The same over all scenes in one sentence.
+std::string MakeResult(const CRunReport& report, const COverall& overall);
+
+/// Of run.json: it grows when a field changes its meaning or goes away.
+inline constexpr int g_nRunVersion = 4;
 
 /// run.json. docs/run_json.md describes it, compare/run.schema.json is its schema.
-std::string MakeJson(const CRunReport& report);
+/// @param indent  spaces by which a level is indented; -1 for all in one line
+std::string MakeJson(const CRunReport& report, int indent = 1);
 
 /// The shapes and trajectories of all scenes, for the replay in the report.
 std::string MakeReplayJson(const CRunReport& report);
@@ -81,12 +93,18 @@ std::string MakeReplayJson(const CRunReport& report);
 /// contacts.csv: a row for each impact.
 std::string MakeCsv(const CRunReport& report);
 
-/// report.html, which needs nothing but itself, from the two JSON texts.
-std::string MakeHtml(const std::string& run, const std::string& replay);
+/// The charts of the page: {"overall": [wide, narrow], "scenes": {NAME: SVG}}.
+std::string MakeChartsJson(const CRunReport& report);
+
+/// report.html, which needs nothing but itself, from the three JSON texts.
+std::string MakeHtml(const std::string& run, const std::string& replay, const std::string& charts);
 
 /// Writes report.html, run.json and contacts.csv into a folder, which is made if it is not there.
 /// @throws std::runtime_error naming the file that cannot be written
 void WriteReport(const CRunReport& report, const std::filesystem::path& folder);
+
+/// The chart over all scenes as SVG. @throws std::runtime_error naming the file that cannot be written
+void WriteChart(const CRunReport& report, const std::filesystem::path& file);
 
 /// Whether the folder can be written to, before any work is done; makes it.
 /// @throws std::runtime_error naming the folder and the reason

@@ -28,7 +28,7 @@ std::string Rows(const CRunReport& report, const CSceneReport& scene) {
     const CEngineReport& engine = scene.m_stdEngines[e];
     const CTotals& t = engine.m_cTotals;
     const std::size_t n = t.m_nContacts;
-    text += fmt::format(g_sColumns, " " + report.m_stdEngines[e].m_sName, RateText(t.m_nMissed, n),
+    text += fmt::format(g_sColumns, report.m_stdEngines[e].m_sName, RateText(t.m_nMissed, n),
                         RateTextWithError(t.GetTunneled(), n), RateText(t.m_nLate, n),
                         P95Text(t["setback_error"]), P95Text(t["direction_error"]),
                         RateText(engine.m_nGhosts, scene.m_cImpactTrials.m_nQuietSteps),
@@ -42,16 +42,15 @@ std::string Engines(const CRunReport& report) {
   std::string text = "Engines:";
   for (const CEngine& engine : report.m_stdEngines) {
     text += fmt::format("{} {}", &engine == &report.m_stdEngines.front() ? "" : ",", engine.m_sName);
-    if (engine.m_sName == g_sNativeContinuous) text += " (native, whose balls are swept)";
-    if (engine.m_pBackend == GetBackend(eBackend::Box2D))
-      text += fmt::format(" (Box2D, profile {})", GetName(engine.m_eProfile));
+    text += fmt::format(" ({})", GetEngineRow(engine.m_sName).m_sMeaning);
   }
   return text + ".";
 }
 
 std::string Verdict(const CRunReport& report, const CSceneReport& scene) {
   std::string text = Wrap(Ascii(scene.m_cScene.m_sName), 0, 2);
-  std::vector<std::string> sentences = MakeVerdict(report, scene);
+  std::vector<std::string> sentences = MakeVerdict(report, scene), remarks = MakeRemarks(report, scene);
+  sentences.insert(sentences.end(), remarks.begin(), remarks.end());
   const CExcluded& aside = scene.m_cImpactTrials.m_cExcluded;
   if (aside.m_nUndecided > 0 && !scene.m_cImpactTrials.m_stdContacts.empty())
     sentences.push_back(fmt::format("The exact reference gave up {} of {} trials, the first at {}.",
@@ -77,7 +76,7 @@ std::string MakeTable(const CRunReport& report) {
       Wrap("At each impact of an exact reference the engines take that one step anew, from the exact state. "
            "missed: no response. tunneled: missed, or pushed to the far side. late: turned back one or two "
            "steps later. setback: by how many ball radii CollisionDetected is off the exact place of the "
-           "impact; the same for both of native and both of Box2D. dir.: error of the direction after it, "
+           "impact; the same for all of native and both of Box2D. dir.: error of the direction after it, "
            "radians. ghosts: "
            "responses to what was not touched, of the steps in which a ball passes close by. ns: time for "
            "one step of one ball. p95: 95th percentile. +-: half the 95% interval; < 3/n where none was "

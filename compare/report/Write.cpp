@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "Chart.h"
 #include "Report.h"
 
 #include <array>
@@ -46,11 +47,15 @@ void RequireWritable(const std::filesystem::path& folder) {
   }
 }
 
+void WriteChart(const CRunReport& report, const std::filesystem::path& file) {
+  WriteFile(file, DrawChart(MakeOverallChart(report, MakeOverall(report)), g_cWideChart, true) + "\n");
+}
+
 void WriteReport(const CRunReport& report, const std::filesystem::path& folder) {
   RequireWritable(folder);
-  const std::string run = MakeJson(report);
-  WriteFile(folder / g_stdNames[0], MakeHtml(run, MakeReplayJson(report)));
-  WriteFile(folder / g_stdNames[1], run);
+  WriteFile(folder / g_stdNames[0],
+            MakeHtml(MakeJson(report, -1), MakeReplayJson(report), MakeChartsJson(report)));
+  WriteFile(folder / g_stdNames[1], MakeJson(report));
   WriteFile(folder / g_stdNames[2], MakeCsv(report));
 }
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <stdexcept>
 #include <variant>
 
 namespace Shapes::Compare {
@@ -29,55 +26,6 @@ private:
 };
 
 } // namespace
-
-CWorldDesc CEngine::MakeWorldDesc(const CScene& scene) const {
-  CWorldDesc desc = scene.m_cWorld;
-  desc.m_nSubsteps = m_nSubsteps;
-  desc.m_cEffects = m_cEffects;
-  desc.m_cBox2D.m_eProfile = m_eProfile;
-  desc.m_cBox2D.m_nVelocityIterations = m_nVelocityIterations;
-  desc.m_cBox2D.m_nPositionIterations = m_nPositionIterations;
-  desc.m_cBox2D.m_fLengthUnit /= m_fScale;
-  // The tolerance is in Box2D's metres: scaled too, so that the scale alone does not change the pieces.
-  desc.m_cBox2D.m_fSagittaTolerance *= m_fScale * m_fSagittaFactor;
-  return desc;
-}
-
-std::string CEngine::GetLabel() const {
-  const CEngine as{m_sName, m_pBackend};
-  std::string label;
-  const auto add = [&](const std::string& part) {
-    if (!label.empty()) label += ", ";
-    label += part;
-  };
-  if (m_nSubsteps != as.m_nSubsteps) add(fmt::format("{} substeps", m_nSubsteps));
-  if (m_fScale != as.m_fScale) add(fmt::format("{:g}x scale", m_fScale));
-  if (m_fSagittaFactor != as.m_fSagittaFactor) add(fmt::format("arcs {:g}x finer", 1.0f / m_fSagittaFactor));
-  if (m_nVelocityIterations != as.m_nVelocityIterations || m_nPositionIterations != as.m_nPositionIterations)
-    add(fmt::format("{}+{} iterations", m_nVelocityIterations, m_nPositionIterations));
-  return label.empty() ? "as it comes" : label;
-}
-
-const char* GetName(eProfile profile) { return profile == eProfile::Tuned ? "tuned" : "shipped"; }
-
-std::vector<CEngine> GetEngines() {
-  const CBackend* pBox2D = GetBackend(eBackend::Box2D);
-  if (pBox2D == nullptr)
-    throw std::runtime_error("this build has no Box2D engine: configure with -DSHAPES_WITH_BOX2D=ON");
-  const CBackend* pNative = GetBackend(eBackend::Native);
-  CEngine native{g_sNative, pNative}, continuous{g_sNativeContinuous, pNative}, box2d{g_sBox2D, pBox2D},
-      tuned{"box2d-tuned", pBox2D};
-  native.m_cEffects = g_cApproximate;
-  continuous.m_cEffects = box2d.m_cEffects = g_cContinuous;
-  tuned.m_eProfile = eProfile::Tuned;
-  return {native, continuous, box2d, tuned};
-}
-
-std::optional<std::size_t> FindOther(const std::vector<CEngine>& engines) {
-  for (std::size_t i = 1; i < engines.size(); ++i)
-    if (engines[i].m_pBackend != engines[0].m_pBackend) return i;
-  return std::nullopt;
-}
 
 CStart MakeStart(const CScene& scene, std::uint64_t seed, std::uint64_t trial) {
   CDice dice(seed, trial);

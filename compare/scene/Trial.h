@@ -2,55 +2,16 @@
 // A scene made ready to run: where its balls start in one of many random trials, and what a game does in it.
 #pragma once
 
-#include "Scene.h"
+#include "Engines.h"
 
 #include <cstdint>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace Shapes::Compare {
-
-/// An engine with the settings under which a scene is run.
-struct CEngine {
-  /// "native", "native-continuous", "box2d" or "box2d-tuned"; several settings of one engine share it.
-  std::string m_sName;
-  const CBackend* m_pBackend;
-  unsigned m_nSubsteps = 1;
-  CEffectChoice m_cEffects = g_cAutomatic;
-  // Read by Box2D only.
-  eProfile m_eProfile = eProfile::Shipped;
-  unsigned m_nVelocityIterations = 8;
-  unsigned m_nPositionIterations = 3;
-  float m_fSagittaFactor = 1.0f; ///< Times the scene's sagitta tolerance: below 1 for more pieces of arcs.
-  float m_fScale = 1.0f;         ///< Metres of Box2D to a metre of the scene.
-
-  /// The scene's world with these settings.
-  CWorldDesc MakeWorldDesc(const CScene& scene) const;
-  /// What differs from the engine as it comes, to tell settings apart: "4 substeps, 10x scale";
-  /// "as it comes" if nothing does.
-  std::string GetLabel() const;
-};
-
-/// "shipped" or "tuned".
-const char* GetName(eProfile profile);
-
-/// The balls that cost almost nothing, and the same engine with its balls always swept.
-inline constexpr const char *g_sNative = "native", *g_sNativeContinuous = "native-continuous";
-/// Box2D as it ships.
-inline constexpr const char* g_sBox2D = "box2d";
-
-/// What is compared: native without and with Continuous, and Box2D in each profile, as they come.
-/// @throws std::runtime_error if the Box2D engine was not built
-std::vector<CEngine> GetEngines();
-
-/// The first engine that has another backend than the first of all; none if there is no such. Settings of one
-/// backend share their CollisionDetected, whatever effects and profile they have, so these two are held
-/// against each other.
-std::optional<std::size_t> FindOther(const std::vector<CEngine>& engines);
 
 /// All effects, in their order.
 inline constexpr eEffect g_stdEffects[] = {eEffect::Gravity, eEffect::Kinematics, eEffect::BallPairs,

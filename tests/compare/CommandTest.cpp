@@ -11,11 +11,14 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <sstream>
 #include <string>
+
+#include "scene/Engines.h"
 
 namespace {
 
@@ -109,11 +112,10 @@ TEST_F(CommandTest, RunWritesTheTableAndThreeFiles) {
   EXPECT_EQ(json.at("command"),
             "shapes-compare run --scenes corner,bowl --contacts 50 --out " + m_cFolder.string());
   for (const auto& scene : json.at("scenes")) {
-    ASSERT_EQ(scene.at("engines").size(), 4u);
-    EXPECT_EQ(scene.at("engines")[0].at("name"), "native");
-    EXPECT_EQ(scene.at("engines")[1].at("name"), "native-continuous");
-    EXPECT_EQ(scene.at("engines")[2].at("name"), "box2d");
-    EXPECT_EQ(scene.at("engines")[3].at("name"), "box2d-tuned");
+    const auto rows = Shapes::Compare::GetEngineRows();
+    ASSERT_EQ(scene.at("engines").size(), rows.size());
+    for (std::size_t e = 0; e < rows.size(); ++e)
+      EXPECT_EQ(scene.at("engines")[e].at("name"), rows[e].m_sName);
     for (const auto& engine : scene.at("engines"))
       EXPECT_EQ(engine.at("contacts"), 50);
   }
@@ -155,21 +157,70 @@ TEST_F(CommandTest, EnginesAreChosen) {
   EXPECT_EQ(engines("box2d"), "box2d ");
   EXPECT_EQ(engines("native"), "native ");
   EXPECT_EQ(engines("box2d,native"), "native box2d ");
-  EXPECT_EQ(engines("native-continuous,native"), "native native-continuous ");
+  EXPECT_EQ(engines("native-continuous,native,native-approximate"),
+            "native native-approximate native-continuous ");
   EXPECT_EQ(engines("box2d-tuned"), "box2d-tuned ");
 }
 
 TEST_F(CommandTest, FailAboveIsAGate) {
   const std::string run = "run --scenes head_on_wall,bowl --contacts 100 --out " + m_cFolder.string();
-  // Native loses every other ball at the wall, Box2D none.
+  // Balls that are not swept are lost at the wall every other time, swept ones never.
   const CResult above = Call(run + " --fail-above tunneled=.1 --fail-above ns_per_ball_step=1e9");
   EXPECT_EQ(above.m_nExit, 1);
-  EXPECT_NE(above.m_sOutput.find(" on head_on_wall with native: above 0.1"), std::string::npos)
+  EXPECT_NE(above.m_sOutput.find(" on head_on_wall with native-approximate: above 0.1"), std::string::npos)
       << above.m_sOutput;
+  EXPECT_EQ(above.m_sOutput.find("with native: above"), std::string::npos) << above.m_sOutput;
   EXPECT_EQ(above.m_sOutput.find("with box2d: above"), std::string::npos) << above.m_sOutput;
   EXPECT_TRUE(fs::exists(m_cFolder / "run.json"));
   EXPECT_EQ(Call(run + " --fail-above tunneled=.9").m_nExit, 0);
   EXPECT_EQ(Call(run + " --engines box2d --fail-above tunneled=.1").m_nExit, 0);
+}
+
+// The line of the README that asks in CI whether a setting is good enough, of a bundled table.
+TEST_F(CommandTest, TheGateOfTheReadmePassesByDefaultAndFailsWithoutSweeps) {
+  std::ifstream in(SHAPES_SOURCE_DIR "/README.md");
+  const std::string program = "build/release/compare/shapes-compare ";
+  std::string line;
+  while (std::getline(in, line) && !line.starts_with(program + "scene mine.json"))
+    ;
+  const auto replace = [&](std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, text.npos) << from << " in " << text;
+    return at == text.npos ? text : text.replace(at, from.size(), to);
+  };
+  line = replace(replace(line, program, ""), "mine.json", SHAPES_SCENES_DIR "/pinball.json") + " --out " +
+         m_cFolder.string();
+  const CResult passes = Call(line);
+  EXPECT_EQ(passes.m_nExit, 0) << passes.m_sOutput;
+  const CResult fails = Call(replace(line, "--engines native", "--engines native-approximate"));
+  EXPECT_EQ(fails.m_nExit, 1) << fails.m_sOutput;
+  EXPECT_NE(fails.m_sOutput.find(" on pinball with native-approximate: above "), std::string::npos)
+      << fails.m_sOutput;
+}
+
+TEST_F(CommandTest, TheChartIsWrittenAsSvg) {
+  const fs::path file = m_cFolder / "chart.svg";
+  ASSERT_EQ(
+      Call("run --scenes bowl --contacts 20 --out " + m_cFolder.string() + " --svg " + file.string()).m_nExit,
+      0);
+  const std::string svg = Read("chart.svg");
+  EXPECT_TRUE(svg.starts_with("<svg ")) << svg.substr(0, 80);
+  EXPECT_NE(svg.find("data-engine=\"native\""), svg.npos);
+}
+
+// A stand-in for the desktop's program is called with the page.
+TEST_F(CommandTest, TheReportIsOpenedInTheDefaultBrowser) {
+  const std::string browser =
+      Write("xdg-open", "#!/bin/sh\necho \"$1\" > " + (m_cFolder / "part").string() + "; mv " +
+                            (m_cFolder / "part").string() + " " + (m_cFolder / "opened").string() + "\n");
+  fs::permissions(browser, fs::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (m_cFolder.string() + ":" + path).c_str(), 1);
+  EXPECT_EQ(Call("run --scenes bowl --contacts 10 --browse --out " + m_cFolder.string()).m_nExit, 0);
+  setenv("PATH", path.c_str(), 1);
+  for (int i = 0; i < 500 && !fs::exists(m_cFolder / "opened"); ++i)
+    usleep(10000); // it runs on its own
+  EXPECT_NE(Read("opened").find("report.html"), std::string::npos);
 }
 
 TEST_F(CommandTest, CtrlCReportsWhatIsFinished) {
@@ -231,8 +282,8 @@ TEST_F(CommandTest, ScenesAreShownAsTheyAreFinished) {
     if (now) early = output;
     return now ? "\x03" : "";
   });
-  EXPECT_NE(early.find("ball_on_ball          "), std::string::npos) << early;
-  EXPECT_EQ(early.find("bowl                "), std::string::npos) << early;
+  EXPECT_NE(early.find("ball_on_ball "), std::string::npos) << early;
+  EXPECT_EQ(early.find("\nbowl "), std::string::npos) << early;
 }
 
 TEST_F(CommandTest, TheNumberOfContactsIsObeyed) {
@@ -313,7 +364,7 @@ TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
                  "there is no scene 'pinbal': did you mean 'pinball'? Known: ball_on_ball, ");
   ExpectBadInput("run --scenes bowl,nothing_like_it" + out, "there is no scene 'nothing_like_it'. Known: ");
   ExpectBadInput("run --engines bux2d" + out,
-                 "there is no engine 'bux2d': did you mean 'box2d'? Known: native, native-continuous, box2d");
+                 "there is no engine 'bux2d': did you mean 'box2d'? Known: native, native-approximate,");
   ExpectBadInput("run --fail-above tunnelled=0" + out,
                  "there is no metric 'tunnelled': did you mean 'tunneled'?");
   ExpectBadInput("run --fail-above missed=-1" + out,
@@ -374,7 +425,7 @@ TEST_F(CommandTest, TheScriptKnowsTheOptionsWithoutABuild) {
       << "compare/run_help.txt is what the program prints";
   const CResult wrong = script("--scenes bowl --ful");
   EXPECT_EQ(wrong.m_nExit, 2);
-  EXPECT_NE(wrong.m_sOutput.find("there is no option '--ful'. Known: --contacts"), std::string::npos)
+  EXPECT_NE(wrong.m_sOutput.find("there is no option '--ful'. Known: --browse"), std::string::npos)
       << wrong.m_sOutput;
   const CResult right = script("--full --scenes=bowl"); // the control: goes on to the build
   EXPECT_NE(right.m_nExit, 0);

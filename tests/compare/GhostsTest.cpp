@@ -40,7 +40,7 @@ TEST(GhostsTest, JointsOfAFloorBumpABallOnBox2D) {
   const CImpactTrialResult result = JudgeGhosts(OverFloor(20, 0.105f), 600);
   ASSERT_GT(result.m_nQuietSteps, 550u);
   EXPECT_LE(result.m_nQuietSteps, 600u);
-  EXPECT_EQ(result.m_stdGhosts[g_nNative], 0u);
+  EXPECT_EQ(result.m_stdGhosts[g_nApproximate], 0u);
   const double n = static_cast<double>(result.m_nQuietSteps),
                rate = std::sqrt(0.11 * 0.11 - 0.105 * 0.105) / 0.2;
   EXPECT_NEAR(static_cast<double>(result.m_stdGhosts[g_nBox2D]), n * rate,
@@ -51,7 +51,7 @@ TEST(GhostsTest, JointsOfAFloorBumpABallOnBox2D) {
 TEST(GhostsTest, WithoutJointsThereAreNone) {
   const CImpactTrialResult result = JudgeGhosts(OverFloor(1, 0.105f), 300);
   EXPECT_GT(result.m_nQuietSteps, 250u);
-  EXPECT_EQ(result.m_stdGhosts[g_nNative], 0u);
+  EXPECT_EQ(result.m_stdGhosts[g_nApproximate], 0u);
   EXPECT_EQ(result.m_stdGhosts[g_nBox2D], 0u);
 }
 
@@ -81,7 +81,7 @@ TEST(GhostsTest, EarlyAnswersAreNoGhosts) {
   AddBall(scene, {{-0.5f, 0}, 0.1f, {0.2f, 0}}); // three thousandths a step, so it is in the skin for three
   const CImpactTrialResult result = JudgeGhosts(scene, 300);
   EXPECT_GT(result.m_nQuietSteps, 250u);
-  EXPECT_EQ(result.m_stdGhosts[g_nNative], 0u);
+  EXPECT_EQ(result.m_stdGhosts[g_nApproximate], 0u);
   // The third step before the impact may still be in the skin: that one is a ghost by definition.
   EXPECT_LT(result.m_stdGhosts[g_nBox2D], 60u);
 }

@@ -29,9 +29,11 @@ TEST(HeatMap, HeadOnEachCellHoldsTheFormula) { // tunneled max(0, 1 - r / (v dt)
     const CHeatCell& cell = map.m_stdCells[i];
     ASSERT_EQ(cell.m_nContacts, 400u);
     const double rate = std::max(0.0, 1.0 - size / (map.m_fTravel * speed));
-    EXPECT_TRUE(Holds(cell.m_stdTunneled[0], 400, rate)) << cell.m_stdTunneled[0] << " not " << 400 * rate;
+    EXPECT_TRUE(Holds(cell.m_stdTunneled[Tests::g_nApproximate], 400, rate))
+        << cell.m_stdTunneled[Tests::g_nApproximate] << " not " << 400 * rate;
     // The control: with the size of another row the formula does not hold.
-    if (rate > 0.2 && rate < 0.8) told += !Holds(cell.m_stdTunneled[0], 400, std::max(0.0, 2 * rate - 1));
+    if (rate > 0.2 && rate < 0.8)
+      told += !Holds(cell.m_stdTunneled[Tests::g_nApproximate], 400, std::max(0.0, 2 * rate - 1));
   }
   EXPECT_GT(told, 3u);
 }

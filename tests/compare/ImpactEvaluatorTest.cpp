@@ -37,7 +37,7 @@ TEST(ImpactEvaluatorTest, ARollingBallHasNotAnsweredTheWallThatItMissed) {
   AddBall(scene, Flying({-1, g_fBallRadius}, 6));
   const CImpactTrialResult result = Judge(scene);
   ASSERT_EQ(result.m_stdContacts.size(), g_nJudgeContacts);
-  const CTotals native = MakeTotals(result.m_stdContacts, g_nNative);
+  const CTotals native = MakeTotals(result.m_stdContacts, g_nApproximate);
   EXPECT_TRUE(Holds(native.GetTunneled(), g_nJudgeContacts, 5.0 / 6)) << native.GetTunneled();
   EXPECT_TRUE(Holds(native.m_nMissed, g_nJudgeContacts, 4.0 / 6)) << native.m_nMissed;
   EXPECT_FALSE(Holds(native.m_nMissed, g_nJudgeContacts, 0)); // as if the floor had answered
@@ -50,7 +50,7 @@ TEST(ImpactEvaluatorTest, ABallThatIsInARingHasTunneled) {
   AddBall(scene, Flying({-1.2f, 0}, 6));
   const CImpactTrialResult result = Judge(scene);
   ASSERT_EQ(result.m_stdContacts.size(), g_nJudgeContacts);
-  const CTotals native = MakeTotals(result.m_stdContacts, g_nNative);
+  const CTotals native = MakeTotals(result.m_stdContacts, g_nApproximate);
   EXPECT_TRUE(Holds(native.GetTunneled(), g_nJudgeContacts, 5.0 / 6)) << native.GetTunneled();
 }
 
@@ -81,7 +81,7 @@ TEST(ImpactEvaluatorTest, APointBallIsJudgedInFiniteTime) {
 
 TEST(ImpactEvaluatorTest, FlippersGoOnInTheStepsAfterTheImpact) {
   const CScene scene = LoadScene(std::string(SHAPES_SCENES_DIR) + "/pinball.json");
-  CTrialWorld world(scene, GetEngines()[g_nNative], MakeStart(scene, 1, 0).m_stdBalls, 0.0);
+  CTrialWorld world(scene, GetEngines()[g_nApproximate], MakeStart(scene, 1, 0).m_stdBalls, 0.0);
   std::size_t flips = 0, changed = 0;
   for (const double time : {0.0, 0.3, 0.6}) {
     world.Flip(scene, time);

@@ -157,7 +157,7 @@ TEST(ImpactTrialRulesTest, WhatAnEngineRefusesIsReportedAndNotJudged) {
   EXPECT_EQ(result.m_cExcluded.m_nUndecided, 5u);
   EXPECT_NE(result.m_cExcluded.m_sUndecided.find("m_vVel"), std::string::npos)
       << result.m_cExcluded.m_sUndecided;
-  const std::vector<CEngine> native = {GetEngines()[g_nNative]}; // the control: it takes them
+  const std::vector<CEngine> native = {GetEngines()[g_nApproximate]}; // the control: it takes them
   EXPECT_EQ(RunImpactTrials(scene, native, MakeOptions(10, 20)).m_stdContacts.size(), 10u);
 }
 
@@ -218,7 +218,7 @@ TEST(ImpactTrialRulesTest, ApartIsTheDistanceOfTwoBackends) {
   const auto judge = [&](const std::vector<CEngine>& some) {
     return RunImpactTrials(scene, some, MakeOptions(50, 100)).m_stdContacts;
   };
-  const auto all = judge(engines), tuned = judge({engines[g_nNative], engines[g_nTuned]}),
+  const auto all = judge(engines), tuned = judge({engines[g_nApproximate], engines[g_nTuned]}),
              profiles = judge({engines[g_nBox2D], engines[g_nTuned]});
   for (std::size_t i = 0; i < all.size(); ++i) {
     EXPECT_TRUE(all[i].m_bHasDifference && tuned[i].m_bHasDifference);

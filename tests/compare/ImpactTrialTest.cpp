@@ -59,7 +59,7 @@ TEST(ImpactTrialTest, HeadOnOutcomesOfNativeFollowFromThePhase) {
       const eOutcome expected = end < 0   ? eOutcome::Correct
                                 : end < 1 ? eOutcome::WrongSide
                                           : eOutcome::Missed;
-      EXPECT_EQ(contact.m_stdEngines[g_nNative].m_eOutcome, expected) << end;
+      EXPECT_EQ(contact.m_stdEngines[g_nApproximate].m_eOutcome, expected) << end;
       seen.insert(expected);
       // The control: Box2D sweeps. Where its wall, which lies up to .01 farther in, is reached in the next
       // step only, it is late.
@@ -97,7 +97,7 @@ TEST(ImpactTrialTest, PositionErrorOfNativeHeadOnIsTheTravelThatIsLost) {
   for (const float e : {1.0f, 0.5f}) {
     std::size_t compared = 0;
     for (const CContact& contact : JudgeTrials(AtWall(1.5, 0, e)).m_stdContacts) {
-      const CEngineContact& c = contact.m_stdEngines[g_nNative];
+      const CEngineContact& c = contact.m_stdEngines[g_nApproximate];
       EXPECT_EQ(c.m_bCompared, c.m_eOutcome == eOutcome::Correct);
       if (!c.m_bCompared) continue;
       ++compared;
@@ -117,7 +117,7 @@ TEST(ImpactTrialTest, PositionErrorOfNativeHeadOnIsTheTravelThatIsLost) {
 TEST(ImpactTrialTest, SetbackErrorOfNativeAtASlantIsAlongTheWall) {
   std::size_t detected = 0;
   for (const CContact& contact : JudgeTrials(AtWall(0.9, 1.2)).m_stdContacts) {
-    const CEngineContact& c = contact.m_stdEngines[g_nNative];
+    const CEngineContact& c = contact.m_stdEngines[g_nApproximate];
     ASSERT_TRUE(c.m_bDetected);
     ++detected;
     const double rest = Rest(contact), slid = 1.2 * rest;
@@ -145,7 +145,7 @@ TEST(ImpactTrialTest, SetbackErrorOfNativeAtASlantIsAlongTheWall) {
 TEST(ImpactTrialTest, WrongSidesAreTwoRadiiOff) {
   std::size_t wrong = 0;
   for (const CContact& contact : JudgeTrials(AtWall(1.8, 0)).m_stdContacts) {
-    const CEngineContact& c = contact.m_stdEngines[g_nNative];
+    const CEngineContact& c = contact.m_stdEngines[g_nApproximate];
     if (c.m_eOutcome != eOutcome::WrongSide) continue;
     ++wrong;
     EXPECT_NEAR(c.m_fSetbackError, 2.0, g_fRounding);
@@ -169,7 +169,8 @@ TEST(ImpactTrialTest, Box2DAnswersTwoBallsAStepLate) {
   for (const CContact& contact : result.m_stdContacts) {
     EXPECT_EQ(contact.m_ePair, ePair::Ball);
     EXPECT_NEAR(contact.m_fApproach, 2 * AsDouble(v), 1e-5);
-    const CEngineContact &native = contact.m_stdEngines[g_nNative], &box2d = contact.m_stdEngines[g_nBox2D];
+    const CEngineContact &native = contact.m_stdEngines[g_nApproximate],
+                         &box2d = contact.m_stdEngines[g_nBox2D];
     if (!IsClose(Rest(contact), 0)) {
       EXPECT_EQ(native.m_eOutcome, eOutcome::Correct);
       EXPECT_EQ(box2d.m_eOutcome, eOutcome::Late);
@@ -192,7 +193,7 @@ TEST(ImpactTrialTest, EnergyOfAPairIsOfBoth) {
   AddBall(scene, {{0.5f, 0.1f}, r, {-v, 0}, 1.0f});
   bool differs = false;
   for (const CContact& contact : JudgeTrials(scene).m_stdContacts) {
-    const CEngineContact& c = contact.m_stdEngines[g_nNative];
+    const CEngineContact& c = contact.m_stdEngines[g_nApproximate];
     EXPECT_EQ(contact.m_fElasticity, 0.5f);
     if (!c.m_bCompared) continue;
     // The normal of native is off here, so what goes where differs. With d = the angle between the normals,

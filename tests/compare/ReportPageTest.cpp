@@ -32,6 +32,9 @@ enum class eScheme { Dark, Light }; // in the browser's order
 constexpr double g_fTextContrast = 4.5, g_fGraphicsContrast = 3.0;
 // A thin line of a plot covers hundreds of pixels, most of them blended; some have the pure colour.
 constexpr int g_nPixelsOfALine = 20;
+// Sizes of letters, and the least of them in pixels.
+constexpr std::size_t g_nLetterSizes = 5;
+constexpr double g_fLeastLetters = 12.0;
 // Pixels between two names of an axis.
 constexpr double g_fNameGap = 4.0;
 
@@ -104,8 +107,15 @@ protected:
     EXPECT_EQ(result.at("resources"), json::array()); // nothing was fetched
     EXPECT_EQ(result.at("width"), 0);                 // nothing sticks out
     EXPECT_GE(result.at("seriesContrast").get<double>(), g_fGraphicsContrast);
+    EXPECT_EQ(result.at("cut"), json::array());
+    EXPECT_EQ(result.at("overlaps"), json::array());
     for (const json& scene : result.at("scenes")) {
       SCOPED_TRACE(scene.at("name"));
+      EXPECT_EQ(scene.at("cut"), json::array());
+      EXPECT_EQ(scene.at("overlaps"), json::array());
+      EXPECT_EQ(scene.at("repeated"), json::array());
+      EXPECT_LE(scene.at("sizes").size(), g_nLetterSizes) << scene.at("sizes");
+      EXPECT_GE(scene.at("sizes").at(0).get<double>(), g_fLeastLetters);
       EXPECT_EQ(scene.at("odd"), json::array());
       EXPECT_EQ(scene.at("hash"), "#scene=" + scene.at("name").get<std::string>());
       EXPECT_GE(scene.at("text").at("contrast").get<double>(), g_fTextContrast)
@@ -114,10 +124,17 @@ protected:
     }
   }
 
-  static void ExpectDrawn(const json& seen, std::initializer_list<const char*> engines) {
+  static void ExpectDrawn(const json& seen, const std::vector<std::string>& engines) {
     EXPECT_GT(seen.at("colours").get<int>(), 3);
-    for (const char* pEngine : engines)
-      EXPECT_GE(seen.at(pEngine).get<int>(), g_nPixelsOfALine) << pEngine;
+    for (const std::string& engine : engines)
+      EXPECT_GE(seen.at(engine).get<int>(), g_nPixelsOfALine) << engine;
+  }
+  static std::vector<std::string> GetNames(bool withExact = false) {
+    std::vector<std::string> names;
+    for (const CEngineRow& row : GetEngineRows())
+      names.push_back(row.m_sName);
+    if (withExact) names.push_back("exact");
+    return names;
   }
 
   static bool Contains(const json& text, const std::string& part) {
@@ -147,8 +164,8 @@ protected:
       EXPECT_GE(worst.at("ring").get<int>(), g_nPixelsOfALine);
       EXPECT_EQ(worst.at("ringBefore"), 0);
       int engines = 0;
-      for (const char* pEngine : {"native", "native-continuous", "box2d", "box2d-tuned"})
-        engines += worst.at("middle").at(pEngine).get<int>();
+      for (const std::string& engine : GetNames())
+        engines += worst.at("middle").at(engine).get<int>();
       EXPECT_GT(engines, 0);
     }
     const json& keys = scene.at("keys");
@@ -181,16 +198,17 @@ protected:
   // What the made-up scenes hold beyond that.
   static void ExpectFull(const json& scene) {
     SCOPED_TRACE(scene.at("name"));
-    ExpectDrawn(scene.at("plots").at("error"),
-                {"native", "native-continuous", "box2d", "box2d-tuned", "exact"});
-    ExpectDrawn(scene.at("plots").at("tunneled"),
-                {"native", "native-continuous", "box2d", "box2d-tuned", "exact"});
-    ExpectDrawn(scene.at("plots").at("setback_error_histogram"),
-                {"native", "native-continuous", "box2d", "box2d-tuned"});
-    ExpectDrawn(scene.at("plots").at("penetration_histogram"),
-                {"native", "native-continuous", "box2d", "box2d-tuned"});
-    EXPECT_EQ(scene.at("heatMaps"), 4);
-    EXPECT_EQ(scene.at("outcomes"), 4);
+    ExpectDrawn(scene.at("plots").at("error"), GetNames(true));
+    ExpectDrawn(scene.at("plots").at("tunneled"), GetNames(true));
+    ExpectDrawn(scene.at("plots").at("setback_error_histogram"), GetNames());
+    ExpectDrawn(scene.at("plots").at("penetration_histogram"), GetNames());
+    EXPECT_EQ(scene.at("heatMaps"), 5);
+    EXPECT_EQ(scene.at("outcomes"), 5);
+    EXPECT_EQ(scene.at("folds"), 6);
+    EXPECT_TRUE(scene.at("chart").get<bool>());
+    EXPECT_EQ(scene.at("answers").size(), 3u);
+    EXPECT_TRUE(Contains(scene.at("answers")[1], "nothing that was tried"));
+    EXPECT_TRUE(Contains(scene.at("verdict"), "within 0.02\u00b0"));
     EXPECT_GT(scene.at("metrics").get<int>(), 30);
     EXPECT_GT(scene.at("bins").get<int>(), 10);
     ExpectEffects(scene);
@@ -198,16 +216,17 @@ protected:
       ExpectReadable(axes);
     EXPECT_TRUE(Contains(scene.at("work"), "A ball that is lost counts as \u03c0"));
     EXPECT_TRUE(Contains(scene.at("work"), "The exact reference is timed too"));
-    EXPECT_TRUE(AnyContains(scene.at("settings"), "none in 95\u202f000"));
+    EXPECT_TRUE(AnyContains(scene.at("settings"), "none in 95,000"));
     EXPECT_TRUE(AnyContains(scene.at("settings"), "< 0.00300")); // 3 in 100 000
     EXPECT_TRUE(AnyContains(scene.at("heatCells"), "< 0.15%"));  // 3 in 2000
     EXPECT_TRUE(AnyContains(scene.at("counts"), "ghost 0 (< 0.00552% of quiet steps)"));
     // Nothing of what comes is drawn: at the beginning there is no way yet.
     EXPECT_GT(scene.at("end").get<int>(), 2 * scene.at("start").get<int>());
     ASSERT_TRUE(scene.contains("replay"));
-    for (const char* pEngine : {"native", "native-continuous", "box2d", "box2d-tuned"}) {
-      const json& worst = scene.at("worst").at(pEngine);
-      EXPECT_EQ(worst.at("clip"), std::string("worst ") + pEngine);
+    EXPECT_TRUE(Contains(scene.at("worstFirst"), "worst "));
+    for (const std::string& engine : GetNames()) {
+      const json& worst = scene.at("worst").at(engine);
+      EXPECT_EQ(worst.at("clip"), "worst " + engine);
       EXPECT_EQ(worst.at("frame"), g_nWorstContact);
       EXPECT_NE(worst.at("text").get<std::string>().find(": s"), std::string::npos); // title: what goes wrong
     }
@@ -217,7 +236,7 @@ protected:
   }
 
   static std::string ToPage(const CPageDocuments& sample) {
-    return MakeHtml(sample.m_cRun.dump(), sample.m_cReplay.dump());
+    return MakeHtml(sample.m_cRun.dump(), sample.m_cReplay.dump(), sample.m_cCharts.dump());
   }
 
   fs::path m_cFolder;
@@ -228,25 +247,20 @@ TEST_F(ReportPageTest, AFullReportInTheLight) {
   ExpectSound(result);
   EXPECT_FALSE(result.at("isDark").get<bool>());
   EXPECT_FALSE(result.at("isInterrupted").get<bool>());
-  EXPECT_EQ(result.at("cards"), 3);
-  EXPECT_EQ(result.at("rows"), 12);
-  EXPECT_EQ(result.at("small").size(), 3u);
-  for (const json& small : result.at("small"))
-    ExpectDrawn(small, {"native", "native-continuous", "box2d", "box2d-tuned", "exact"});
-  for (const json& axes : result.at("smallAxes")) {
-    ExpectReadable(axes);
-    EXPECT_EQ(axes.at("span"), result.at("smallAxes")[0].at("span"));
-    EXPECT_EQ(axes.at("span")[2], 1e-6);
-  }
-  const json& overview = result.at("overview");
-  EXPECT_TRUE(AnyContains(overview, "\u00d77.5 (100\u202f000)")); // +650%
-  EXPECT_TRUE(AnyContains(overview, "\u22120.120 (100\u202f000)"));
-  EXPECT_TRUE(AnyContains(overview, "of 9\u202f158"));
-  EXPECT_FALSE(AnyContains(overview, "of 20\u202f000")); // all contacts
-  EXPECT_TRUE(AnyContains(overview, "0 (rounding)"));
+  EXPECT_EQ(result.at("tiles").size(), 5u);
+  EXPECT_EQ(result.at("rows"), 3);
+  EXPECT_EQ(result.at("labels"), json({5})); // the chart that fits, and not the other one
+  EXPECT_LE(result.at("firstScreen").get<double>(), 800);
+  EXPECT_TRUE(Contains(result.at("text"), "Take native: 7.1 times faster than Box2D"));
+  EXPECT_TRUE(Contains(result.at("text"), "within 12\u00b0") ||
+              Contains(result.at("text"), "Box2D 12\u00b0"));
+  EXPECT_TRUE(AnyContains(result.at("tiles"), "1 in 4,300"));
+  EXPECT_TRUE(AnyContains(result.at("tiles"), "<0.001\u00b0"));
+  EXPECT_TRUE(AnyContains(result.at("matrix"), "\u2713")); // readable without colour
+  EXPECT_TRUE(AnyContains(result.at("matrix"), "\u2717"));
   for (const char* pFact :
        {"shapes-compare run", "seed 1", "0.1.0 (1234567)", "2.4.1", "g++ 12.2.0", "Some CPU"})
-    EXPECT_NE(result.at("text").get<std::string>().find(pFact), std::string::npos) << pFact;
+    EXPECT_NE(result.at("footer").get<std::string>().find(pFact), std::string::npos) << pFact;
   EXPECT_EQ(result.at("links"), json({"bowl", "corner", "bowl", "#scene=bowl"})); // card, next, before, top
   ASSERT_EQ(result.at("scenes").size(), 3u);
   for (const json& scene : result.at("scenes"))
@@ -270,11 +284,20 @@ TEST_F(ReportPageTest, AFullReportInANarrowWindow) {
   ExpectFull(result.at("scenes").at(0));
 }
 
+TEST_F(ReportPageTest, AFullReportOnAPhone) {
+  const json result =
+      Exercise(ToPage(MakePageDocuments({"bowl_that_has_a_rather_long_name"})), eScheme::Dark, 390);
+  ExpectSound(result);
+  EXPECT_EQ(result.at("labels"), json({5}));
+  EXPECT_LE(result.at("firstScreen").get<double>(), 844);
+  EXPECT_EQ(result.at("scenes").at(0).at("folds"), 6);
+}
+
 TEST_F(ReportPageTest, WhatARunMayLeaveOut) {
   const json result = Exercise(ToPage(MakeSparsePageDocuments()));
   ExpectSound(result);
   EXPECT_TRUE(result.at("isInterrupted").get<bool>());
-  EXPECT_EQ(result.at("rows"), 17);
+  EXPECT_EQ(result.at("rows"), 5);
   ASSERT_EQ(result.at("scenes").size(), 5u);
   ExpectFull(result.at("scenes")[0]);
   const auto find = [&](const std::string& name) -> const json& {
@@ -286,7 +309,7 @@ TEST_F(ReportPageTest, WhatARunMayLeaveOut) {
   EXPECT_FALSE(find("no_contacts").at("plots").contains("setback_error_histogram"));
   EXPECT_EQ(find("one_engine").at("outcomes"), 1);
   ExpectDrawn(find("one_engine").at("plots").at("setback_error_histogram"), {"native"});
-  EXPECT_TRUE(find("nulls").at("plots").empty());
+  EXPECT_FALSE(find("nulls").at("plots").contains("error"));
   EXPECT_TRUE(find("nulls").contains("replay"));
   EXPECT_FALSE(find("no_clips").contains("replay"));
   EXPECT_TRUE(find("one_engine").at("effects").empty());
@@ -305,7 +328,7 @@ TEST_F(ReportPageTest, WhatARunMayLeaveOut) {
 TEST_F(ReportPageTest, NoSceneAtAll) {
   const json result = Exercise(ToPage(MakePageDocuments({})));
   ExpectSound(result);
-  EXPECT_EQ(result.at("cards"), 0);
+  EXPECT_TRUE(result.at("tiles").empty());
   EXPECT_TRUE(result.at("scenes").empty());
 }
 
@@ -317,10 +340,9 @@ TEST_F(ReportPageTest, WhatTheProgramWrites) {
   ASSERT_EQ(result.at("scenes").size(), 2u);
   for (const json& scene : result.at("scenes")) {
     SCOPED_TRACE(scene.at("name"));
-    ExpectDrawn(scene.at("plots").at("error"),
-                {"native", "native-continuous", "box2d", "box2d-tuned", "exact"});
+    ExpectDrawn(scene.at("plots").at("error"), GetNames(true));
     ASSERT_TRUE(scene.contains("replay"));
-    EXPECT_EQ(scene.at("worst").size(), 4u);
+    EXPECT_EQ(scene.at("worst").size(), 5u);
     EXPECT_EQ(scene.at("effects").size(), 14u);
     for (const json& worst : scene.at("worst"))
       EXPECT_GT(worst.at("frame").get<int>(), 0);
@@ -332,7 +354,7 @@ TEST_F(ReportPageTest, WhatTheProgramWrites) {
 TEST_F(ReportPageTest, ControlBrokenData) {
   CPageDocuments sample = MakePageDocuments({"bowl"});
   const std::string run = sample.m_cRun.dump();
-  const json result = Exercise(MakeHtml(run.substr(0, run.size() / 2), sample.m_cReplay.dump()));
+  const json result = Exercise(MakeHtml(run.substr(0, run.size() / 2), sample.m_cReplay.dump(), "{}"));
   EXPECT_GE(result.at("errors").size(), 1u);
   EXPECT_EQ(result.at("errors").at(0).get<std::string>().rfind("error: ", 0), 0u) << result.at("errors");
   EXPECT_FALSE(result.at("isDone").get<bool>());
@@ -354,14 +376,35 @@ TEST_F(ReportPageTest, ControlSomethingIsFetched) {
 }
 
 TEST_F(ReportPageTest, ControlTextThatCannotBeRead) {
-  const std::string style = "<style>.lead { color: #999 !important }</style>";
+  const std::string style = "<style>.kicker { color: #999 !important }</style>";
   const json result = Exercise(Insert(ToPage(MakePageDocuments({"bowl"})), "</head>", style, false));
   EXPECT_LT(result.at("scenes").at(0).at("text").at("contrast").get<double>(), g_fTextContrast);
 }
 
+// Something that is too wide, letters that are too small, a label on another one, and a sentence that is
+// there twice.
+TEST_F(ReportPageTest, ControlALayoutThatIsBroken) {
+  const std::string style = "<style>.verdict { width: 200vw; max-width: none } .facts { font-size: 11px }"
+                            ".label { transform: translate(0, 0) } #overall-chart .label[data-of=native] "
+                            "{ transform: translate(40px, -330px) }</style>";
+  CPageDocuments sample = MakePageDocuments({"bowl"});
+  sample.m_cRun.at("scenes")[0].at("remarks")[0] = "This is a sentence that is told more than once.";
+  sample.m_cRun.at("scenes")[0].at("remarks").push_back("This is a sentence that is told more than once.");
+  // Over the label of box2d, wherever that is.
+  std::string& svg = sample.m_cCharts.at("overall")[0].get_ref<std::string&>();
+  svg.replace(svg.rfind("</svg>"), 6,
+              "<text x=\"74\" y=\"24\" font-size=\"12\" textLength=\"600\">over it</text></svg>");
+  const json result = Exercise(Insert(ToPage(sample), "</head>", style, false));
+  const json& scene = result.at("scenes").at(0);
+  EXPECT_FALSE(scene.at("cut").empty());
+  EXPECT_FALSE(result.at("overlaps").empty());
+  EXPECT_EQ(scene.at("sizes").at(0), 11);
+  EXPECT_FALSE(scene.at("repeated").empty());
+}
+
 TEST_F(ReportPageTest, ControlAWordThatIsNoFigure) {
   CPageDocuments sample = MakePageDocuments({"bowl"});
-  sample.m_cRun.at("scenes")[0].at("verdict")[0] = "native takes NaN ns";
+  sample.m_cRun.at("scenes")[0].at("verdict")[0] = "Native takes NaN ns.";
   EXPECT_EQ(Exercise(ToPage(sample)).at("scenes").at(0).at("odd"), json({"NaN"}));
 }
 

@@ -1,31 +1,28 @@
 // SPDX-License-Identifier: MIT
-// The two documents of the page, and what is looked up in them.
+// The documents of the page, and what is looked up in them.
 const Data = (() => {
   const read = (id) => JSON.parse(document.getElementById(id).textContent);
   const list = (x) => (Array.isArray(x) ? x : []);
 
   const run = read('run');
   const replay = read('replay');
+  const charts = read('charts');
   const scenes = list(run.scenes);
-  const ownColours = ['native', 'native-continuous', 'box2d', 'box2d-tuned', 'exact'];
+  const exact = {name: 'exact', short: 'exact', meaning: 'the exact reference', mark: 'bar'};
+  const rows = new Map([...list(run.engines), exact].map((row) => [row.name, row]));
 
-  const engineNames =
-      [...new Set(scenes.flatMap((scene) => list(scene.engines).map((engine) => engine.name)))];
-  const others = [...new Set([...engineNames, ...list(run.work_precision).map((row) => row.engine)])].filter(
-      (name) => !ownColours.includes(name));
-
-  /** Name of the CSS variable with the colour of an engine: the same everywhere on the page. */
-  function colourVariable(name) {
-    return ownColours.includes(name) ? `--${name}` : `--extra${(Math.max(0, others.indexOf(name)) % 3) + 1}`;
-  }
+  /** The row of an engine in the table of engines. */
+  const rowOf = (name) => rows.get(name) ?? {...exact, name, short: name, meaning: ''};
   const css = (variable) => getComputedStyle(document.documentElement).getPropertyValue(variable).trim();
-  const colour = (name) => css(colourVariable(name));
-  const tag = (name) =>
-      Format.el('span', {class: 'engine', '--engine': `var(${colourVariable(name)})`}, name);
+  const colour = (name) => css(`--${name}`);
+  /** The name of an engine with its mark. */
+  const tag = (name, text = name) => Format.el(
+      'span', {class: 'engine', '--engine': `var(--${name})`},
+      Format.el('span', {class: `mark ${rowOf(name).mark}`, 'aria-hidden': 'true'}), text);
 
   const workOf = (scene) => list(run.work_precision).filter((row) => row.scene === scene.name);
   const replayOf = (scene) => list(replay.scenes).find((s) => s.name === scene.name);
-  const tracks = list(replay.engines).map((engine) => (typeof engine === 'string' ? engine : engine.name));
+  const tracks = list(replay.engines);
 
-  return {run, scenes, list, engineNames, colourVariable, colour, css, tag, workOf, replayOf, tracks};
+  return {run, charts, scenes, list, rowOf, colour, css, tag, workOf, replayOf, tracks};
 })();

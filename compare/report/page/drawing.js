@@ -3,26 +3,19 @@
 const Drawing = (() => {
   // What coincides can be told apart: the exact way is broad and lies below, the others are broken over it,
   // each in the gaps of the others: all have the same period.
-  const lines = {
-    exact: {dash: [], offset: 0, width: 6},
-    native: {dash: [6, 20], offset: 0, width: 3},
-    'native-continuous': {dash: [1.2, 1, 1.2, 1, 1.2, 20.4], offset: -7, width: 3},
-    box2d: {dash: [2.5, 1.5, 2.5, 19.5], offset: -13.5, width: 3},
-    'box2d-tuned': {dash: [4, 22], offset: -21, width: 3},
-  };
-  const lineOf = (name) => lines[name] ?? {dash: [12, 4, 2, 6], offset: 0, width: 2};
+  const dash = 4.5, slot = 6;
+  function lineOf(name) {
+    const engines = Data.tracks.filter((track) => track !== 'exact'), i = engines.indexOf(name);
+    if (i < 0) return {dash: [], offset: 0, width: 6};
+    return {dash: [dash, Math.max(1, engines.length) * slot - dash], offset: -slot * i, width: 3};
+  }
 
   /** The same line for a legend, as a background of CSS. */
   function dashesOf(name) {
-    const {dash} = lineOf(name);
-    if (dash.length === 0) return 'var(--engine)';
-    let at = 0;
-    const stops = dash.map((length, i) => {
-      const from = at;
-      at += length;
-      return `${i % 2 === 0 ? 'var(--engine)' : 'transparent'} ${from}px ${at}px`;
-    });
-    return `repeating-linear-gradient(90deg, ${stops.join(', ')})`;
+    const {dash: [on, off]} = lineOf(name);
+    return on ? `repeating-linear-gradient(90deg, var(--engine) 0 ${on}px, transparent ${on}px ${
+                    Math.min(on + off, 3 * on)}px)`
+              : 'var(--engine)';
   }
 
   const isPlace = (p) => Format.isNumber(p[0]) && Format.isNumber(p[1]);
@@ -125,7 +118,7 @@ const Drawing = (() => {
     ctx.stroke();
   }
 
-  function drawBall(ctx, camera, place, radius, isInQuestion) {
+  function drawBall(ctx, camera, place, radius, mark, isInQuestion) {
     if (!isPlace(place)) return;
     const [x, y] = camera.toPicture(place), r = Math.max(radius * camera.scale, 2);
     ctx.beginPath();
@@ -135,8 +128,22 @@ const Drawing = (() => {
     ctx.fill();
     ctx.globalAlpha = alpha;
     ctx.stroke();
+    drawMark(ctx, mark, x, y, 4);
+  }
+
+  /** The mark of an engine; a dot for others. */
+  function drawMark(ctx, mark, x, y, r) {
+    const corners = {
+      triangle: [[0, -1], [1, 1], [-1, 1]],
+      wedge: [[-1, -1], [1, -1], [0, 1]],
+      rect: [[-1, -1], [1, -1], [1, 1], [-1, 1]],
+      rectRot: [[0, -1.2], [1.2, 0], [0, 1.2], [-1.2, 0]],
+    }[mark];
     ctx.beginPath();
-    ctx.arc(x, y, 2, 0, 2 * Math.PI);
+    if (corners)
+      corners.forEach(([dx, dy], i) => ctx[i ? 'lineTo' : 'moveTo'](x + r * dx, y + r * dy));
+    else
+      ctx.arc(x, y, mark === 'circle' ? r : r / 2, 0, 2 * Math.PI);
     ctx.fill();
   }
 
@@ -161,7 +168,8 @@ const Drawing = (() => {
       ctx.lineDashOffset = line.offset;
       ctx.lineWidth = isInQuestion ? line.width : line.width / 2;
       drawWay(ctx, camera, track, radii.length, ball, frame, longest);
-      drawBall(ctx, camera, placeAt(track, radii.length, ball, frame), radii[ball], isInQuestion);
+      drawBall(ctx, camera, placeAt(track, radii.length, ball, frame), radii[ball], Data.rowOf(name).mark,
+               isInQuestion);
     }
     ctx.setLineDash([]);
     ctx.lineDashOffset = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What each effect costs in a scene, and what changes where it is forced or forbidden.
 const Effects = (() => {
-  const {el, num, angle, rate, percent, dash, isNumber} = Format;
+  const {el, num, bothAngles, rate, percent, dash, isNumber} = Format;
   const {list} = Data;
 
   const nameOf = (effect) => String(effect ?? dash).replaceAll('_', ' ');
@@ -59,8 +59,8 @@ const Effects = (() => {
     },
     {
       head: 'direction error',
-      unit: 'rad, p95',
-      cell: (row, scene) => figure(row, scene, (world) => angle(world.direction_error?.p95))
+      unit: 'rad (degrees), p95',
+      cell: (row, scene) => figure(row, scene, (world) => bothAngles(world.direction_error?.p95))
     },
     {
       head: 'speed error',
@@ -91,7 +91,7 @@ const Effects = (() => {
                                ...rows.filter((row) => row.engine === engine)
                                    .map((row) => tableRow(row, scene, shown))];
     return el(
-        'div', null, el('h3', null, 'Cost of effects'),
+        'div', null,
         el('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'Cost of effects'},
            el('table', {class: 'overview', 'data-effects': ''},
               el('thead', null,

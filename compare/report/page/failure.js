@@ -5,5 +5,5 @@ window.addEventListener('error', (event) => {
   const text = document.createElement('p');
   text.className = 'warning';
   text.textContent = `This report cannot be shown in full: ${event.message}`;
-  document.getElementById('provenance').append(text);
+  document.getElementById('notices').append(text);
 });

@@ -19,7 +19,7 @@ const Format = (() => {
   const isNumber = (x) => typeof x === 'number' && Number.isFinite(x);
   const power = (n) => '10' + [...String(n)].map((c) => superscripts[c]).join('');
   /** The digits of a whole number, in threes. */
-  const grouped = (n) => String(n).replace(/\B(?=(\d{3})+$)/g, '\u202f');
+  const grouped = (n) => String(n).replace(/\B(?=(\d{3})+$)/g, ',');
 
   function positive(x) {
     if (x >= 999.5) return x < 1e7 ? grouped(Math.round(x)) : scientific(x);
@@ -53,6 +53,25 @@ const Format = (() => {
   const isRounding = (x) => isNumber(x) && x !== 0 && Math.abs(x) < angleRounding;
   /** An angle in radians. */
   const angle = (x) => (isRounding(x) ? '0 (rounding)' : num(x));
+
+  const degree = Math.PI / 180;
+  /** Degrees of an angle in radians, as people say them. */
+  function degrees(x) {
+    if (!isNumber(x)) return dash;
+    const d = x / degree;
+    return d < 0.001 ? '<0.001\u00b0' : `${d < 9.95 ? plain(Number(d.toPrecision(2))) : Math.round(d)}\u00b0`;
+  }
+  /** Both, for tables. */
+  const bothAngles = (x) => (isNumber(x) && !isRounding(x) && x !== 0 ? `${angle(x)} (${degrees(x)})` : angle(x));
+
+  /** "none of 2,000", "1 in 40", "45%" above a quarter. */
+  function lossText(r, n) {
+    if (!r || !isNumber(r.count) || !(n > 0)) return dash;
+    if (r.count === 0) return `none of ${count(n)}`;
+    if (4 * r.count > n) return `${Math.round(100 * r.count / n)}%`;
+    const one = Number((n / r.count).toPrecision(2));
+    return `1 in ${one < 10 ? one : count(one)}`;
+  }
 
   function interval(pair, scale = 1) {
     if (!Array.isArray(pair) || !isNumber(pair[0]) || !isNumber(pair[1])) return '';
@@ -97,16 +116,18 @@ const Format = (() => {
   /** A figure with its interval, if there is one. */
   const withInterval = (text, range) =>
       (range ? [text, ' ', el('span', {class: 'interval'}, `(${range})`)] : [text]);
-  const rateWithInterval = (r, n) => withInterval(rate(r, n), rateInterval(r, n));
+  const rateWithInterval = (r, n) => {
+    const of = r && isNumber(r.count) && n > 0 ? `${count(r.count)} of ${count(n)}` : '';
+    return withInterval(rate(r, n), [rateInterval(r, n), of].filter(Boolean).join('; '));
+  };
   /** Median and 95th percentile. */
   const summary = (s, format = num) => (s && s.count > 0 ? `${format(s.median)} / ${format(s.p95)}` : dash);
-  const angles = (s) => summary(s, angle);
+  const angles = (s) => summary(s, bothAngles);
 
-  /** Whole numbers in a text, with or without commas, as everywhere on the page. */
-  const regroup = (text) => String(text).replace(/(?<![\d.,])\d+(,\d{3})*(?!\d|[.,]\d)/g,
-                                                 (digits) => grouped(digits.replaceAll(',', '')));
+  /** A sentence of the program, with signs that a terminal may not have. */
+  const spoken = (text) => String(text ?? '').replace(/ degrees\b/g, '\u00b0');
   const sentences = (list) =>
-      el('ul', {class: 'sentences'}, (list ?? []).map((s) => el('li', null, regroup(s))));
+      el('ul', {class: 'sentences'}, (list ?? []).map((s) => el('li', null, spoken(s))));
 
   return {
     dash,
@@ -119,6 +140,9 @@ const Format = (() => {
     change,
     angle,
     angles,
+    degrees,
+    bothAngles,
+    lossText,
     interval,
     rate,
     rateInterval,
@@ -129,6 +153,7 @@ const Format = (() => {
     withInterval,
     rateWithInterval,
     summary,
+    spoken,
     sentences
   };
 })();

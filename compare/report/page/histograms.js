@@ -30,9 +30,9 @@ const Histograms = (() => {
     const labels = Array.from({length: end - begin}, (_, i) => rangeName(begin + i, edges));
     const tick = (i) => (begin + i === 0 ? '0' : edgeName(edges[begin + i]));
     const totals = engines.map((e) => e[field].reduce((sum, n) => sum + n, 0));
-    const isFine = labels.length > 14; // not every bar has room for a name then
+    const isFine = labels.length > 14; // not every bin has room for a name then
     return {
-      type: 'bar',
+      type: 'line',
       data: {
         labels,
         datasets: engines.map((e, i) => {
@@ -41,15 +41,18 @@ const Histograms = (() => {
             label: `${e.name} (${Format.count(totals[i])})`,
             data: counts.map((n) => 100 * n / totals[i]),
             counts,
+            borderColor: Data.colour(e.name),
             backgroundColor: Data.colour(e.name),
-            categoryPercentage: 0.85,
-            barPercentage: 0.95
+            borderWidth: 2,
+            pointRadius: counts.map((n) => (n > 0 ? 4 : 0)),
+            ...parts.pointMark(e.name)
           };
         }),
       },
       options: {
         interaction: {mode: 'index', intersect: false},
         plugins: {
+          legend: {labels: {usePointStyle: true, boxHeight: 7}},
           tooltip: {
             callbacks: {
               title: ([item]) => `${item.label} radii`,
@@ -60,7 +63,7 @@ const Histograms = (() => {
         },
         scales: {
           x: {
-            title: {display: true, text: 'radii of the ball, at the beginning of each bar'},
+            title: {display: true, text: 'radii of the ball, where each bin begins'},
             grid: {display: false},
             ticks: {
               autoSkip: false,

@@ -6,7 +6,7 @@ const Metrics = (() => {
     num,
     plain,
     signed,
-    angle,
+    bothAngles,
     change,
     count,
     summary,
@@ -29,14 +29,14 @@ const Metrics = (() => {
       return (e, scene) => [`${count(e[key]?.count)}: `,
                             rateWithInterval(e[key], key === 'ghost' ? scene.quiet_steps : e.contacts)];
     if (kind === 'impact')
-      return (e) => summaryText(e[key], unit === 'rad' ? angle : num, isSigned ? signed : undefined);
+      return (e) => summaryText(e[key], unit === 'rad' ? bothAngles : num, isSigned ? signed : undefined);
     if (unit === 'change') return (e) => change(e[key]);
     if (unit === 'balls') return asCount(key);
     if (key === 'ns_per_ball_step')
       return (e) => withInterval(num(e.ns_per_ball_step), interval(e.ns_per_ball_step_interval));
     return (e) => num(e[key]);
   }
-  const unitText = {rate: 'count: % (95% interval)', change: '% or factor'};
+  const unitText = {rate: 'count: % (95% interval)', change: '% or factor', rad: 'rad (degrees)'};
   // Rows that are no figures of their own.
   const others = {
     Outcomes: [['contacts', '', asCount('contacts')], ['correct', '', asCount('correct')]],
@@ -73,8 +73,8 @@ const Metrics = (() => {
                            'tr', null, el('th', {scope: 'row'}, name), el('th', {class: 'unit-cell'}, unit),
                            engines.map((engine) => el('td', null, cell(engine, scene))))),
     ];
-    return el('div', null, el('h3', null, 'All figures'),
-              el('div', {class: 'scroll'},
+    return el('div', null,
+              el('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'All figures'},
                  el('table', {'data-metrics': ''},
                     el('thead', null,
                        el('tr', null, el('th'), el('th'),

@@ -62,6 +62,12 @@ const PlotParts = (() => {
     };
   }
 
+  /** The mark of an engine, as the points of a dataset. */
+  function pointMark(engine) {
+    const {mark} = Data.rowOf(engine);
+    return {pointStyle: mark === 'wedge' ? 'triangle' : mark, pointRotation: mark === 'wedge' ? 180 : 0};
+  }
+
   /** The floor stands for zero, which a logarithmic axis does not have. */
   const floorLine = {
     id: 'floorLine',
@@ -151,7 +157,7 @@ const PlotParts = (() => {
       for (const {element} of points)
         taken.push([element.x - 4, element.y - 4, element.x + 4, element.y + 4]);
       ctx.save();
-      ctx.font = `11px ${Chart.defaults.font.family}`;
+      ctx.font = `12px ${Chart.defaults.font.family}`;
       ctx.textBaseline = 'middle';
       for (const {element, point, colour} of points.filter((p) => p.point.name)) {
         const width = ctx.measureText(point.name).width;
@@ -191,6 +197,7 @@ const PlotParts = (() => {
     niceBelow,
     niceAbove,
     logAxis,
+    pointMark,
     floorLine,
     exactLine,
     intervals,

@@ -4,7 +4,7 @@ const Plots = (() => {
   const {
     el,
     plain,
-    angle,
+    bothAngles,
     count,
     time,
     plainTime,
@@ -21,7 +21,7 @@ const Plots = (() => {
 
   const isExact = (row) => row.engine === 'exact';
   /** Of which only the substeps vary: its points are a line. */
-  const isNative = (row) => ['native', 'native-continuous'].includes(row.engine);
+  const isNative = (row) => row.engine.startsWith('native');
 
   /** The tunneled rate with the further impacts of the proof; the interval is known without them only. */
   function tunneledOf(row) {
@@ -40,7 +40,6 @@ const Plots = (() => {
       note: 'how far off the ball flies, 95th percentile; down and left is better',
       value: (row) => row.direction_error_p95,
       front: 'front_by_error',
-      isUpperBound: () => false,
       remark: 'A ball that is lost counts as \u03c0: a setting that loses more than 5% is there.',
     },
     tunneled: {
@@ -49,14 +48,13 @@ const Plots = (() => {
       note: 'share of impacts at which the ball passes; bars are 95% intervals',
       value: (row) => {
         const r = tunneledOf(row);
-        return r && Math.min(1, (r.count || 3) / r.n);
+        return r && r.count / r.n;
       },
-      range: (row) => (isNone(row) ? null : [tunneledOf(row).low, tunneledOf(row).high]),
+      range: (row) => (isNone(row) ? [0, Math.min(1, 3 / tunneledOf(row).n)]
+                                   : [tunneledOf(row).low, tunneledOf(row).high]),
       front: 'front_by_misses',
-      isUpperBound: isNone,
       most: 1,
-      remark:
-          'A triangle that points down: none lost in n impacts, drawn at 3/n, below which the rate is at 95%.',
+      remark: 'None lost in n impacts lies at the lower edge; its bar ends at 3/n, below which the rate is at 95%.',
     },
   };
 
@@ -80,17 +78,14 @@ const Plots = (() => {
       y: value > floor ? value : floor,
       row,
       isFront,
-      isUpperBound: question.isUpperBound(row),
       xs: Array.isArray(times) && isNumber(times[0]) && isNumber(times[1]) ? times : null,
       ys: range && range.every(isNumber) ? range : null,
       name: isFront || isNative(row) ? shortName(row) : null,
     };
   }
 
-  const pointStyles =
-      {native: 'circle', 'native-continuous': 'rectRounded', box2d: 'rect', 'box2d-tuned': 'rectRot'};
 
-  function series(engine, points, isSmall) {
+  function series(engine, points) {
     const colour = Data.colour(engine);
     const bySubsteps =
         [...points].sort((a, b) => (a.row.settings?.substeps ?? 0) - (b.row.settings?.substeps ?? 0));
@@ -102,17 +97,10 @@ const Plots = (() => {
       pointBackgroundColor: bySubsteps.map((p) => (p.isFront ? colour : Data.css('--bg'))),
       pointBorderColor: colour,
       pointBorderWidth: 1.8,
-      pointStyle: bySubsteps.map((p) => (p.isUpperBound ? 'triangle' : pointStyles[engine] ?? 'star')),
-      pointRotation: bySubsteps.map((p) => (p.isUpperBound ? 180 : 0)),
-      pointRadius: bySubsteps.map((p) => (isSmall          ? 2.5
-                                          : p.isUpperBound ? 6
-                                                           : 4.5)),
+      ...parts.pointMark(engine),
+      pointRadius: 5,
       pointHoverRadius: 8,
       showLine: isNative({engine}),
-      // An upper bound is no figure to draw a line to: it would rise where nothing was lost.
-      segment: {
-        borderColor: ({p0, p1}) => (p0.raw.isUpperBound || p1.raw.isUpperBound ? 'transparent' : undefined)
-      },
       borderWidth: 2,
       clip: false,
     };
@@ -148,7 +136,7 @@ const Plots = (() => {
         [`time ${time(row.ns_per_ball_second)}` +
          (row.ns_per_ball_second_interval ? ` (${row.ns_per_ball_second_interval.map(time).join(' to ')})`
                                           : '')];
-    lines.push(`direction error, p95: ${angle(row.direction_error_p95)} rad`);
+    lines.push(`direction error, p95: ${bothAngles(row.direction_error_p95)} rad`);
     for (const [name, r, n] of [['tunneled', tunneledOf(row), tunneledOf(row)?.n],
                                 ['missed', row.miss_rate, row.contacts]]) {
       if (!r || !(n > 0)) continue;
@@ -179,17 +167,12 @@ const Plots = (() => {
     };
   }
 
-  // Small multiples have one range, so that scenes compare.
-  const smallFloor = 1e-6;
-  const smallRange = () => rangeOf(questions.error, list(Data.run.work_precision), smallFloor);
-
   /** Work against precision; null where no setting of the scene has a time and a value. */
-  function workConfig(key, allRows, isSmall) {
+  function workConfig(key, allRows) {
     const question = questions[key];
     const rows = drawable(question, allRows);
     if (rows.length === 0) return null;
-    const {floor, top, first, last} =
-        isSmall ? smallRange() : rangeOf(question, allRows, floorBelow(question, rows));
+    const {floor, top, first, last} = rangeOf(question, allRows, floorBelow(question, rows));
     const points = rows.map((row) => toPoint(question, row, floor));
     const engines = [...new Set(rows.map((row) => row.engine))];
     const yLabel = (v) => plain(key === 'tunneled' ? 100 * v : v);
@@ -201,19 +184,17 @@ const Plots = (() => {
       type: 'scatter',
       data: {
         datasets: [
-          ...engines.map((name) => series(name, points.filter((p) => p.row.engine === name), isSmall)),
+          ...engines.map((name) => series(name, points.filter((p) => p.row.engine === name))),
           frontSeries(points)
         ]
       },
-      plugins: isSmall ? [parts.floorLine, parts.exactLine]
-                       : [parts.floorLine, parts.exactLine, parts.intervals, parts.pointNames],
+      plugins: [parts.floorLine, parts.exactLine, parts.intervals, parts.pointNames],
       options: {
         interaction: {mode: 'nearest', intersect: true},
-        events: isSmall ? [] : undefined,
         plugins: {
-          floorLine: {y: key === 'error' ? floor : null},
-          exactLine: {x: exactTime(allRows), isNamed: !isSmall},
-          legend: {display: !isSmall, labels: {usePointStyle: true, boxHeight: 7}},
+          floorLine: {y: floor},
+          exactLine: {x: exactTime(allRows), isNamed: true},
+          legend: {labels: {usePointStyle: true, boxHeight: 7}},
           tooltip: {
             filter: (item) => Boolean(item.raw.row),
             callbacks: {
@@ -223,12 +204,9 @@ const Plots = (() => {
           },
         },
         scales: {
-          x: parts.logAxis(isSmall ? '' : 'Computing time per simulated second and ball', first, last,
-                           plainTime, {isAcross: true}),
-          y: parts.logAxis(isSmall ? '' : question.title, floor, top, yTick,
-                           {floorLabel: isSmall ? `\u2264\u2009${power(-6)}`
-                                        : key === 'error' ? '0'
-                                                          : null}),
+          x: parts.logAxis('Computing time per simulated second and ball', first, last, plainTime,
+                           {isAcross: true}),
+          y: parts.logAxis(question.title, floor, top, yTick, {floorLabel: key === 'error' ? '0' : 'none'}),
         },
       },
     };
@@ -247,11 +225,11 @@ const Plots = (() => {
     const question = questions[key];
     const c = parts.canvas(describe(question, rows));
     c.dataset.plot = key;
-    const config = () => workConfig(key, rows, false);
+    const config = () => workConfig(key, rows);
     const caption = el('figcaption', null, question.caption, el('small', null, question.note));
     if (!config())
       return {
-        figure: el('figure', null, caption, parts.nothing('No settings were measured for this scene.')),
+        figure: el('figure', null, caption, parts.nothing(`${question.caption}: nothing was measured.`)),
         draw: () => {}
       };
     return {
@@ -260,24 +238,12 @@ const Plots = (() => {
     };
   }
 
-  function smallWorkFigure(scene) {
-    const rows = Data.workOf(scene);
-    if (!workConfig('error', rows, true)) return null;
-    const c = parts.canvas(describe(questions.error, rows));
-    c.dataset.plot = 'small';
-    const link = el('a', {href: `#scene=${encodeURIComponent(scene.name)}`, 'data-go': ''}, scene.name);
-    return {
-      figure: el('figure', null, el('figcaption', null, link), parts.frame(c)),
-      draw: () => parts.draw(c, workConfig('error', rows, true)),
-    };
-  }
-
   /** All settings as a table, for those who cannot see the plots or want the figures. */
   function settingsTable(scene) {
     const rows = Data.workOf(scene);
     if (rows.length === 0) return null;
     const heads = [
-      ['time', 'per ball and second (95% interval)'], ['direction error', 'rad, p95'],
+      ['time', 'per ball and second (95% interval)'], ['direction error', 'rad (degrees), p95'],
       ['tunneled', '% (95% interval)'], ['missed', '%'], ['contacts', ''],
       ['proof', 'lost in further impacts'], ['on the front of', '']
     ];
@@ -286,7 +252,7 @@ const Plots = (() => {
                              el('th', {scope: 'row'}, isExact(row) ? '' : row.label ?? ''), [
                                withInterval(time(row.ns_per_ball_second),
                                             list(row.ns_per_ball_second_interval).map(time).join(dash)),
-                               angle(isExact(row) ? 0 : row.direction_error_p95),
+                               bothAngles(isExact(row) ? 0 : row.direction_error_p95),
                                rateWithInterval(tunneledOf(row), tunneledOf(row)?.n),
                                rate(row.miss_rate, row.contacts),
                                count(row.contacts),
@@ -296,8 +262,8 @@ const Plots = (() => {
                                    .join(', '),
                              ].map((text) => el('td', null, text))));
     return el(
-        'details', null, el('summary', null, 'All settings as a table'),
-        el('div', {class: 'scroll'},
+        'div', null, el('h3', null, 'The same as a table'),
+        el('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'All settings'},
            el('table', null,
               el('thead', null,
                  el('tr', null,
@@ -306,5 +272,5 @@ const Plots = (() => {
               el('tbody', null, body))));
   }
 
-  return {workFigure, smallWorkFigure, settingsTable};
+  return {workFigure, settingsTable};
 })();

@@ -3,7 +3,7 @@
 const Replay = (() => {
   const {el, isNumber} = Format;
   const speeds = [[1 / 16, '1/16'], [1 / 8, '1/8'], [1 / 4, '1/4'], [1 / 2, '1/2'], [1, '1'], [2, '2']];
-  const worstPrefix = 'worst ';
+  const worstPrefix = 'worst ', framesAround = 6;
 
   class Player {
     #scene;
@@ -17,12 +17,16 @@ const Replay = (() => {
     #section;
     #canvas;
     #parts = {};
+    #loop = null; // the frames that are played over and over, around the worst contact
 
-    constructor(scene) {
+    /** Begins with the worst contact of an engine, and plays it while it can be seen. */
+    constructor(scene, engine) {
       this.#scene = scene;
       this.#section = this.#build();
       new ResizeObserver(() => this.#resize()).observe(this.#canvas);
-      this.#selectClip(scene.clips[0].name);
+      const worst = scene.clips.find((clip) => clip.name === worstPrefix + engine);
+      this.#selectClip((worst ?? scene.clips[0]).name);
+      if (worst && !matchMedia('(prefers-reduced-motion: reduce)').matches) this.#playWhenSeen();
     }
     get element() { return this.#section; }
 
@@ -34,19 +38,34 @@ const Replay = (() => {
       this.#parts.scrub.max = this.#lastFrame;
       this.#parts.what.textContent = [this.#clip.title, this.#clip.what].filter(Boolean).join(': ');
       this.#pause();
+      this.#loop = null;
       this.#fit();
       this.#goTo(0);
+      if (this.#clip.contact > 0) this.#showContact();
     }
-    #goToWorst(clip) {
-      this.#selectClip(clip.name);
+    #playWhenSeen() {
+      const observer = new IntersectionObserver(([entry]) => {
+        if (!entry.isIntersecting) return;
+        observer.disconnect();
+        this.#goTo(this.#loop[0]);
+        this.#play();
+      }, {threshold: 0.5});
+      observer.observe(this.#canvas);
+    }
+    #showContact() {
+      const clip = this.#clip;
+      this.#loop = [Math.max(0, clip.contact - framesAround), Math.min(this.#lastFrame, clip.contact + framesAround)];
       this.#setSpeed(1 / 16);
       this.#goTo(clip.contact);
+      this.#focus();
+      this.draw();
+    }
+    #focus() {
+      const clip = this.#clip;
       const place = this.#exactPlace(clip.contact), before = this.#exactPlace(Math.max(0, clip.contact - 1));
       const travel = Math.hypot(place[0] - before[0], place[1] - before[1]);
       if (isNumber(travel))
         this.#camera.focus(place, Math.max(12 * this.#scene.radii[clip.ball], 4 * travel));
-      this.draw();
-      this.#canvas.focus({preventScroll: true});
     }
     #goTo(frame) {
       this.#frame = Math.max(0, Math.min(frame, this.#lastFrame));
@@ -87,7 +106,9 @@ const Replay = (() => {
       // A page that was in the background does not jump.
       const seconds = Math.min(Math.max(0, now - this.#lastTime) / 1000, 0.1);
       this.#lastTime = now;
-      this.#goTo(this.#frame + seconds * this.#speed / this.#scene.time_step);
+      const next = this.#frame + seconds * this.#speed / this.#scene.time_step;
+      const end = this.#loop && this.#frame < this.#loop[1] ? this.#loop[1] : this.#lastFrame;
+      this.#goTo(next >= end && this.#loop ? this.#loop[0] : next);
       if (this.#frame >= this.#lastFrame)
         this.#pause();
       else
@@ -116,7 +137,10 @@ const Replay = (() => {
       this.#canvas.height = Math.round(height * ratio);
       this.#camera.resize(width, height);
       this.#section.dataset.ready = '';
-      if (isFirst) this.#fit();
+      if (isFirst) {
+        this.#fit();
+        if (this.#loop) this.#focus();
+      }
       this.draw();
     }
 
@@ -154,7 +178,7 @@ const Replay = (() => {
       ctx.lineTo(14 + pixels, y);
       ctx.lineTo(14 + pixels, y - 4);
       ctx.stroke();
-      ctx.font = `11px ${getComputedStyle(document.body).fontFamily}`;
+      ctx.font = `12px ${getComputedStyle(document.body).fontFamily}`;
       ctx.fillText(`${Format.plain(length)} unit${length === 1 ? '' : 's'}`, 18, y - 5);
     }
 
@@ -205,30 +229,17 @@ const Replay = (() => {
         role: 'application',
         'aria-roledescription': 'replay',
         'aria-label':
-            'Replay of the scene. Space plays, the arrows go frame by frame, plus and minus zoom, 0 shows all.'
+            'Replay of the scene. Space plays, the arrows go frame by frame, plus and minus zoom, 0 shows all.',
+        title: 'Space plays and pauses, arrows go by a frame, + and \u2212 zoom, 0 shows all; drag to move; once clicked, the wheel zooms'
       });
       this.#listen();
       return el(
           'section', {class: 'replay', 'aria-label': 'Replay', onkeydown: (event) => this.#onKey(event)},
-          el('div', {class: 'controls'}, this.#worstButtons(), el('label', null, 'Clip ', p.clip)), p.what,
-          this.#canvas,
-          el('div', {class: 'controls'}, p.play, p.scrub, p.clock, el('label', null, 'Speed ', p.speed),
+          p.what, this.#canvas,
+          el('div', {class: 'controls'}, p.play, p.scrub, p.clock),
+          el('div', {class: 'controls'}, el('label', null, 'Show ', p.clip), el('label', null, 'Speed ', p.speed),
              this.#zoomButtons()),
-          el('div', {class: 'controls'}, Data.tracks.map((name) => this.#trackToggle(name))),
-          el('p', {class: 'note'},
-             'Keys in the picture: space plays and pauses, arrows left and right go by a frame, ' +
-                 '+ and \u2212 zoom, 0 shows all. Drag to move; once the picture is clicked, the wheel zooms. ' +
-                 'Between frames balls are drawn on straight lines. At the frame of the worst contact its ball has ' +
-                 'a ring.'));
-    }
-    #worstButtons() {
-      return this.#scene.clips.filter((clip) => clip.name.startsWith(worstPrefix))
-          .map((clip) => el('button', {
-                 type: 'button',
-                 'data-worst': clip.name.slice(worstPrefix.length),
-                 onclick: () => this.#goToWorst(clip)
-               },
-                            'Worst contact of ', Data.tag(clip.name.slice(worstPrefix.length))));
+          el('div', {class: 'controls'}, Data.tracks.map((name) => this.#trackToggle(name))));
     }
     #zoomButtons() {
       const button = (name, label, onclick) =>
@@ -256,8 +267,8 @@ const Replay = (() => {
           this.draw();
         }
       });
-      return el('label', {'--engine': `var(${Data.colourVariable(name)})`}, box,
-                el('span', {class: 'line', '--dashes': Drawing.dashesOf(name)}), name);
+      return el('label', {'--engine': `var(--${name})`}, box,
+                el('span', {class: 'line', '--dashes': Drawing.dashesOf(name)}), Data.tag(name));
     }
 
     #listen() {
@@ -307,8 +318,8 @@ const Replay = (() => {
   const isPlayable = (scene) =>
       Boolean(scene) && Data.list(scene.clips).length > 0 && Data.list(scene.radii).length > 0;
 
-  /** The player of a scene, or null where nothing was recorded. */
-  const make = (scene) => (
-      isPlayable(scene) ? new Player({...scene, clips: scene.clips, shapes: Data.list(scene.shapes)}) : null);
+  /** The player of a scene, at the worst contact of an engine, or null where nothing was recorded. */
+  const make = (scene, engine) =>
+      (isPlayable(scene) ? new Player({...scene, shapes: Data.list(scene.shapes)}, engine) : null);
   return {make};
 })();

@@ -93,9 +93,9 @@ const Tables = (() => {
                              num(map.travel)} radii per step; right of the double line it is more than one.`
                        : '';
     return el(
-        'div', null, el('h3', null, 'Tunneling by speed and size of the ball, in % of the impacts'),
+        'div', null,
         el('p', {class: 'note'},
-           `Factors on what the scene says.${travel} "<": none lost, below 3 in n at 95%. ` +
+           `In % of the impacts; factors on what the scene says.${travel} "<": none lost, below 3 in n at 95%. ` +
                'A dash: no contacts there.'),
         el('div', {class: 'heatmaps'}, list(scene.engines).map((engine, e) => heatMap(map, engine, e))));
   }
@@ -118,7 +118,7 @@ const Tables = (() => {
     const columns = [
       ['tunneled', '%', (bin) => rateWithInterval(bin.tunneled, bin.contacts)],
       ['setback error', 'radii, median / p95', (bin) => summary(bin.setback_error)],
-      ['direction error', 'rad, median / p95', (bin) => angles(bin.direction_error)],
+      ['direction error', 'rad (degrees), median / p95', (bin) => angles(bin.direction_error)],
     ];
     const row = (bin, engine, i) => {
       const rowspan = engines.length;
@@ -128,7 +128,7 @@ const Tables = (() => {
       ];
       const cells = columns.map(([, , cell]) => el('td', null, cell(find(engine, bin))));
       return el('tr', {class: i === 0 ? 'first' : null}, i === 0 ? head : null,
-                el('th', {scope: 'row'}, Data.tag(engine.name)), cells);
+                el('th', {scope: 'row', class: 'second'}, Data.tag(engine.name)), cells);
     };
     let group = null;
     const rows = [...keys.values()].flatMap((bin) => {
@@ -140,7 +140,7 @@ const Tables = (() => {
     });
     const heads = columns.map(([head, unit]) => el('th', {scope: 'col'}, head, el('small', null, unit)));
     return el('div', null, el('h3', null, 'Where it goes wrong'),
-              el('div', {class: 'scroll'},
+              el('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'Impacts by kind'},
                  el('table', {'data-bins': ''},
                     el('thead', null,
                        el('tr', null, el('th'), el('th', {scope: 'col'}, 'contacts'),
@@ -152,14 +152,14 @@ const Tables = (() => {
   function facts(scene) {
     const gravity =
         list(scene.gravity).every(isNumber) && list(scene.gravity).length === 2 ? scene.gravity : null;
-    return el('p', {class: 'facts'}, [
+    return [
       isNumber(scene.time_step) ? `step ${num(1000 * scene.time_step)} ms` : null,
       gravity ? `gravity (${gravity.map(num).join(', ')})` : null,
       some(scene.shapes, 'shape'),
       some(scene.balls, 'ball'),
       some(scene.trials, 'random trial'),
       list(scene.features).length ? `with ${scene.features.join(', ').replaceAll('_', ' ')}` : null,
-    ].filter(Boolean).join(' \u00b7 '));
+    ].filter(Boolean).join(' \u00b7 ');
   }
 
   return {outcomeFigure, heatMaps, bins, facts};

@@ -10,7 +10,7 @@
 namespace Shapes::Compare {
 
 struct CPageDocuments {
-  nlohmann::json m_cRun, m_cReplay;
+  nlohmann::json m_cRun, m_cReplay, m_cCharts;
 };
 
 /// One full scene of two engines for each name: work precision, heat map, bins, clips.

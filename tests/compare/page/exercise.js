@@ -2,11 +2,19 @@
 // After everything else on the page: does what a reader does, looks at what is then to be seen, and leaves it
 // as JSON.
 (async () => {
-  const engines = ['native', 'native-continuous', 'box2d', 'box2d-tuned', 'exact'];
   const $ = (selector, root = document) => root.querySelector(selector);
   const $$ = (selector, root = document) => [...root.querySelectorAll(selector)];
   const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
   const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+  // A page with broken data has none.
+  const engines = (() => {
+    try {
+      return [...JSON.parse($('#run').textContent).engines.map((row) => row.name), 'exact'];
+    } catch {
+      return ['exact'];
+    }
+  })();
 
   async function until(condition, what) {
     for (let i = 0; i < 1000; ++i) {
@@ -94,13 +102,79 @@
     return worst;
   }
 
+  const isShown = (element) => element.checkVisibility() && !element.closest('[hidden]');
+
+  /** Boxes of all text that is shown in some elements, as [left, top, right, bottom, text, element]. */
+  function textBoxes(elements) {
+    const boxes = [];
+    for (const element of elements.filter(isShown)) {
+      const walker = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
+      for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+        const clip = getComputedStyle(node.parentElement).clipPath; // of what only a screen reader reads
+        if (!node.textContent.trim() || node.parentElement.closest('title') || clip.startsWith('inset')) continue;
+        const range = document.createRange();
+        range.selectNodeContents(node);
+        for (const r of range.getClientRects())
+          if (r.width > 0) boxes.push([r.left, r.top, r.right, r.bottom, node.textContent.trim(), node]);
+      }
+    }
+    return boxes;
+  }
+  const area = (a, b) => Math.max(0, Math.min(a[2], b[2]) - Math.max(a[0], b[0])) *
+                         Math.max(0, Math.min(a[3], b[3]) - Math.max(a[1], b[1]));
+  /** Texts that lie on each other, or on a mark; lines of one text may touch. */
+  function overlaps() {
+    const found = [];
+    const least = 8; // square pixels: a box of letters is higher than the letters
+    for (const group of [$$('.tile'), $$('.matrix thead'), $$('.matrix tbody tr'), $$('svg.engines')].flat()) {
+      const texts = textBoxes([group]);
+      const marks = $$('[data-engine]', group).filter((e) => e.ownerSVGElement && isShown(e)).map((e) => {
+        const r = e.getBoundingClientRect();
+        return [r.left, r.top, r.right, r.bottom, `mark of ${e.dataset.engine}`];
+      });
+      texts.forEach((a, i) => {
+        for (const b of [...texts.slice(i + 1), ...marks])
+          if (a[5] !== b[5] && area(a, b) > least) found.push(`${a[4]} | ${b[4]}`);
+      });
+    }
+    return found;
+  }
+  /** What is wider than the page, outside of what scrolls by itself, and text that is cut. */
+  function cut() {
+    const width = document.documentElement.clientWidth;
+    const name = (e) => `${e.tagName}.${e.className.baseVal ?? e.className} ${e.textContent.slice(0, 30)}`;
+    const wide = $$('body *').filter((e) => isShown(e) && !e.closest('.scroll *, script, iframe') &&
+                                            getComputedStyle(e).position !== 'absolute' &&
+                                            e.getBoundingClientRect().right > width + 0.5);
+    const boxes = textBoxes($$('.tile, .matrix td, .matrix th')).filter(([, , right, , , node]) => {
+      const cell = node.parentElement.closest('.tile, td, th').getBoundingClientRect();
+      return right > cell.right + 0.5;
+    });
+    return [...wide.map(name), ...boxes.map((box) => box[4])];
+  }
+  /** Sizes of letters in pixels. */
+  const letterSizes = () => [...new Set(textBoxes([document.body])
+                                            .filter((box) => !box[5].parentElement.closest('script, #test-result'))
+                                            .map((box) => parseFloat(getComputedStyle(box[5].parentElement).fontSize)))]
+                                .sort((a, b) => a - b);
+  /** Sentences that are there twice. */
+  function repeated() {
+    const sentences = $$('main p, main li:not(.counts li), main h1, footer p')
+                          .filter((e) => isShown(e) && !e.querySelector('p, li'))
+                          .flatMap((e) => e.textContent.split(/(?<=[.!?;])\s+/))
+                          .map((text) => text.trim())
+                          .filter((text) => text.split(' ').length > 6);
+    return [...new Set(sentences.filter((text, i) => sentences.indexOf(text) !== i))];
+  }
+  const bottomOf = (selector) => ($(selector) ? $(selector).getBoundingClientRect().bottom + window.scrollY : 0);
+
   /** Words that say that a value was not there. */
   function oddWords() {
     const attributes =
-        $$('main *, header *')
+        $$('main *, footer *')
             .flatMap((e) => [e.title, e.getAttribute('aria-label'), e.getAttribute('aria-valuetext')])
             .filter(Boolean);
-    const text = [$('header').innerText, $('main').innerText, ...attributes].join('\n');
+    const text = [$('footer').innerText, $('main').innerText, ...attributes].join('\n');
     return [...new Set(text.match(/\b(NaN|undefined|null|Infinity)\b|\[object/g) ?? [])];
   }
 
@@ -122,6 +196,7 @@
   async function playReplay(replay) {
     const play = $('[data-action=play]', replay), before = frameOf(replay);
     play.click();
+    if (replay.dataset.playing !== 'true') throw new Error('the replay does not play');
     await until(() => frameOf(replay) > before + 2, 'frames to pass');
     const wasPlaying = replay.dataset.playing;
     if (replay.dataset.playing === 'true') play.click();
@@ -136,9 +211,14 @@
     };
   }
 
+  function choose(select, value) {
+    select.value = value;
+    select.dispatchEvent(new Event('change'));
+  }
+
   async function goToWorst(replay, engine) {
     const canvas = $('canvas', replay);
-    $(`[data-worst="${engine}"]`, replay).click();
+    choose($('[aria-label=Clip]', replay), `worst ${engine}`);
     await wait(50);
     const middle = [1 / 3, 1 / 3, 1 / 3, 1 / 3], ring = look(canvas, middle).heat;
     key(canvas, 'ArrowLeft');
@@ -197,15 +277,31 @@
     return seen;
   }
 
+  async function unfold() {
+    const folds = $$('#scene-body details');
+    for (const fold of folds)
+      fold.open = true;
+    await until(() => folds.every((fold) => fold.lastElementChild.childElementCount > 0), 'what is folded');
+    await wait(100);
+    return folds;
+  }
+
   async function visit(name) {
-    const select = $('#scene-select');
-    select.value = name;
-    select.dispatchEvent(new Event('change'));
+    choose($('#scene-select'), name);
     await until(() => $('#scene-body').dataset.scene === name, name);
     await until(() => !$('.replay') || 'ready' in $('.replay').dataset, 'the replay');
-    await wait(100);
+    const folds = await unfold();
     const seen = {
       name,
+      folds: folds.length,
+      sections: textOf('#scene-body summary'),
+      cut: cut(),
+      overlaps: overlaps(),
+      repeated: repeated(),
+      sizes: letterSizes(),
+      chart: Boolean($('#scene-chart svg')),
+      answers: textOf('table.answers tbody tr'),
+      verdict: textOf('.verdict')[0],
       hash: decodeURIComponent(location.hash),
       odd: oddWords(),
       text: worstText(),
@@ -217,7 +313,7 @@
       uncalled: $$('[data-effects] .uncalled').length,
       differing: textOf('[data-effects] .differs'),
       axes: workAxes(),
-      work: textOf('.trio').join(' '),
+      work: textOf('#scene-body').join(' '),
       settings: textOf('#scene-body details td'),
       heatNote: textOf('.heatmaps').length > 0 ? $('.heatmaps').previousElementSibling.textContent : '',
       heatCells: textOf('[data-heat] td'),
@@ -228,20 +324,24 @@
         $$('#scene-body canvas[data-plot]').map((canvas) => [canvas.dataset.plot, look(canvas)]));
     const replay = $('.replay');
     if (!replay) return seen;
+    seen.isPlaying = replay.dataset.playing;
+    if (replay.dataset.playing === 'true') $('[data-action=play]', replay).click();
+    seen.worstFirst = replay.dataset.clip;
+    choose($('[aria-label=Clip]', replay), 'start');
     seen.replay = look($('canvas', replay));
     seen.start = wayAt(replay, 0);
     seen.end = wayAt(replay, 12);
     seen.play = await playReplay(replay);
     seen.worst = {};
-    for (const button of $$('[data-worst]', replay))
-      seen.worst[button.dataset.worst] = await goToWorst(replay, button.dataset.worst);
+    for (const option of $$('[aria-label=Clip] option', replay).filter((o) => o.value.startsWith('worst ')))
+      seen.worst[option.value.slice(6)] = await goToWorst(replay, option.value.slice(6));
     seen.keys = await useKeys(replay);
     return seen;
   }
 
   /** Paper is white, whatever the screen is. */
   function print() {
-    const plot = () => look($('canvas[data-plot=small]')).native;
+    const plot = () => look($('canvas[data-plot=error]'))[engines[0]];
     window.dispatchEvent(new Event('beforeprint'));
     const seen = {paper: rgba(css('--bg')).slice(0, 3), plot: plot()};
     window.dispatchEvent(new Event('afterprint'));
@@ -256,10 +356,10 @@
       await until(() => shown() === name, `${name} by ${selector}`);
       seen.push(shown());
     };
-    await follow('#verdict-cards a', names[0]);
+    await follow('#matrix tbody a', names[0]);
     await follow('[aria-label="Next scene"]', names[1 % names.length]);
     await follow('[aria-label="Scene before"]', names[0]);
-    $('a[href="#top"]').click();
+    $('a[href="#first"]').click();
     await wait(200);
     return [...seen, location.hash];
   }
@@ -267,14 +367,17 @@
   async function exercise(result) {
     const isReady = () => 'ready' in document.documentElement.dataset;
     await until(() => isReady() || window.noted.length > 0, 'the page');
-    result.text = $('header').innerText;
+    result.text = $('#first').innerText;
     if (!isReady()) return;
     result.isInterrupted = Boolean($('#interrupted'));
-    result.rows = $$('#overview-table tbody tr').length;
-    result.overview = textOf('#overview-table tbody td');
-    result.smallAxes = $$('canvas[data-plot=small]').map(axesOf);
-    result.cards = $$('#verdict-cards .card').length;
-    result.small = $$('canvas[data-plot=small]').map((canvas) => look(canvas));
+    result.rows = $$('#matrix tbody tr').length;
+    result.matrix = textOf('#matrix tbody td');
+    result.tiles = textOf('.tile');
+    result.footer = $('footer').innerText;
+    result.firstScreen = bottomOf('#overall-chart');
+    result.labels = $$('#overall-chart svg').filter(isShown).map((svg) => $$('.label', svg).length);
+    result.cut = cut();
+    result.overlaps = overlaps();
     result.width = document.documentElement.scrollWidth - document.documentElement.clientWidth;
     result.isDark = matchMedia('(prefers-color-scheme: dark)').matches;
     result.seriesContrast =
@@ -284,6 +387,7 @@
       result.scenes.push(await visit(name));
     if (names.length > 0) {
       result.links = await followLinks(names);
+      await unfold();
       result.print = print();
     }
     result.isDone = true;

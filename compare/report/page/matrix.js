@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Scenes by engines: is it good enough?
+const Matrix = (() => {
+  const {el, count, degrees, lossText, isNumber, dash} = Format;
+  const {list} = Data;
+  const signs = {good: '\u2713', rough: '~', poor: '\u2717', unknown: dash};
+  const hashOf = (name) => `#scene=${encodeURIComponent(name)}`;
+
+  /** A long name breaks after its underlines. */
+  const breakable = (name) => name.split(/(?<=_)/).flatMap((part) => [part, el('wbr')]);
+
+  /** The world by default, and the engine that made the same of every impact. */
+  const sameAs = (engine) => (engine.name === 'native' && engine.same_run ? engine.same_run : null);
+
+  function cell(scene, name) {
+    const engine = list(scene.engines).find((e) => e.name === name);
+    if (!engine) return el('td', null, dash);
+    const lost = lossText(engine.tunneled, engine.contacts);
+    const off = engine.direction_error?.count > 0 ? degrees(engine.direction_error.p95) : dash;
+    const same = sameAs(engine), grade = engine.grade ?? 'unknown';
+    return el('td', {
+      class: `${grade}${scene.take === name ? ' take' : ''}`,
+      title: `${name}: ${grade}; lost ${lost}, off by ${off}${same ? `; the same run as ${same}` : ''}`
+    },
+              el('span', {class: 'sign', 'aria-label': grade}, signs[grade] ?? dash),
+              el('span', {class: 'more'}, ' '),
+              el('span', null, isNumber(engine.ns_per_ball_step) ? count(engine.ns_per_ball_step) : dash,
+                 el('span', {class: 'more'}, ' ns'),
+                 same ? el('sup', {class: 'more', title: `the same run as ${same}`}, same.endsWith('continuous') ? 's' : 'u') : null),
+              engine.contacts > 0 ? el('small', {class: 'more'}, `${lost.replace(/ of .*/, '')} lost, ${off}`) : null);
+  }
+
+  function show() {
+    const engines = list(Data.run.engines);
+    const place = document.getElementById('matrix');
+    if (Data.scenes.length === 0) return place.append(el('p', null, 'No scene was finished.'));
+    const row = (scene) => el(
+        'tr', {
+          'data-scene': scene.name,
+          onclick: () => { location.hash = hashOf(scene.name); document.getElementById('scene').scrollIntoView(); }
+        },
+        el('th', {scope: 'row'}, el('a', {href: hashOf(scene.name), 'data-go': ''}, breakable(scene.name))),
+        engines.map(({name}) => cell(scene, name)));
+    place.append(
+        el('p', {class: 'legend'}, el('span', {class: 'good'}, '\u2713 good'),
+           ': at most 1 in 1,000 balls lost, 95% of bounces within 1\u00b0. ', el('span', {class: 'rough'}, '~ rough'),
+           ': 1 in 100, 10\u00b0. ', el('span', {class: 'poor'}, '\u2717 poor'),
+           ': worse. The number is nanoseconds for one step of one ball; ', el('span', {class: 'take'}, 'framed'),
+           ': what to take. native', el('sup', null, 's'),
+           ' swept every ball that mattered, so it made the same run as native-continuous, native', el('sup', null, 'u'),
+           ' none, as native-approximate.'),
+        el('table', {class: 'matrix'},
+           el('thead', null,
+              el('tr', null, el('th', {scope: 'col'}, 'scene'),
+                 engines.map(({name, short}) => el('th', {scope: 'col', title: Data.rowOf(name).meaning},
+                                                   Data.tag(name, short))))),
+           el('tbody', null, Data.scenes.map(row))));
+  }
+  return {show, hashOf};
+})();

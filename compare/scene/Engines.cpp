@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "Engines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace Shapes::Compare {
+namespace {
+
+// Box2D ships with its continuous physics on. Colours have a contrast of 3:1 to the page; those of one family
+// differ in lightness, and marks tell all of them apart without colour.
+constexpr CEngineRow g_stdRows[] = {
+    {g_sNative, "native", "native", "the world by default", eBackend::Native, g_cAutomatic, eProfile::Shipped,
+     "circle", "#0061a8", "#6cbcff"},
+    {g_sNativeApproximate, "native-approximate", "approx.", "balls never swept", eBackend::Native,
+     g_cApproximate, eProfile::Shipped, "triangle", "#2f8f9d", "#5fd0c5"},
+    {g_sNativeContinuous, "native-continuous", "contin.", "balls always swept", eBackend::Native,
+     g_cContinuous, eProfile::Shipped, "wedge", "#1b2a6b", "#4f86e8"},
+    {g_sBox2D, "Box2D", "box2d", "Box2D as it ships", eBackend::Box2D, g_cContinuous, eProfile::Shipped,
+     "rect", "#c2410c", "#ff9a52"},
+    {"box2d-tuned", "tuned Box2D", "tuned", "Box2D in the profile Tuned", eBackend::Box2D, g_cAutomatic,
+     eProfile::Tuned, "rectRot", "#7b1d84", "#d68cff"},
+};
+
+} // namespace
+
+CWorldDesc CEngine::MakeWorldDesc(const CScene& scene) const {
+  CWorldDesc desc = scene.m_cWorld;
+  desc.m_nSubsteps = m_nSubsteps;
+  desc.m_cEffects = m_cEffects;
+  desc.m_cBox2D.m_eProfile = m_eProfile;
+  desc.m_cBox2D.m_nVelocityIterations = m_nVelocityIterations;
+  desc.m_cBox2D.m_nPositionIterations = m_nPositionIterations;
+  desc.m_cBox2D.m_fLengthUnit /= m_fScale;
+  // The tolerance is in Box2D's metres: scaled too, so that the scale alone does not change the pieces.
+  desc.m_cBox2D.m_fSagittaTolerance *= m_fScale * m_fSagittaFactor;
+  return desc;
+}
+
+std::string CEngine::GetLabel() const {
+  const CEngine as{m_sName, m_pBackend};
+  std::string label;
+  const auto add = [&](const std::string& part) {
+    if (!label.empty()) label += ", ";
+    label += part;
+  };
+  if (m_nSubsteps != as.m_nSubsteps) add(fmt::format("{} substeps", m_nSubsteps));
+  if (m_fScale != as.m_fScale) add(fmt::format("{:g}x scale", m_fScale));
+  if (m_fSagittaFactor != as.m_fSagittaFactor) add(fmt::format("arcs {:g}x finer", 1.0f / m_fSagittaFactor));
+  if (m_nVelocityIterations != as.m_nVelocityIterations || m_nPositionIterations != as.m_nPositionIterations)
+    add(fmt::format("{}+{} iterations", m_nVelocityIterations, m_nPositionIterations));
+  return label.empty() ? "as it comes" : label;
+}
+
+std::span<const CEngineRow> GetEngineRows() { return g_stdRows; }
+
+const CEngineRow& GetEngineRow(std::string_view name) {
+  for (const CEngineRow& row : g_stdRows)
+    if (row.m_sName == name) return row;
+  throw std::out_of_range("no engine: " + std::string(name));
+}
+
+std::vector<CEngine> GetEngines() {
+  std::vector<CEngine> engines;
+  for (const CEngineRow& row : g_stdRows) {
+    const CBackend* pBackend = GetBackend(row.m_eBackend);
+    if (pBackend == nullptr)
+      throw std::runtime_error("this build has no Box2D engine: configure with -DSHAPES_WITH_BOX2D=ON");
+    engines.push_back({row.m_sName, pBackend, 1, row.m_cEffects, row.m_eProfile});
+  }
+  return engines;
+}
+
+std::optional<std::size_t> FindOther(const std::vector<CEngine>& engines) {
+  for (std::size_t i = 1; i < engines.size(); ++i)
+    if (engines[i].m_pBackend != engines[0].m_pBackend) return i;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> FindEngine(const std::vector<CEngine>& engines, std::string_view name) {
+  for (std::size_t e = 0; e < engines.size(); ++e)
+    if (engines[e].m_sName == name) return e;
+  return std::nullopt;
+}
+
+const char* GetName(eProfile profile) { return profile == eProfile::Tuned ? "tuned" : "shipped"; }
+
+} // namespace Shapes::Compare

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// The engines that are compared: one table, which the runs, run.json, the page, its pictures and the terminal
+// read.
+#pragma once
+
+#include "Scene.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace Shapes::Compare {
+
+/// An engine with the settings under which a scene is run.
+struct CEngine {
+  /// A name of the table of engines; several settings of one engine share it.
+  std::string m_sName;
+  const CBackend* m_pBackend;
+  unsigned m_nSubsteps = 1;
+  CEffectChoice m_cEffects = g_cAutomatic;
+  // Read by Box2D only.
+  eProfile m_eProfile = eProfile::Shipped;
+  unsigned m_nVelocityIterations = 8;
+  unsigned m_nPositionIterations = 3;
+  float m_fSagittaFactor = 1.0f; ///< Times the scene's sagitta tolerance: below 1 for more pieces of arcs.
+  float m_fScale = 1.0f;         ///< Metres of Box2D to a metre of the scene.
+
+  /// The scene's world with these settings.
+  CWorldDesc MakeWorldDesc(const CScene& scene) const;
+  /// What differs from the engine as it comes, to tell settings apart: "4 substeps, 10x scale";
+  /// "as it comes" if nothing does.
+  std::string GetLabel() const;
+};
+
+/// The world that a game gets by default.
+inline constexpr const char* g_sNative = "native";
+/// The same engine with balls that are never swept, and always.
+inline constexpr const char *g_sNativeApproximate = "native-approximate",
+                            *g_sNativeContinuous = "native-continuous";
+/// Box2D as it ships.
+inline constexpr const char* g_sBox2D = "box2d";
+
+/// A row of the table of engines.
+struct CEngineRow {
+  const char* m_sName;    ///< of --engines, run.json and every column
+  const char* m_sSpoken;  ///< in sentences
+  const char* m_sShort;   ///< above a narrow column, at most 7 characters
+  const char* m_sMeaning; ///< what it is, in some words
+  eBackend m_eBackend;
+  CEffectChoice m_cEffects;
+  eProfile m_eProfile;
+  const char* m_sMark;   ///< its mark in pictures: "circle", "triangle", "wedge", "rect" or "rectRot"
+  const char* m_sColour; ///< of the mark on white
+  const char* m_sDark;   ///< of the mark on black
+};
+
+/// All rows. A new engine is a row.
+std::span<const CEngineRow> GetEngineRows();
+/// The row of a name. @throws std::out_of_range if there is none
+const CEngineRow& GetEngineRow(std::string_view name);
+
+/// The table as engines, as they come.
+/// @throws std::runtime_error if the Box2D engine was not built
+std::vector<CEngine> GetEngines();
+
+/// The first engine that has another backend than the first of all; none if there is no such. Settings of one
+/// backend share their CollisionDetected, whatever effects and profile they have, so these two are held
+/// against each other.
+std::optional<std::size_t> FindOther(const std::vector<CEngine>& engines);
+
+std::optional<std::size_t> FindEngine(const std::vector<CEngine>& engines, std::string_view name);
+
+/// "shipped" or "tuned".
+const char* GetName(eProfile profile);
+
+} // namespace Shapes::Compare
