@@ -214,7 +214,12 @@ private:
     return {x - r, y - r, x + r, y + r};
   }
 
-  // The label goes where it covers least; marks and other labels count most.
+  static double GetDistance(const CBox& box, double x, double y) {
+    return std::hypot(std::clamp(x, box.m_fLeft, box.m_fRight) - x,
+                      std::clamp(y, box.m_fTop, box.m_fBottom) - y);
+  }
+
+  // The label goes where it covers least, near its mark; marks and other labels count most.
   void AddLabel(const CChartPoint& p) {
     const std::string lost =
         p.m_nLost == 0 ? "none lost" : fmt::format("loses {}", LossText(p.m_nLost, p.m_nOf));
@@ -223,23 +228,18 @@ private:
     constexpr double height = 34.0;
     CBox best{};
     double least = 1e300;
-    for (const double far : {0.0, 22.0, 44.0, 66.0, 90.0})
-      for (const double dx : {1.0, -1.0, 0.0})
-        for (const double dy : {0.0, -1.0, 1.0}) {
-          if (dx == 0.0 && dy == 0.0) continue;
-          const double cx = X(p) + dx * (g_fMark + 8.0 + 0.5 * width + (dy == 0.0 ? far : 0.3 * far));
-          const double cy = Y(p) + dy * (g_fMark + 5.0 + 0.5 * height + far);
-          const CBox box{cx - 0.5 * width, cy - 0.5 * height, cx + 0.5 * width, cy + 0.5 * height};
-          const double cost =
-              CostOf(box) + far + (dx > 0.0 ? 0.0 : 3.0) + (dx != 0.0 && dy != 0.0 ? 8.0 : 0.0);
-          if (cost < least) least = cost, best = box;
-        }
+    for (double top = m_cArea.m_fTop; top + height <= m_cArea.m_fBottom; top += 4.0)
+      for (double left = m_cArea.m_fLeft + 2.0; left + width <= m_cSize.m_fWidth; left += 6.0) {
+        const CBox box{left, top, left + width, top + height};
+        const double far = GetDistance(box, X(p), Y(p)) - g_fMark;
+        const double cost = CostOf(box) + std::abs(far - 5.0) + (left > X(p) ? 0.0 : 3.0);
+        if (cost < least) least = cost, best = box;
+      }
     m_stdLabels.push_back(best);
     const double x = best.m_fLeft, y = best.m_fTop;
-    const double nearX = std::clamp(X(p), best.m_fLeft, best.m_fRight),
-                 nearY = std::clamp(Y(p), best.m_fTop, best.m_fBottom);
-    if (std::hypot(nearX - X(p), nearY - Y(p)) > g_fMark + 14.0)
-      AddLine(X(p), Y(p), nearX, nearY, "var(--muted)");
+    if (GetDistance(best, X(p), Y(p)) > g_fMark + 14.0)
+      AddLine(X(p), Y(p), std::clamp(X(p), best.m_fLeft, best.m_fRight),
+              std::clamp(Y(p), best.m_fTop, best.m_fBottom), "var(--muted)");
     m_sSvg += fmt::format(
         "<g class=\"label\" data-of=\"{0}\" paint-order=\"stroke\" stroke=\"var(--bg)\" "
         "stroke-width=\"4\" stroke-linejoin=\"round\"><text x=\"{1:.1f}\" y=\"{2:.1f}\" font-size=\"{3}\" "
@@ -251,9 +251,6 @@ private:
   double CostOf(const CBox& box) const {
     constexpr double hard = 100.0, soft = 0.1; // for a square pixel
     double cost = 0.0;
-    const auto outside = [&](double beyond) { return std::max(0.0, beyond) * hard * 10.0; };
-    cost += outside(m_cArea.m_fLeft - box.m_fLeft) + outside(box.m_fRight - m_cArea.m_fRight) +
-            outside(m_cArea.m_fTop - box.m_fTop) + outside(box.m_fBottom - m_cArea.m_fBottom);
     for (const CBox& label : m_stdLabels)
       cost += hard * box.OverlapWith(label);
     for (const CBox& piece : m_stdFront)

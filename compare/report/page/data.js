@@ -16,9 +16,9 @@ const Data = (() => {
   const css = (variable) => getComputedStyle(document.documentElement).getPropertyValue(variable).trim();
   const colour = (name) => css(`--${name}`);
   /** The name of an engine with its mark. */
-  const tag = (name, text = name) => Format.el(
-      'span', {class: 'engine', '--engine': `var(--${name})`},
-      Format.el('span', {class: `mark ${rowOf(name).mark}`, 'aria-hidden': 'true'}), text);
+  const tag = (name, text = name) =>
+      Format.el('span', {class: 'engine', '--engine': `var(--${name})`},
+                Format.el('span', {class: `mark ${rowOf(name).mark}`, 'aria-hidden': 'true'}), text);
 
   const workOf = (scene) => list(run.work_precision).filter((row) => row.scene === scene.name);
   const replayOf = (scene) => list(replay.scenes).find((s) => s.name === scene.name);

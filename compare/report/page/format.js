@@ -62,7 +62,8 @@ const Format = (() => {
     return d < 0.001 ? '<0.001\u00b0' : `${d < 9.95 ? plain(Number(d.toPrecision(2))) : Math.round(d)}\u00b0`;
   }
   /** Both, for tables. */
-  const bothAngles = (x) => (isNumber(x) && !isRounding(x) && x !== 0 ? `${angle(x)} (${degrees(x)})` : angle(x));
+  const bothAngles = (x) =>
+      (isNumber(x) && !isRounding(x) && x !== 0 ? `${angle(x)} (${degrees(x)})` : angle(x));
 
   /** "none of 2,000", "1 in 40", "45%" above a quarter. */
   function lossText(r, n) {

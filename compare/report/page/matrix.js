@@ -26,8 +26,11 @@ const Matrix = (() => {
               el('span', {class: 'more'}, ' '),
               el('span', null, isNumber(engine.ns_per_ball_step) ? count(engine.ns_per_ball_step) : dash,
                  el('span', {class: 'more'}, ' ns'),
-                 same ? el('sup', {class: 'more', title: `the same run as ${same}`}, same.endsWith('continuous') ? 's' : 'u') : null),
-              engine.contacts > 0 ? el('small', {class: 'more'}, `${lost.replace(/ of .*/, '')} lost, ${off}`) : null);
+                 same ? el('sup', {class: 'more', title: `the same run as ${same}`},
+                           same.endsWith('continuous') ? 's' : 'u')
+                      : null),
+              engine.contacts > 0 ? el('small', {class: 'more'}, `${lost.replace(/ of .*/, '')} lost, ${off}`)
+                                  : null);
   }
 
   function show() {
@@ -37,18 +40,22 @@ const Matrix = (() => {
     const row = (scene) => el(
         'tr', {
           'data-scene': scene.name,
-          onclick: () => { location.hash = hashOf(scene.name); document.getElementById('scene').scrollIntoView(); }
+          onclick: () => {
+            location.hash = hashOf(scene.name);
+            document.getElementById('scene').scrollIntoView();
+          }
         },
         el('th', {scope: 'row'}, el('a', {href: hashOf(scene.name), 'data-go': ''}, breakable(scene.name))),
         engines.map(({name}) => cell(scene, name)));
     place.append(
         el('p', {class: 'legend'}, el('span', {class: 'good'}, '\u2713 good'),
-           ': at most 1 in 1,000 balls lost, 95% of bounces within 1\u00b0. ', el('span', {class: 'rough'}, '~ rough'),
-           ': 1 in 100, 10\u00b0. ', el('span', {class: 'poor'}, '\u2717 poor'),
-           ': worse. The number is nanoseconds for one step of one ball; ', el('span', {class: 'take'}, 'framed'),
-           ': what to take. native', el('sup', null, 's'),
-           ' swept every ball that mattered, so it made the same run as native-continuous, native', el('sup', null, 'u'),
-           ' none, as native-approximate.'),
+           ': at most 1 in 1,000 balls lost, 95% of bounces within 1\u00b0. ',
+           el('span', {class: 'rough'}, '~ rough'), ': 1 in 100, 10\u00b0. ',
+           el('span', {class: 'poor'}, '\u2717 poor'),
+           ': worse. The number is nanoseconds for one step of one ball; ',
+           el('span', {class: 'take'}, 'framed'), ': what to take. native', el('sup', null, 's'),
+           ' swept every ball that mattered, so it made the same run as native-continuous, native',
+           el('sup', null, 'u'), ' none, as native-approximate.'),
         el('table', {class: 'matrix'},
            el('thead', null,
               el('tr', null, el('th', {scope: 'col'}, 'scene'),

@@ -54,7 +54,8 @@ const Plots = (() => {
                                    : [tunneledOf(row).low, tunneledOf(row).high]),
       front: 'front_by_misses',
       most: 1,
-      remark: 'None lost in n impacts lies at the lower edge; its bar ends at 3/n, below which the rate is at 95%.',
+      remark:
+          'None lost in n impacts lies at the lower edge; its bar ends at 3/n, below which the rate is at 95%.',
     },
   };
 
@@ -83,7 +84,6 @@ const Plots = (() => {
       name: isFront || isNative(row) ? shortName(row) : null,
     };
   }
-
 
   function series(engine, points) {
     const colour = Data.colour(engine);

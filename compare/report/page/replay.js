@@ -54,7 +54,8 @@ const Replay = (() => {
     }
     #showContact() {
       const clip = this.#clip;
-      this.#loop = [Math.max(0, clip.contact - framesAround), Math.min(this.#lastFrame, clip.contact + framesAround)];
+      this.#loop =
+          [Math.max(0, clip.contact - framesAround), Math.min(this.#lastFrame, clip.contact + framesAround)];
       this.#setSpeed(1 / 16);
       this.#goTo(clip.contact);
       this.#focus();
@@ -230,16 +231,16 @@ const Replay = (() => {
         'aria-roledescription': 'replay',
         'aria-label':
             'Replay of the scene. Space plays, the arrows go frame by frame, plus and minus zoom, 0 shows all.',
-        title: 'Space plays and pauses, arrows go by a frame, + and \u2212 zoom, 0 shows all; drag to move; once clicked, the wheel zooms'
+        title:
+            'Space plays and pauses, arrows go by a frame, + and \u2212 zoom, 0 shows all; drag to move; once clicked, the wheel zooms'
       });
       this.#listen();
-      return el(
-          'section', {class: 'replay', 'aria-label': 'Replay', onkeydown: (event) => this.#onKey(event)},
-          p.what, this.#canvas,
-          el('div', {class: 'controls'}, p.play, p.scrub, p.clock),
-          el('div', {class: 'controls'}, el('label', null, 'Show ', p.clip), el('label', null, 'Speed ', p.speed),
-             this.#zoomButtons()),
-          el('div', {class: 'controls'}, Data.tracks.map((name) => this.#trackToggle(name))));
+      return el('section',
+                {class: 'replay', 'aria-label': 'Replay', onkeydown: (event) => this.#onKey(event)}, p.what,
+                this.#canvas, el('div', {class: 'controls'}, p.play, p.scrub, p.clock),
+                el('div', {class: 'controls'}, el('label', null, 'Show ', p.clip),
+                   el('label', null, 'Speed ', p.speed), this.#zoomButtons()),
+                el('div', {class: 'controls'}, Data.tracks.map((name) => this.#trackToggle(name))));
     }
     #zoomButtons() {
       const button = (name, label, onclick) =>

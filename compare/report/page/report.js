@@ -11,7 +11,10 @@ const Report = (() => {
     return Data.scenes.find((scene) => encodeURIComponent(scene.name) === name) ?? Data.scenes[0];
   }
 
-  /** What is put together, and drawn, when it is first unfolded. `make` returns its elements and what draws them. */
+  /**
+   * What is put together, and drawn, when it is first unfolded. `make` returns its elements and what draws
+   * them.
+   */
   function fold(title, make) {
     const holder = el('div');
     const details = el('details', {
@@ -92,18 +95,22 @@ const Report = (() => {
     const rows = list(scene.answers);
     if (rows.length === 0) return el('p', {class: 'note'}, 'No setting was tried.');
     const setting = (choice) => [Data.tag(choice.engine), ` ${choice.label}`];
-    const others = (row) => [
-      row.choices.slice(1).map(
-          (c) => el('li', null, setting(c), c.ns_ratio < 1.05 ? ', as fast' : `, ${plain(Number(c.ns_ratio.toPrecision(2)))}\u00d7 the time`)),
-      list(row.without).map((name) => el('li', null, Data.tag(name), ': none that was tried')),
-      row.closest ? el('li', null, 'closest: ', setting(row.closest), `, ${degrees(row.closest.direction_error_p95)}`)
-                  : null
-    ];
+    const others =
+        (row) => [row.choices.slice(1).map(
+                      (c) => el('li', null, setting(c),
+                                c.ns_ratio < 1.05
+                                    ? ', as fast'
+                                    : `, ${plain(Number(c.ns_ratio.toPrecision(2)))}\u00d7 the time`)),
+                  list(row.without).map((name) => el('li', null, Data.tag(name), ': none that was tried')),
+                  row.closest ? el('li', null, 'closest: ', setting(row.closest),
+                                   `, ${degrees(row.closest.direction_error_p95)}`)
+                              : null];
     return el('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'What to take'},
               el('table', {class: 'answers'},
                  el('thead', null,
-                    el('tr', null, ['if you need', 'take', 'ball-second', 'else'].map(
-                                       (head) => el('th', {scope: 'col'}, head)))),
+                    el('tr', null,
+                       ['if you need', 'take', 'ball-second', 'else'].map(
+                           (head) => el('th', {scope: 'col'}, head)))),
                  el('tbody', null, rows.map((row) => {
                    const first = list(row.choices)[0];
                    return el('tr', null, el('th', {scope: 'row'}, Format.spoken(row.demand)),

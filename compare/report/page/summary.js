@@ -14,29 +14,35 @@ const Summary = (() => {
 
   function times(engine) {
     if (!isNumber(engine.ns_box2d_ratio)) return dash;
-    return engine.name === 'box2d' ? '1\u00d7' : `${plain(Number(engine.ns_box2d_ratio.toPrecision(2)))}\u00d7`;
+    return plain(Number(engine.ns_box2d_ratio.toPrecision(2)));
   }
   const range = (pair, format) => (list(pair).length === 2 ? pair.map(format).join(` to `) : null);
 
   function tile(engine) {
     const n = overall.impacts;
-    const part = (title, value, hint) => el('div', {title: hint || null}, el('dt', null, title), el('dd', null, value));
+    const part = (title, value, hint) =>
+        el('div', {title: hint || null}, el('dt', null, title), el('dd', null, value));
     const interval = range(engine.ns_per_ball_step_interval, num);
     const isTaken = overall.take === engine.name;
-    return el('li', {class: `tile ${engine.grade}${isTaken ? ' take' : ''}`, 'data-engine': engine.name},
-              el('h3', null, Data.tag(engine.name, [el('span', {class: 'full'}, engine.name),
-                                              el('span', {class: 'brief'}, Data.rowOf(engine.name).short)]),
-                 el('small', null, Data.rowOf(engine.name).meaning),
-                 isTaken ? el('span', {class: 'chosen'}, 'take this') : null),
-              el('dl', null,
-                 part(`lost of ${count(n)}`, lossText(engine.tunneled, n).replace(/ of .*/, ''),
-                      `${count(engine.tunneled?.count)} of ${count(n)} impacts`),
-                 part('off by', degrees(engine.direction_error_p95), '95% of the bounces are no farther off'),
-                 part('ball-step', `${num(engine.ns_per_ball_step)} ns`,
-                      interval && `geometric mean of the scenes, 95% interval ${interval} ns`),
-                 part('vs Box2D', times(engine),
-                      range(engine.ns_box2d_ratio_scenes, num) &&
-                          `times Box2D\u2019s; ${range(engine.ns_box2d_ratio_scenes, num)} in single scenes`)));
+    return el(
+        'li', {class: `tile ${engine.grade}${isTaken ? ' take' : ''}`, 'data-engine': engine.name},
+        el('h3', null,
+           Data.tag(engine.name,
+                    [
+                      el('span', {class: 'full'}, engine.name),
+                      el('span', {class: 'brief'}, Data.rowOf(engine.name).short)
+                    ]),
+           el('small', null, Data.rowOf(engine.name).meaning),
+           isTaken ? el('span', {class: 'chosen'}, 'take this') : null),
+        el('dl', null,
+           part(`lost of ${count(n)}`, lossText(engine.tunneled, n).replace(/ of .*/, ''),
+                `${count(engine.tunneled?.count)} of ${count(n)} impacts`),
+           part('off by', degrees(engine.direction_error_p95), '95% of the bounces are no farther off'),
+           part('ball-step', `${num(engine.ns_per_ball_step)} ns`,
+                interval && `geometric mean of the scenes, 95% interval ${interval} ns`),
+           part('\u00d7 Box2D', times(engine),
+                range(engine.ns_box2d_ratio_scenes, num) &&
+                    `times as fast as Box2D; ${range(engine.ns_box2d_ratio_scenes, num)} in single scenes`)));
   }
 
   function provenance() {
@@ -63,9 +69,9 @@ const Summary = (() => {
       chart.remove();
     document.getElementById('provenance').append(provenance());
     if (run.interrupted)
-      document.getElementById('notices')
-          .append(el('p', {class: 'warning', id: 'interrupted'},
-                     'This run was interrupted: only the scenes that were finished are here.'));
+      document.getElementById('notices').append(
+          el('p', {class: 'warning', id: 'interrupted'},
+             'This run was interrupted: only the scenes that were finished are here.'));
   }
   return {show, svg};
 })();

@@ -76,11 +76,13 @@ const Tables = (() => {
                                                   travelAt(size, speed), j === far && j > 0)));
     };
     return el('figure', {class: 'heatmap'}, el('figcaption', null, Data.tag(engine.name)),
-              el('table', {'data-heat': engine.name},
-                 el('thead', null,
-                    el('tr', null, el('th', null, 'size \\ speed'),
-                       speeds.map((s) => el('th', {scope: 'col'}, `\u00d7${plain(s)}`)))),
-                 el('tbody', null, sizes.map(row))));
+              el('div',
+                 {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': `Lost on ${engine.name}`},
+                 el('table', {'data-heat': engine.name},
+                    el('thead', null,
+                       el('tr', null, el('th', null, 'size \\ speed'),
+                          speeds.map((s) => el('th', {scope: 'col'}, `\u00d7${plain(s)}`)))),
+                    el('tbody', null, sizes.map(row)))));
   }
 
   function heatMaps(scene) {
@@ -95,7 +97,8 @@ const Tables = (() => {
     return el(
         'div', null,
         el('p', {class: 'note'},
-           `In % of the impacts; factors on what the scene says.${travel} "<": none lost, below 3 in n at 95%. ` +
+           `In % of the impacts; factors on what the scene says.${
+               travel} "<": none lost, below 3 in n at 95%. ` +
                'A dash: no contacts there.'),
         el('div', {class: 'heatmaps'}, list(scene.engines).map((engine, e) => heatMap(map, engine, e))));
   }
@@ -159,7 +162,8 @@ const Tables = (() => {
       some(scene.balls, 'ball'),
       some(scene.trials, 'random trial'),
       list(scene.features).length ? `with ${scene.features.join(', ').replaceAll('_', ' ')}` : null,
-    ].filter(Boolean).join(' \u00b7 ');
+    ].filter(Boolean)
+        .join(' \u00b7 ');
   }
 
   return {outcomeFigure, heatMaps, bins, facts};

@@ -111,7 +111,8 @@
       const walker = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
       for (let node = walker.nextNode(); node; node = walker.nextNode()) {
         const clip = getComputedStyle(node.parentElement).clipPath; // of what only a screen reader reads
-        if (!node.textContent.trim() || node.parentElement.closest('title') || clip.startsWith('inset')) continue;
+        if (!node.textContent.trim() || node.parentElement.closest('title') || clip.startsWith('inset'))
+          continue;
         const range = document.createRange();
         range.selectNodeContents(node);
         for (const r of range.getClientRects())
@@ -126,7 +127,8 @@
   function overlaps() {
     const found = [];
     const least = 8; // square pixels: a box of letters is higher than the letters
-    for (const group of [$$('.tile'), $$('.matrix thead'), $$('.matrix tbody tr'), $$('svg.engines')].flat()) {
+    for (const group of [$$('.tile'), $$('.matrix thead'), $$('.matrix tbody tr'), $$('svg.engines')]
+             .flat()) {
       const texts = textBoxes([group]);
       const marks = $$('[data-engine]', group).filter((e) => e.ownerSVGElement && isShown(e)).map((e) => {
         const r = e.getBoundingClientRect();
@@ -153,10 +155,11 @@
     return [...wide.map(name), ...boxes.map((box) => box[4])];
   }
   /** Sizes of letters in pixels. */
-  const letterSizes = () => [...new Set(textBoxes([document.body])
-                                            .filter((box) => !box[5].parentElement.closest('script, #test-result'))
-                                            .map((box) => parseFloat(getComputedStyle(box[5].parentElement).fontSize)))]
-                                .sort((a, b) => a - b);
+  const letterSizes =
+      () => [...new Set(textBoxes([document.body])
+                            .filter((box) => !box[5].parentElement.closest('script, #test-result'))
+                            .map((box) => parseFloat(getComputedStyle(box[5].parentElement).fontSize)))]
+                .sort((a, b) => a - b);
   /** Sentences that are there twice. */
   function repeated() {
     const sentences = $$('main p, main li:not(.counts li), main h1, footer p')
@@ -166,7 +169,8 @@
                           .filter((text) => text.split(' ').length > 6);
     return [...new Set(sentences.filter((text, i) => sentences.indexOf(text) !== i))];
   }
-  const bottomOf = (selector) => ($(selector) ? $(selector).getBoundingClientRect().bottom + window.scrollY : 0);
+  const bottomOf = (selector) =>
+      ($(selector) ? $(selector).getBoundingClientRect().bottom + window.scrollY : 0);
 
   /** Words that say that a value was not there. */
   function oddWords() {
