@@ -141,7 +141,10 @@
     }
     return found;
   }
-  /** What is wider than the page, outside of what scrolls by itself, and text that is cut. */
+  /**
+   * What is wider than the page, outside of what scrolls by itself, text that is cut, and rows that are
+   * none.
+   */
   function cut() {
     const width = document.documentElement.clientWidth;
     const name = (e) => `${e.tagName}.${e.className.baseVal ?? e.className} ${e.textContent.slice(0, 30)}`;
@@ -152,7 +155,10 @@
       const cell = node.parentElement.closest('.tile, td, th').getBoundingClientRect();
       return right > cell.right + 0.5;
     });
-    return [...wide.map(name), ...boxes.map((box) => box[4])];
+    // On a phone the answers are no table any more.
+    const rows =
+        $$('tr:not(.answers tr)').filter((e) => isShown(e) && getComputedStyle(e).display !== 'table-row');
+    return [...wide.map(name), ...boxes.map((box) => box[4]), ...rows.map(name)];
   }
   /** Sizes of letters in pixels. */
   const letterSizes =
