@@ -96,6 +96,10 @@ public:
     };
     const std::size_t quiet = m_cScene.m_cImpactTrials.m_nQuietSteps, n = Totals(0).m_nContacts;
     add(
+        fmt::format("Over {:g} s, in which contact lasts", m_cScene.m_cScene.m_fLasting).c_str(),
+        [&](std::size_t e) { return engines[e].m_cLasting.m_nBalls > 0; },
+        [&](std::size_t e) { return LastingText(engines[e].m_cLasting); });
+    add(
         "Balls became NaN or infinite", [&](std::size_t e) { return Cost(e).m_nNotFinite > 0; },
         [&](std::size_t e) { return CountText(Cost(e).m_nNotFinite); });
     add(
@@ -179,6 +183,13 @@ private:
     if (same && Name(*same) == g_sNativeApproximate)
       text += "; native need not sweep here, so native-approximate makes the same run";
     return text;
+  }
+
+  static std::string LastingText(const CLasting& lasting) {
+    std::string text = fmt::format("loses {}", LossText(lasting.m_nLost, lasting.m_nBalls));
+    if (lasting.m_fOverlap) text += fmt::format(" and ends {} radii deep", SizeText(*lasting.m_fOverlap));
+    if (lasting.m_fFlow) text += fmt::format(", {} balls pass in a second", TwoDigits(*lasting.m_fFlow));
+    return text + fmt::format(", at {} ns a step", TimeText(lasting.m_cNsPerBallStep.m_fMedian));
   }
 
   static std::string EnergyText(const CLongRun& run) {

@@ -208,6 +208,28 @@ TEST_F(CommandTest, TheChartIsWrittenAsSvg) {
   EXPECT_NE(svg.find("data-engine=\"native\""), svg.npos);
 }
 
+// The script that fills documents; a run of another version is refused in words.
+TEST_F(CommandTest, ResultTablesAreWrittenFromTheRun) {
+  ASSERT_EQ(Call("run --scenes bowl --contacts 20 --out " + m_cFolder.string()).m_nExit, 0);
+  const std::string page = Write("page.md", "above\n<!-- results: scenes -->\nold\n<!-- end -->\nbelow\n");
+  const auto fill = [&] {
+    return Call(SHAPES_SOURCE_DIR "/scripts/results.py " + (m_cFolder / "run.json").string() + " " + page,
+                SHAPES_PYTHON);
+  };
+  EXPECT_EQ(fill().m_nExit, 0);
+  const std::string filled = Read("page.md");
+  EXPECT_NE(filled.find("\n| bowl | "), std::string::npos) << filled;
+  EXPECT_EQ(filled.find("old"), std::string::npos) << filled;
+  EXPECT_TRUE(filled.starts_with("above\n") && filled.ends_with("<!-- end -->\nbelow\n")) << filled;
+  nlohmann::json old = nlohmann::json::parse(Read("run.json"));
+  old["version"] = 3;
+  Write("run.json", old.dump());
+  const CResult refused = fill();
+  EXPECT_EQ(refused.m_nExit, 1);
+  EXPECT_NE(refused.m_sOutput.find("is of version 3, expected 4"), std::string::npos) << refused.m_sOutput;
+  EXPECT_EQ(Read("page.md"), filled);
+}
+
 // A stand-in for the desktop's program is called with the page.
 TEST_F(CommandTest, TheReportIsOpenedInTheDefaultBrowser) {
   const std::string browser =

@@ -48,15 +48,15 @@ TEST(LastingTest, OverlapsAreInRadiiOfTheSmallerBall) {
   CScene scene = MakeLasting(1);
   AddShape(scene, CLineSegDesc({-1, 0}, {0, 0}));
   AddBall(scene, {{0.03f, 0}, 0.1f});
-  EXPECT_NEAR(Measure(scene, g_nNative).m_fOverlap.value(), 0.7, 1e-6);
+  EXPECT_NEAR(Measure(scene, g_nApproximate).m_fOverlap.value(), 0.7, 1e-6);
   EXPECT_LT(Measure(scene, g_nContinuous).m_fOverlap.value(), 1e-5); // the control
   scene.m_stdBalls[0].m_cDesc.m_vPos = {1, 0};
-  EXPECT_EQ(Measure(scene, g_nNative).m_fOverlap.value(), 0.0);
+  EXPECT_EQ(Measure(scene, g_nApproximate).m_fOverlap.value(), 0.0);
 
   AddBall(scene, {{1.25f, 0}, 0.2f});
   std::vector<CEngine> engines = GetEngines();
-  engines[g_nNative].m_cEffects.m_cForbidden = CEffects::All();
-  EXPECT_NEAR(MeasureLasting(scene, {engines[g_nNative]}, 1, 1)[0].m_fOverlap.value(), 0.5, 1e-6);
+  engines[g_nApproximate].m_cEffects.m_cForbidden = CEffects::All();
+  EXPECT_NEAR(MeasureLasting(scene, {engines[g_nApproximate]}, 1, 1)[0].m_fOverlap.value(), 0.5, 1e-6);
 }
 
 // A drop from h lands at t = sqrt(2 h / g), and each bounce takes 2 e^k t, until it is slower than the limit.
@@ -94,7 +94,7 @@ TEST(LastingTest, EnergyFromNothingIsOnlyToldWhereNothingDoesWork) {
   deep.m_cWorld.m_vGravity = {0, -10};
   AddShape(deep, CLineSegDesc({-3, 0}, {3, 0}, 0.0f));
   AddBall(deep, {{0, 0.05f}, 0.1f});
-  EXPECT_NEAR(Measure(deep, g_nNative).m_fEnergyGained.value(), 0.05 / 4.05, 1e-3);
+  EXPECT_NEAR(Measure(deep, g_nApproximate).m_fEnergyGained.value(), 0.05 / 4.05, 1e-3);
 }
 
 TEST(LastingTest, FlowIsBallsPerSecondUntilTheLastOne) {
