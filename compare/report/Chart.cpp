@@ -49,13 +49,15 @@ struct CAxis {
   }
 };
 
-// The next 1, 2 or 5 of a decade.
+// The next 1, 2 or 5 of a decade, below or above.
 double Nice(double x, bool isBelow) {
   const double decade = std::pow(10.0, std::floor(std::log10(x)));
-  constexpr std::array<double, 4> leads{1.0, 2.0, 5.0, 10.0};
-  if (isBelow)
-    return decade * *std::find_if(leads.rbegin(), leads.rend(), [&](double k) { return k * decade <= x; });
-  return decade * *std::find_if(leads.begin(), leads.end(), [&](double k) { return k * decade >= x; });
+  double below = decade, above = 10.0 * decade;
+  for (const double lead : {2.0, 5.0}) {
+    if (lead * decade <= x) below = lead * decade;
+    if (lead * decade >= x) above = std::min(above, lead * decade);
+  }
+  return isBelow ? below : x <= decade ? decade : above;
 }
 
 class CDrawing {
