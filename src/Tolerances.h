@@ -142,6 +142,24 @@ inline constexpr float g_fSkinSlops = 2.5f;
 /// in 10,000).
 inline constexpr float g_fPressMove = 0.5f;
 
+/// Balls whose gap is at most that many slops touch in a tuned world: somewhat more than their skins, so that
+/// what Box2D solves together is lasting together.
+inline constexpr float g_fLastingReach = 3.0f;
+/// A ball is crowded in a tuned world if so many others are within that many radii (of the smaller one): in a
+/// row each has two, in a pile four to six.
+inline constexpr int g_nCrowd = 3;
+inline constexpr float g_fNearInRadii = 0.25f;
+
+/// Rounds in which a ball in lasting contact is pushed out of several shapes.
+inline constexpr int g_nPushRounds = 8;
+
+/// How deep a ball in lasting contact may get into a shape, in its radii, before it is stopped there.
+inline constexpr float g_fLastingDepth = 0.5f;
+
+/// A ball in a tuned world whose radius is below this share of a slop is kept off a surface on which it lies
+/// by the rest of that: rounding would decide on which side of it its centre is.
+inline constexpr float g_fLeastRest = 0.25f;
+
 /// Resting thresholds of a tuned world, as multiples of g dt: the largest approach speed at which a
 /// ball rests on a surface; the same of an elastic ball, which rests only where it would bounce more than
 /// once in a step; and the largest speed at which a ball leaves the surface and still rests.

@@ -36,7 +36,9 @@ struct CWorldStats {
   std::uint64_t m_nTurnsClamped =
       0; ///< Box2D: shape steps of more than its pi/2 radians; Box2D turns it by less.
   std::uint64_t m_nEngineSteps =
-      0;                          ///< Box2D: calls of b2World::Step; tuned worlds cut substeps of fast ones.
+      0; ///< Box2D: calls of b2World::Step; tuned worlds cut substeps of fast ones.
+  /// Box2D: times that it was about to solve a contact, where it asks; again for each time of impact.
+  std::uint64_t m_nEngineContacts = 0;
   std::uint64_t m_nArcPieces = 0; ///< Box2D: chords that stand for the arcs that are in the world now.
   /// In a game's b2World: shapes whose bodies the game has destroyed.
   std::uint64_t m_nBodiesLost = 0;

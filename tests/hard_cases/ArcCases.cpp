@@ -186,7 +186,6 @@ CHardCase TooLargeInside() {
   c.m_sBound = "1e-12 of p and v; engines 2 roundings";
   c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
   Of(c, eColumn::Box2D) = Off(2.6, "thrown out through the arc, by 2.6 units in the step");
-  Of(c, eColumn::Tuned) = Off(2.25, "thrown out through the arc, by 2.25 units in the step");
   c.m_fnError = [](eColumn column) {
     double error = 0.0;
     for (const float v : {0.5f, -0.5f, 0.0f}) {

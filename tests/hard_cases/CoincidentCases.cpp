@@ -145,7 +145,6 @@ CHardCase InAnArcOfItsSize() {
   c.m_sBound = "1e-12 of p and v; engines 2 roundings";
   c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
   Of(c, eColumn::Box2D) = Off(8.6, "thrown out through the arc, with 8.6 times its speed");
-  Of(c, eColumn::Tuned) = Off(2.0, "thrown out through the arc, by 2 units in the step");
   c.m_fnError = [](eColumn column) {
     double error = 0.0;
     for (const Vector2& v : {Vector2(0.0f, 0.0f), Vector2(1.0f, 0.0f)}) {

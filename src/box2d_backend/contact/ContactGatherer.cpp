@@ -17,7 +17,8 @@ void CContactGatherer::BeginStep(const b2Vec2& g, float h) {
   if (!Follows()) return;
   for (CBody* pBall : m_cBodies.GetBalls()) {
     pBall->m_cStart = pBall->m_pBody->GetTransform();
-    pBall->m_cCorrection.Begin(ToDouble(g), static_cast<double>(h));
+    pBall->m_pBouncedOff = nullptr;
+    pBall->m_cCorrection.Begin(pBall->m_bIsLasting ? Vector2d::Zero() : ToDouble(g), static_cast<double>(h));
     pBall->m_bWasSupported = std::exchange(pBall->m_bIsSupported, false);
   }
   for (CBody* pBody : m_cBodies.GetMoving())
@@ -28,6 +29,7 @@ void CContactGatherer::PreSolve(b2Contact* pContact, const b2Manifold*) {
   CBody* pA = m_cBodies.Find(*pContact->GetFixtureA()->GetBody());
   CBody* pB = m_cBodies.Find(*pContact->GetFixtureB()->GetBody());
   if (pA == nullptr || pB == nullptr) return;
+  ++m_nAsked;
   // Of two balls the one that responds is the one that was added first.
   if (pA->m_bIsBall && (!pB->m_bIsBall || pA->m_cId < pB->m_cId)) std::swap(pA, pB);
   pContact->SetRestitution(RestitutionOf(*pA, *pB));

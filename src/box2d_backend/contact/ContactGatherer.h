@@ -5,6 +5,8 @@
 
 #include <box2d/box2d.h>
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "../world/Bodies.h"
@@ -42,6 +44,9 @@ public:
   /// ball and then by shape.
   std::vector<CContactEvent> TakeContacts();
 
+  /// How often Box2D has asked since the last call.
+  std::uint64_t TakeAsked() { return std::exchange(m_nAsked, 0); }
+
   /// Where a ball was answered on its way through the last step.
   struct CPathVertex {
     CShapeId m_cBall;
@@ -65,6 +70,7 @@ private:
   float m_fStep = 0.0f;
   CPreSolveOverride m_cOverride;
   bool m_bContacts = true, m_bPathVertices = true;
+  std::uint64_t m_nAsked = 0;
   std::vector<CContactEvent> m_stdEvents;
   std::vector<CPathVertex> m_stdPathVertices;
 };

@@ -140,8 +140,9 @@ CExactContact FindContact(const CContactGeometry& o, const Vector2d& q, const Ve
 
 CExactContact FindExactContact(const CContactGeometry& geometry, const Vector2d& q, const Vector2d& w,
                                double r) {
-  CExactContact contact = FindContact(geometry, q, w, r);
   CExactContact now = FindContact(geometry, q, Vector2d::Zero(), r);
+  if (w == Vector2d::Zero()) return now;
+  CExactContact contact = FindContact(geometry, q, w, r);
   // What it came through and has left is over.
   if (contact.m_fTime < 0.0 && now.m_fGap > 0.0) return now;
   // What it parts from is not traced; but one that came past an end may be on its way into a face by now.

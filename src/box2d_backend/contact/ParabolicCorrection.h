@@ -50,6 +50,7 @@ public:
   void Rest(const Vector2d& n) { m_stdRests.push_back(n); }
   /// The last bounce of the ball has been answered.
   void MotionEnds(const b2Body& ball);
+  const b2Vec2& GetMotionEnd() const { return m_vMotionEnd; }
 
   /// Puts the ball on its parabola at the end of the step.
   void Land(b2Body& ball) const;

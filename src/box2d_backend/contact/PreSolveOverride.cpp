@@ -64,6 +64,17 @@ double ShareOf(const CBody& shape, const CBody& ball) {
   return shape.m_bIsBall ? m1 / (m + m1) : 1.0;
 }
 
+// Of a ball so small that rounding decides on which side of a shape it lies: how far off it is kept.
+float MarginOf(const CBody& ball) { return std::max(0.0f, g_fLeastRest * b2_linearSlop - ball.m_fRadius); }
+
+// A ball that is around a ring, and too large for it, has no way out of it.
+bool IsAround(const CBody& shape, const CBody& ball) {
+  const CContactGeometry& o = shape.m_cGeometry;
+  FailIf(!o.m_bFull || static_cast<double>(ball.m_fRadius) < o.m_fRadius);
+  const b2Vec2 q = b2MulT(shape.m_pBody->GetTransform(), ball.m_pBody->GetPosition());
+  return (ToDouble(q) - o.m_vCentre).norm() < o.m_fRadius;
+}
+
 // Whether a body is on its way through the step.
 bool HasMoved(const CBody& body) {
   const b2Transform &now = body.m_pBody->GetTransform(), &then = body.m_cStart;
@@ -107,6 +118,12 @@ void CPreSolveOverride::OpenIsland(const b2Vec2& n) {
 std::optional<CPreSolveOverride::CResolution> CPreSolveOverride::Override(b2Contact& contact, CBody& shape,
                                                                           CBody& ball, bool canWait) {
   m_bIsContinuous = m_bIsContinuous || HasMoved(shape) || HasMoved(ball);
+  if (IsAround(shape, ball)) {
+    contact.SetEnabled(false);
+    return {};
+  }
+  if (ball.m_bIsLasting && (shape.m_bIsLasting || !shape.m_bIsBall))
+    return LeaveToSolver(contact, shape, ball);
   if (m_bIsIslandOpen) {
     IgnoreAcross(contact, m_vIslandNormal, ball); // it gets its own impact, after this one
     return {};
@@ -147,6 +164,7 @@ std::optional<CPreSolveOverride::CResolution> CPreSolveOverride::Override(b2Cont
     contact.GetManifold()->points[0].normalImpulse = 0.0f;
     resolution.m_fSpeed = static_cast<float>(CParabolicCorrection::Bounce(
         impact, ball.m_cCorrection, ShareOf(shape, ball), shape.m_bIsBall ? &shape.m_cCorrection : nullptr));
+    if (!shape.m_bIsBall && m_vGravity != b2Vec2_zero) ball.m_pBouncedOff = &shape;
   }
   if (m_bIsContinuous)
     SeparateShapes(inspected, shape, ball);
@@ -154,6 +172,21 @@ std::optional<CPreSolveOverride::CResolution> CPreSolveOverride::Override(b2Cont
     SetManifold(contact, inspected.m_vNormAB,
                 impact.m_fSpeed == 0.0 ? inspected.m_fGap - b2_linearSlop : 0.0f);
   return approaches ? std::optional(resolution) : std::nullopt;
+}
+
+void CPreSolveOverride::Land(CBody& ball) {
+  const b2Vec2 from = ball.m_pBody->GetPosition();
+  ball.m_cCorrection.Land(*ball.m_pBody);
+  if (ball.m_pBouncedOff == nullptr) return;
+  // What gravity does after a bounce may be more than the bounce: at most to half of a ball.
+  const CBody& shape = *ball.m_pBouncedOff;
+  const b2Transform& xf = shape.m_pBody->GetTransform();
+  const CExactContact exact = FindExactContact(shape.m_cGeometry, ToDouble(b2MulT(xf, from)),
+                                               Vector2d::Zero(), static_cast<double>(ball.m_fRadius));
+  const b2Vec2 n = b2Mul(xf.q, ToFloat(exact.m_vNorm)), to = ball.m_pBody->GetPosition();
+  const float gap = static_cast<float>(exact.m_fGap) + b2Dot(to - from, n);
+  if (gap < -0.5f * ball.m_fRadius && exact.m_fGap > -0.5 * static_cast<double>(ball.m_fRadius))
+    ball.m_pBody->SetTransform(to + (MarginOf(ball) - gap) * n, 0.0f);
 }
 
 void CPreSolveOverride::FollowOther(b2Contact& contact, CBody& other, CBody& ball) {
@@ -229,6 +262,43 @@ CPreSolveOverride::CInspected CPreSolveOverride::Inspect(b2Contact& contact, con
   return inspected;
 }
 
+// Box2D solves all contacts of what lasts at once, as they are now.
+std::optional<CPreSolveOverride::CResolution>
+CPreSolveOverride::LeaveToSolver(b2Contact& contact, const CBody& shape, const CBody& ball) {
+  const b2Transform& xf = shape.m_pBody->GetTransform();
+  const b2Vec2 p = ball.m_pBody->GetPosition(), surface = shape.m_pBody->GetLinearVelocityFromWorldPoint(p);
+  const CExactContact exact = FindExactContact(shape.m_cGeometry, ToDouble(b2MulT(xf, p)), Vector2d::Zero(),
+                                               static_cast<double>(ball.m_fRadius));
+  const b2Vec2 n = b2Mul(xf.q, ToFloat(exact.m_vNorm));
+  const float gap = static_cast<float>(exact.m_fGap);
+  if (m_bIsContinuous && !m_bIsIslandOpen && !shape.m_bIsBall) {
+    // Stopped here, it would lose the way by which the others have pushed it out of themselves.
+    const float left = static_cast<float>(1.0 - PartAt(shape, ball)) * m_fStep;
+    const b2Vec2 way = ball.m_cCorrection.GetMotionEnd() - p - left * surface;
+    if (-gap - b2Dot(way, n) < g_fLastingDepth * ball.m_fRadius) {
+      contact.SetEnabled(false);
+      return {};
+    }
+  }
+  OpenIsland(n);
+  // At a time of impact Box2D would move a ball out of others at once and unswept, be it through a shape.
+  const float kept = m_bIsContinuous && shape.m_bIsBall ? std::max(0.0f, gap) : gap;
+  SetManifold(contact, contact.GetFixtureB()->GetBody() == ball.m_pBody ? n : -n, kept - b2_linearSlop);
+  const float approach = -b2Dot(ball.m_pBody->GetLinearVelocity() - surface, n);
+  if (!(approach > 0.0f)) return {};
+  // The ball bounces off as it would have before the gravity step, and then gets that. What gravity presses
+  // together does not bounce, and may come as near as to touch at the end of the step: then the restitution
+  // is less than 0, the share of the approach that is left.
+  const float press = m_bIsContinuous || shape.m_bIsBall ? 0.0f : -m_fStep * b2Dot(m_vGravity, n);
+  const float before = approach - press;
+  float bounce = -std::max(0.0f, gap) / m_fStep;
+  if (before > static_cast<float>(g_fRestingSpeed) * m_fStep * m_vGravity.Length())
+    bounce = std::max(0.0f, contact.GetRestitution() * before - press);
+  contact.SetRestitution(bounce > -approach ? bounce / approach : -1.0f);
+  if (gap > b2_linearSlop) return {};
+  return CResolution{p - ball.m_fRadius * n, n, before};
+}
+
 // Whether they are pressed rather than hit each other; done then.
 bool CPreSolveOverride::ResolvePress(const CInspected& inspected, CBody& shape, CBody& ball) {
   // What moves by less than Box2D's slop is what its own solver is good at.
@@ -245,7 +315,8 @@ bool CPreSolveOverride::ResolvePress(const CInspected& inspected, CBody& shape, 
   if (m_bIsContinuous && inspected.m_fGap > 0.0f) {
     SeparateShapes(inspected, shape, ball);
   } else {
-    SetManifold(inspected.m_cContact, inspected.m_vNormAB, inspected.m_fGap - b2_linearSlop);
+    SetManifold(inspected.m_cContact, inspected.m_vNormAB,
+                inspected.m_fGap - b2_linearSlop - (isSupport && !shape.m_bIsBall ? MarginOf(ball) : 0.0f));
     OpenIsland(inspected.m_vNorm);
   }
   return true;
@@ -257,7 +328,8 @@ bool CPreSolveOverride::IsSupport(const CInspected& inspected, CBody& shape, CBo
   const Vector2d& n = inspected.m_cImpact.m_vNorm;
   const double pull = ToDouble(m_vGravity).dot(n),
                gravityStep = static_cast<double>(m_fStep) * std::abs(pull);
-  FailIf(gravityStep == 0.0 || inspected.m_fGap > b2_linearSlop);
+  // Box2D stops a ball that is smaller than its slop a slop away.
+  FailIf(gravityStep == 0.0 || inspected.m_fGap > b2_linearSlop + 2.0f * MarginOf(ball));
   // A perfect ball lies where it would bounce more than once in a step, any other a bit before that.
   const double most = inspected.m_cImpact.m_fElasticity < 1.0 ? g_fRestingSpeed : g_fElasticRestingSpeed;
   FailIf(inspected.m_fSpeed > most * gravityStep || inspected.m_fSpeed < -g_fLiftSpeed * gravityStep);

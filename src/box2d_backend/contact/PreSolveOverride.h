@@ -20,7 +20,8 @@ namespace Shapes::Box2D {
 /// - an impact waits for the second pass, and gets the normal and the time that it really has;
 /// - what only touches the shape that is hit waits for its own impact;
 /// - what comes into the skins only, or goes past, is left alone;
-/// - what is pressed rather than hit is left to Box2D, without the skins.
+/// - what is pressed rather than hit is left to Box2D, without the skins;
+/// - so is all that a ball in lasting contact touches, in both passes.
 class CPreSolveOverride {
 public:
   /// @param g  gravity, 0 if balls do not follow parabolas
@@ -40,6 +41,9 @@ public:
   /// somebody else is answered then: what waits the wrong way round would hold it
   std::optional<CResolution> Override(b2Contact& contact, CBody& shape, CBody& ball, bool canWait = true);
 
+  /// After the step: puts a ball on its parabola, but not through a shape that it has bounced off.
+  static void Land(CBody& ball);
+
   /// A ball meets what is not ours, and Box2D answers that; its parabola bounces there, or ends.
   void FollowOther(b2Contact& contact, CBody& other, CBody& ball);
 
@@ -49,6 +53,7 @@ public:
 private:
   struct CInspected;
   CInspected Inspect(b2Contact& contact, const CBody& shape, const CBody& ball) const;
+  std::optional<CResolution> LeaveToSolver(b2Contact& contact, const CBody& shape, const CBody& ball);
   bool ResolvePress(const CInspected& inspected, CBody& shape, CBody& ball);
   bool IsSupport(const CInspected& inspected, CBody& shape, CBody& ball) const;
   void SeparateShapes(const CInspected& inspected, CBody& shape, CBody& ball);

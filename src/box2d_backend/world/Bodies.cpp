@@ -224,11 +224,20 @@ void CBodies::SetMoving(const CWorldState& state, CShapeId id) {
     m_stdMoving.erase(at);
 }
 
+void CBodies::FindContacts() {
+  // The manager is const only because b2World has no other function that returns it.
+  const_cast<b2ContactManager&>(m_pWorld->GetContactManager()).FindNewContacts();
+}
+
 void CBodies::SetBullets(bool b) {
   if (b == m_bBullets) return;
   m_bBullets = b;
+  SetBullets();
+}
+
+void CBodies::SetBullets() {
   for (CBody* pBall : m_stdBalls)
-    pBall->m_pBody->SetBullet(b);
+    pBall->m_pBody->SetBullet(m_bBullets && !pBall->m_bIsLasting);
 }
 
 void CBodies::SetRestitutions(const CMixing& mixing) {

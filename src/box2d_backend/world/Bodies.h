@@ -39,9 +39,11 @@ struct CBody {
   float m_fTurnSpeed = 0.0f;          ///< of a shape, radians per second
   int m_nArcPieces = 0;
   bool m_bIsBall = false;
-  bool m_bIsSupported = false;  ///< the ball lies on something in this step
-  bool m_bWasSupported = false; ///< it did so in the last one
-  CSharedEnds m_cSharedEnds;    ///< of which the geometry of a shape knows
+  bool m_bIsSupported = false;          ///< the ball lies on something in this step
+  bool m_bWasSupported = false;         ///< it did so in the last one
+  const CBody* m_pBouncedOff = nullptr; ///< the shape that the ball has hit last in this step
+  bool m_bIsLasting = false;            ///< Box2D's own solver moves the ball in this step
+  CSharedEnds m_cSharedEnds;            ///< of which the geometry of a shape knows
 };
 
 /// Makes one b2Body for each shape. What Box2D tells of a body leads back to its shape without the user data
@@ -71,12 +73,17 @@ public:
   /// How fast a shape moves and turns, as it is now.
   void SetMoving(const CWorldState& state, CShapeId id);
   void SetBullets(bool b);
+  /// Anew after m_bIsLasting of any ball has changed.
+  void SetBullets();
   /// What Box2D mixes by itself: for worlds in which nobody sets the restitution of contacts.
   void SetRestitutions(const CMixing& mixing);
 
   CBody& Get(CShapeId id) { return m_stdBodies.at(id); }
   /// The shape that a body is of; nullptr for a body of somebody else.
   CBody* Find(const b2Body& body);
+  /// Makes b2Body::GetContactList of all that has moved or was created since the last step what it will be in
+  /// the next one.
+  void FindContacts();
   /// In the order of their ids, as everywhere.
   const std::vector<CBody*>& GetBalls() const { return m_stdBalls; }
   /// Whether the ball may be touching a body of somebody else.

@@ -2,6 +2,7 @@
 #include "Stepper.h"
 
 #include "../../shapes/Response.h"
+#include "../contact/LastingContact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -178,18 +179,24 @@ bool CStepper::HasParabolas() const { return m_cTuning.m_bParabolas && GetGravit
 
 void CStepper::BeforeStep(float h) {
   const b2Vec2 g = HasParabolas() ? GetGravity() : b2Vec2_zero;
+  if (m_cTuning.m_bLastingContact) FindLastingContacts(m_cBodies, g, h);
   if (HasParabolas())
-    for (CBody* pBall : m_cBodies.GetBalls())
-      pBall->m_pBody->SetLinearVelocity(pBall->m_pBody->GetLinearVelocity() + 0.5f * h * g);
+    for (CBody* pBall : m_cBodies.GetBalls()) {
+      // What lasts gets all of it before the step, so that Box2D's solver is left with nothing undone.
+      const float part = pBall->m_bIsLasting ? 1.0f : 0.5f;
+      pBall->m_pBody->SetLinearVelocity(pBall->m_pBody->GetLinearVelocity() + part * h * g);
+    }
   CountClamped(h);
   m_cGatherer.BeginStep(g, h);
 }
 
 void CStepper::AfterStep() {
   ++m_cStats.m_nEngineSteps;
+  m_cStats.m_nEngineContacts += m_cGatherer.TakeAsked();
   if (!HasParabolas() && !m_cTuning.m_bExactContacts) return;
   for (CBody* pBall : m_cBodies.GetBalls())
-    pBall->m_cCorrection.Land(*pBall->m_pBody);
+    CPreSolveOverride::Land(*pBall);
+  if (m_cTuning.m_bLastingContact) PushOutOfShapes(m_cBodies);
 }
 
 std::vector<CStepper::CPathVertex> CStepper::GetPathVertices() const {

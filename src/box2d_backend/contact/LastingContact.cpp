@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "LastingContact.h"
+
+#include "../../Tolerances.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace Shapes::Box2D {
+namespace {
+
+float GapOf(const CBody& a, const CBody& b) {
+  return b2Distance(a.m_pBody->GetPosition(), b.m_pBody->GetPosition()) - a.m_fRadius - b.m_fRadius;
+}
+
+bool AreTouching(const CBody& a, const CBody& b) { return GapOf(a, b) <= g_fLastingReach * b2_linearSlop; }
+
+bool AreNear(const CBody& a, const CBody& b) {
+  const float reach =
+      std::max(g_fLastingReach * b2_linearSlop, g_fNearInRadii * std::min(a.m_fRadius, b.m_fRadius));
+  return GapOf(a, b) <= reach;
+}
+
+template <class F>
+void ForNeighbours(CBodies& bodies, const CBody& ball, F f) {
+  for (const b2ContactEdge* p = ball.m_pBody->GetContactList(); p != nullptr; p = p->next)
+    if (p->other->GetType() == b2_dynamicBody)
+      if (CBody* pOther = bodies.Find(*p->other); pOther != nullptr) f(*pOther);
+}
+
+// Whether gravity keeps two balls that touch together.
+bool ArePressed(const CBody& a, const CBody& b, float gravityStep) {
+  if (!(a.m_fElasticity * b.m_fElasticity < 1.0f)) return false;
+  b2Vec2 n = b.m_pBody->GetPosition() - a.m_pBody->GetPosition();
+  n.Normalize();
+  const float speed = b2Dot(b.m_pBody->GetLinearVelocity() - a.m_pBody->GetLinearVelocity(), n);
+  return std::abs(speed) < static_cast<float>(g_fRestingSpeed) * gravityStep;
+}
+
+} // namespace
+
+void FindLastingContacts(CBodies& bodies, const b2Vec2& g, float h) {
+  bodies.FindContacts();
+  const float gravityStep = h * g.Length();
+  std::vector<CBody*> lasting;
+  const auto mark = [&](CBody& ball) {
+    if (ball.m_bIsLasting) return;
+    ball.m_bIsLasting = true;
+    lasting.push_back(&ball);
+  };
+  for (CBody* pBall : bodies.GetBalls())
+    pBall->m_bIsLasting = false;
+  for (CBody* pBall : bodies.GetBalls()) {
+    int near = 0;
+    bool touches = false;
+    ForNeighbours(bodies, *pBall, [&](const CBody& other) {
+      near += AreNear(*pBall, other);
+      if (!AreTouching(*pBall, other)) return;
+      touches = true;
+      if (!pBall->m_bIsLasting && ArePressed(*pBall, other, gravityStep)) mark(*pBall);
+    });
+    if (near >= g_nCrowd && touches) mark(*pBall);
+  }
+  while (!lasting.empty()) {
+    const CBody& ball = *lasting.back();
+    lasting.pop_back();
+    ForNeighbours(bodies, ball, [&](CBody& other) {
+      if (!other.m_bIsLasting && AreTouching(ball, other)) mark(other);
+    });
+  }
+  bodies.SetBullets();
+}
+
+void PushOutOfShapes(CBodies& bodies) {
+  for (CBody* pBall : bodies.GetBalls()) {
+    if (!pBall->m_bIsLasting) continue;
+    const b2Vec2 start = pBall->m_pBody->GetPosition();
+    b2Vec2 p = start;
+    for (int round = 0, pushed = 2; round < g_nPushRounds && pushed > 1; ++round) {
+      pushed = 0;
+      for (const b2ContactEdge* pEdge = pBall->m_pBody->GetContactList(); pEdge != nullptr;
+           pEdge = pEdge->next) {
+        if (pEdge->other->GetType() == b2_dynamicBody || !pEdge->contact->IsTouching()) continue;
+        const CBody* pShape = bodies.Find(*pEdge->other);
+        if (pShape == nullptr) continue;
+        const b2Transform& xf = pShape->m_pBody->GetTransform();
+        const CExactContact contact =
+            FindExactContact(pShape->m_cGeometry, ToDouble(b2MulT(xf, p)), Vector2d::Zero(),
+                             static_cast<double>(pBall->m_fRadius));
+        if (contact.m_fGap >= 0.0) continue;
+        p -= static_cast<float>(contact.m_fGap) * b2Mul(xf.q, ToFloat(contact.m_vNorm));
+        ++pushed;
+      }
+    }
+    if (!(p == start)) pBall->m_pBody->SetTransform(p, 0.0f);
+  }
+}
+
+} // namespace Shapes::Box2D
