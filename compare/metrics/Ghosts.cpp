@@ -55,7 +55,7 @@ CGhostHunter::CGhostHunter(const CScene& scene, const std::vector<CEngine>& engi
 
 bool CGhostHunter::IsQuiet(const CExactGame& game, std::size_t ball) const {
   const CReference<double>& reference = game.GetReference();
-  if (m_cScene.m_stdBalls[ball].m_cDesc.m_bIsSensor || reference.WasApproximate(ball)) return false;
+  if (m_cScene.m_stdBalls[ball].m_cDesc.m_bIsSensor) return false;
   const double r = reference.GetBall(ball).m_fRadius;
   const CVec2d p0 = ToDouble(game.GetBalls()[ball].m_vPos), p1 = reference.GetBall(ball).m_vPos;
   bool passes = false;

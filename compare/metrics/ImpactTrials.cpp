@@ -28,7 +28,7 @@ public:
       m_stdBusy.push_back(event.m_nBall);
       if (event.m_bIsBall) m_stdBusy.push_back(event.m_nShape);
       if (!first) continue;
-      if (std::size_t* pAside = FindReason(game, event))
+      if (std::size_t* pAside = FindReason(event))
         ++*pAside;
       else
         m_stdSelected.push_back(event);
@@ -42,11 +42,7 @@ private:
   }
 
   // Why an impact is set aside: the counter of the reason, or nullptr.
-  std::size_t* FindReason(const CExactGame& game, const CExactEvent<double>& event) {
-    const CReference<double>& reference = game.GetReference();
-    if (reference.WasApproximate(event.m_nBall) ||
-        (event.m_bIsBall && reference.WasApproximate(event.m_nShape)))
-      return &m_cAside.m_nApproximate;
+  std::size_t* FindReason(const CExactEvent<double>& event) {
     if (event.m_bGraze || event.m_bOverlapped) return &m_cAside.m_nAmbiguous;
     if (event.m_bSimultaneous) return &m_cAside.m_nSimultaneous;
     const double approach = -(event.m_vVelBefore - event.m_vSurface).dot(event.m_vNorm);

@@ -83,7 +83,6 @@ struct CExcluded {
   std::size_t m_nResting = 0;      ///< impacts too slow to be called one
   std::size_t m_nAmbiguous = 0;    ///< grazes that are decided by rounding, and overlaps
   std::size_t m_nSimultaneous = 0; ///< where the order of two impacts at once decides
-  std::size_t m_nApproximate = 0;  ///< of balls that slid on a curve in this step
   std::size_t m_nUndecided = 0;    ///< trials that the reference gave up, or whose state an engine refused
   std::string m_sUndecided;        ///< the first of them: trial, step and what was said
 };

@@ -3,14 +3,14 @@
 // impact. Both engines are held against it.
 //
 // Between events a ball flies on its parabola, p(t) = p + v t + g t^2/2; steps may be of any length. A ball
-// that rests on straight segments is held by them, and so is one that rests on balls that do not move against
-// it: it moves with what is left of gravity, exactly. One that slides along anything else is carried by small
-// hops: that is approximate, and told.
+// that rests or slides on something moves along it: its way is a Taylor series whose forces are solved for
+// order by order, and which is begun anew as often as rounding asks for.
 //
 // What is solid is told in Sweeper.h; in particular the ends of segments and arcs are round and solid here,
 // which they are not in the native engine's approximate mode.
 #pragma once
 
+#include "Complementarity.h"
 #include "Sweep.h"
 
 #include <Shapes/World.h>
@@ -23,8 +23,8 @@ namespace Shapes::Compare {
 
 /// Most events in one step. More means that a ball is jammed, and the step throws.
 inline constexpr std::size_t g_nMaxEvents = 100000;
-/// The same for all hits, those of resting and sliding balls included.
-inline constexpr int g_nMaxSlideHits = 1000000;
+/// The same for all that happens in a step: events, contacts that begin or end, and pieces of a slide.
+inline constexpr std::size_t g_nMaxTurns = 200000;
 
 /// A ball comes to rest on a shape if their elasticity is below 1 and this many hits in a row come within
 /// g_fClose of the step: its hops are a geometric series that has come to its end.
@@ -43,12 +43,6 @@ inline constexpr double g_fPressed = 1e-6;
 /// A ball that begins to rest or slide with an overlap of up to this share of its coordinates is lifted onto
 /// the shape, dimensionless: its position has been a float. Else roundings would add up to sinking.
 inline constexpr double g_fRounded = 0x1p-21;
-
-/// Hops in one step of a ball that slides, at least.
-inline constexpr int g_nSlideHops = 16;
-/// Height of such a hop, at most, as a share of the radii of the ball and of what it slides on,
-/// dimensionless.
-inline constexpr double g_fHop = 1e-4;
 
 /// Events of one ball that are this share of the step apart are simultaneous, dimensionless.
 inline constexpr double g_fSimultaneous = 1e-12;
@@ -138,27 +132,24 @@ public:
   /// A contact becomes permanent if the ball touches without approaching and is accelerated into the shape,
   /// or if it bounces with an elasticity below 1 and its hops have come to their end (g_nMaxClose), or if it
   /// is pressed (g_fPressed). Its normal velocity is removed. Permanent contacts make no events.
-  /// - On the side of a segment at rest, and on a ball that neither moves nor is accelerated along it, it
-  ///   rests: its acceleration is gravity and the forces of its supports, none of which pulls. It ends when
-  ///   the centre passes the end of the segment, when a hit gives a velocity off the surface, and with the
-  ///   step; the next one finds it again. Exact to rounding.
-  /// - Anywhere else it slides: it gets the normal velocity with which it hops at least g_nSlideHops times in
-  ///   a step and at most g_fHop high. What that costs is of the order of that height, and of (v dt /
-  ///   g_nSlideHops)^2 / (8 R), in position.
-  /// @throws std::runtime_error if there are more than g_nMaxEvents or g_nMaxSlideHits, naming ball and
-  ///         place, or if a response (elasticity above 1) gives a speed that is not finite; the state is that
-  ///         of no particular time then
+  /// From then on the ball keeps its distance to the surface, which may turn and move: its acceleration is
+  /// gravity and the forces of what it touches, along the normals, none of which pulls. The contact ends
+  /// where its force has fallen to 0, where a hit gives a velocity off the surface, and with the step; the
+  /// next one finds it again. Past the end of a side the ball goes on along the round end, and back. All of
+  /// this is exact to rounding.
+  /// @throws std::runtime_error if there are more than g_nMaxEvents or g_nMaxTurns, or if a ball is crushed
+  ///         between shapes, naming ball and place, or if a response (elasticity above 1) gives a speed that
+  ///         is not finite; the state is that of no particular time then
   /// @throws std::invalid_argument unless dt is finite and at least 0
   void Step(const T& dt, std::vector<CExactEvent<T>>& events);
 
-  /// Contacts that began to rest in a step, since the start: exact.
+  /// Contacts that began to last in a step, since the start, with balls and sides of segments at rest.
   std::size_t GetRestCount() const { return m_nRests; }
-  /// Those that began to slide: approximate.
+  /// The same with everything else: what is round, turns or moves.
   std::size_t GetSlideCount() const { return m_nSlides; }
-  /// Hits without an event, of both.
-  std::size_t GetSlideHits() const { return m_nSlideHits; }
-  /// Whether the way of the ball in the last step is approximate: it slid, or met a ball that did.
-  bool WasApproximate(std::size_t ball) const { return m_stdApproximate.at(ball); }
+  /// The force with which the shape, or the ball `other`, which comes after it, pushes the ball at the end of
+  /// the last step; 0 without lasting contact.
+  T GetForce(std::size_t ball, std::size_t other, bool isBall = false) const;
   /// Ambiguous misses since the start: ways within g_fGraze of a tangent that do not touch.
   std::size_t GetNearMissCount() const { return m_nNearMisses; }
 
@@ -185,13 +176,16 @@ private:
     CTurning<T> GetTurning(const T& t) const;
     void SetBox();
   };
-  struct CNext { // the next event of a ball, at m_cHit.m_fTime in the step
+  // What a ball comes to next: an impact, or the border of the part on which it slides, the end of the force
+  // that holds a contact, or the end of the piece of its way.
+  enum class eNext { Impact, Border, Release, Piece };
+  struct CNext { // at m_cHit.m_fTime in the step
     bool m_bFound = false;
     bool m_bIsBall = false;
-    bool m_bEnds = false; // it passes the end of the segment on which it rests
     std::size_t m_nOther = 0;
     CHit<T> m_cHit;
     bool m_bTies = false; // another one at the same time, to another side
+    eNext m_eNext = eNext::Impact;
   };
   struct CPair { // what has happened between a ball and a shape or ball in this step
     CPair(std::size_t ball, std::size_t other, bool isBall)
@@ -204,12 +198,33 @@ private:
     T m_fLast = T(-1e300); // time of the last hit
     CVec<T> m_vNorm = CVec<T>::Zero();
     CVec<T> m_vSurface = CVec<T>::Zero();
-    T m_fOut = T(0); // normal speed that the last hit gave
-    T m_fForce = T(0);
-    bool m_bSlides = false; // permanent
-    bool m_bRests = false;  // and exact
+    T m_fOut = T(0);        // normal speed that the last hit gave
+    bool m_bSlides = false; // has become permanent; without a force it does not hold
+    bool m_bHolds = false;
     bool m_bSensed = false;
-    bool m_bCounted = false; // among the slides
+    ePart m_ePart = ePart::Point;
+    T m_fReach = T(0);         // the distance that it keeps
+    std::vector<T> m_stdForce; // coefficients, from the time of the ball
+  };
+  // A lasting contact, as it is now.
+  struct CHeld {
+    CPair* m_pPair = nullptr;
+    bool m_bLine = false;
+    T m_fSide = T(1); // -1: from inside
+    CVec<T> m_vBase;  // from where its distance is measured: of a circle its centre
+    CVec<T> m_vNorm;
+    CVec<T> m_vSurface; // velocity of the surface, or of the other ball
+    CTurning<T> m_cTurning;
+  };
+  // Where a part of a shape goes over into another one: at a line, or at the circle of the arc.
+  struct CBorder {
+    CVec<T> m_vAt;
+    CVec<T> m_vOut;     // off the part; of a circle 0
+    CVec<T> m_vToward;  // Only this side of the line is a border; 0 for all of it.
+    ePart m_ePart;      // what comes next
+    bool m_bOpen;       // nothing
+    T m_fRadius = T(0); // of the circle
+    T m_fSide = T(0);   // 1: the part is outside of it
   };
   struct CNear {
     std::size_t m_nBall;
@@ -230,7 +245,6 @@ private:
   void FindAfter();
   void MeetShapes(std::size_t ball, CNext& next);
   void MeetBall(std::size_t ball, std::size_t other, CNext& next);
-  void MeetEnds(std::size_t ball, CNext& next) const;
   bool IsNegligible(std::size_t ball, std::size_t other, bool isBall, const CHit<T>& hit);
   bool AreApart(std::size_t ball, bool isBall0, std::size_t other0, const CHit<T>& hit0, bool isBall1,
                 std::size_t other1, const CHit<T>& hit1) const;
@@ -242,41 +256,50 @@ private:
   void AnswerBall(const CHit<T>& hit, CPair& pair, CExactEvent<T>& event);
   bool Begins(const CHit<T>& hit, const CPair& pair) const;
   T Kick(CPair& pair);
-  // ReferenceSlide.h: permanent contacts
   bool Slides(CPair& pair, const T& e, const T& approach, bool pressed);
-  void BeginSlide(CPair& pair);
-  T HopSpeed(const T& press, const T& size, const T& speeds) const;
-  T Press(const CPair& pair, const CHit<T>& hit) const;
-  void Settle();
-  // ReferenceRest.h: those that rest
-  void PassEnd(std::size_t ball, const CNext& next);
-  void CheckRests();
-  void Support();
-  bool Balance();
-  bool LeaveUnsteady();
+  void BeginHold(CPair& pair, ePart part);
+  // ReferenceRest.h: contacts that last, and their forces
   T Slow(const CPair& pair) const;
+  CHeld MakeHeld(CPair& pair);
+  void SetReach(CPair& pair);
+  void GatherHeld();
+  T SpeedOff(const CHeld& held) const;
+  void Push(const CHeld& held, const T& impulse);
+  CMatrix<T> GetMasses() const;
+  void Settle();
+  void CheckHolds();
+  void Shift(const CPair& pair, const CVec<T>& way);
+  void Straighten();
+  void Continue();
+  void Support();
+  [[noreturn]] void Crushed(std::size_t ball) const;
+  // ReferenceSlide.h: the way of balls that are held, and where it ends
+  void Slide();
+  void MeetLimits(std::size_t ball, CNext& next) const;
+  void MeetBorders(const CPair& pair, CNext& next) const;
+  std::vector<CBorder> GetBorders(const CPair& pair, const CShapeGeometry<T>& f) const;
+  void PassLimit(std::size_t ball, const CNext& next);
 
   std::vector<CSolid> m_stdShapes;
   std::vector<CExactBall<T>> m_stdBalls;
   CVec<T> m_vGravity;
   std::size_t m_nRests = 0;
   std::size_t m_nSlides = 0;
-  std::size_t m_nSlideHits = 0;
   std::size_t m_nNearMisses = 0;
-  std::vector<bool> m_stdApproximate;
 
   // Of the step that is going on.
   T m_fStep = T(0);
   T m_fNow = T(0);
-  T m_fSpeeds = T(0);               // of the last hit, before it
-  std::vector<T> m_stdTime;         // of each ball: when it is where m_stdBalls says
-  std::vector<CVec<T>> m_stdAcc;    // of each ball
-  std::vector<CVec<T>> m_stdSolved; // as Balance finds it
+  T m_fSpeeds = T(0);              // of the last hit, before it
+  std::vector<T> m_stdTime;        // of each ball: when it is where m_stdBalls says
+  std::vector<CVec<T>> m_stdAcc;   // of each ball, then
+  std::vector<CMore<T>> m_stdMore; // by which its way differs from the parabola
+  std::vector<T> m_stdUntil;       // up to when that holds
   std::vector<CNext> m_stdNext;
   std::vector<CPair> m_stdPairs;
   std::vector<CNear> m_stdNear;
-  std::vector<std::size_t> m_stdChanged;  // balls with new velocities or accelerations
-  std::vector<std::size_t> m_stdSettling; // pairs
+  std::vector<std::size_t> m_stdChanged; // balls with new velocities or accelerations
+  std::vector<CHeld> m_stdHeld;          // their contacts
 };
 
 } // namespace Shapes::Compare

@@ -88,7 +88,6 @@ void CReference<T>::Answer(std::size_t i, const CNext& next, std::vector<CExactE
     AnswerShape(hit, pair, event);
 
   const bool permanent = pair.m_bSlides && !event.m_bIsSensor;
-  m_nSlideHits += permanent;
   if (!permanent) {
     for (std::size_t k = events.size(); k > first; --k) {
       CExactEvent<T>& earlier = events[k - 1];
@@ -98,8 +97,7 @@ void CReference<T>::Answer(std::size_t i, const CNext& next, std::vector<CExactE
     events.push_back(event);
   }
   if (permanent) Settle();
-  if (event.m_bIsSensor) return;
-  CheckRests();
+  CheckHolds();
   Support();
 }
 
@@ -117,25 +115,18 @@ void CReference<T>::AnswerShape(const CHit<T>& hit, CPair& pair, CExactEvent<T>&
   const CSolid& solid = m_stdShapes[pair.m_nOther];
   const CVec<T>& n = hit.m_vNorm;
   const T vn = (ball.m_vVel - hit.m_vSurface).dot(n), e = ball.m_fElasticity * solid.m_fElasticity;
-  const bool pressed = Begins(hit, pair) ||
-                       ((hit.m_ePart == ePart::Inside || solid.Moves()) && -vn < T(g_fPressed) * m_fSpeeds);
-  const bool slides = Slides(pair, e, T(-vn), pressed);
-  if (!slides) {
-    pair.m_fOut = std::max(T(0), T(-e * vn));
-  } else if ((hit.m_ePart == ePart::Front || hit.m_ePart == ePart::Back) && !solid.Moves()) {
-    pair.m_bRests = true;
-    pair.m_fOut = T(0);
-    ++m_nRests;
-  } else {
-    const T R = solid.m_cGeometry.m_fRadius, r = ball.m_fRadius;
-    const T size = hit.m_ePart == ePart::Inside ? T(R - r) : T(R + r);
-    pair.m_fOut = HopSpeed(Press(pair, hit), size, m_fSpeeds);
-    BeginSlide(pair);
-  }
+  // What a ball that goes over from one curve to another is put past the border turns its normal by this.
+  const T reach = ball.m_fRadius + (hit.m_ePart == ePart::Outside ? solid.m_cGeometry.m_fRadius : T(0));
+  const T extent =
+      GetExtent(solid.m_cGeometry, CSweptBall<T>{ball.m_vPos, ball.m_vVel, ball.m_fRadius}, CTurning<T>());
+  const T small = T(4 * g_nTouchRoundings) * std::numeric_limits<T>::epsilon();
+  const T turned = reach > T(0) ? T(small * extent / reach) : T(0);
+  const bool isFace = hit.m_ePart == ePart::Front || hit.m_ePart == ePart::Back;
+  const T gentle = hit.m_ePart == ePart::Inside || solid.Moves() ? T(g_fPressed) : isFace ? T(0) : turned;
+  const bool slides = Slides(pair, e, T(-vn), Begins(hit, pair) || -vn < gentle * m_fSpeeds);
+  pair.m_fOut = slides ? T(0) : std::max(T(0), T(-e * vn));
 
   const bool lifts = slides && hit.m_fDepth <= T(g_fRounded) * ball.GetExtent();
-  const CSweptBall<T> swept{ball.m_vPos, ball.m_vVel, ball.m_fRadius};
-  const T extent = GetExtent(solid.m_cGeometry, swept, CTurning<T>());
   const T clear = Clear(extent, T(Norm(ball.m_vVel) * m_fStep));
   const CVec<T> fromShape = hit.m_vCenter - hit.m_vPOI,
                 fromMiddle = hit.m_vCenter - solid.GetGeometry(T(0)).m_vCenter;
@@ -145,7 +136,10 @@ void CReference<T>::AnswerShape(const CHit<T>& hit, CPair& pair, CExactEvent<T>&
     const T apart = ball.m_fRadius + Nudge<T>() * ball.GetExtent();
     ball.m_vPos = hit.m_vPOI + std::max(apart, clear) * n;
   }
-  Kick(pair);
+  if (slides)
+    BeginHold(pair, hit.m_ePart);
+  else
+    Kick(pair);
   if (pair.m_fOut == T(0) && Norm(CVec<T>(ball.m_vVel - hit.m_vSurface)) < Residue<T>() * m_fSpeeds)
     ball.m_vVel = hit.m_vSurface;
   event.m_vVelAfter = ball.m_vVel;
@@ -155,20 +149,9 @@ template <class T>
 void CReference<T>::AnswerBall(const CHit<T>& hit, CPair& pair, CExactEvent<T>& event) {
   CExactBall<T>&a = m_stdBalls[pair.m_nBall], &b = m_stdBalls[pair.m_nOther];
   const CVec<T>& n = hit.m_vNorm;
-  if (m_stdApproximate[pair.m_nBall] || m_stdApproximate[pair.m_nOther])
-    m_stdApproximate[pair.m_nBall] = m_stdApproximate[pair.m_nOther] = true;
-
   const T vn = (a.m_vVel - b.m_vVel).dot(n), e = a.m_fElasticity * b.m_fElasticity;
   const bool slides = Slides(pair, e, T(-vn), Begins(hit, pair));
   pair.m_fOut = slides ? T(0) : std::max(T(0), T(-e * vn));
-  if (slides) {
-    // Support decides whether it can rest. Where nothing presses, it does not last.
-    pair.m_bRests = Press(pair, hit) > T(0);
-    if (pair.m_bRests)
-      ++m_nRests;
-    else
-      BeginSlide(pair);
-  }
 
   const bool lifts = slides && hit.m_fDepth <= T(g_fRounded) * a.GetExtent();
   const T extent = a.GetExtent() + b.GetExtent();
@@ -181,7 +164,10 @@ void CReference<T>::AnswerBall(const CHit<T>& hit, CPair& pair, CExactEvent<T>& 
   }
   a.m_vPos += shift;
   b.m_vPos -= shift;
-  Kick(pair);
+  if (slides)
+    BeginHold(pair, ePart::Ball);
+  else
+    Kick(pair);
   for (CExactBall<T>* pBall : {&a, &b})
     if (pair.m_fOut == T(0) && Norm(pBall->m_vVel) < Residue<T>() * m_fSpeeds) pBall->m_vVel.setZero();
   event.m_vVelAfter = a.m_vVel;
@@ -209,6 +195,28 @@ T CReference<T>::Kick(CPair& pair) {
     }
   }
   return first;
+}
+
+// Whether the contact becomes permanent with this hit.
+template <class T>
+bool CReference<T>::Slides(CPair& pair, const T& e, const T& approach, bool pressed) {
+  // Each hit takes the time of the last one times e: the series is at its end.
+  const bool atOnce = m_fNow - pair.m_fLast <= T(g_fClose) * m_fStep;
+  pair.m_nClose = atOnce ? pair.m_nClose + 1 : 0;
+  pair.m_fLast = m_fNow;
+  // A ball that comes back to what has not held it any more is hit again.
+  if (!pressed && !atOnce && approach > Slow(pair)) pair.m_bSlides = false;
+  if (pressed || (e < T(1) && pair.m_nClose >= g_nMaxClose)) pair.m_bSlides = true;
+  return pair.m_bSlides;
+}
+
+template <class T>
+void CReference<T>::BeginHold(CPair& pair, ePart part) {
+  pair.m_bHolds = true;
+  pair.m_ePart = part;
+  SetReach(pair);
+  const bool isFace = part == ePart::Front || part == ePart::Back;
+  ++(part == ePart::Ball || (isFace && !m_stdShapes[pair.m_nOther].Moves()) ? m_nRests : m_nSlides);
 }
 
 } // namespace Shapes::Compare

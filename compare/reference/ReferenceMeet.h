@@ -14,53 +14,29 @@ void CReference<T>::FindNext(std::size_t i) {
   CNext& next = m_stdNext[i];
   next.m_bFound = false;
   if (!m_stdBalls[i].m_bCanCollide) return;
-  MeetEnds(i, next);
+  MeetLimits(i, next);
   MeetShapes(i, next);
   for (std::size_t j = 0; j < m_stdBalls.size(); ++j)
     MeetBall(i, j, next);
 }
 
-// When the centre passes the end of a segment on which the ball rests.
-template <class T>
-void CReference<T>::MeetEnds(std::size_t i, CNext& next) const {
-  using std::sqrt;
-  for (const CPair& pair : m_stdPairs) {
-    if (!pair.m_bRests || pair.m_bIsBall || pair.m_nBall != i) continue;
-    const T now = m_stdTime[i], left = m_fStep - now;
-    const CSweptBall<T> ball = GetSwept(i, now);
-    const CShapeGeometry<T> f = m_stdShapes[pair.m_nOther].GetGeometry(now);
-    for (const bool first : {true, false}) {
-      const CVec<T>&end = first ? f.m_vPt0 : f.m_vPt1, &start = first ? f.m_vPt1 : f.m_vPt0;
-      const CVec<T> out = (end - start) / Norm(CVec<T>(end - start));
-      // x + v t + a t^2/2 rises through 0.
-      const T x = std::min(T(out.dot(CVec<T>(ball.m_vPos - end))), T(0));
-      const T v = out.dot(ball.m_vVel), a = out.dot(ball.m_vAcc), disc = v * v - T(2) * a * x;
-      if (disc < T(0) || !(v > T(0) || a > T(0))) continue;
-      const T root = sqrt(disc), t = v > T(0) ? T(T(-2) * x / (v + root)) : T((root - v) / a);
-      if (!(t <= left) || (next.m_bFound && !(now + t < next.m_cHit.m_fTime))) continue;
-      next = CNext{};
-      next.m_bFound = next.m_bEnds = true;
-      next.m_nOther = pair.m_nOther;
-      next.m_cHit.m_fTime = now + t;
-      next.m_cHit.m_vCenter = ball.GetPos(t);
-      next.m_cHit.m_vPOI = end;
-      next.m_cHit.m_vNorm = out;
-    }
-  }
-}
-
 template <class T>
 void CReference<T>::MeetShapes(std::size_t i, CNext& next) {
-  const T now = m_stdTime[i], left = m_fStep - now;
+  const T now = m_stdTime[i], left = m_stdUntil[i] - now;
   const CSweptBall<T> ball = GetSwept(i, now);
   const CVec<T> end = ball.GetPos(left);
   CVec<T> low = ball.m_vPos.cwiseMin(end), high = ball.m_vPos.cwiseMax(end);
   for (int k = 0; k < 2; ++k) { // where the parabola turns back
     const T v = ball.m_vVel[k], a = ball.m_vAcc[k];
-    if ((v < T(0)) == (a < T(0)) || a == T(0) || !(-v / a < left)) continue;
+    if (!ball.m_stdMore.empty() || (v < T(0)) == (a < T(0)) || a == T(0) || !(-v / a < left)) continue;
     const T apex = ball.m_vPos[k] - v * v / (T(2) * a);
     low[k] = std::min(low[k], apex);
     high[k] = std::max(high[k], apex);
+  }
+  if (!ball.m_stdMore.empty()) { // no farther than this from its chord
+    const T sag = (Norm(ball.m_vAcc) + BeyondBound(ball.m_stdMore, left)) * left * left / T(8);
+    low -= CVec<T>(sag, sag);
+    high += CVec<T>(sag, sag);
   }
   // Wider than what touches or nearly does, so that the boxes lose no hit and no near miss.
   const T size = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()) + ball.m_fRadius;
@@ -71,14 +47,15 @@ void CReference<T>::MeetShapes(std::size_t i, CNext& next) {
   for (std::size_t k = 0; k < m_stdShapes.size(); ++k) {
     const CSolid& solid = m_stdShapes[k];
     // As seen from the shape, which may have moved.
-    const CVec<T> from = solid.m_vMoved + now * solid.m_vVel, to = solid.m_vMoved + m_fStep * solid.m_vVel;
+    const CVec<T> from = solid.m_vMoved + now * solid.m_vVel,
+                  to = solid.m_vMoved + m_stdUntil[i] * solid.m_vVel;
     const CVec<T> lower = low - from.cwiseMax(to), upper = high - from.cwiseMin(to);
     if (lower.x() > solid.m_vHigh.x() || upper.x() < solid.m_vLow.x() || lower.y() > solid.m_vHigh.y() ||
         upper.y() < solid.m_vLow.y() || !solid.m_bCanCollide)
       continue;
     const bool sensor = solid.m_bIsSensor || m_stdBalls[i].m_bIsSensor;
     if (const CPair* pPair = FindPair(i, k, false);
-        pPair && (pPair->m_bRests || (sensor && pPair->m_bSensed)))
+        pPair && (pPair->m_bHolds || (sensor && pPair->m_bSensed)))
       continue;
     CHit<T> hit;
     const eMeet meet = sensor && now == T(0) ? eMeet::Touching : eMeet::Approaching;
@@ -96,17 +73,18 @@ void CReference<T>::MeetBall(std::size_t i, std::size_t j, CNext& next) {
   const std::size_t a = std::min(i, j), b = std::max(i, j);
   const CSweptBall<T> lower = GetSwept(a, m_fNow), upper = GetSwept(b, m_fNow);
   // Too far to come near each other in the time that is left.
-  const T left = m_fStep - m_fNow;
-  const T way = (Norm(CVec<T>(upper.m_vVel - lower.m_vVel)) +
-                 Norm(CVec<T>(upper.m_vAcc - lower.m_vAcc)) * (left / T(2))) *
-                left;
+  const T left = std::min(m_stdUntil[a], m_stdUntil[b]) - m_fNow;
+  if (left < T(0)) return;
+  const T bend = Norm(CVec<T>(upper.m_vAcc - lower.m_vAcc)) + BeyondBound(lower.m_stdMore, left) +
+                 BeyondBound(upper.m_stdMore, left);
+  const T way = (Norm(CVec<T>(upper.m_vVel - lower.m_vVel)) + bend * (left / T(2))) * left;
   const CVec<T> d = upper.m_vPos - lower.m_vPos;
   const T near = way + (lower.m_fRadius + upper.m_fRadius) * T(1.0 + 4.0 * g_fGraze) +
                  T(4 * g_nTouchRoundings) * std::numeric_limits<T>::epsilon() *
                      (m_stdBalls[a].GetExtent() + m_stdBalls[b].GetExtent() + way);
   if (d.dot(d) > near * near) return;
   const bool sensor = m_stdBalls[i].m_bIsSensor || m_stdBalls[j].m_bIsSensor;
-  if (const CPair* pPair = FindPair(a, b, true); pPair && (pPair->m_bRests || (sensor && pPair->m_bSensed)))
+  if (const CPair* pPair = FindPair(a, b, true); pPair && (pPair->m_bHolds || (sensor && pPair->m_bSensed)))
     return;
   CHit<T> hit;
   const eMeet meet = sensor && m_fNow == T(0) ? eMeet::Touching : eMeet::Approaching;
@@ -153,14 +131,14 @@ void CReference<T>::Offer(CNext& next, bool found, bool isBall, std::size_t i, s
     };
     using std::abs;
     bool earlier = hit.m_fTime < old.m_fTime;
-    const bool together =
-        next.m_bFound && !next.m_bEnds && abs(hit.m_fTime - old.m_fTime) <= T(g_fSimultaneous) * m_fStep;
+    const bool together = next.m_bFound && next.m_eNext == eNext::Impact &&
+                          abs(hit.m_fTime - old.m_fTime) <= T(g_fSimultaneous) * m_fStep;
     // Where a ball comes to lie on a joint it lies on the side, not on an end.
     if (together && hit.m_bBegins && old.m_bBegins && isFace(hit) != isFace(old)) earlier = isFace(hit);
     // Two that answer alike, as the sides of a joint do, are one.
     const bool ties =
         together && (next.m_bTies || AreApart(i, next.m_bIsBall, next.m_nOther, old, isBall, other, hit));
-    if (!next.m_bFound || earlier) next = {true, isBall, false, other, hit};
+    if (!next.m_bFound || earlier) next = {true, isBall, other, hit};
     next.m_bTies = earlier || together ? ties : next.m_bTies;
   }
   if (found || !hit.m_bGraze) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Balls of the reference that rest: what carries them, and what is left of gravity. Included by
+// Contacts of the reference that last: their impulses, and the forces that hold the balls. Included by
 // Reference.cpp, and for 50 digits by the tests.
 #pragma once
 
@@ -7,13 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <stdexcept>
 
 namespace Shapes::Compare {
-
-// Accelerations below this many roundings of gravity are none.
-inline constexpr int g_nStill = 4096;
-// Rounds of the search for the forces; a wedge needs about 37 / log10(1 / cos^2) for its angle.
-inline constexpr int g_nMaxRounds = 20000;
 
 // A relative velocity of the pair that is rounding.
 template <class T>
@@ -23,135 +20,256 @@ T CReference<T>::Slow(const CPair& pair) const {
   return T(g_nTouchRoundings) * std::numeric_limits<T>::epsilon() * speeds;
 }
 
-// The ball is put past the end by more than what counts as touching the side.
 template <class T>
-void CReference<T>::PassEnd(std::size_t i, const CNext& next) {
-  Advance(i, m_fNow);
-  CPair& pair = GetPair(i, next.m_nOther, false);
-  const CShapeGeometry<T> f = m_stdShapes[next.m_nOther].GetGeometry(m_fNow);
-  const T touch = T(g_nTouchRoundings) * std::numeric_limits<T>::epsilon() *
-                  GetExtent(f, GetSwept(i, m_fNow), m_stdShapes[next.m_nOther].GetTurning(m_fNow));
-  const CVec<T> past = m_stdBalls[i].m_vPos - next.m_cHit.m_vPOI;
-  m_stdBalls[i].m_vPos += (T(2) * touch - past.dot(next.m_cHit.m_vNorm)) * next.m_cHit.m_vNorm;
-  pair.m_bRests = pair.m_bSlides = false;
-  m_stdChanged = {i};
-  Support();
+typename CReference<T>::CHeld CReference<T>::MakeHeld(CPair& pair) {
+  CHeld held;
+  held.m_pPair = &pair;
+  const CExactBall<T>& ball = m_stdBalls[pair.m_nBall];
+  if (pair.m_bIsBall) {
+    held.m_vBase = m_stdBalls[pair.m_nOther].m_vPos;
+  } else {
+    const CSolid& solid = m_stdShapes[pair.m_nOther];
+    const CShapeGeometry<T> f = solid.GetGeometry(m_fNow);
+    held.m_cTurning = solid.GetTurning(m_fNow);
+    held.m_bLine = pair.m_ePart == ePart::Front || pair.m_ePart == ePart::Back;
+    if (held.m_bLine) {
+      held.m_vBase = solid.Turns() ? held.m_cTurning.m_vCenter : f.m_vPt0;
+      held.m_vNorm = Perp(CVec<T>(f.m_vPt1 - f.m_vPt0)) / Norm(CVec<T>(f.m_vPt1 - f.m_vPt0));
+      if (pair.m_ePart == ePart::Back) held.m_vNorm = -held.m_vNorm;
+    } else {
+      held.m_fSide = pair.m_ePart == ePart::Inside ? T(-1) : T(1);
+      held.m_vBase = pair.m_ePart == ePart::End0   ? f.m_vPt0
+                     : pair.m_ePart == ePart::End1 ? f.m_vPt1
+                                                   : f.m_vCenter;
+    }
+  }
+  if (!held.m_bLine) held.m_vNorm = Unit(CVec<T>(held.m_fSide * (ball.m_vPos - held.m_vBase)), pair.m_vNorm);
+  const CTurning<T>& turning = held.m_cTurning;
+  held.m_vSurface = turning.m_vVel + turning.m_fSpeed * Perp(CVec<T>(ball.m_vPos - turning.m_vCenter));
+  return held;
+}
+
+template <class T>
+void CReference<T>::SetReach(CPair& pair) {
+  const CHeld held = MakeHeld(pair);
+  const CVec<T> x = m_stdBalls[pair.m_nBall].m_vPos - held.m_vBase;
+  pair.m_fReach = held.m_bLine ? x.dot(held.m_vNorm) : Norm(x);
+}
+
+// The lasting contacts of the balls in m_stdChanged, to which all that hang together with them are added, as
+// they are now.
+template <class T>
+void CReference<T>::GatherHeld() {
+  const auto changed = [&](std::size_t i) {
+    return std::find(m_stdChanged.begin(), m_stdChanged.end(), i) != m_stdChanged.end();
+  };
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const CPair& pair : m_stdPairs) {
+      if (!pair.m_bHolds || !pair.m_bIsBall || changed(pair.m_nBall) == changed(pair.m_nOther)) continue;
+      m_stdChanged.push_back(changed(pair.m_nBall) ? pair.m_nOther : pair.m_nBall);
+      grows = true;
+    }
+  }
+  for (const std::size_t i : m_stdChanged)
+    Advance(i, m_fNow);
+  m_stdHeld.clear();
+  for (CPair& pair : m_stdPairs)
+    if (pair.m_bHolds && changed(pair.m_nBall)) m_stdHeld.push_back(MakeHeld(pair));
+}
+
+// The velocity off the surface.
+template <class T>
+T CReference<T>::SpeedOff(const CHeld& held) const {
+  const CPair& pair = *held.m_pPair;
+  const CVec<T> other = pair.m_bIsBall ? m_stdBalls[pair.m_nOther].m_vVel : held.m_vSurface;
+  return (m_stdBalls[pair.m_nBall].m_vVel - other).dot(held.m_vNorm);
+}
+
+template <class T>
+void CReference<T>::Push(const CHeld& held, const T& impulse) {
+  const CPair& pair = *held.m_pPair;
+  CExactBall<T>& ball = m_stdBalls[pair.m_nBall];
+  ball.m_vVel += (impulse / ball.m_fMass) * held.m_vNorm;
+  if (!pair.m_bIsBall) return;
+  CExactBall<T>& other = m_stdBalls[pair.m_nOther];
+  other.m_vVel -= (impulse / other.m_fMass) * held.m_vNorm;
+}
+
+// How much a force of one contact accelerates the balls of another one along its normal.
+template <class T>
+CMatrix<T> CReference<T>::GetMasses() const {
+  const auto side = [&](const CPair& pair, std::size_t ball) {
+    return pair.m_nBall == ball ? T(1) : pair.m_bIsBall && pair.m_nOther == ball ? T(-1) : T(0);
+  };
+  const auto n = static_cast<Eigen::Index>(m_stdHeld.size());
+  CMatrix<T> masses = CMatrix<T>::Zero(n, n);
+  for (Eigen::Index c = 0; c < n; ++c)
+    for (Eigen::Index d = 0; d < n; ++d) {
+      const CHeld &h0 = m_stdHeld[static_cast<std::size_t>(c)], &h1 = m_stdHeld[static_cast<std::size_t>(d)];
+      const CPair &p0 = *h0.m_pPair, &p1 = *h1.m_pPair;
+      T share = side(p1, p0.m_nBall) / m_stdBalls[p0.m_nBall].m_fMass;
+      if (p0.m_bIsBall) share -= side(p1, p0.m_nOther) / m_stdBalls[p0.m_nOther].m_fMass;
+      masses(c, d) = share * h0.m_vNorm.dot(h1.m_vNorm);
+    }
+  return masses;
+}
+
+// A contact has become permanent: what it takes from a ball others may have to give back. All lasting
+// contacts of these balls get the impulses with which nobody approaches any more.
+template <class T>
+void CReference<T>::Settle() {
+  GatherHeld();
+  const auto n = static_cast<Eigen::Index>(m_stdHeld.size());
+  CColumn<T> speeds(n), none(n), impulses;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const CHeld& held = m_stdHeld[static_cast<std::size_t>(k)];
+    speeds[k] = SpeedOff(held);
+    none[k] = Slow(*held.m_pPair) / T(g_nTouchRoundings);
+  }
+  if (!Complement(GetMasses(), speeds, none, impulses)) Crushed(m_stdHeld[0].m_pPair->m_nBall);
+  for (Eigen::Index k = 0; k < n; ++k)
+    Push(m_stdHeld[static_cast<std::size_t>(k)], impulses[k]);
 }
 
 // Balls have got new velocities: contacts that these end, by leading off or into what carries the ball. One
 // that leads into it is a hit, and will be found as one.
 template <class T>
-void CReference<T>::CheckRests() {
-  for (CPair& pair : m_stdPairs) {
-    const auto changed = [&](std::size_t i) {
-      return std::find(m_stdChanged.begin(), m_stdChanged.end(), i) != m_stdChanged.end();
-    };
-    if (!pair.m_bRests || !(changed(pair.m_nBall) || (pair.m_bIsBall && changed(pair.m_nOther)))) continue;
-    if (pair.m_bIsBall) {
-      Advance(pair.m_nBall, m_fNow);
-      Advance(pair.m_nOther, m_fNow);
+void CReference<T>::CheckHolds() {
+  using std::abs;
+  GatherHeld();
+  const T eps = T(g_nTouchRoundings) * std::numeric_limits<T>::epsilon();
+  for (const CHeld& held : m_stdHeld)
+    if (abs(SpeedOff(held)) > Slow(*held.m_pPair) + eps * Norm(held.m_vSurface))
+      held.m_pPair->m_bHolds = held.m_pPair->m_bSlides = false;
+}
+
+template <class T>
+void CReference<T>::Shift(const CPair& pair, const CVec<T>& way) {
+  m_stdBalls[pair.m_nBall].m_vPos += pair.m_bIsBall ? CVec<T>(T(0.5) * way) : way;
+  if (pair.m_bIsBall) m_stdBalls[pair.m_nOther].m_vPos -= T(0.5) * way;
+}
+
+// Takes away what roundings have left of the distances and velocities that the contacts in m_stdHeld forbid.
+template <class T>
+void CReference<T>::Straighten() {
+  using std::abs;
+  const T eps = std::numeric_limits<T>::epsilon();
+  bool again = true;
+  for (int pass = 0; again && pass < 64; ++pass) {
+    again = false;
+    for (CHeld& held : m_stdHeld) {
+      CPair& pair = *held.m_pPair;
+      const CExactBall<T>& ball = m_stdBalls[pair.m_nBall];
+      held = MakeHeld(pair);
+      const CVec<T> x = ball.m_vPos - held.m_vBase;
+      const T reach = held.m_bLine ? x.dot(held.m_vNorm) : Norm(x);
+      const T off = held.m_fSide * (pair.m_fReach - reach);
+      Shift(pair, CVec<T>(off * held.m_vNorm));
+      const T own = T(1) / ball.m_fMass, speed = SpeedOff(held);
+      Push(held, T(-speed / (pair.m_bIsBall ? T(own + T(1) / m_stdBalls[pair.m_nOther].m_fMass) : own)));
+      again = again || abs(off) > T(16) * eps * ball.GetExtent() ||
+              abs(speed) > T(16) * eps * (Norm(ball.m_vVel) + Norm(held.m_vSurface));
     }
-    CVec<T>& v = m_stdBalls[pair.m_nBall].m_vVel;
-    const CVec<T> other = pair.m_bIsBall ? m_stdBalls[pair.m_nOther].m_vVel : pair.m_vSurface;
-    const T vn = (v - other).dot(pair.m_vNorm);
-    using std::abs;
-    if (abs(vn) > Slow(pair))
-      pair.m_bRests = pair.m_bSlides = false;
-    else if (!pair.m_bIsBall)
-      v -= vn * pair.m_vNorm;
   }
 }
 
-// Gives every ball the acceleration that its supports leave it.
+// Contacts that held at the end of the last step go on if since then the ball has been rounded to floats, but
+// not moved or thrown; the ball is put back onto the surface.
+template <class T>
+void CReference<T>::Continue() {
+  using std::abs;
+  m_stdChanged.clear();
+  std::erase_if(m_stdPairs, [&](CPair& pair) {
+    const CExactBall<T>& ball = m_stdBalls[pair.m_nBall];
+    const bool isSolid = ball.m_bCanCollide && (pair.m_bIsBall ? m_stdBalls[pair.m_nOther].m_bCanCollide
+                                                               : m_stdShapes[pair.m_nOther].m_bCanCollide);
+    if (!pair.m_bHolds || !isSolid) return true;
+    const CHeld held = MakeHeld(pair);
+    T touch = pair.m_bIsBall ? m_stdBalls[pair.m_nOther].m_fRadius : T(0);
+    CVec<T> from = held.m_vBase;
+    if (!pair.m_bIsBall) {
+      const CShapeGeometry<T> f = m_stdShapes[pair.m_nOther].GetGeometry(m_fNow);
+      if (held.m_bLine) from = f.m_vPt0;
+      if (pair.m_ePart == ePart::Outside || pair.m_ePart == ePart::Inside) touch = f.m_fRadius;
+      for (const CBorder& border : GetBorders(pair, f)) {
+        const CVec<T> x = ball.m_vPos - border.m_vAt;
+        if (border.m_vToward.dot(x) >= T(0) && border.m_vOut.dot(x) > T(0)) return true;
+      }
+    }
+    const CVec<T> x = ball.m_vPos - from;
+    const T gap = (held.m_bLine ? x.dot(held.m_vNorm) : T(held.m_fSide * (Norm(x) - touch))) - ball.m_fRadius;
+    const CVec<T> other = pair.m_bIsBall ? m_stdBalls[pair.m_nOther].m_vVel : held.m_vSurface;
+    if (abs(gap) > T(g_fRounded) * (ball.GetExtent() + touch) ||
+        abs(SpeedOff(held)) > Slow(pair) + T(g_fRounded) * (Norm(ball.m_vVel) + Norm(other)))
+      return true;
+    const ePart part = pair.m_ePart;
+    pair = CPair(pair.m_nBall, pair.m_nOther, pair.m_bIsBall);
+    pair.m_vNorm = held.m_vNorm;
+    pair.m_bSlides = true;
+    BeginHold(pair, part);
+    pair.m_fReach -= held.m_fSide * (gap - Nudge<T>() * ball.GetExtent());
+    m_stdChanged.push_back(pair.m_nBall);
+    return false;
+  });
+  Support();
+}
+
+// Gives the balls in m_stdChanged the ways that what holds them leaves them. Contacts without force end.
 template <class T>
 void CReference<T>::Support() {
-  while (!Balance() || LeaveUnsteady())
-    ;
-  for (std::size_t i = 0; i < m_stdBalls.size(); ++i) {
-    if (m_stdSolved[i] == m_stdAcc[i]) continue;
-    Advance(i, m_fNow);
-    m_stdAcc[i] = m_stdSolved[i];
-    m_stdChanged.push_back(i);
+  GatherHeld();
+  for (const std::size_t i : m_stdChanged) {
+    m_stdAcc[i] = m_vGravity;
+    m_stdMore[i].clear();
+    m_stdUntil[i] = m_fStep;
   }
+  if (m_stdHeld.empty()) return;
+
+  Straighten();
+  const auto n = static_cast<Eigen::Index>(m_stdHeld.size());
+  CColumn<T> free(n), none(n), forces; // the accelerations off the surfaces that gravity alone would give
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const CHeld& held = m_stdHeld[static_cast<std::size_t>(k)];
+    const CPair& pair = *held.m_pPair;
+    const CExactBall<T>& ball = m_stdBalls[pair.m_nBall];
+    const CVec<T> x = ball.m_vPos - held.m_vBase;
+    const T w = held.m_cTurning.m_fSpeed;
+    T bend, turn;
+    if (held.m_bLine) {
+      bend = T(2) * w * Perp(held.m_vNorm).dot(CVec<T>(ball.m_vVel - held.m_cTurning.m_vVel));
+      turn = -w * w * held.m_vNorm.dot(x);
+    } else {
+      const CVec<T> arm = held.m_vBase - held.m_cTurning.m_vCenter;
+      const CVec<T> base =
+          pair.m_bIsBall ? m_stdBalls[pair.m_nOther].m_vVel : CVec<T>(held.m_cTurning.m_vVel + w * Perp(arm));
+      const T along = Cross(held.m_vNorm, CVec<T>(ball.m_vVel - base));
+      bend = held.m_fSide * along * along / pair.m_fReach;
+      turn = w * w * held.m_vNorm.dot(arm);
+    }
+    const T fall = pair.m_bIsBall ? T(0) : m_vGravity.dot(held.m_vNorm);
+    using std::abs;
+    free[k] = fall + bend + turn;
+    none[k] = T(g_nTouchRoundings / 2) * std::numeric_limits<T>::epsilon() *
+              (Norm(m_vGravity) + abs(bend) + abs(turn));
+  }
+  const CMatrix<T> masses = GetMasses();
+  if (!Complement(masses, free, none, forces)) Crushed(m_stdHeld[0].m_pPair->m_nBall);
+  for (Eigen::Index k = n; k-- > 0;) {
+    if (forces[k] * masses(k, k) > none[k]) continue;
+    m_stdHeld[static_cast<std::size_t>(k)].m_pPair->m_bHolds = false;
+    m_stdHeld.erase(m_stdHeld.begin() + k);
+  }
+  if (!m_stdHeld.empty()) Slide();
 }
 
-// The forces of all contacts that rest, by projected Gauss-Seidel: each takes away what is left of the
-// acceleration into it, and none pulls. Contacts without force end; returns false if there are any.
 template <class T>
-bool CReference<T>::Balance() {
-  using std::abs;
-  m_stdSolved.assign(m_stdBalls.size(), m_vGravity);
-  m_stdSettling.clear();
-  for (std::size_t k = 0; k < m_stdPairs.size(); ++k)
-    if (m_stdPairs[k].m_bRests) m_stdSettling.push_back(k);
-  if (m_stdSettling.empty()) return true;
-
-  const T none = std::numeric_limits<T>::epsilon() * Norm(m_vGravity);
-  for (const std::size_t k : m_stdSettling)
-    m_stdPairs[k].m_fForce = T(0);
-  const auto massOf = [&](const CPair& pair) { // how much a force changes the acceleration of the pair
-    const T own = T(1) / m_stdBalls[pair.m_nBall].m_fMass;
-    return pair.m_bIsBall ? T(own + T(1) / m_stdBalls[pair.m_nOther].m_fMass) : own;
-  };
-  T most = T(0);
-  for (int round = 0; round < g_nMaxRounds; ++round) {
-    most = T(0);
-    for (const std::size_t k : m_stdSettling) {
-      CPair& pair = m_stdPairs[k];
-      CVec<T>& a = m_stdSolved[pair.m_nBall];
-      T an = a.dot(pair.m_vNorm);
-      if (pair.m_bIsBall) an -= m_stdSolved[pair.m_nOther].dot(pair.m_vNorm);
-      const T mass = massOf(pair), force = std::max(T(0), T(pair.m_fForce - an / mass));
-      const T more = force - pair.m_fForce;
-      pair.m_fForce = force;
-      a += (more / m_stdBalls[pair.m_nBall].m_fMass) * pair.m_vNorm;
-      if (pair.m_bIsBall)
-        m_stdSolved[pair.m_nOther] -= (more / m_stdBalls[pair.m_nOther].m_fMass) * pair.m_vNorm;
-      most = std::max(most, T(abs(more) * mass));
-    }
-    if (most <= T(16) * none) break;
-  }
-
-  bool all = true;
-  for (const std::size_t k : m_stdSettling) {
-    CPair& pair = m_stdPairs[k];
-    if (most > T(16) * none) { // it may still be moving where it should not
-      m_stdApproximate[pair.m_nBall] = true;
-      if (pair.m_bIsBall) m_stdApproximate[pair.m_nOther] = true;
-    }
-    if (pair.m_fForce * massOf(pair) > T(g_nTouchRoundings) * none) continue;
-    pair.m_bRests = false;
-    all = false;
-  }
-  for (CVec<T>& a : m_stdSolved)
-    if (Norm(a) <= T(g_nStill) * none) a.setZero();
-  return all;
-}
-
-// A ball on a ball rests only while neither moves along the other; else it begins to slide. Returns whether
-// one does.
-template <class T>
-bool CReference<T>::LeaveUnsteady() {
-  for (CPair& pair : m_stdPairs) {
-    if (!pair.m_bRests || !pair.m_bIsBall) continue;
-    const std::size_t i = pair.m_nBall, j = pair.m_nOther;
-    Advance(i, m_fNow);
-    Advance(j, m_fNow);
-    const CVec<T> v = m_stdBalls[i].m_vVel - m_stdBalls[j].m_vVel;
-    const CVec<T> a = m_stdSolved[i] - m_stdSolved[j];
-    const T still = T(g_nStill) * std::numeric_limits<T>::epsilon() * Norm(m_vGravity);
-    if (Norm(v) <= Slow(pair) && Norm(a) <= still) continue;
-    pair.m_bRests = false;
-    // The pressing acceleration is that without this contact; gravity is of its order.
-    pair.m_fOut = HopSpeed(Norm(m_vGravity), T(m_stdBalls[i].m_fRadius + m_stdBalls[j].m_fRadius), m_fSpeeds);
-    BeginSlide(pair);
-    Kick(pair);
-    m_stdChanged.push_back(i);
-    m_stdChanged.push_back(j);
-    CheckRests();
-    return true;
-  }
-  return false;
+void CReference<T>::Crushed(std::size_t i) const {
+  const CVec<T>& p = m_stdBalls[i].m_vPos;
+  std::ostringstream out;
+  out << "ball " << i << " at (" << p.x() << ", " << p.y() << ") is crushed between what it touches, "
+      << m_fNow << " s into a step of " << m_fStep << " s";
+  throw std::runtime_error(out.str());
 }
 
 } // namespace Shapes::Compare

@@ -97,7 +97,6 @@ CReference<T>::CReference(std::span<const CAnyShapeDesc> shapes, std::span<const
     m_stdBalls.push_back({ball.GetPos().cast<T>(), ball.GetVel().cast<T>(), T(ball.GetRadius()),
                           T(ball.GetMass()), T(ball.GetElasticity()), ball.GetSensor()});
   }
-  m_stdApproximate.assign(m_stdBalls.size(), false);
 }
 
 template <class T>
@@ -148,27 +147,29 @@ void CReference<T>::Step(const T& dt, std::vector<CExactEvent<T>>& events) {
   m_fNow = T(0);
   m_stdTime.assign(balls, T(0));
   m_stdAcc.assign(balls, m_vGravity);
-  m_stdApproximate.assign(balls, false);
+  m_stdMore.assign(balls, {});
+  m_stdUntil.assign(balls, dt);
   m_stdNext.resize(balls);
-  m_stdPairs.clear();
   m_stdNear.clear();
+  m_fSpeeds = T(0);
+  Continue();
   for (std::size_t i = 0; i < balls; ++i)
     FindNext(i);
 
-  for (int count = 0;; ++count) {
+  for (std::size_t count = 0;; ++count) {
     std::size_t first = balls;
     for (std::size_t i = 0; i < balls; ++i)
       if (m_stdNext[i].m_bFound &&
           (first == balls || m_stdNext[i].m_cHit.m_fTime < m_stdNext[first].m_cHit.m_fTime))
         first = i;
     if (first == balls) break;
-    if (events.size() - events0 >= g_nMaxEvents || count >= g_nMaxSlideHits) Jammed(first);
+    if (events.size() - events0 >= g_nMaxEvents || count >= g_nMaxTurns) Jammed(first);
     const CNext next = m_stdNext[first];
     m_fNow = next.m_cHit.m_fTime;
     CountNearMisses(m_fNow);
     m_stdChanged.clear();
-    if (next.m_bEnds)
-      PassEnd(first, next);
+    if (next.m_eNext != eNext::Impact)
+      PassLimit(first, next);
     else
       Answer(first, next, events, events0);
     for (const std::size_t ball : m_stdChanged)
@@ -177,6 +178,12 @@ void CReference<T>::Step(const T& dt, std::vector<CExactEvent<T>>& events) {
   }
 
   CountNearMisses(dt);
+  for (CPair& pair : m_stdPairs) {
+    T force = T(0);
+    for (std::size_t k = pair.m_stdForce.size(); k-- > 0;)
+      force = force * (dt - m_stdTime[pair.m_nBall]) + pair.m_stdForce[k];
+    pair.m_stdForce = {force};
+  }
   for (std::size_t i = 0; i < balls; ++i)
     Advance(i, dt);
   for (std::size_t i = 0; i < m_stdShapes.size(); ++i) {
@@ -189,17 +196,36 @@ void CReference<T>::Step(const T& dt, std::vector<CExactEvent<T>>& events) {
 template <class T>
 CSweptBall<T> CReference<T>::GetSwept(std::size_t i, const T& t) const {
   const CExactBall<T>& ball = m_stdBalls[i];
-  const CSweptBall<T> at{ball.m_vPos, ball.m_vVel, ball.m_fRadius, m_stdAcc[i]};
+  const CSweptBall<T> at{ball.m_vPos, ball.m_vVel, ball.m_fRadius, m_stdAcc[i], m_stdMore[i]};
   const T since = t - m_stdTime[i];
-  return {at.GetPos(since), at.GetVel(since), at.m_fRadius, at.m_vAcc};
+  if (at.m_stdMore.empty()) return {at.GetPos(since), at.GetVel(since), at.m_fRadius, at.m_vAcc};
+  if (since == T(0)) return at;
+  // All coefficients of the same way from there, by Horner's rule.
+  CMore<T> c{at.m_vPos, at.m_vVel, at.m_vAcc / T(2)};
+  c.insert(c.end(), at.m_stdMore.begin(), at.m_stdMore.end());
+  for (std::size_t k = 0; k + 1 < c.size(); ++k)
+    for (std::size_t j = c.size() - 1; j-- > k;)
+      c[j] += since * c[j + 1];
+  return {c[0], c[1], at.m_fRadius, T(2) * c[2], CMore<T>(c.begin() + 3, c.end())};
 }
 
 template <class T>
 void CReference<T>::Advance(std::size_t i, const T& t) {
+  if (m_stdTime[i] == t) return;
   const CSweptBall<T> at = GetSwept(i, t);
   m_stdBalls[i].m_vPos = at.m_vPos;
   m_stdBalls[i].m_vVel = at.m_vVel;
+  m_stdAcc[i] = at.m_vAcc;
+  m_stdMore[i] = at.m_stdMore;
   m_stdTime[i] = t;
+}
+
+template <class T>
+T CReference<T>::GetForce(std::size_t ball, std::size_t other, bool isBall) const {
+  for (const CPair& pair : m_stdPairs)
+    if (pair.m_bHolds && pair.m_nBall == ball && pair.m_nOther == other && pair.m_bIsBall == isBall)
+      return pair.m_stdForce.at(0);
+  return T(0);
 }
 
 template <class T>

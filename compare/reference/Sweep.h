@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Exact time of impact of a ball that moves freely, on a straight line or on a parabola, against every kind
-// of shape (Sweeper.h tells what is solid). All results are in the world. Templates on the scalar, so that
-// double is checked by 50 digits.
+// Exact time of impact of a ball that moves on a straight line, on a parabola or along a curve, against every
+// kind of shape (Sweeper.h tells what is solid). All results are in the world. Templates on the scalar, so
+// that double is checked by 50 digits.
 #pragma once
 
 #include "Sweeper.h"
@@ -23,9 +23,10 @@ T GetExtent(const CShapeGeometry<T>& f, const CSweptBall<T>& ball, const CTurnin
 /// The path of a ball against something of this size.
 template <class T>
 CPathDesc<T> MakePathDesc(const CSweptBall<T>& ball, const T& tMax, const T& size, const T& speed) {
-  const T eps = T(g_nTouchRoundings) * std::numeric_limits<T>::epsilon(), acc = Norm(ball.m_vAcc);
-  return {ball.m_vPos, ball.m_vVel, ball.m_vAcc, tMax, T(eps * size), T(eps * (speed + acc * tMax)),
-          T(eps * acc)};
+  const T eps = T(g_nTouchRoundings) * std::numeric_limits<T>::epsilon();
+  const T acc = Norm(ball.m_vAcc) + BeyondBound(ball.m_stdMore, tMax);
+  return {ball.m_vPos,  ball.m_vVel,   ball.m_vAcc, tMax, T(eps * size), T(eps * (speed + acc * tMax)),
+          T(eps * acc), ball.m_stdMore};
 }
 
 /// The first hit of the ball on the figure in [0, tMax], while the figure moves and turns from the pose that
@@ -38,7 +39,8 @@ bool Sweep(const CShapeGeometry<T>& f, const CTurning<T>& turning, const CSweptB
            CHit<T>& hit, eMeet meet = eMeet::Approaching) {
   using std::abs;
   // As somebody sees it who moves with the figure.
-  const CSweptBall<T> ball{mover.m_vPos, mover.m_vVel - turning.m_vVel, mover.m_fRadius, mover.m_vAcc};
+  const CSweptBall<T> ball{mover.m_vPos, mover.m_vVel - turning.m_vVel, mover.m_fRadius, mover.m_vAcc,
+                           mover.m_stdMore};
   const T size = GetExtent(f, ball, turning), w = turning.m_fSpeed;
   const CPathDesc<T> desc = MakePathDesc(ball, tMax, size, T(Norm(ball.m_vVel) + abs(w) * size));
   const auto run = [&](const auto& path) {
@@ -46,9 +48,11 @@ bool Sweep(const CShapeGeometry<T>& f, const CTurning<T>& turning, const CSweptB
   };
   // What turns about its own centre and has no ends stays where it is.
   const bool isRound = f.m_eShapeType == eShape::Point || f.m_eShapeType == eShape::Circle || f.m_bFull;
-  if (w != T(0) && !(isRound && f.m_vCenter == turning.m_vCenter)) {
-    if (!run(CTurningPath<T>(desc, turning.m_vCenter, w))) return false;
-    const T angle = w * hit.m_fTime;
+  const bool turns = w != T(0) && !(isRound && f.m_vCenter == turning.m_vCenter);
+  if (turns || !ball.m_stdMore.empty()) {
+    const T seen = turns ? w : T(0);
+    if (!run(CTurningPath<T>(desc, turning.m_vCenter, seen))) return false;
+    const T angle = seen * hit.m_fTime;
     hit.m_vNorm = Turned(hit.m_vNorm, angle);
     hit.m_vPOI = turning.m_vCenter + Turned(CVec<T>(hit.m_vPOI - turning.m_vCenter), angle);
   } else if (!(ball.m_vAcc.x() == T(0) && ball.m_vAcc.y() == T(0))) {
@@ -69,6 +73,14 @@ bool Sweep(const CShapeGeometry<T>& f, const CSweptBall<T>& ball, const T& tMax,
   return Sweep(f, CTurning<T>(), ball, tMax, hit, meet);
 }
 
+template <class T>
+CMore<T> Minus(CMore<T> a, const CMore<T>& b) {
+  if (a.size() < b.size()) a.resize(b.size(), CVec<T>::Zero());
+  for (std::size_t k = 0; k < b.size(); ++k)
+    a[k] -= b[k];
+  return a;
+}
+
 /// Ball against `other`, both moving; balls are solid. hit.m_vSurface is the velocity of the other at the
 /// impact.
 template <class T>
@@ -77,14 +89,18 @@ bool SweepBalls(const CSweptBall<T>& other, const CSweptBall<T>& ball, const T& 
   const T size = std::max(other.m_vPos.cwiseAbs().maxCoeff(), ball.m_vPos.cwiseAbs().maxCoeff()) +
                  other.m_fRadius + ball.m_fRadius;
   const CSweptBall<T> relative{ball.m_vPos - other.m_vPos, ball.m_vVel - other.m_vVel, ball.m_fRadius,
-                               ball.m_vAcc - other.m_vAcc};
+                               ball.m_vAcc - other.m_vAcc, Minus(ball.m_stdMore, other.m_stdMore)};
   const CPathDesc<T> desc = MakePathDesc(relative, tMax, size, T(Norm(ball.m_vVel) + Norm(other.m_vVel)));
   const auto run = [&](const auto& path) {
     return CSweeper<std::decay_t<decltype(path)>>(path, ball.m_fRadius, meet, hit).RunDisc(other.m_fRadius);
   };
   // Under common gravity the relative way is straight.
   const bool straight = relative.m_vAcc.x() == T(0) && relative.m_vAcc.y() == T(0);
-  if (!(straight ? run(CStraightPath<T>(desc)) : run(CParabolicPath<T>(desc)))) return false;
+  if (!relative.m_stdMore.empty()) {
+    if (!run(CTurningPath<T>(desc, CVec<T>(CVec<T>::Zero()), T(0)))) return false;
+  } else if (!(straight ? run(CStraightPath<T>(desc)) : run(CParabolicPath<T>(desc)))) {
+    return false;
+  }
   hit.m_vPOI += other.GetPos(hit.m_fTime);
   hit.m_vSurface = other.GetVel(hit.m_fTime);
   hit.m_vCenter = ball.GetPos(hit.m_fTime);

@@ -33,10 +33,18 @@ struct CSweptBall {
   CVec<T> m_vPos;
   CVec<T> m_vVel;
   T m_fRadius;
-  CVec<T> m_vAcc = CVec<T>::Zero(); ///< constant
+  CVec<T> m_vAcc = CVec<T>::Zero(); ///< at time 0; constant unless there is more
+  CMore<T> m_stdMore = {};
 
-  CVec<T> GetPos(const T& t) const { return m_vPos + (m_vVel + m_vAcc * (t / T(2))) * t; }
-  CVec<T> GetVel(const T& t) const { return m_vVel + m_vAcc * t; }
+  CVec<T> GetPos(const T& t) const {
+    const CVec<T> p = m_vPos + (m_vVel + m_vAcc * (t / T(2))) * t;
+    return m_stdMore.empty() ? p : CVec<T>(p + Beyond(m_stdMore, t, 0));
+  }
+  CVec<T> GetVel(const T& t) const {
+    const CVec<T> v = m_vVel + m_vAcc * t;
+    return m_stdMore.empty() ? v : CVec<T>(v + Beyond(m_stdMore, t, 1));
+  }
+  CVec<T> GetAcc(const T& t) const { return m_vAcc + Beyond(m_stdMore, t, 2); }
 };
 
 /// Rotation of a figure about a centre; w in radians per second, counterclockwise.

@@ -165,7 +165,6 @@ ordered_json ToJson(const CExcluded& aside) {
   return {{"resting", aside.m_nResting},
           {"ambiguous", aside.m_nAmbiguous},
           {"simultaneous", aside.m_nSimultaneous},
-          {"approximate", aside.m_nApproximate},
           {"undecided", aside.m_nUndecided},
           {"first_undecided",
            aside.m_nUndecided == 0 ? ordered_json(nullptr) : ordered_json(aside.m_sUndecided)}};

@@ -142,8 +142,7 @@ private:
       return fmt::format("Nothing is judged: the exact reference gave up {} of {} trials, the first at {}.",
                          r.m_cExcluded.m_nUndecided, r.m_nTrials, r.m_cExcluded.m_sUndecided);
     return fmt::format("There is nothing to judge: {} in {} trials.",
-                       r.m_cExcluded.m_nResting + r.m_cExcluded.m_nAmbiguous + r.m_cExcluded.m_nSimultaneous +
-                                   r.m_cExcluded.m_nApproximate >
+                       r.m_cExcluded.m_nResting + r.m_cExcluded.m_nAmbiguous + r.m_cExcluded.m_nSimultaneous >
                                0
                            ? "every impact was set aside"
                            : "no ball met anything",

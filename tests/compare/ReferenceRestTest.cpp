@@ -47,10 +47,9 @@ TEST(ReferenceRest, SlidingAlongASegmentIsNoHit) {
   EXPECT_NEAR(reference.GetBall(0).m_vPos.x(), 100, 1e-9);
 }
 
-// A ball that slides in a bowl hops along it: it never leaves it, stays within the height of a hop, and its
-// energy is that of a pendulum to first order in the step.
+// A ball that slides in a bowl never leaves it, and climbs to where it began.
 TEST(ReferenceRest, BallSlidesInABowl) {
-  const double dt = 1.0 / 240, R = 1, r = .25, g = 9.8;
+  const double dt = 1.0 / 240, R = 1, r = .25;
   CExact reference = Make({CArcDesc({0, 0}, 1, 0, 0, 0)}, {CDynamicCircleDesc({0, 0}, .25f)}, {0, -9.8f});
   reference.SetBall(0, {-(R - r), 0}, {0, 0});
   double lowest = 0, highest = -1, least = 1;
@@ -63,22 +62,21 @@ TEST(ReferenceRest, BallSlidesInABowl) {
     lowest = std::min(lowest, ball.m_vPos.y());
     if (ball.m_vPos.x() > 0) highest = std::max(highest, ball.m_vPos.y());
   }
-  EXPECT_NEAR(lowest, -(R - r), 1e-3);
-  EXPECT_GT(highest, -0.1); // it climbs nearly to where it began on the other side
-  EXPECT_LE(highest, 0.01);
-  EXPECT_GT(least, R - r - g * dt * dt - 1e-3);
+  EXPECT_NEAR(lowest, -(R - r), 1e-3); // at the end of a step
+  EXPECT_GT(highest, -1e-3);
+  EXPECT_LE(highest, 1e-12);
+  EXPECT_GT(least, R - r - 1e-12);
   EXPECT_GT(reference.GetSlideCount(), 0u);
-  EXPECT_GT(reference.GetSlideHits(), reference.GetSlideCount());
 }
 
 TEST(ReferenceRest, TangentInsideACircleDoesNotStall) {
   CExact reference = Make({CCircleDesc({0, 0}, 1)}, {CDynamicCircleDesc({.75f, 0}, .25f, {0, 1})});
   for (int i = 0; i < 600; ++i) {
     Carry(reference, 1.0 / 60);
-    ASSERT_NEAR(reference.GetBall(0).m_vPos.norm(), .75, 1e-4);
+    ASSERT_NEAR(reference.GetBall(0).m_vPos.norm(), .75, 1e-12);
     ASSERT_LE(reference.GetBall(0).m_vPos.norm(), .75 + 1e-12);
   }
-  EXPECT_NEAR(reference.GetBall(0).m_vVel.norm(), 1, 1e-3);
+  EXPECT_NEAR(reference.GetBall(0).m_vVel.norm(), 1, 1e-12);
 }
 
 TEST(ReferenceRest, DeadBallIsCarriedByABlade) {
@@ -94,7 +92,6 @@ TEST(ReferenceRest, DeadBallIsCarriedByABlade) {
       ASSERT_LE(gap, .01);
     }
   }
-  EXPECT_GT(reference.GetSlideHits(), 0u);
 }
 
 TEST(ReferenceRest, ManyHitsBecomeSliding) { // a wedge, at an elasticity that leaves almost no speed

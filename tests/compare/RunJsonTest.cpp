@@ -148,7 +148,7 @@ TEST(RunJsonTest, FiguresAreWhereTheyBelong) {
   EXPECT_EQ(at("/scenes/0/features"), json({"kinematics"}));
   EXPECT_EQ(at("/scenes/0/shapes"), 3);
   EXPECT_EQ(at("/scenes/0/set_aside"), json::parse(R"({"resting": 1, "ambiguous": 2, "simultaneous": 3,
-      "approximate": 4, "undecided": 0, "first_undecided": null})"));
+      "undecided": 0, "first_undecided": null})"));
   EXPECT_EQ(at("/scenes/0/apart/p95"), 0.5);
   EXPECT_EQ(at("/scenes/0/engines/0/contacts"), 1000);
   EXPECT_EQ(at("/scenes/0/engines/0/correct"), 1000 - 12 - 5);

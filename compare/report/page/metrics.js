@@ -85,7 +85,7 @@ const Metrics = (() => {
 
   function setAside(scene) {
     const s = scene.set_aside ?? {};
-    const parts = ['resting', 'ambiguous', 'simultaneous', 'approximate', 'undecided']
+    const parts = ['resting', 'ambiguous', 'simultaneous', 'undecided']
                       .filter((k) => s[k] > 0)
                       .map((k) => `${count(s[k])} ${k}`);
     return el('p', {class: 'note'},

@@ -279,7 +279,6 @@ json Scene(const std::string& name, CNumbers& figures) {
        {{"resting", 12},
         {"ambiguous", 3},
         {"simultaneous", 0},
-        {"approximate", 1},
         {"undecided", 0},
         {"first_undecided", nullptr}}},
       {"apart", Summary(0.2)},
