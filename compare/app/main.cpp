@@ -113,7 +113,7 @@ int Run(const std::vector<CScene>& scenes, const COptions& options, const std::s
     fmt::print(stderr, "shapes-compare: interrupted before a scene was finished; nothing is written\n");
     return g_nInterruptedExit;
   }
-  fmt::print("{}\n", MakeSummary(report));
+  fmt::print("{}", MakeSummary(report));
   if (options.m_bVerbose) fmt::print("{}\n", MakeTable(report));
   WriteReport(report, options.m_cOut);
   if (!options.m_cSvg.empty()) WriteChart(report, options.m_cSvg);

@@ -49,7 +49,6 @@ std::string MakeHeading(const CRunReport& report) {
                           machine.m_sBox2D, machine.m_sCompiler, Ascii(machine.m_sCpu), machine.m_nCores,
                           report.m_nSeed),
               0, 2) +
-         '\n' +
          SummaryRow("scene", "take", "lost", "degrees", "ns",
                     FindEngine(report.m_stdEngines, g_sBox2D) ? "x box2d" : "");
 }
