@@ -139,7 +139,9 @@ std::vector<CClip> MakeClips(const CScene& scene, const std::vector<CEngine>& en
     clip.m_nBall = worst->m_nBall;
     const std::size_t first = maker.FindStart(worst->m_nTrial, worst->m_nStep, worst->m_nBall);
     clip.m_nContact = worst->m_nStep - first + 1;
-    maker.Record(worst->m_nTrial, first, clip.m_nContact + g_nAfter, clip);
+    // Where contact lasts, a pile follows on the time of the trial, for which the reference takes long.
+    const std::size_t end = clip.m_nContact + g_nAfter, most = scene.m_fLasting > 0.0f ? steps - first : end;
+    maker.Record(worst->m_nTrial, first, std::max<std::size_t>(clip.m_nContact, std::min(end, most)), clip);
     clips.push_back(std::move(clip));
   }
   return clips;
