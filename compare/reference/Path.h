@@ -59,7 +59,7 @@ struct CPathDesc {
   T m_fTouch;     ///< Gaps up to this are touching.
   T m_fSlow;      ///< A touching ball that approaches no faster than this is not approaching.
   T m_fPush;      ///< Nor is one that is accelerated into the shape by no more than this.
-  CMore<T> m_stdMore = {};
+  CMore<T> m_stdMore;
 };
 
 /// A crossing of a path with a circle or a line.

@@ -18,6 +18,8 @@
 #include "StraightPath.h"
 #include "TurningPath.h"
 
+#include <utility>
+
 namespace Shapes::Compare {
 
 /// The part of a shape that is met. Front and Back are the faces of a segment; its ends keep their names when
@@ -34,7 +36,12 @@ struct CSweptBall {
   CVec<T> m_vVel;
   T m_fRadius;
   CVec<T> m_vAcc = CVec<T>::Zero(); ///< at time 0; constant unless there is more
-  CMore<T> m_stdMore = {};
+  CMore<T> m_stdMore;
+
+  CSweptBall() = default;
+  CSweptBall(const CVec<T>& p, const CVec<T>& v, const T& r, const CVec<T>& acc = CVec<T>::Zero(),
+             CMore<T> more = CMore<T>())
+      : m_vPos(p), m_vVel(v), m_fRadius(r), m_vAcc(acc), m_stdMore(std::move(more)) {}
 
   CVec<T> GetPos(const T& t) const {
     const CVec<T> p = m_vPos + (m_vVel + m_vAcc * (t / T(2))) * t;

@@ -66,7 +66,14 @@ TEST(FailAboveTest, EveryMetricIsTheRightOne) {
                                 {"angular_momentum_drift", 0.02, 0.02},
                                 {"ns_per_contact", 5000.0, 50000.0},
                                 {"escaped", 3.0, 3.0},
-                                {"not_finite", 1.0, 1.0}};
+                                {"not_finite", 1.0, 1.0},
+                                {"lasting_lost", 0.015, 0.015},
+                                {"lasting_overlap", 0.06, 0.06},
+                                {"lasting_speed", 0.7, 0.7},
+                                {"lasting_energy_gained", 0.05, 0.05},
+                                {"rest_time", 1.8, 1.8},
+                                {"flow", 2.5, 2.5},
+                                {"lasting_ns_per_ball_step", 654.0, 654.0}};
   EXPECT_EQ(std::size(expected), GetMetricNames().size());
   CRunReport report = MakeSampleReport();
   for (const std::size_t e : {Tests::g_nTuned, Tests::g_nContinuous, Tests::g_nNative}) {

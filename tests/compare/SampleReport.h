@@ -86,6 +86,7 @@ inline CEngineReport MakeSampleEngine(std::size_t tunneled, double ns, double di
   report.m_cCost.m_nContacts = 60;
   report.m_cLongRun.m_nBounces = 10000;
   report.m_cLongRun.m_fEnergyDrift = -0.03;
+  report.m_cLasting = {200, 3, 0.06, 0.7, 0.05, 1.8, 2.5, {654.0, {640.0, 670.0}}};
   return report;
 }
 

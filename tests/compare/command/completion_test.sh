@@ -25,8 +25,8 @@ expect "scene" sc
 expect "--contacts" run --con
 expect "--folder --full --fail-above" run --f # in the order of the help
 expect "--full --fail-above" scene mine.json --f
-expect "pinball point_off_centre" run --scenes p
-expect "bowl,pinball bowl,point_off_centre" run --scenes bowl,p
+expect "paddle pile_of_50 pinball point_off_centre" run --scenes p
+expect "bowl,pinball" run --scenes bowl,pin
 expect "box2d box2d-tuned" run --engines b
 expect "" run --zzz
 exit "$failed"

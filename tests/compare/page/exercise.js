@@ -169,7 +169,7 @@
   /** Sentences that are there twice. */
   function repeated() {
     const sentences = $$('main p, main li:not(.counts li), main h1, footer p')
-                          .filter((e) => isShown(e) && !e.querySelector('p, li'))
+                          .filter((e) => isShown(e) && !e.querySelector('p, li') && !e.closest('.answers'))
                           .flatMap((e) => e.textContent.split(/(?<=[.!?;])\s+/))
                           .map((text) => text.trim())
                           .filter((text) => text.split(' ').length > 6);
