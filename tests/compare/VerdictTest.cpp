@@ -100,8 +100,18 @@ TEST(VerdictTest, TellsOfWhatElseIsWrongAndOnlyThen) {
   for (CEngineReport& engine : scene.m_stdEngines) {
     engine.m_nGhosts = 0;
     engine.m_cLongRun.m_fEnergyDrift = 0.0005; // too little to tell
+    engine.m_cLasting = CLasting();
   }
   EXPECT_TRUE(MakeRemarks(report, scene).empty());
+  scene.m_cScene.m_fLasting = 10.0f;
+  scene.m_stdEngines[0].m_cLasting = {200, 3, 0.06, 0.7, 0.05, 1.8, 2.5, {654.0, {640.0, 670.0}}};
+  scene.m_stdEngines[1].m_cLasting = {200, 0, 0.002, 0.7, 0.05, 1.8, {}, {1000.0, {640.0, 670.0}}};
+  EXPECT_EQ(
+      MakeRemarks(report, scene).at(0),
+      "Over 10 s, in which contact lasts: native loses 1 in 67 and ends 0.060 radii deep, 2.5 balls pass in "
+      "a second, at 654 ns a step, box2d loses none of 200 and ends 0.002 radii deep, at 1000 ns a step.");
+  for (CEngineReport& engine : scene.m_stdEngines)
+    engine.m_cLasting = CLasting();
   scene.m_stdEngines[0].m_cLongRun.m_fEnergyDrift = 0.0321;
   scene.m_stdEngines[1].m_cLongRun = {1000, 60.0, 2.5, {}, {}};
   scene.m_stdEngines[1].m_cTotals.m_nLate = 300;
