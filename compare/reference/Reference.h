@@ -21,10 +21,11 @@
 
 namespace Shapes::Compare {
 
-/// Most events in one step. More means that a ball is jammed, and the step throws.
-inline constexpr std::size_t g_nMaxEvents = 5000;
+/// Most events in one step of a single ball; of n balls 1/n of them, since each takes n times as long. More
+/// means that a ball is jammed, and the step throws.
+inline constexpr std::size_t g_nMaxEvents = 100000;
 /// The same for all that happens in a step: events, contacts that begin or end, and pieces of a slide.
-inline constexpr std::size_t g_nMaxTurns = 50000;
+inline constexpr std::size_t g_nMaxTurns = 200000;
 
 /// A ball comes to rest on a shape if their elasticity is below 1 and this many hits in a row come within
 /// g_fClose of the step: its hops are a geometric series that has come to its end.

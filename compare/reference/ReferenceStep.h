@@ -163,7 +163,7 @@ void CReference<T>::Step(const T& dt, std::vector<CExactEvent<T>>& events) {
           (first == balls || m_stdNext[i].m_cHit.m_fTime < m_stdNext[first].m_cHit.m_fTime))
         first = i;
     if (first == balls) break;
-    if (events.size() - events0 >= g_nMaxEvents || count >= g_nMaxTurns) Jammed(first);
+    if ((events.size() - events0) * balls >= g_nMaxEvents || count * balls >= g_nMaxTurns) Jammed(first);
     const CNext next = m_stdNext[first];
     m_fNow = next.m_cHit.m_fTime;
     CountNearMisses(m_fNow);
