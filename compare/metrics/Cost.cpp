@@ -55,12 +55,14 @@ std::optional<double> CCost::GetNsPerContact() const {
   return m_cNsPerBallStep.m_fMedian * static_cast<double>(m_nBallSteps) / static_cast<double>(m_nContacts);
 }
 
-CMedian CompareCosts(const CCost& a, const CCost& b) {
+std::vector<double> GetRatios(const CCost& a, const CCost& b) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < std::min(a.m_stdRepeats.size(), b.m_stdRepeats.size()); ++i)
     ratios.push_back(a.m_stdRepeats[i] / b.m_stdRepeats[i]);
-  return MedianWithInterval(ratios);
+  return ratios;
 }
+
+CMedian CompareCosts(const CCost& a, const CCost& b) { return MedianWithInterval(GetRatios(a, b)); }
 
 std::vector<CCost> MeasureCost(const CScene& scene, const std::vector<CEngine>& engines, std::uint64_t seed,
                                int repeats, std::size_t ballSteps,

@@ -25,7 +25,9 @@ struct CCost {
   std::optional<double> GetNsPerContact() const;
 };
 
-/// How many times the time of b a takes: the median over the repeats, in which both had the same to do one
+/// How many times the time of b a takes, of each repeat.
+std::vector<double> GetRatios(const CCost& a, const CCost& b);
+/// The same in one: the median over the repeats, in which both had the same to do one
 /// after the other, so that what slows the machine down for a while slows both.
 CMedian CompareCosts(const CCost& a, const CCost& b);
 

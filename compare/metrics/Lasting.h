@@ -19,7 +19,7 @@ inline constexpr double g_fLastingEnd = 0.1;
 /// A ball below this speed is at rest, in speeds that gravity gives in a step.
 inline constexpr double g_fAtRest = 2.0;
 
-/// What an engine made of the trials of a scene. Figures are absent where the scene does not have them.
+/// The figures of an engine over the trials of a scene, absent where the scene does not have them.
 struct CLasting {
   std::size_t m_nBalls = 0; ///< of all trials together; 0 if the scene does not ask for it
   std::size_t m_nLost = 0;  ///< of them: outside of the bounds at the end, or not finite

@@ -26,7 +26,7 @@ CInterval Extremes(const std::vector<double>& values) {
   return {*least, *most};
 }
 
-// What is held against each other.
+// An engine as it is held against the others.
 struct CCandidate {
   std::size_t m_nLost;
   double m_fDirection; // radians; 0 where it is not known
@@ -83,16 +83,6 @@ bool IsJudged(const CSceneReport& scene) {
   return !scene.m_stdEngines.empty() && scene.m_stdEngines.front().m_cTotals.m_nContacts > 0;
 }
 
-// How many times the time of engine e engine `of` takes, by repeats.
-std::vector<double> Ratios(const CSceneReport& scene, std::size_t of, std::size_t e) {
-  const auto &a = scene.m_stdEngines[of].m_cCost.m_stdRepeats,
-             &b = scene.m_stdEngines[e].m_cCost.m_stdRepeats;
-  std::vector<double> ratios;
-  for (std::size_t r = 0; r < std::min(a.size(), b.size()); ++r)
-    ratios.push_back(a[r] / b[r]);
-  return ratios;
-}
-
 CEngineOverall MakeEngineOverall(const CRunReport& report, std::size_t e) {
   CEngineOverall overall;
   std::vector<double> directions, ofScenes, ns, times;
@@ -105,7 +95,7 @@ CEngineOverall MakeEngineOverall(const CRunReport& report, std::size_t e) {
     repeats.push_back(engine.m_cCost.m_stdRepeats);
     ns.push_back(engine.m_cCost.m_cNsPerBallStep.m_fMedian);
     if (box2d) {
-      ratios.push_back(Ratios(scene, *box2d, e));
+      ratios.push_back(GetRatios(scene.m_stdEngines[*box2d].m_cCost, engine.m_cCost));
       times.push_back(MedianWithInterval(ratios.back()).m_fMedian);
     }
     for (const CContact& contact : scene.m_cImpactTrials.m_stdContacts)
@@ -208,7 +198,8 @@ COverall MakeOverall(const CRunReport& report) {
   overall.m_nTake = Choose(report.m_stdEngines, candidates, [&](std::size_t a, std::size_t b) {
     std::vector<std::vector<double>> ratios;
     for (const CSceneReport& scene : report.m_stdScenes)
-      if (IsJudged(scene)) ratios.push_back(Ratios(scene, a, b));
+      if (IsJudged(scene))
+        ratios.push_back(GetRatios(scene.m_stdEngines[a].m_cCost, scene.m_stdEngines[b].m_cCost));
     const CInterval i = OverScenes(ratios).m_cInterval;
     return a != b && (i.m_fLow > 1.0 || i.m_fHigh < 1.0);
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run amounts to: which engine to take in a scene and over all scenes, and what the others cost.
+// The result of a run: which engine to take in a scene and over all scenes, and what the others cost.
 #pragma once
 
 #include "report/Report.h"

@@ -39,7 +39,7 @@ struct CSetting {
   std::size_t GetAllContacts() const { return m_nContacts + m_nConfirmationContacts; }
 };
 
-/// What a user may demand, and the cheapest settings that meet it, by their numbers.
+/// A demand that a user may have, and the cheapest settings that meet it, by their numbers.
 struct CRecommendation {
   std::string m_sDemand;
   std::vector<std::size_t> m_stdChoices; ///< one of each engine, the cheapest of all first

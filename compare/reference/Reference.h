@@ -177,7 +177,7 @@ private:
     CTurning<T> GetTurning(const T& t) const;
     void SetBox();
   };
-  // What a ball comes to next: an impact, or the border of the part on which it slides, the end of the force
+  // The next event of a ball: an impact, or the border of the part on which it slides, the end of the force
   // that holds a contact, or the end of the piece of its way.
   enum class eNext { Impact, Border, Release, Piece };
   struct CNext { // at m_cHit.m_fTime in the step

@@ -115,7 +115,7 @@ void CReference<T>::AnswerShape(const CHit<T>& hit, CPair& pair, CExactEvent<T>&
   const CSolid& solid = m_stdShapes[pair.m_nOther];
   const CVec<T>& n = hit.m_vNorm;
   const T vn = (ball.m_vVel - hit.m_vSurface).dot(n), e = ball.m_fElasticity * solid.m_fElasticity;
-  // What a ball that goes over from one curve to another is put past the border turns its normal by this.
+  // The way by which a ball is put past the border between two curves turns its normal by this.
   const T reach = ball.m_fRadius + (hit.m_ePart == ePart::Outside ? solid.m_cGeometry.m_fRadius : T(0));
   const T extent =
       GetExtent(solid.m_cGeometry, CSweptBall<T>{ball.m_vPos, ball.m_vVel, ball.m_fRadius}, CTurning<T>());

@@ -72,10 +72,10 @@ std::string MakeEffectTable(const CRunReport& report);
 /// be told.
 std::vector<std::string> MakeEffectChanges(const CSceneReport& scene);
 
-/// What a reader wants to know of one scene first: which engine to take, and what it does; a sentence each,
+/// The first things to know of one scene: which engine to take, and what it does; a sentence each,
 /// one alone where nothing was judged.
 std::vector<std::string> MakeVerdict(const CRunReport& report, const CSceneReport& scene);
-/// What else is wrong with an engine in a scene, a sentence each.
+/// All else that is wrong with an engine in a scene, a sentence each.
 std::vector<std::string> MakeRemarks(const CRunReport& report, const CSceneReport& scene);
 /// The same over all scenes in one sentence.
 std::string MakeResult(const CRunReport& report, const COverall& overall);
