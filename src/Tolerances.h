@@ -200,16 +200,35 @@ inline constexpr float g_fMaxBox2DSpeedGain = 4e9f;
 
 /// Length of a motion in which nothing turns, seconds: how far a ball may be pushed is asked as a motion.
 inline constexpr double g_fInstant = 0x1p-80;
-/// Substeps for which the tree of the balls is refitted before it is built anew.
-inline constexpr int g_nMaxRefits = 16;
+/// Cells of the grid of shapes for each of them, and in all at least and at most: finer cells tell of more
+/// places that they are clear, and cost more to be made.
+inline constexpr std::size_t g_nCellsPerShape = 48, g_nLeastCells = 4096, g_nMostCells = 1 << 18;
+/// Most of them in a row or a column.
+inline constexpr std::size_t g_nMostColumns = 4096;
+/// Half the diagonal of a cell over its side, rounded up.
+inline constexpr float g_fHalfDiagonal = 0.7072f;
+/// What the distances in the grid of shapes are off, as a share of the largest coordinate in it: the kernels,
+/// the closest point on a shape and the place of a cell together.
+inline constexpr float g_fGridPadding = 64.0f * 1.1920929e-7f;
+/// Largest coordinate in that grid, user units: the square of a distance in it is far from the largest float.
+inline constexpr float g_fLargestGrid = 1e12f;
+/// How far the grid of shapes reaches, in radii of the largest ball: what is farther is asked of the tree.
+inline constexpr float g_fGridReach = 4.5f;
+/// Questions to the tree, one for so many cells, that cost as much as making the grid.
+inline constexpr std::size_t g_nAskedPerCell = 4;
+/// Shapes that have moved since the grid was made, and are looked at one by one; beyond it the tree is asked.
+inline constexpr std::size_t g_nMostLoose = 16;
 /// Rounds in which a ball that overlaps several shapes is set back from all of them: it stays in the last one
 /// if that is not enough.
 inline constexpr int g_nSetBackRounds = 8;
 /// Shapes along which a ball that was pushed by several contacts may slide before it stays where it is.
 inline constexpr int g_nKeepInsideRounds = 3;
-/// Levels of cells of the hash grid of balls, one for each power of two of the diameter; smaller balls share
-/// the last one.
-inline constexpr int g_nMostLevels = 12;
+/// Most discs in the grid of balls for each of them, before it is made anew of those that count.
+inline constexpr std::size_t g_nMostDiscs = 8;
+/// Levels of cells of that grid, and the powers of two of the diameter that share one; smaller balls share
+/// the last one. Among balls of equal radii, at different speeds, more levels cost more than they spare.
+inline constexpr std::size_t g_nMostLevels = 4;
+inline constexpr int g_nPowersPerLevel = 3;
 /// A ball that is let through may get deeper by this share of its overlap until its approach is found.
 inline constexpr double g_fDeeper = 1e-4;
 /// How far from its parabola a ball lands after a bounce on tuned Box2D, as a share of its move in a step,

@@ -13,10 +13,14 @@
 
 namespace Shapes::Native {
 
-void CNativeEngine::Added(CShapeId id) { Changed(id, eChange::Sensor); }
+void CNativeEngine::Added(CShapeId id) {
+  m_bBallsChanged = true;
+  Changed(id, eChange::Sensor);
+}
 
 void CNativeEngine::Removed(CShapeId) {
-  m_bShapesChanged = true;
+  m_bBallsChanged = true;
+  m_bShapesChanged |= m_cState.m_stdShapes.size() != m_nShapes; // or it was a ball
   m_cState.m_cBalls.m_bIsDisturbed = true;
 }
 
@@ -36,6 +40,7 @@ void CNativeEngine::UpdateBroadPhase() {
   m_stdKinematic.clear();
   for (const CShapeEntry& entry : m_cState.m_stdShapes)
     if (entry.m_pShape->GetMotionType() == eMotion::Kinematic) m_stdKinematic.push_back(entry.m_pShape.get());
+  m_nShapes = m_cState.m_stdShapes.size();
   m_bShapesChanged = false;
 }
 
@@ -63,6 +68,11 @@ void CNativeEngine::Plan(CEffects running) {
 void CNativeEngine::Substep(const CSubstep& substep) {
   if (m_bShapesChanged) UpdateBroadPhase();
   if (!substep.m_bIsContinuous) m_cState.m_cBalls.m_bIsDisturbed = true;
+  if (std::exchange(m_bBallsChanged, false)) {
+    const std::vector<float>& radius = m_cState.m_cBalls.m_stdRadius;
+    m_fLargestRadius = radius.empty() ? 0.0f : *std::max_element(radius.begin(), radius.end());
+  }
+  m_cBroadPhase.SetRadius(m_fLargestRadius);
   for (const CStage stage : substep.m_bIsContinuous ? m_stdContinuous : m_stdApproximate)
     (this->*stage)(substep);
 }
@@ -95,37 +105,32 @@ CBall CNativeEngine::Ball(std::size_t i) const {
   return {b.m_stdPos[i], b.m_stdPrevPos[i], b.m_stdVel[i], b.m_stdRadius[i]};
 }
 
-void CNativeEngine::CollectShapes(const CBall& ball, std::uint32_t firstOrder) {
-  m_stdCandidates.clear();
-  const CAabb2D box = Padded(CAabb2D(ball.m_vPos, ball.m_vPos), ball.m_fRadius * (1.0f + g_fCandidateSlack));
-  m_cBroadPhase.Query(box, m_stdCandidates);
-  if (firstOrder > 0) std::erase_if(m_stdCandidates, [=](std::uint32_t order) { return order < firstOrder; });
-  std::sort(m_stdCandidates.begin(), m_stdCandidates.end());
-}
-
 template <bool TReports>
 void CNativeEngine::CollideWithShapes(const CSubstep&) {
   const CBallArrays& b = m_cState.m_cBalls;
   if (m_cBroadPhase.Size() == 0) return;
   for (std::size_t i = 0; i < b.Size(); ++i)
-    if (b.IsSolid(i)) CollideWithShapesOf<TReports>(i);
+    if (!m_cBroadPhase.IsClear(b.m_stdPos[i], b.m_stdRadius[i]) && b.IsSolid(i))
+      CollideWithShapesOf<TReports>(i);
 }
 
 template <bool TReports>
 void CNativeEngine::CollideWithShapesOf(std::size_t ball) {
   const CBallArrays& b = m_cState.m_cBalls;
-  const float slack = g_fCandidateSlack * b.m_stdRadius[ball];
+  const float slack = g_fCandidateSlack * b.m_stdRadius[ball], reach = b.m_stdRadius[ball] + slack;
   Vector2 collectedAt = b.m_stdPos[ball];
-  CollectShapes(Ball(ball), 0);
+  m_cBroadPhase.FindNear(collectedAt, reach, m_stdCandidates);
   for (std::size_t k = 0; k < m_stdCandidates.size(); ++k) {
     const std::uint32_t order = m_stdCandidates[k];
     CollideWithShape<TReports>(ball, m_cBroadPhase.Get(order));
-    if ((b.m_stdPos[ball] - collectedAt).cwiseAbs().maxCoeff() <= slack) continue;
+    if ((b.m_stdPos[ball] - collectedAt).squaredNorm() <= slack * slack) continue;
     // A response has moved the ball out of the reach of what was collected: the rest again, from where it is
     // now.
     collectedAt = b.m_stdPos[ball];
-    CollectShapes(Ball(ball), order + 1);
-    k = static_cast<std::size_t>(-1);
+    m_cBroadPhase.FindNear(collectedAt, reach, m_stdCandidates);
+    k = static_cast<std::size_t>(std::upper_bound(m_stdCandidates.begin(), m_stdCandidates.end(), order) -
+                                 m_stdCandidates.begin()) -
+        1;
   }
 }
 
@@ -149,16 +154,34 @@ void CNativeEngine::CollideWithShape(std::size_t i, const CShapeEntry& entry) {
   Count(CapSpeed(b.m_stdVel[i]));
 }
 
-void CNativeEngine::CollectBalls(std::size_t i, std::uint32_t first) {
+// Where each is now, and a bit around it, so that not every response has to be told of.
+void CNativeEngine::BuildDiscGrid() {
   const CBallArrays& b = m_cState.m_cBalls;
-  m_stdFound.clear();
+  m_stdDiscs.clear();
+  for (std::size_t i = 0; i < b.Size(); ++i)
+    m_stdDiscs.push_back({b.m_stdPos[i], b.m_stdRadius[i] * (1.0f + g_fCandidateSlack)});
+  m_cDiscGrid.Build(m_stdDiscs);
+}
+
+void CNativeEngine::MoveInDiscGrid(std::uint32_t i) {
+  const CBallArrays& b = m_cState.m_cBalls;
+  const float slack = g_fCandidateSlack * b.m_stdRadius[i];
+  if (Length(b.m_stdPos[i] - m_stdDiscs[i].m_vCenter) <= slack) return;
+  // Those of the places where it was have to be forgotten now and then.
+  if (m_cDiscGrid.Size() > g_nMostDiscs * b.Size()) return BuildDiscGrid();
+  m_stdDiscs[i].m_vCenter = b.m_stdPos[i];
+  m_cDiscGrid.Add(i, m_stdDiscs[i]);
+}
+
+void CNativeEngine::CollectBalls(std::uint32_t i, std::uint32_t first) {
+  const CBallArrays& b = m_cState.m_cBalls;
   m_stdCandidates.clear();
-  m_cHashGrid.Query(b.m_stdPos[i], b.m_stdRadius[i], m_stdFound);
-  for (const std::uint32_t j : m_stdFound) {
-    if (j < first || !b.IsSolid(j)) continue;
+  m_cDiscGrid.FindNear(b.m_stdPos[i], b.m_stdRadius[i], [&](std::uint32_t j) {
     const float reach = (b.m_stdRadius[i] + b.m_stdRadius[j]) * (1.0f + g_fBoxPadding);
-    if ((b.m_stdPos[j] - b.m_stdPos[i]).cwiseAbs().maxCoeff() <= reach) m_stdCandidates.push_back(j);
-  }
+    if (j >= first && b.IsSolid(j) && (b.m_stdPos[j] - b.m_stdPos[i]).cwiseAbs().maxCoeff() <= reach)
+      m_stdCandidates.push_back(j);
+    return false;
+  });
   std::sort(m_stdCandidates.begin(), m_stdCandidates.end());
   m_stdCandidates.erase(std::unique(m_stdCandidates.begin(), m_stdCandidates.end()), m_stdCandidates.end());
 }
@@ -166,15 +189,15 @@ void CNativeEngine::CollectBalls(std::size_t i, std::uint32_t first) {
 template <bool TReports>
 void CNativeEngine::CollideBalls(const CSubstep&) {
   const CBallArrays& b = m_cState.m_cBalls;
-  m_cHashGrid.Build(b.m_stdPos, b.m_stdRadius);
+  BuildDiscGrid();
   for (std::uint32_t i = 0; i + 1 < b.Size(); ++i) {
     if (!b.IsSolid(i)) continue;
     CollectBalls(i, i + 1);
     for (std::size_t k = 0; k < m_stdCandidates.size(); ++k) {
       const std::uint32_t j = m_stdCandidates[k];
       if (!CollideWithBall<TReports>(i, j)) continue;
-      m_cHashGrid.Move(i, b.m_stdPos[i]);
-      m_cHashGrid.Move(j, b.m_stdPos[j]);
+      MoveInDiscGrid(i);
+      MoveInDiscGrid(j);
       CollectBalls(i, j + 1);
       k = static_cast<std::size_t>(-1);
     }

@@ -3,7 +3,7 @@
 
 #include "../world/WorldCore.h"
 
-#include "broadphase/HashGrid.h"
+#include "broadphase/DiscGrid.h"
 #include "broadphase/StaticBroadPhase.h"
 #include "continuous/Continuous.h"
 #include "narrowphase/Collide.h"
@@ -30,7 +30,7 @@ public:
   /// A world that goes on and one that is loaded take the same steps.
   void Saved() override { m_cContinuous.Forget(); }
   void Loaded() override {
-    m_bShapesChanged = true;
+    m_bShapesChanged = m_bBallsChanged = true;
     m_cContinuous.Forget();
   }
   bool NeedsContinuousToFall() const override { return true; }
@@ -64,8 +64,9 @@ private:
 
   CBall Ball(std::size_t i) const;
   void KeepInside(std::size_t ball, double dt);
-  void CollectShapes(const CBall& ball, std::uint32_t firstOrder);
-  void CollectBalls(std::size_t i, std::uint32_t first);
+  void BuildDiscGrid();
+  void MoveInDiscGrid(std::uint32_t i);
+  void CollectBalls(std::uint32_t i, std::uint32_t first);
   void Count(bool capped) { Stats().m_nSpeedsCapped += capped; }
 
   CWorldCore& m_cWorld;
@@ -77,11 +78,15 @@ private:
       m_stdPushes; // of each ball in this substep: 1 for a shape, 2 for a ball, 2 at most
 
   bool m_bShapesChanged = true; // the broad phase is made anew
+  std::size_t m_nShapes = 0;    // when it was made
+  bool m_bBallsChanged = true;  // added or removed
+  float m_fLargestRadius = 0.0f;
   CStaticBroadPhase m_cBroadPhase;
   std::vector<CShape*> m_stdKinematic; // sensors too
   CContinuous m_cContinuous;
-  CHashGrid m_cHashGrid;
-  std::vector<std::uint32_t> m_stdFound, m_stdCandidates;
+  CDiscGrid m_cDiscGrid;
+  std::vector<CDiscGrid::CDisc> m_stdDiscs; // the last one of each ball in it
+  std::vector<std::uint32_t> m_stdCandidates;
 };
 
 } // namespace Shapes::Native

@@ -57,6 +57,7 @@ void CStaticBroadPhase::Build(const std::vector<CShapeEntry>& shapes) {
   m_cStatic.m_cTree.Build(m_cStatic.m_stdBoxes);
   m_cKinematic.m_cTree.Build(m_cKinematic.m_stdBoxes);
   m_stdGeometries.resize(Size());
+  DropGrid();
 }
 
 void CStaticBroadPhase::Update(const CShapeEntry& entry) {
@@ -74,6 +75,13 @@ void CStaticBroadPhase::Update(const CShapeEntry& entry) {
   const auto i = static_cast<std::uint32_t>(item - group.m_stdOrder.begin());
   m_stdIsOld[order] = m_bIsAnyOld = true;
   group.m_stdBoxes[i] = BoxOf(shape);
+  if (m_cGrid.IsBuilt() && &group == &m_cStatic) {
+    m_nAsked = 0;
+    m_bIsGridComplete = false;
+    if (std::find(m_stdLoose.begin(), m_stdLoose.end(), order) == m_stdLoose.end())
+      m_stdLoose.push_back(order);
+    if (m_stdLoose.size() > g_nMostLoose) DropGrid();
+  }
   // The box of the old place stays in the tree, which makes it less selective, until all are fitted again.
   if (++group.m_nGrown < group.m_stdBoxes.size()) return group.m_cTree.Grow(i, group.m_stdBoxes[i]);
   group.m_cTree.Refit(group.m_stdBoxes);
@@ -105,12 +113,61 @@ bool CStaticBroadPhase::MovesNear(const CAabb2D& box) const {
 }
 
 void CStaticBroadPhase::Query(const CAabb2D& box, std::vector<std::uint32_t>& orders) {
-  for (const CGroup* pGroup : {&m_cStatic, &m_cKinematic}) {
-    m_stdFound.clear();
-    pGroup->m_cTree.Query(box, m_stdFound);
-    for (const std::uint32_t item : m_stdFound)
-      orders.push_back(pGroup->m_stdOrder[item]);
-  }
+  ++m_nAsked;
+  for (const CGroup* pGroup : {&m_cStatic, &m_cKinematic})
+    Query(*pGroup, box, orders);
+}
+
+void CStaticBroadPhase::Query(const CGroup& group, const CAabb2D& box, std::vector<std::uint32_t>& orders) {
+  const std::size_t first = orders.size();
+  group.m_cTree.Query(box, orders);
+  for (std::size_t k = first; k < orders.size(); ++k)
+    orders[k] = group.m_stdOrder[orders[k]];
+}
+
+void CStaticBroadPhase::DropGrid() {
+  m_cGrid.Clear();
+  m_stdLoose.clear();
+  m_bIsGridComplete = false;
+  m_nAsked = 0;
+}
+
+void CStaticBroadPhase::SetRadius(float radius) {
+  const float reach = g_fGridReach * radius;
+  if (m_cGrid.IsBuilt() && !(radius <= m_cGrid.GetReach() && m_cGrid.GetReach() <= g_fGridReach * reach))
+    DropGrid();
+  if (m_cGrid.IsBuilt() && m_stdLoose.empty()) return;
+  if (g_nAskedPerCell * m_nAsked < CShapeGrid::CountCells(m_cStatic.m_stdOrder.size())) return;
+  DropGrid();
+  std::vector<const CShape*> shapes;
+  for (const CShapeEntry* pEntry : m_stdByOrder)
+    shapes.push_back(pEntry->m_pShape.get());
+  m_bIsGridComplete = m_cGrid.Build(shapes, m_cStatic.m_stdOrder, reach) && m_cKinematic.m_stdOrder.empty();
+}
+
+// Of those that are not in the grid.
+bool CStaticBroadPhase::IsClearOfOthers(const Vector2& p, float r) const {
+  const CAabb2D box = Padded(CAabb2D(p, p), r);
+  const auto& boxes = m_cKinematic.m_stdBoxes;
+  return std::none_of(boxes.begin(), boxes.end(), [&](const CAabb2D& other) { return other && box; }) &&
+         std::none_of(m_stdLoose.begin(), m_stdLoose.end(),
+                      [&](std::uint32_t order) { return BoxOf(GetShape(order)) && box; });
+}
+
+void CStaticBroadPhase::FindNear(const Vector2& p, float r, std::vector<std::uint32_t>& orders) {
+  orders.clear();
+  ++m_nAsked;
+  const bool isInGrid = m_cGrid.IsBuilt() && r <= m_cGrid.GetReach();
+  if (isInGrid) m_cGrid.ForEachNear(p, r, [&orders](std::uint32_t order) { orders.push_back(order); });
+  if (isInGrid && m_bIsGridComplete) return;
+  const CAabb2D box = Padded(CAabb2D(p, p), r);
+  if (!isInGrid) Query(m_cStatic, box, orders);
+  Query(m_cKinematic, box, orders);
+  for (const std::uint32_t order : m_stdLoose)
+    if (BoxOf(GetShape(order)) && box) orders.push_back(order);
+  // What has moved may be where it was, too.
+  std::sort(orders.begin(), orders.end());
+  if (!m_stdLoose.empty()) orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
 }
 
 void CStaticBroadPhase::MakeGeometries(float dt) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "AabbTree.h"
+#include "ShapeGrid.h"
 
 namespace Shapes::Native {
 
@@ -36,6 +37,14 @@ public:
   /// Appends the orders of all shapes whose box meets this one, in no order.
   void Query(const CAabb2D& box, std::vector<std::uint32_t>& orders);
 
+  /// Takes this for the radius of the largest ball that is to be looked for: before FindNear and IsClear, in
+  /// each substep.
+  void SetRadius(float radius);
+  /// The orders of all shapes that come within r of p, and maybe some others, ascending.
+  void FindNear(const Vector2& p, float r, std::vector<std::uint32_t>& orders);
+  /// Whether surely none of them does: quicker.
+  bool IsClear(const Vector2& p, float r) const { return m_bIsGridComplete && m_cGrid.IsClear(p, r); }
+
   /// Makes the geometries of the shapes that rotate in the next dt seconds, and of those that have changed.
   void MakeGeometries(float dt);
   const CShapeGeometry& GetGeometry(std::uint32_t order) const { return m_stdGeometries[order]; }
@@ -49,13 +58,21 @@ private:
     std::size_t m_nGrown = 0; ///< boxes that have grown since the tree was made or refitted
   };
   const CShape& GetShape(std::uint32_t order) const { return *m_stdByOrder[order]->m_pShape; }
+  static void Query(const CGroup& group, const CAabb2D& box, std::vector<std::uint32_t>& orders);
+  void DropGrid();
+  bool IsClearOfOthers(const Vector2& p, float r) const;
 
   std::vector<const CShapeEntry*> m_stdByOrder;
   CGroup m_cStatic, m_cKinematic;
+  // The static shapes once more. Making it costs as much as asking the tree very often: it is made once that
+  // was asked so often since a shape has changed.
+  CShapeGrid m_cGrid;
+  std::vector<std::uint32_t> m_stdLoose; // static shapes that have changed since it was made
+  bool m_bIsGridComplete = false;        // all shapes are in it
+  std::size_t m_nAsked = 0;
   std::vector<CShapeGeometry> m_stdGeometries; // by order
   std::vector<std::uint8_t> m_stdIsOld;        // whether that geometry is to be made anew
   bool m_bIsAnyOld = false;
-  std::vector<std::uint32_t> m_stdFound;
 };
 
 } // namespace Shapes::Native

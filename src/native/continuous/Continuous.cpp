@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Continuous.h"
 
-#include "../../shapes/Response.h"
 #include "Rounding.h"
 
 #include <algorithm>
@@ -12,7 +11,7 @@
 namespace Shapes::Native {
 
 bool CContinuous::CEvent::operator<(const CEvent& other) const {
-  return std::tie(m_fTime, m_nBall) > std::tie(other.m_fTime, other.m_nBall);
+  return std::tie(m_fTime, m_nOrder) > std::tie(other.m_fTime, other.m_nOrder);
 }
 
 void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravity,
@@ -20,6 +19,7 @@ void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs
   m_pBalls = &balls;
   m_pShapes = &shapes;
   m_pStats = &stats;
+  m_bPairs = pairs;
   m_fStep = static_cast<double>(dt);
   m_vGravity = gravity.cast<double>();
   m_stdContacts.clear();
@@ -38,15 +38,12 @@ void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs
   shapes.MakeGeometries(dt);
 
   TakeBalls(balls);
-  SortBalls(pairs);
-  WakeDisturbed(balls);
-  const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
   if (IsFalling())
     FindRestingContacts();
   else
-    for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i)
       SetBackFromBalls(i);
-  for (std::uint32_t i = 0; i < n; ++i) {
+  for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     if (m_stdBalls[i].m_bIsAsleep) continue;
     // Out of one shape may be into another: a ball in a wedge is set back in turns.
     FindShapes(i);
@@ -59,7 +56,7 @@ void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs
     FindFirst(i);
   }
   if (!m_cResting.IsEmpty()) SolveRestingContacts();
-  for (std::uint32_t i = 0; i < n; ++i) {
+  for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     if (m_stdBalls[i].m_bIsAsleep) continue;
     FindBallImpacts(i);
     Queue(i);
@@ -87,91 +84,13 @@ void CContinuous::FindFirst(std::uint32_t i) {
   FindNextShape(m_stdBalls[i]);
 }
 
-void CContinuous::TakeBalls(const CBallArrays& b) {
-  m_stdBoxes.clear();
-  std::size_t n = 0;
-  double fastest = 0.0; // squared
-  for (std::size_t i = 0; i < b.Size(); ++i) {
-    if (!b.m_stdCanCollide[i] || b.m_stdSensor[i]) continue;
-    // Those of the last substep are taken again: most of what they have is not looked at before it is set.
-    if (n == m_stdBalls.size()) m_stdBalls.emplace_back();
-    CMoving& ball = m_stdBalls[n++];
-    ball.m_nBall = i;
-    ball.m_vPos = Join(b.m_stdPos[i], b.m_stdPosTail[i]);
-    ball.m_vVel = Join(b.m_stdVel[i], b.m_stdVelTail[i]);
-    ball.m_vFall = m_vGravity;
-    ball.m_fRadius = static_cast<double>(b.m_stdRadius[i]);
-    ball.m_fMass = static_cast<double>(b.m_stdMass[i]);
-    ball.m_fElasticity = static_cast<double>(b.m_stdElasticity[i]);
-    ball.Begin();
-    fastest = std::max(fastest, ball.m_vVel.squaredNorm());
-    ball.m_bIsAsleep = IsFalling() && b.m_stdCalm[i] >= g_fCalmTime;
-    ball.m_vAcc = ball.m_bIsAsleep ? Vector2d(Vector2d::Zero()) : m_vGravity;
-    m_stdBoxes.push_back(GetBox(ball));
-  }
-  m_stdBalls.resize(n);
-  m_fFastest = std::sqrt(fastest);
-}
-
-// The tree does not matter to what comes out, so it may be an old one whose boxes have moved on.
-void CContinuous::SortBalls(bool pairs) {
-  const std::size_t n = pairs ? m_stdBoxes.size() : 0;
-  if (n == m_cBallTree.Size() && ++m_nRefits < g_nMaxRefits) return m_cBallTree.Refit(m_stdBoxes);
-  m_cBallTree.Build(std::span<const CAabb2D>(m_stdBoxes).first(n));
-  m_nRefits = 0;
-}
-
-// The floats of a place and a velocity, and under gravity what they lack.
-void CContinuous::Put(const Vector2d& p, const Vector2d& v, std::size_t i, CBallArrays& b) const {
-  b.m_stdPos[i] = ToFloat(p);
-  b.m_stdVel[i] = ToFloat(v);
-  if (!IsFalling()) return;
-  b.m_stdPosTail[i] = ToFloat(p - b.m_stdPos[i].cast<double>());
-  b.m_stdVelTail[i] = ToFloat(v - b.m_stdVel[i].cast<double>());
-}
-
-void CContinuous::PutBalls(CBallArrays& b) {
-  const auto dt = static_cast<float>(m_fStep);
-  b.m_stdPrevPos = b.m_stdPos;
-  auto ball = m_stdBalls.begin();
-  for (std::size_t i = 0; i < b.Size(); ++i) {
-    const bool isSolid = ball != m_stdBalls.end() && ball->m_nBall == i;
-    if (isSolid && ball->m_bIsMoved) {
-      Advance(*ball, m_fStep - ball->m_fTime);
-      Put(ball->m_vPos, ball->m_vVel, i, b);
-    } else if (!IsFalling()) {
-      Move(b.m_stdPos[i], b.m_stdVel[i], dt);
-    } else if (!isSolid || !ball->m_bIsAsleep) {
-      const CMotion motion{Join(b.m_stdPos[i], b.m_stdPosTail[i]), Join(b.m_stdVel[i], b.m_stdVelTail[i]),
-                           0.0, m_fStep, m_vGravity};
-      Put(motion.PosAt(m_fStep), motion.VelAt(m_fStep), i, b);
-    }
-    ball += isSolid;
-  }
-}
-
 CMotion CContinuous::GetMotion(const CMoving& ball) const {
   return {ball.m_vPos, ball.m_bIsHalted ? ball.m_vCarried : ball.m_vVel, ball.m_fRadius,
           m_fStep - ball.m_fTime, ball.m_bIsHalted ? Vector2d(Vector2d::Zero()) : ball.m_vAcc};
 }
 
-CAabb2D CContinuous::GetBox(const CMoving& ball) const {
-  const CMotion motion = GetMotion(ball);
-  CAabb2D box(ToFloat(motion.m_vPos), ToFloat(motion.m_vPos));
-  box += ToFloat(motion.PosAt(motion.m_fDuration));
-  return Padded(box, static_cast<float>(motion.m_fRadius + motion.GetSagitta()) * (1.0f + g_fBoxPadding));
-}
-
-// Its motion is another one.
-void CContinuous::Rebox(std::uint32_t i) {
-  m_stdBoxes[i] = GetBox(m_stdBalls[i]);
-  m_cBallTree.Grow(i, m_stdBoxes[i]);
-}
-
 void CContinuous::SetBackFromBalls(std::uint32_t i) {
-  m_stdBallsFound.clear();
-  m_cBallTree.Query(m_stdBoxes[i], m_stdBallsFound);
-  std::sort(m_stdBallsFound.begin(), m_stdBallsFound.end());
+  FindBalls(i);
   for (const std::uint32_t j : m_stdBallsFound) {
     CImpact impact;
     double depth;
@@ -185,15 +104,15 @@ void CContinuous::SetBackFromBalls(std::uint32_t i) {
 
 // The shapes on the way of the motion, or within reach of it, by order.
 void CContinuous::FindShapes(std::uint32_t i, float reach) {
-  m_stdShapesFound.clear();
-  m_pShapes->Query(reach > 0.0f ? Padded(m_stdBoxes[i], reach) : m_stdBoxes[i], m_stdShapesFound);
-  std::sort(m_stdShapesFound.begin(), m_stdShapesFound.end());
+  const CDiscGrid::CDisc& disc = m_stdBalls[i].m_cDisc;
+  m_pShapes->FindNear(disc.m_vCenter, disc.m_fRadius + reach, m_stdShapesFound);
 }
 
-// From those that were found. Whether it had to.
+// By order, each from where those before it have put it. Whether any had to.
 bool CContinuous::SetBackFromShapes(std::uint32_t i) {
   bool had = false;
-  for (const std::uint32_t order : m_stdShapesFound) {
+  for (std::size_t k = 0; k < m_stdShapesFound.size(); ++k) {
+    const std::uint32_t order = m_stdShapesFound[k];
     if (!m_pShapes->Get(order).m_pShape->GetCanCollide()) continue;
     const CMoving& ball = m_stdBalls[i];
     const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
@@ -204,6 +123,9 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i) {
     if (!isRounding && geometry.m_eSides != eSides::Both) continue;
     CorrectPosition(i, impact.m_vNorm, depth);
     had = true;
+    FindShapes(i);
+    const auto next = std::upper_bound(m_stdShapesFound.begin(), m_stdShapesFound.end(), order);
+    k = static_cast<std::size_t>(next - m_stdShapesFound.begin()) - 1;
   }
   return had;
 }

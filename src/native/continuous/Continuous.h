@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../broadphase/AabbTree.h"
+#include "../broadphase/DiscGrid.h"
 #include "../broadphase/StaticBroadPhase.h"
 #include "RestingContacts.h"
 
@@ -62,22 +62,27 @@ public:
 private:
   struct CEvent {
     double m_fTime;
+    std::size_t m_nOrder; // of the ball in the arrays
     std::uint32_t m_nBall;
     std::uint32_t m_nVersion;
     bool operator<(const CEvent& other) const; // comes later: for a heap whose top is the first
   };
 
-  void TakeBalls(const CBallArrays& balls);
-  void SortBalls(bool pairs);
+  void TakeBalls(CBallArrays& balls);
+  void FindDiscs();
+  void FindInvolved(CBallArrays& balls);
+  void Take(std::uint32_t k);
+  void FindBalls(std::uint32_t i, float reach = 0.0f);
   void PutBalls(CBallArrays& balls);
   bool AllSleep(const CBallArrays& balls) const;
-  bool IsOnWay(const CMoving& sleeper, const CMoving& ball) const;
-  void Wake(std::uint32_t i);
-  void WakeDisturbed(CBallArrays& balls);
+  bool AnySleeps() const;
+  bool IsAsleep(std::uint32_t k) const;
+  bool IsOnWay(std::uint32_t sleeper, std::uint32_t ball) const;
   void FallAsleep(CBallArrays& balls);
   void Put(const Vector2d& p, const Vector2d& v, std::size_t i, CBallArrays& b) const;
   CMotion GetMotion(const CMoving& ball) const;
-  CAabb2D GetBox(const CMoving& ball) const;
+  CMotion GetFreeMotion(std::uint32_t k) const;
+  static CDiscGrid::CDisc GetDisc(const CMotion& motion);
   void Rebox(std::uint32_t i);
   void FindShapes(std::uint32_t i, float reach = 0.0f);
   void FindFirst(std::uint32_t i);
@@ -131,14 +136,20 @@ private:
   double m_fFastest =
       0.0; // ball at the beginning, or surface that was met, of it g_fSqueezed times the speed
   Vector2d m_vGravity = Vector2d::Zero();
-  std::vector<CMoving> m_stdBalls; // that are solid
-  std::vector<CAabb2D> m_stdBoxes; // of their motions
-  CAabbTree m_cBallTree;
-  int m_nRefits = 0;              // since it was built
+  bool m_bPairs = false;
+  std::vector<std::uint32_t> m_stdSolid;    // balls of the arrays, by k
+  std::vector<CDiscGrid::CDisc> m_stdDiscs; // around their ways, as they would move alone
+  CDiscGrid m_cDiscGrid;
+  // Those in the open move as if they were alone. All the rest, and they only, are taken: in the order of the
+  // arrays, and behind them those upon which another one has come meanwhile.
+  std::vector<std::uint8_t> m_stdIsInvolved; // by k
+  std::vector<std::uint32_t> m_stdIndexOf;   // by k
+  std::vector<CMoving> m_stdBalls;
   std::vector<CEvent> m_stdQueue; // a heap
   std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound;
   CRestingContacts m_cResting;
-  std::vector<std::uint32_t> m_stdHit, m_stdPassing, m_stdWoken;
+  std::vector<std::uint32_t> m_stdHit, m_stdPassing;
+  std::vector<std::uint32_t> m_stdWoken;
   std::vector<float> m_stdLeastCalm; // of each pile
 };
 

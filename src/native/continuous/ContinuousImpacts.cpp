@@ -29,7 +29,7 @@ void CContinuous::Queue(std::uint32_t i) {
   const CMoving& ball = m_stdBalls[i];
   if (ball.m_cNext.m_eSweep == eSweep::None) return;
   const double time = std::min(ball.m_fTime + ball.m_cNext.m_cImpact.m_fTime, m_fStep);
-  m_stdQueue.push_back({time, i, ball.m_nVersion});
+  m_stdQueue.push_back({time, ball.m_nBall, i, ball.m_nVersion});
   std::push_heap(m_stdQueue.begin(), m_stdQueue.end());
 }
 
@@ -67,9 +67,8 @@ bool CContinuous::AreAtRest(std::uint32_t i, std::uint32_t j) const {
 }
 
 void CContinuous::FindBallImpacts(std::uint32_t i) {
+  FindBalls(i);
   CMoving& ball = m_stdBalls[i];
-  m_stdBallsFound.clear();
-  m_cBallTree.Query(m_stdBoxes[i], m_stdBallsFound);
   for (const std::uint32_t j : m_stdBallsFound) {
     const CMoving& other = m_stdBalls[j];
     if (j == i || (ball.m_bIsHalted && other.m_bIsHalted) || AreAtRest(i, j)) continue;
@@ -99,7 +98,10 @@ void CContinuous::FindBallImpacts(std::uint32_t i) {
 // Takes what was found as the next of the ball if it comes first.
 void CContinuous::KeepEarliest(const CNext& found, CMoving& ball) const {
   if (found.m_eSweep == eSweep::None) return;
-  const auto order = [](const CNext& n) { return std::tuple(n.m_cImpact.m_fTime, n.m_bIsBall, n.m_nOther); };
+  const auto order = [this](const CNext& n) {
+    const std::size_t other = n.m_bIsBall ? m_stdBalls[n.m_nOther].m_nBall : n.m_nOther;
+    return std::tuple(n.m_cImpact.m_fTime, n.m_bIsBall, other);
+  };
   if (ball.m_cNext.m_eSweep == eSweep::None || order(found) < order(ball.m_cNext)) ball.m_cNext = found;
 }
 

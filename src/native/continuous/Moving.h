@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "../broadphase/DiscGrid.h"
 #include "Holds.h"
 
 namespace Shapes::Native {
@@ -27,12 +28,14 @@ struct CNext {
 
 /// A solid ball, and the part of its path that begins at m_fTime.
 struct CMoving {
-  std::size_t m_nBall = 0;                // index in the arrays
-  Vector2d m_vPos = Vector2d::Zero();     // where the motion begins
-  Vector2d m_vVel = Vector2d::Zero();     // likewise
-  Vector2d m_vAcc = Vector2d::Zero();     // of the motion
-  Vector2d m_vCarried = Vector2d::Zero(); // velocity with which it goes along where it is halted
-  Vector2d m_vFall = Vector2d::Zero();    // gravity, unless the velocity has what it gives in the substep
+  std::size_t m_nBall = 0;                         // index in the arrays
+  std::uint32_t m_nSolid = 0;                      // and among those that are solid
+  CDiscGrid::CDisc m_cDisc{Vector2::Zero(), 0.0f}; // around the motion
+  Vector2d m_vPos = Vector2d::Zero();              // where the motion begins
+  Vector2d m_vVel = Vector2d::Zero();              // likewise
+  Vector2d m_vAcc = Vector2d::Zero();              // of the motion
+  Vector2d m_vCarried = Vector2d::Zero();          // velocity with which it goes along where it is halted
+  Vector2d m_vFall = Vector2d::Zero(); // gravity, unless the velocity has what it gives in the substep
   double m_fRadius = 0.0, m_fMass = 1.0, m_fElasticity = 0.0;
   CHolds m_cHolds;
   CNext m_cNext;
@@ -46,18 +49,6 @@ struct CMoving {
   bool m_bIsMoved = false;                 // by anything but its velocity and gravity
   bool m_bIsNearBall = false;              // touches one, or could in this substep
   bool m_bIsInPile = false;                // rests on other balls, or they on it
-
-  /// A new substep.
-  void Begin() {
-    m_cHolds.Clear();
-    m_vCarried = Vector2d::Zero();
-    m_cNext.m_eSweep = eSweep::None;
-    m_fTime = 0.0;
-    m_nVersion = 0;
-    m_nImpacts = 0;
-    m_nLastOrder = m_nLastMoving = g_nNobody;
-    m_bIsAsleep = m_bIsHalted = m_bIsMoved = m_bIsNearBall = m_bIsInPile = false;
-  }
 };
 
 } // namespace Shapes::Native

@@ -36,9 +36,18 @@ void CRestingContacts::Add(std::uint32_t ball, std::uint32_t other, bool isBall,
   m_stdContacts.push_back(c);
 }
 
+std::uint64_t CRestingContacts::GetPair(const CContact& c, const std::vector<CMoving>& balls) {
+  const std::size_t ball = balls[c.m_nBall].m_nBall;
+  const std::size_t other = c.m_bIsBall ? balls[c.m_nOther].m_nBall : c.m_nOther;
+  const std::uint64_t first = c.m_bIsBall ? std::min(ball, other) : ball;
+  const std::uint64_t second = c.m_bIsBall ? std::max(ball, other) : other;
+  return (first << 33) | (second << 1) | std::uint64_t{c.m_bIsBall};
+}
+
 void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   for (CContact& c : m_stdContacts) {
     CMoving& ball = balls[c.m_nBall];
+    c.m_nPair = GetPair(c, balls);
     c.m_vPos = ball.m_vPos;
     c.m_fHeight = -m_vGravity.dot(ball.m_vPos - ball.m_fRadius * c.m_vNorm);
     // The upper one of two balls comes first.
@@ -133,7 +142,7 @@ std::uint32_t CRestingContacts::FindRoot(std::uint32_t ball) {
 
 void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
   for (const CContact& c : m_stdContacts)
-    m_stdNear.push_back({Pair(c), 0.0});
+    m_stdNear.push_back({c.m_nPair, 0.0});
   std::sort(m_stdNear.begin(), m_stdNear.end(),
             [](const CKnown& a, const CKnown& b) { return a.m_nPair < b.m_nPair; });
   std::erase_if(m_stdContacts, [&](const CContact& c) {
@@ -185,9 +194,9 @@ double CRestingContacts::Relax(CRow& row) {
 }
 
 CRestingContacts::CKnown* CRestingContacts::Find(std::vector<CKnown>& known, const CContact& c) {
-  const auto it = std::lower_bound(known.begin(), known.end(), Pair(c),
+  const auto it = std::lower_bound(known.begin(), known.end(), c.m_nPair,
                                    [](const CKnown& k, std::uint64_t pair) { return k.m_nPair < pair; });
-  return it != known.end() && it->m_nPair == Pair(c) ? &*it : nullptr;
+  return it != known.end() && it->m_nPair == c.m_nPair ? &*it : nullptr;
 }
 
 // Both ways; returns the largest change of a velocity on the way back.

@@ -37,7 +37,7 @@ public:
   void Add(std::uint32_t ball, std::uint32_t other, bool isBall, const CImpact& impact, double gap);
   bool IsEmpty() const { return m_stdContacts.empty(); }
   /// The ball by which its pile is known, itself if it is in none.
-  std::uint32_t GetPile(std::uint32_t ball) { return m_stdRoot.empty() ? ball : FindRoot(ball); }
+  std::uint32_t GetPile(std::uint32_t ball) { return ball < m_stdRoot.size() ? FindRoot(ball) : ball; }
   /// Forgets the impulses of the last substep, so that the next one does not depend on what was before.
   void Forget() {
     m_stdKnown.clear();
@@ -72,6 +72,7 @@ private:
     double m_fBend;         // second derivative of the gap, without the accelerations of the balls
     double m_fHeight = 0.0; // against gravity
     double m_fImpulse = 0.0;
+    std::uint64_t m_nPair = 0;
   };
   // The same for the search for the impulses; the velocity of a shape is that of a ball that is nobody.
   struct CRow {
@@ -91,12 +92,8 @@ private:
     double m_fImpulse;
   };
   using CPile = std::span<CRow>;
-  // Whichever of two balls is the upper one.
-  static std::uint64_t Pair(const CContact& c) {
-    const std::uint32_t first = c.m_bIsBall ? std::min(c.m_nBall, c.m_nOther) : c.m_nBall;
-    const std::uint32_t second = c.m_bIsBall ? std::max(c.m_nBall, c.m_nOther) : c.m_nOther;
-    return (std::uint64_t{first} << 33) | (std::uint64_t{second} << 1) | std::uint64_t{c.m_bIsBall};
-  }
+  // By which it is known in the next substep, too, whichever of two balls is the upper one.
+  static std::uint64_t GetPair(const CContact& c, const std::vector<CMoving>& balls);
   std::uint32_t FindRoot(std::uint32_t ball);
   double GetSpeed(const CContact& c, const std::vector<CMoving>& balls) const;
   double GetDifference(const CRow& row) const;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "DiscGrid.h"
+
+#include <bit>
+
+namespace Shapes::Native {
+
+void CDiscGrid::Build(std::span<const CDisc> discs) {
+  m_stdLevels.fill(CLevel());
+  m_stdAdded.assign(std::bit_ceil(discs.size() + 1), g_nNone);
+  m_stdBegins.assign(m_stdAdded.size() + 1, 0);
+  m_stdBucketOf.resize(discs.size());
+  m_stdEntries.resize(discs.size());
+  float largest = 0.0f;
+  for (const CDisc& disc : discs)
+    largest = std::max(largest, disc.m_fRadius);
+
+  // Level 0 has the widest cells, at least as wide as the diameter.
+  m_nTop = largest > 0.0f ? std::ilogb(largest) + 2 : 0;
+  for (std::size_t k = 0; k < m_stdLevels.size(); ++k)
+    m_stdLevels[k].m_fCellsPerUnit = std::ldexp(1.0, g_nPowersPerLevel * static_cast<int>(k) - m_nTop);
+  for (std::size_t i = 0; i < discs.size(); ++i)
+    ++m_stdBegins[m_stdBucketOf[i] = Enter(discs[i])];
+  std::uint32_t end = 0;
+  for (std::uint32_t& begin : m_stdBegins)
+    begin = end += begin;
+  for (std::size_t i = discs.size(); i-- > 0;)
+    m_stdEntries[--m_stdBegins[m_stdBucketOf[i]]] = {discs[i], static_cast<std::uint32_t>(i), g_nNone};
+}
+
+void CDiscGrid::Add(std::uint32_t index, const CDisc& disc) {
+  std::uint32_t& last = m_stdAdded[Enter(disc)];
+  m_stdEntries.push_back({disc, index, last});
+  last = static_cast<std::uint32_t>(m_stdEntries.size() - 1);
+}
+
+// Those that are larger than all are in the widest cells, too, and those that are smaller than all in the
+// last.
+std::size_t CDiscGrid::GetLevel(float radius) const {
+  const int last = static_cast<int>(m_stdLevels.size()) - 1;
+  const int level = radius > 0.0f ? (m_nTop - std::ilogb(radius) - 2) / g_nPowersPerLevel : last;
+  return static_cast<std::size_t>(std::clamp(level, 0, last));
+}
+
+// Counts it where it belongs, and tells its bucket.
+std::uint32_t CDiscGrid::Enter(const CDisc& disc) {
+  const std::size_t k = GetLevel(disc.m_fRadius);
+  CLevel& level = m_stdLevels[k];
+  level.m_fLargest = std::max(level.m_fLargest, static_cast<double>(disc.m_fRadius));
+  ++level.m_nDiscs;
+  return GetBucket(k, CellAt(static_cast<double>(disc.m_vCenter.x()), level),
+                   CellAt(static_cast<double>(disc.m_vCenter.y()), level));
+}
+
+} // namespace Shapes::Native

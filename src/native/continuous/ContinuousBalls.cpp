@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// From the arrays of balls to those that move in the continuous mode, and back.
+#include "Continuous.h"
+
+#include "../../shapes/Response.h"
+#include "Rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::Native {
+
+// Those that may meet something.
+void CContinuous::TakeBalls(CBallArrays& b) {
+  m_stdSolid.clear();
+  for (std::uint32_t i = 0; i < b.Size(); ++i)
+    if (b.IsSolid(i)) m_stdSolid.push_back(i);
+  FindDiscs();
+  if (m_bPairs) m_cDiscGrid.Build(m_stdDiscs);
+  FindInvolved(b);
+
+  m_stdBalls.clear();
+  m_stdIndexOf.assign(m_stdSolid.size(), g_nNobody);
+  for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k)
+    if (m_stdIsInvolved[k]) Take(k);
+}
+
+CMotion CContinuous::GetFreeMotion(std::uint32_t k) const {
+  const CBallArrays& b = *m_pBalls;
+  const std::size_t i = m_stdSolid[k];
+  return {Join(b.m_stdPos[i], b.m_stdPosTail[i]), Join(b.m_stdVel[i], b.m_stdVelTail[i]),
+          static_cast<double>(b.m_stdRadius[i]), m_fStep, m_vGravity};
+}
+
+// Around the whole of the motion.
+CDiscGrid::CDisc CContinuous::GetDisc(const CMotion& motion) {
+  const Vector2d chord = motion.PosAt(motion.m_fDuration) - motion.m_vPos;
+  const Vector2 center = ToFloat(motion.m_vPos + 0.5 * chord);
+  const double radius = 0.5 * Norm(chord) + motion.m_fRadius + motion.GetSagitta();
+  const auto size = static_cast<double>(center.cwiseAbs().maxCoeff());
+  return {center, static_cast<float>(radius + static_cast<double>(g_fBoxPadding) * (radius + size))};
+}
+
+void CContinuous::FindDiscs() {
+  m_stdDiscs.clear();
+  double fastest = 0.0; // squared
+  for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k) {
+    const CMotion motion = GetFreeMotion(k);
+    fastest = std::max(fastest, motion.m_vVel.squaredNorm());
+    m_stdDiscs.push_back(GetDisc(motion));
+  }
+  m_fFastest = std::sqrt(fastest);
+}
+
+// Balls that are awake and near a shape or another ball, and those that sleep near them; and wakes those near
+// which something moves, and with each all that touch it.
+void CContinuous::FindInvolved(CBallArrays& b) {
+  m_stdIsInvolved.assign(m_stdSolid.size(), 0);
+  m_stdWoken.clear();
+  const bool anySleeps = AnySleeps();
+  const auto reach = static_cast<float>(m_cResting.GetSlow() * m_fStep);
+  const auto wake = [&](std::uint32_t k) {
+    b.m_stdCalm[m_stdSolid[k]] = 0.0f;
+    m_stdWoken.push_back(k);
+  };
+  const auto look = [&](std::uint32_t k) {
+    const CDiscGrid::CDisc& disc = m_stdDiscs[k];
+    bool isInvolved = !m_pShapes->IsClear(disc.m_vCenter, disc.m_fRadius);
+    // Each of two that are awake finds the other one.
+    if (m_bPairs && (anySleeps || !isInvolved))
+      m_cDiscGrid.FindNear(disc.m_vCenter, disc.m_fRadius + reach, [&](std::uint32_t other) {
+        if (other == k) return false;
+        isInvolved = true;
+        if (!anySleeps) return true;
+        m_stdIsInvolved[other] = 1;
+        if (IsAsleep(other) && IsOnWay(other, k)) wake(other);
+        return false;
+      });
+    if (isInvolved) m_stdIsInvolved[k] = 1;
+  };
+  for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k)
+    if (!anySleeps || !IsAsleep(k))
+      look(k);
+    else if (m_pShapes->MovesNear(Padded(CAabb2D(m_stdDiscs[k].m_vCenter, m_stdDiscs[k].m_vCenter),
+                                         m_stdDiscs[k].m_fRadius + reach)))
+      wake(k);
+  for (std::size_t w = 0; w < m_stdWoken.size(); ++w)
+    look(m_stdWoken[w]);
+}
+
+void CContinuous::Take(std::uint32_t k) {
+  const CBallArrays& b = *m_pBalls;
+  const std::size_t i = m_stdSolid[k];
+  const CMotion motion = GetFreeMotion(k);
+  m_stdIndexOf[k] = static_cast<std::uint32_t>(m_stdBalls.size());
+  CMoving& ball = m_stdBalls.emplace_back();
+  ball.m_nBall = i;
+  ball.m_vPos = motion.m_vPos;
+  ball.m_vVel = motion.m_vVel;
+  ball.m_vFall = m_vGravity;
+  ball.m_fRadius = motion.m_fRadius;
+  ball.m_fMass = static_cast<double>(b.m_stdMass[i]);
+  ball.m_fElasticity = static_cast<double>(b.m_stdElasticity[i]);
+  ball.m_bIsAsleep = IsAsleep(k);
+  ball.m_vAcc = ball.m_bIsAsleep ? Vector2d(Vector2d::Zero()) : m_vGravity;
+  ball.m_cDisc = m_stdDiscs[k];
+  ball.m_nSolid = k;
+}
+
+// Its motion is another one.
+void CContinuous::Rebox(std::uint32_t i) {
+  CMoving& ball = m_stdBalls[i];
+  ball.m_cDisc = GetDisc(GetMotion(ball));
+  if (!m_bPairs) return;
+  m_stdDiscs[ball.m_nSolid] = ball.m_cDisc;
+  // Those of the ways that it does not take any more have to be forgotten now and then.
+  if (m_cDiscGrid.Size() > g_nMostDiscs * m_stdDiscs.size())
+    m_cDiscGrid.Build(m_stdDiscs);
+  else
+    m_cDiscGrid.Add(ball.m_nSolid, ball.m_cDisc);
+}
+
+// The balls whose ways come near that of this one, each once, in the order in which they were taken. Where it
+// was not expected it may come upon those in the open.
+void CContinuous::FindBalls(std::uint32_t i, float reach) {
+  m_stdBallsFound.clear();
+  if (!m_bPairs) return;
+  const CDiscGrid::CDisc disc = m_stdBalls[i].m_cDisc;
+  m_cDiscGrid.FindNear(disc.m_vCenter, disc.m_fRadius + reach, [&](std::uint32_t k) {
+    if (m_stdIndexOf[k] == g_nNobody) Take(k);
+    if (m_stdIndexOf[k] != i) m_stdBallsFound.push_back(m_stdIndexOf[k]);
+    return false;
+  });
+  std::sort(m_stdBallsFound.begin(), m_stdBallsFound.end());
+  m_stdBallsFound.erase(std::unique(m_stdBallsFound.begin(), m_stdBallsFound.end()), m_stdBallsFound.end());
+}
+
+// The floats of a place and a velocity, and under gravity what they lack.
+void CContinuous::Put(const Vector2d& p, const Vector2d& v, std::size_t i, CBallArrays& b) const {
+  b.m_stdPos[i] = ToFloat(p);
+  b.m_stdVel[i] = ToFloat(v);
+  if (!IsFalling()) return;
+  b.m_stdPosTail[i] = ToFloat(p - b.m_stdPos[i].cast<double>());
+  b.m_stdVelTail[i] = ToFloat(v - b.m_stdVel[i].cast<double>());
+}
+
+void CContinuous::PutBalls(CBallArrays& b) {
+  const auto dt = static_cast<float>(m_fStep);
+  b.m_stdPrevPos = b.m_stdPos;
+  std::uint32_t k = 0;
+  for (std::size_t i = 0; i < b.Size(); ++i) {
+    const bool isSolid = k < m_stdSolid.size() && m_stdSolid[k] == i;
+    const std::uint32_t index = isSolid ? m_stdIndexOf[k] : g_nNobody;
+    const bool isAsleep = index != g_nNobody ? m_stdBalls[index].m_bIsAsleep : isSolid && IsAsleep(k);
+    k += isSolid;
+    if (index != g_nNobody && m_stdBalls[index].m_bIsMoved) {
+      CMoving& ball = m_stdBalls[index];
+      Advance(ball, m_fStep - ball.m_fTime);
+      Put(ball.m_vPos, ball.m_vVel, i, b);
+    } else if (!IsFalling()) {
+      Move(b.m_stdPos[i], b.m_stdVel[i], dt);
+    } else if (!isAsleep) {
+      const CMotion motion{Join(b.m_stdPos[i], b.m_stdPosTail[i]), Join(b.m_stdVel[i], b.m_stdVelTail[i]),
+                           0.0, m_fStep, m_vGravity};
+      Put(motion.PosAt(m_fStep), motion.VelAt(m_fStep), i, b);
+    }
+  }
+}
+
+} // namespace Shapes::Native

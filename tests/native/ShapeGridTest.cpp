@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "native/broadphase/ShapeGrid.h"
+#include "native/broadphase/StaticBroadPhase.h"
+#include "traps/Traps.h"
+
+#include "../Random.h"
+
+#include <Shapes/WorldDesc.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <numeric>
+
+namespace Shapes::Native {
+namespace {
+
+using Tests::CRandom;
+
+std::unique_ptr<CShape> RandomShape(CRandom& random, const Vector2& centre, float spread) {
+  const Vector2 p = centre + random.InSquare(spread);
+  switch (random.Below(4)) {
+  case 0: return std::make_unique<CPoint>(CPointDesc(p));
+  case 1: {
+    const Vector2 way = random.VectorOfLength(0.01f, random.Coin() ? 1.0f : spread);
+    return std::make_unique<CLineSeg>(CLineSegDesc(p, p + way));
+  }
+  case 2:
+    return std::make_unique<CCircle>(CCircleDesc(p, random.Uniform(0.01f, random.Coin() ? 1.0f : spread)));
+  default: {
+    const float a0 = random.Uniform(0.0f, 6.28f), a1 = random.Uniform(0.0f, 6.28f);
+    return std::make_unique<CArc>(CArcDesc(p, random.Uniform(0.01f, random.Coin() ? 1.0f : spread), a0, a1));
+  }
+  }
+}
+
+class CShapes {
+public:
+  CShapes(CRandom& random, std::size_t n, const Vector2& centre, float spread) {
+    for (std::size_t i = 0; i < n; ++i)
+      m_stdOwned.push_back(RandomShape(random, centre, spread));
+    for (const auto& pShape : m_stdOwned)
+      m_stdShapes.push_back(pShape.get());
+    m_stdOrders.resize(n);
+    std::iota(m_stdOrders.begin(), m_stdOrders.end(), 0u);
+  }
+  CShapeGrid MakeGrid(float reach) const {
+    CShapeGrid grid;
+    EXPECT_TRUE(grid.Build(m_stdShapes, m_stdOrders, reach));
+    return grid;
+  }
+
+  std::vector<std::unique_ptr<CShape>> m_stdOwned;
+  std::vector<const CShape*> m_stdShapes;
+  std::vector<std::uint32_t> m_stdOrders;
+};
+
+// Whether the shape comes within r of p, by its own closest point.
+bool IsNear(const CShape& shape, const Vector2& p, float r) {
+  const auto from = [&](const auto& s) { return (p - s.ClosestPt(p)).norm(); };
+  switch (shape.GetShapeType()) {
+  case eShape::Point: return (p - shape.GetPos()).norm() <= r;
+  case eShape::LineSeg: return from(static_cast<const CLineSeg&>(shape)) <= r;
+  case eShape::Circle: return from(static_cast<const CCircle&>(shape)) <= r;
+  default: return from(static_cast<const CArc&>(shape)) <= r;
+  }
+}
+
+std::vector<std::uint32_t> Ask(const CShapeGrid& grid, const Vector2& p, float r) {
+  std::vector<std::uint32_t> found;
+  grid.ForEachNear(p, r, [&found](std::uint32_t order) { found.push_back(order); });
+  return found;
+}
+
+void Check(std::uint64_t seed, const Vector2& centre, float spread, float reach) {
+  CRandom random(seed);
+  std::size_t near = 0, answers = 0, clear = 0, asked = 0;
+  for (int trial = 0; trial < 5; ++trial) {
+    const CShapes shapes(random, 1 + random.Below(200), centre, spread);
+    const CShapeGrid grid = shapes.MakeGrid(reach);
+    for (int q = 0; q < 400; ++q, ++asked) {
+      const Vector2 p = centre + random.InSquare(2.5f * spread);
+      const float r = reach * random.Uniform(0.0f, 1.0f);
+      const std::vector<std::uint32_t> found = Ask(grid, p, r);
+      ASSERT_TRUE(std::is_sorted(found.begin(), found.end()));
+      answers += found.size();
+      const bool isClear = grid.IsClear(p, r);
+      clear += isClear;
+      for (std::uint32_t order = 0; order < shapes.m_stdShapes.size(); ++order) {
+        if (!IsNear(*shapes.m_stdShapes[order], p, r)) continue;
+        ++near;
+        ASSERT_TRUE(std::binary_search(found.begin(), found.end(), order)) << order << " seed " << seed;
+        ASSERT_FALSE(isClear) << order << " seed " << seed;
+      }
+    }
+  }
+  // Something was tried, and the answer is not everything.
+  EXPECT_GT(near, 100u);
+  EXPECT_LT(answers, 2 * near + asked);
+  EXPECT_GT(clear, asked / 10);
+}
+
+TEST(ShapeGrid, FindsAllThatIsNear) { Check(261, {0.0f, 0.0f}, 10.0f, 0.3f); }
+TEST(ShapeGrid, FindsAllThatIsNearFarOut) { Check(262, {3e4f, -7e4f}, 10.0f, 0.3f); }
+TEST(ShapeGrid, FindsAllThatIsNearInPixels) { Check(263, {500.0f, 500.0f}, 1000.0f, 30.0f); }
+TEST(ShapeGrid, FindsAllThatIsNearALargeBall) { Check(264, {0.0f, 0.0f}, 10.0f, 3.0f); }
+
+TEST(ShapeGrid, ALineOfShapesHasNoCellForEachUnitOfItsSquare) {
+  std::vector<std::unique_ptr<CShape>> owned;
+  std::vector<const CShape*> shapes;
+  std::vector<std::uint32_t> orders;
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    owned.push_back(std::make_unique<CPoint>(CPointDesc({1000.0f * static_cast<float>(i), 0.0f})));
+    shapes.push_back(owned.back().get());
+    orders.push_back(i);
+  }
+  CShapeGrid grid;
+  ASSERT_TRUE(grid.Build(shapes, orders, 0.5f));
+  for (std::uint32_t i = 0; i < 100; ++i)
+    EXPECT_EQ(Ask(grid, {1000.0f * static_cast<float>(i) + 0.3f, 0.1f}, 0.5f), std::vector<std::uint32_t>{i});
+}
+
+TEST(ShapeGrid, WhereFloatsWouldOverflowThereIsNone) {
+  for (const float at : {1e13f, 1e18f}) {
+    const CPoint p(CPointDesc({at, 0.0f})), q(CPointDesc({-at, 0.0f}));
+    const std::vector<const CShape*> shapes{&p, &q};
+    CShapeGrid grid;
+    EXPECT_FALSE(grid.Build(shapes, std::vector<std::uint32_t>{0, 1}, 0.5f));
+    EXPECT_FALSE(grid.IsBuilt());
+  }
+  const CPoint p(CPointDesc({0.0f, 0.0f}));
+  CShapeGrid grid;
+  EXPECT_FALSE(grid.Build(std::vector<const CShape*>{&p}, std::vector<std::uint32_t>{0}, 0.0f));
+  EXPECT_FALSE(grid.Build({}, {}, 1.0f));
+}
+
+TEST(ShapeGrid, APositionThatIsNoNumberIsNearNothing) {
+  const CWithoutTraps onPurpose;
+  CRandom random(265);
+  const CShapeGrid grid = CShapes(random, 10, {0.0f, 0.0f}, 1.0f).MakeGrid(0.5f);
+  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+  for (const Vector2& p : {Vector2(nan, 0.0f), Vector2(0.0f, inf), Vector2(-inf, nan)})
+    EXPECT_TRUE(Ask(grid, p, 0.3f).empty());
+}
+
+// The broad phase with its grid gives all that a look at every shape gives, whatever has moved meanwhile.
+TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesMove) {
+  CRandom random(266);
+  std::vector<CShapeEntry> entries;
+  for (std::uint32_t i = 0; i < 60; ++i)
+    entries.emplace_back(CShapeId{i + 1}, RandomShape(random, {0.0f, 0.0f}, 10.0f));
+  for (std::uint32_t i = 60; i < 64; ++i) {
+    CLineSegDesc bar({0.0f, static_cast<float>(i) - 60.0f}, {2.0f, 0.0f});
+    bar.m_eMotionType = eMotion::Kinematic;
+    bar.m_vVel = random.Direction();
+    entries.emplace_back(CShapeId{i + 1}, std::make_unique<CLineSeg>(bar));
+  }
+  CStaticBroadPhase broadPhase;
+  broadPhase.Build(entries);
+  std::vector<std::uint32_t> found;
+  std::size_t near = 0, answers = 0;
+  for (int step = 0; step < 300; ++step) {
+    // Quiet times, one that moves, and more than are looked at one by one.
+    const std::uint32_t moved = step % 100 < 40 ? 0 : step % 100 < 60 ? 1 : 30;
+    for (std::uint32_t i = 0; i < moved; ++i) {
+      CShapeEntry& entry = entries[random.Below(60)];
+      entry.m_pShape->SetPos(random.InSquare(10.0f));
+      broadPhase.Update(entry);
+    }
+    for (std::uint32_t i = 60; i < 64; ++i)
+      entries[i].m_pShape->Advance(1.0f / 60.0f, 1e18f);
+    broadPhase.BoxKinematic();
+    broadPhase.SetRadius(step < 200 ? 0.2f : 0.9f);
+    for (int q = 0; q < 100; ++q) {
+      const Vector2 p = random.InSquare(11.0f);
+      const float r = random.Uniform(0.0f, 1.5f);
+      broadPhase.FindNear(p, r, found);
+      ASSERT_TRUE(std::is_sorted(found.begin(), found.end()));
+      ASSERT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
+      answers += found.size();
+      const bool isClear = broadPhase.IsClear(p, r);
+      for (std::uint32_t order = 0; order < broadPhase.Size(); ++order) {
+        if (!IsNear(*broadPhase.Get(order).m_pShape, p, r)) continue;
+        ++near;
+        ASSERT_TRUE(std::binary_search(found.begin(), found.end(), order)) << "seed " << random.GetSeed();
+        ASSERT_FALSE(isClear) << "seed " << random.GetSeed();
+      }
+    }
+  }
+  EXPECT_GT(near, 1000u);
+  EXPECT_LT(answers, 300u * 100u * 64u / 10u);
+}
+
+} // namespace
+} // namespace Shapes::Native
