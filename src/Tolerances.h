@@ -115,6 +115,9 @@ inline constexpr int g_nMaxTurnParts = 1024;
 /// as many roundings of the speeds are none, dimensionless. Larger than what some hundred impacts add up to;
 /// at 1 unit from the origin it is 1.4e-14 units.
 inline constexpr int g_nSweepRoundings = 64;
+/// What the distance to a shape that is surely far is off by more than any kernel, as a share of the
+/// coordinates, dimensionless.
+inline constexpr double g_fFarRounding = 0x1p-40;
 /// Most steps of the search for an impact with one part of a turning shape. Ten in the mean; some dozen for
 /// each whole turn. Bounds time where a shape turns hundreds of times in a step.
 inline constexpr int g_nMaxAdvancementSteps = 4096;
@@ -225,6 +228,8 @@ inline constexpr int g_nSetBackRounds = 8;
 inline constexpr int g_nKeepInsideRounds = 3;
 /// Most discs in the grid of balls for each of them, before it is made anew of those that count.
 inline constexpr std::size_t g_nMostDiscs = 8;
+/// Discs of which each is looked at, because that costs less than to find the cells.
+inline constexpr std::size_t g_nFewDiscs = 24;
 /// Levels of cells of that grid, and the powers of two of the diameter that share one; smaller balls share
 /// the last one. Among balls of equal radii, at different speeds, more levels cost more than they spare.
 inline constexpr std::size_t g_nMostLevels = 4;

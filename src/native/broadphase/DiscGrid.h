@@ -60,12 +60,13 @@ private:
   std::vector<std::uint32_t> m_stdBucketOf; // of each disc
 };
 
-// Cells that are far out are one: there is nothing to be won there.
+// Cells that are far out are one: there is nothing to be won there. (std::floor is a call where the processor
+// may be an old one.)
 inline std::int64_t CDiscGrid::CellAt(double x, const CLevel& level) {
-  const double cell = x * level.m_fCellsPerUnit, most = 0x1p40;
-  // A NaN is far out, too.
-  return cell > -most ? static_cast<std::int64_t>(std::floor(std::min(cell, most)))
-                      : -(std::int64_t{1} << 40);
+  const double most = 0x1p40, cell = std::min(x * level.m_fCellsPerUnit, most);
+  if (!(cell > -most)) return -(std::int64_t{1} << 40); // a NaN, too
+  const auto towardsZero = static_cast<std::int64_t>(cell);
+  return towardsZero - (static_cast<double>(towardsZero) > cell);
 }
 
 inline std::uint32_t CDiscGrid::GetBucket(std::size_t level, std::int64_t x, std::int64_t y) const {
@@ -89,6 +90,12 @@ bool CDiscGrid::FindNear(const Vector2& p, float r, const F& f) const {
     const std::uint32_t index = m_stdEntries[k].m_nIndex; // f may move the entries
     return Overlaps(m_stdEntries[k].m_cDisc, p, r) && f(index);
   };
+  const auto visitAll = [&] {
+    for (std::size_t e = 0, n = m_stdEntries.size(); e < n; ++e)
+      if (visit(e)) return true;
+    return false;
+  };
+  if (m_stdEntries.size() <= g_nFewDiscs) return visitAll();
   for (std::size_t k = 0; k < m_stdLevels.size(); ++k) {
     const CLevel& level = m_stdLevels[k];
     if (level.m_nDiscs == 0) continue;
@@ -96,11 +103,7 @@ bool CDiscGrid::FindNear(const Vector2& p, float r, const F& f) const {
     const std::int64_t x0 = CellAt(px - reach, level), x1 = CellAt(px + reach, level);
     const std::int64_t y0 = CellAt(py - reach, level), y1 = CellAt(py + reach, level);
     const auto cells = static_cast<double>(x1 - x0 + 1) * static_cast<double>(y1 - y0 + 1);
-    if (cells > static_cast<double>(level.m_nDiscs) + 16.0) {
-      for (std::size_t e = 0, n = m_stdEntries.size(); e < n; ++e)
-        if (visit(e)) return true;
-      return false;
-    }
+    if (cells > static_cast<double>(m_stdEntries.size())) return visitAll();
     for (std::int64_t y = y0; y <= y1; ++y)
       for (std::int64_t x = x0; x <= x1; ++x) {
         const std::uint32_t bucket = GetBucket(k, x, y);

@@ -118,7 +118,9 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i) {
     const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
     CImpact impact;
     double depth;
-    if (!Overlap(geometry, GetMotion(ball), 0.0, impact, depth)) continue;
+    if (IsFarFrom(geometry, ball.m_vPos, 0.0, ball.m_fRadius) ||
+        !Overlap(geometry, GetMotion(ball), 0.0, impact, depth))
+      continue;
     const bool isRounding = depth <= Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + geometry.m_fSize);
     if (!isRounding && geometry.m_eSides != eSides::Both) continue;
     CorrectPosition(i, impact.m_vNorm, depth);

@@ -82,7 +82,7 @@ private:
   void Put(const Vector2d& p, const Vector2d& v, std::size_t i, CBallArrays& b) const;
   CMotion GetMotion(const CMoving& ball) const;
   CMotion GetFreeMotion(std::uint32_t k) const;
-  static CDiscGrid::CDisc GetDisc(const CMotion& motion);
+  static CDiscGrid::CDisc GetDisc(const CMotion& motion, double sagitta);
   void Rebox(std::uint32_t i);
   void FindShapes(std::uint32_t i, float reach = 0.0f);
   void FindFirst(std::uint32_t i);

@@ -32,22 +32,23 @@ CMotion CContinuous::GetFreeMotion(std::uint32_t k) const {
           static_cast<double>(b.m_stdRadius[i]), m_fStep, m_vGravity};
 }
 
-// Around the whole of the motion.
-CDiscGrid::CDisc CContinuous::GetDisc(const CMotion& motion) {
+// Around the whole of a motion of floats, which have no squares that underflow.
+CDiscGrid::CDisc CContinuous::GetDisc(const CMotion& motion, double sagitta) {
   const Vector2d chord = motion.PosAt(motion.m_fDuration) - motion.m_vPos;
   const Vector2 center = ToFloat(motion.m_vPos + 0.5 * chord);
-  const double radius = 0.5 * Norm(chord) + motion.m_fRadius + motion.GetSagitta();
+  const double radius = 0.5 * chord.norm() + motion.m_fRadius + sagitta;
   const auto size = static_cast<double>(center.cwiseAbs().maxCoeff());
   return {center, static_cast<float>(radius + static_cast<double>(g_fBoxPadding) * (radius + size))};
 }
 
 void CContinuous::FindDiscs() {
-  m_stdDiscs.clear();
+  m_stdDiscs.resize(m_stdSolid.size());
+  const double sagitta = CMotion{Vector2d::Zero(), Vector2d::Zero(), 0.0, m_fStep, m_vGravity}.GetSagitta();
   double fastest = 0.0; // squared
   for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k) {
     const CMotion motion = GetFreeMotion(k);
     fastest = std::max(fastest, motion.m_vVel.squaredNorm());
-    m_stdDiscs.push_back(GetDisc(motion));
+    m_stdDiscs[k] = GetDisc(motion, sagitta);
   }
   m_fFastest = std::sqrt(fastest);
 }
@@ -110,7 +111,8 @@ void CContinuous::Take(std::uint32_t k) {
 // Its motion is another one.
 void CContinuous::Rebox(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
-  ball.m_cDisc = GetDisc(GetMotion(ball));
+  const CMotion motion = GetMotion(ball);
+  ball.m_cDisc = GetDisc(motion, motion.GetSagitta());
   if (!m_bPairs) return;
   m_stdDiscs[ball.m_nSolid] = ball.m_cDisc;
   // Those of the ways that it does not take any more have to be forgotten now and then.

@@ -47,13 +47,17 @@ void CContinuous::FindNextShape(CMoving& ball) {
 
 // Of those that were found.
 void CContinuous::FindShapeImpacts(CMoving& ball) {
+  const CMotion motion = GetMotion(ball);
+  const double t = motion.m_fDuration, way = (Norm(motion.m_vVel) + 0.5 * t * Norm(motion.m_vAcc)) * t;
   for (const std::uint32_t order : m_stdShapesFound) {
     if (!m_pShapes->Get(order).m_pShape->GetCanCollide() || ball.m_cHolds.HasShape(order)) continue;
-    ++m_pStats->m_nSweeps;
     const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
+    const double together = motion.m_fRadius + way + t * Norm(geometry.m_vVel);
+    if (IsFarFrom(geometry, motion.m_vPos, ball.m_fTime, together)) continue;
+    ++m_pStats->m_nSweeps;
     CNext found;
     found.m_nOther = order;
-    found.m_eSweep = Sweep(geometry, GetMotion(ball), ball.m_fTime, found.m_cImpact);
+    found.m_eSweep = Sweep(geometry, motion, ball.m_fTime, found.m_cImpact);
     KeepEarliest(found, ball);
   }
 }

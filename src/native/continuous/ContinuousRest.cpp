@@ -122,6 +122,7 @@ bool CContinuous::HoldIfTouching(CMoving& ball, std::uint32_t order) {
   const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
   FailIf(!entry.m_pShape->GetCanCollide());
   const double reach = Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + geometry.m_fSize);
+  FailIf(IsFarFrom(geometry, ball.m_vPos, ball.m_fTime, ball.m_fRadius + reach));
   CImpact impact;
   double gap;
   if (!Near(geometry, GetMotion(ball), ball.m_fTime, reach, impact, gap) || gap < -reach) return false;
