@@ -145,8 +145,9 @@ void CStaticBroadPhase::SetRadius(float radius) {
   m_bIsGridComplete = m_cGrid.Build(shapes, m_cStatic.m_stdOrder, reach) && m_cKinematic.m_stdOrder.empty();
 }
 
-// Of those that are not in the grid.
+// Of those that are not in the grid, if they are few.
 bool CStaticBroadPhase::IsClearOfOthers(const Vector2& p, float r) const {
+  FailIf(m_cKinematic.m_stdBoxes.size() > g_nMostLoose);
   const CAabb2D box = Padded(CAabb2D(p, p), r);
   const auto& boxes = m_cKinematic.m_stdBoxes;
   return std::none_of(boxes.begin(), boxes.end(), [&](const CAabb2D& other) { return other && box; }) &&

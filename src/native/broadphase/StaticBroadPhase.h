@@ -43,7 +43,10 @@ public:
   /// The orders of all shapes that come within r of p, and maybe some others, ascending.
   void FindNear(const Vector2& p, float r, std::vector<std::uint32_t>& orders);
   /// Whether surely none of them does: quicker.
-  bool IsClear(const Vector2& p, float r) const { return m_bIsGridComplete && m_cGrid.IsClear(p, r); }
+  bool IsClear(const Vector2& p, float r) const {
+    if (!m_cGrid.IsBuilt() || !m_cGrid.IsClear(p, r)) return false;
+    return m_bIsGridComplete || IsClearOfOthers(p, r);
+  }
 
   /// Makes the geometries of the shapes that rotate in the next dt seconds, and of those that have changed.
   void MakeGeometries(float dt);
