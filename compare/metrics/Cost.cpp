@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Cost.h"
 
+#include "Stopwatch.h"
 #include "scene/ExactGame.h"
 
 #include <algorithm>
@@ -10,29 +11,26 @@
 namespace Shapes::Compare {
 namespace {
 
-using CSteadyClock = std::chrono::steady_clock;
-
 // One trial, or the beginning of it.
 struct CPlay {
-  CSteadyClock::duration m_cElapsed{};
+  std::chrono::nanoseconds m_cElapsed{};
   std::size_t m_nSteps = 0;
   std::size_t m_nContacts = 0, m_nEscaped = 0, m_nNotFinite = 0;
 };
 
 CPlay PlayEngine(const CScene& scene, const CEngine& engine, const CStart& start, std::size_t steps) {
   CGame game(scene, engine, start);
-  const auto begin = CSteadyClock::now();
+  const CStopwatch stopwatch;
   for (std::size_t i = 0; i < steps; ++i)
     game.Step();
-  return {CSteadyClock::now() - begin, steps,
-          static_cast<std::size_t>(game.GetWorld().GetStats().m_nContacts), game.GetEscaped(),
-          game.GetNotFinite()};
+  return {stopwatch.GetElapsed(), steps, static_cast<std::size_t>(game.GetWorld().GetStats().m_nContacts),
+          game.GetEscaped(), game.GetNotFinite()};
 }
 
 CPlay PlayExact(const CScene& scene, const CStart& start, std::size_t steps) {
   CPlay play;
   CExactGame game(scene, start);
-  const auto begin = CSteadyClock::now();
+  const CStopwatch stopwatch;
   try {
     while (play.m_nSteps < steps && game.IsInBounds()) {
       ++play.m_nSteps; // one that cannot be decided has taken its time too
@@ -44,7 +42,7 @@ CPlay PlayExact(const CScene& scene, const CStart& start, std::size_t steps) {
   } catch (const std::runtime_error&) {
     // The reference cannot decide what happens: the trial is over.
   }
-  play.m_cElapsed = CSteadyClock::now() - begin;
+  play.m_cElapsed = stopwatch.GetElapsed();
   return play;
 }
 
@@ -76,7 +74,7 @@ std::vector<CCost> MeasureCost(const CScene& scene, const std::vector<CEngine>& 
       // Another one begins each time: the first of a kind finds nothing in the caches.
       const std::size_t e = (turn + static_cast<std::size_t>(repeat)) % engines.size();
       // The same starts for every engine in this repeat, others in the next.
-      CSteadyClock::duration elapsed{};
+      std::chrono::nanoseconds elapsed{};
       std::size_t done = 0;
       for (std::uint64_t trial = 0; done < ballSteps; ++trial) {
         const CStart start = MakeStart(scene, seed, static_cast<std::uint64_t>(repeat) * 1000003u + trial);
@@ -91,8 +89,7 @@ std::vector<CCost> MeasureCost(const CScene& scene, const std::vector<CEngine>& 
         costs[e].m_nNotFinite += play.m_nNotFinite;
       }
       costs[e].m_nBallSteps += done;
-      costs[e].m_stdRepeats.push_back(std::chrono::duration<double, std::nano>(elapsed).count() /
-                                      static_cast<double>(done));
+      costs[e].m_stdRepeats.push_back(static_cast<double>(elapsed.count()) / static_cast<double>(done));
       if (progress)
         progress((repeat + static_cast<double>(turn + 1) / static_cast<double>(engines.size())) / repeats);
     }

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "Lasting.h"
 
+#include "Energy.h"
+#include "Stopwatch.h"
 #include "reference/Distance.h"
 #include "reference/Reference.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace Shapes::Compare {
 namespace {
-
-std::size_t CountSteps(const CScene& scene) {
-  return static_cast<std::size_t>(
-      std::ceil(static_cast<double>(scene.m_fLasting) / static_cast<double>(scene.m_cWorld.m_fTimeStep)));
-}
 
 // Heights are known, and nothing but gravity does work.
 bool KeepsOrLosesEnergy(const CScene& scene) {
@@ -34,20 +30,16 @@ public:
         m_cStart(start),
         m_cGame(scene, engine, start),
         m_cShapes(GetShapes(scene), {}, scene.m_cWorld.m_vGravity),
+        m_cEnergy(scene),
         m_stdTouched(start.m_stdBalls.size(), false) {
     m_cGame.SetPutBack(false);
-    const Vector2 &low = scene.m_cBounds.GetBottomRt(), &high = scene.m_cBounds.GetTopLeft();
-    const Vector2& g = scene.m_cWorld.m_vGravity;
-    m_vGravity = ToDouble(g);
-    m_vLow = {static_cast<double>(g.x() > 0.0f ? low.x() : high.x()),
-              static_cast<double>(g.y() > 0.0f ? high.y() : low.y())};
   }
 
   void Play() {
-    const std::size_t steps = CountSteps(m_cScene),
+    const std::size_t steps = CountSteps(m_cScene, m_cScene.m_fLasting),
                       end = steps - static_cast<std::size_t>(g_fLastingEnd * static_cast<double>(steps));
     const double dt = static_cast<double>(m_cScene.m_cWorld.m_fTimeStep),
-                 slow = g_fAtRest * Norm(m_vGravity) * dt;
+                 slow = g_fAtRest * static_cast<double>(m_cScene.m_cWorld.m_vGravity.norm()) * dt;
     double before = GetEnergy();
     m_fStartEnergy = before;
     for (std::size_t i = 0; i < steps; ++i) {
@@ -87,9 +79,7 @@ private:
   double GetEnergy() const {
     double energy = 0.0;
     for (std::size_t i = 0; i < m_stdTouched.size(); ++i)
-      if (!IsLost(i))
-        energy += static_cast<double>(m_cStart.m_stdBalls[i].m_fMass) *
-                  (0.5 * GetVel(i).squaredNorm() - m_vGravity.dot(GetPos(i) - m_vLow));
+      if (!IsLost(i)) energy += m_cEnergy.GetOf(m_cGame.GetWorld(), i);
     return energy;
   }
 
@@ -141,7 +131,7 @@ private:
   const CStart& m_cStart;
   CGame m_cGame;
   CReference<double> m_cShapes; // their geometry at any time
-  CVec2d m_vGravity, m_vLow;
+  CEnergy m_cEnergy;
   double m_fStartEnergy = 0.0, m_fGained = 0.0, m_fSpeed = 0.0, m_fOverlap = 0.0;
   double m_fRestTime = 0.0, m_fLastTouch = 0.0;
   double m_nTouched = 0.0;
@@ -152,11 +142,11 @@ private:
 double TimeOfBallStep(const CScene& scene, const CEngine& engine, const CStart& start) {
   CGame game(scene, engine, start);
   game.SetPutBack(false);
-  const std::size_t steps = CountSteps(scene);
-  const auto begin = std::chrono::steady_clock::now();
+  const std::size_t steps = CountSteps(scene, scene.m_fLasting);
+  const CStopwatch stopwatch;
   for (std::size_t i = 0; i < steps; ++i)
     game.Step();
-  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count() /
+  return static_cast<double>(stopwatch.GetElapsed().count()) /
          static_cast<double>(steps * start.m_stdBalls.size());
 }
 

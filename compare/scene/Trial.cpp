@@ -50,10 +50,12 @@ CStart MakeStart(const CScene& scene, std::uint64_t seed, std::uint64_t trial) {
   return start;
 }
 
-std::size_t GetStepsPerTrial(const CScene& scene) {
+std::size_t CountSteps(const CScene& scene, float seconds) {
   return static_cast<std::size_t>(
-      std::ceil(static_cast<double>(scene.m_fDuration) / static_cast<double>(scene.m_cWorld.m_fTimeStep)));
+      std::ceil(static_cast<double>(seconds) / static_cast<double>(scene.m_cWorld.m_fTimeStep)));
 }
+
+std::size_t GetStepsPerTrial(const CScene& scene) { return CountSteps(scene, scene.m_fDuration); }
 
 float OrientationAt(const CSceneShape& shape, double time) {
   if (shape.m_cFlip) return FlipOrientation(*shape.m_cFlip, time);

@@ -30,7 +30,8 @@ struct CStart {
 /// arguments give the same start on every machine.
 CStart MakeStart(const CScene& scene, std::uint64_t seed, std::uint64_t trial);
 
-/// Steps that a trial takes, at least one.
+/// Steps that this many seconds above 0 take, at least one; and those of a trial.
+std::size_t CountSteps(const CScene& scene, float seconds);
 std::size_t GetStepsPerTrial(const CScene& scene);
 
 /// Revolutions per second of a shape in the step that begins at `time`, and its orientation then: its own
