@@ -36,8 +36,8 @@ struct CRunSizes {
 };
 
 /// The sizes of a usual run, and of a full one, whose figures go into documents.
-inline constexpr CRunSizes g_cFullSizes{20000, 11,      50000, 5000, 100000, 11, 7000, 500,
-                                        10000, 1000000, 11,    300,  500,    15, 7000, 300};
+inline constexpr CRunSizes g_cFullSizes{20000, 11,      50000, 2500, 50000, 7,  3000, 500,
+                                        10000, 1000000, 11,    300,  500,   15, 7000, 300};
 inline constexpr CRunSizes g_cQuickSizes{2000, 11,    2500, 250, 2000, 5, 500, 30,
                                          1000, 50000, 3,    200, 60,   7, 400, 0};
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "LongRun.h"
 
+#include "Energy.h"
 #include "EngineResponse.h"
 #include "reference/Reference.h"
 
@@ -72,13 +73,7 @@ std::optional<double> GetDrift(const std::vector<CSample>& samples, double CSamp
 class CLongGame {
 public:
   CLongGame(const CScene& scene, const CKept& kept, const CEngine& engine, const CStart& start)
-      : m_cScene(scene), m_cKept(kept), m_cGame(scene, engine, start) {
-    const Vector2 &low = scene.m_cBounds.GetBottomRt(), &high = scene.m_cBounds.GetTopLeft();
-    m_vGravity = ToDouble(scene.m_cWorld.m_vGravity);
-    // The lowest corner: where g points to.
-    m_vLow = {static_cast<double>(m_vGravity.x() > 0.0 ? low.x() : high.x()),
-              static_cast<double>(m_vGravity.y() > 0.0 ? high.y() : low.y())};
-  }
+      : m_cScene(scene), m_cKept(kept), m_cGame(scene, engine, start), m_cEnergy(scene) {}
 
   CLongRun Play(std::size_t bounces, std::size_t mostSteps) {
     CLongRun run;
@@ -90,7 +85,7 @@ public:
       run.m_nBounces += CountResponses(m_cGame.GetWorld());
       run.m_fSeconds += dt;
       m_fWay += way;
-      if (m_cKept.m_bEnergy || m_cKept.m_cCentre) m_stdSamples.push_back({GetEnergy(), GetMomentum()});
+      m_stdSamples.push_back({m_cEnergy.GetSum(m_cGame.GetWorld()), GetMomentum()});
     }
     if (run.m_nBounces < g_nLeastBounces) return run;
     if (m_cKept.m_bEnergy) run.m_fEnergyDrift = GetDrift(m_stdSamples, &CSample::m_fEnergy);
@@ -103,25 +98,12 @@ public:
 private:
   bool HasStopped() const {
     const auto v = m_cGame.GetWorld().GetBallVelocities();
-    return m_vGravity.isZero(0.0) &&
+    return m_cScene.m_cWorld.m_vGravity.isZero(0.0f) &&
            std::all_of(v.begin(), v.end(), [](const Vector2& x) { return x.isZero(0.0f); }) &&
            std::none_of(m_cScene.m_stdShapes.begin(), m_cScene.m_stdShapes.end(), Turns);
   }
 
   double GetSpeed() const { return Norm(ToDouble(m_cGame.GetWorld().GetBallVelocities()[0])); }
-
-  double GetMass(std::size_t ball) const {
-    return static_cast<double>(m_cScene.m_stdBalls[ball].m_cDesc.m_fMass);
-  }
-
-  double GetEnergy() const {
-    const CWorld& world = m_cGame.GetWorld();
-    double energy = 0.0;
-    for (std::size_t i = 0; i < m_cScene.m_stdBalls.size(); ++i)
-      energy += GetMass(i) * (0.5 * ToDouble(world.GetBallVelocities()[i]).squaredNorm() -
-                              m_vGravity.dot(ToDouble(world.GetBallPositions()[i]) - m_vLow));
-    return energy;
-  }
 
   double GetMomentum() const {
     if (!m_cKept.m_cCentre) return 0.0;
@@ -129,15 +111,16 @@ private:
     const CVec2d centre = ToDouble(*m_cKept.m_cCentre);
     double momentum = 0.0;
     for (std::size_t i = 0; i < m_cScene.m_stdBalls.size(); ++i)
-      momentum += GetMass(i) * Cross(CVec2d(ToDouble(world.GetBallPositions()[i]) - centre),
-                                     ToDouble(world.GetBallVelocities()[i]));
+      momentum += static_cast<double>(m_cScene.m_stdBalls[i].m_cDesc.m_fMass) *
+                  Cross(CVec2d(ToDouble(world.GetBallPositions()[i]) - centre),
+                        ToDouble(world.GetBallVelocities()[i]));
     return momentum;
   }
 
   const CScene& m_cScene;
   const CKept& m_cKept;
   CGame m_cGame;
-  CVec2d m_vGravity, m_vLow;
+  CEnergy m_cEnergy;
   double m_fWay = 0.0; // of the first ball
   std::vector<CSample> m_stdSamples;
 };
@@ -210,6 +193,7 @@ CKept FindKept(const CScene& scene) {
 std::vector<CLongRun> MeasureLongRuns(const CScene& scene, const std::vector<CEngine>& engines,
                                       std::uint64_t seed, std::size_t bounces, std::size_t mostSteps) {
   const CKept kept = FindKept(scene);
+  if (!kept.IsAnything()) return std::vector<CLongRun>(engines.size());
   const CStart start = MakeStart(scene, seed, 0);
   std::vector<CLongRun> runs;
   for (const CEngine& engine : engines)

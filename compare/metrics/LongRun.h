@@ -31,11 +31,12 @@ struct CKept {
   bool m_bEnergy = false;
   bool m_bFreePath = false;         ///< one ball at a constant speed
   std::optional<Vector2> m_cCentre; ///< Angular momentum about it.
+  bool IsAnything() const { return m_bEnergy || m_cCentre; }
 };
 CKept FindKept(const CScene& scene);
 
 /// Plays trial 0 on each engine until there are `bounces`, or `mostSteps` are over, or a ball has escaped or
-/// all have stopped for good (the figures are those until then).
+/// all have stopped for good (the figures are those until then). Not at all where nothing is kept.
 std::vector<CLongRun> MeasureLongRuns(const CScene& scene, const std::vector<CEngine>& engines,
                                       std::uint64_t seed, std::size_t bounces, std::size_t mostSteps);
 

@@ -6,6 +6,8 @@
 #include "Totals.h"
 
 #include <algorithm>
+#include <deque>
+#include <iterator>
 #include <map>
 #include <numbers>
 
@@ -122,20 +124,27 @@ void MeasureCosts(const CScene& scene, const CParameterSweepOptions& options,
   }
 }
 
-// Goes on with a setting until it has had `proof` impacts or a loss.
-void Prove(const CScene& scene, const CParameterSweepOptions& options, CSetting& setting) {
+// Goes on with settings, at the same impacts, until each has had m_nConfirmation or a loss.
+void Prove(const CScene& scene, const CParameterSweepOptions& options, std::vector<CSetting*> settings) {
   CImpactTrialOptions restart;
   restart.m_nContacts = std::max<std::size_t>(options.m_nContacts, 1);
   restart.m_nMostTrials = options.m_nMostTrials;
   restart.m_bAsk = restart.m_bGhosts = false;
   restart.m_stdProgress = [&](double) { options.m_stdProgress(g_fRestartShare + g_fTimingShare); };
-  for (restart.m_nSeed = options.m_nSeed + 1;
-       setting.GetAllContacts() < options.m_nConfirmation && setting.GetAllTunneled() == 0;
-       ++restart.m_nSeed) {
-    const CImpactTrialResult result = RunImpactTrials(scene, {setting.m_cEngine}, restart);
+  for (restart.m_nSeed = options.m_nSeed + 1;; ++restart.m_nSeed) {
+    std::erase_if(settings, [&](const CSetting* pSetting) {
+      return pSetting->GetAllContacts() >= options.m_nConfirmation || pSetting->GetAllTunneled() > 0;
+    });
+    if (settings.empty()) return;
+    std::vector<CEngine> engines;
+    for (const CSetting* pSetting : settings)
+      engines.push_back(pSetting->m_cEngine);
+    const CImpactTrialResult result = RunImpactTrials(scene, engines, restart);
     if (result.m_stdContacts.empty()) return;
-    setting.m_nConfirmationContacts += result.m_stdContacts.size();
-    setting.m_nConfirmationTunneled += MakeTotals(result.m_stdContacts, 0).GetTunneled();
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+      settings[i]->m_nConfirmationContacts += result.m_stdContacts.size();
+      settings[i]->m_nConfirmationTunneled += MakeTotals(result.m_stdContacts, i).GetTunneled();
+    }
   }
 }
 
@@ -147,6 +156,27 @@ std::vector<CSetting*> ByCost(std::vector<CSetting>& settings) {
     return a->m_cNsPerBallSecond.m_fMedian < b->m_cNsPerBallSecond.m_fMedian;
   });
   return sorted;
+}
+
+// The cheapest setting of each engine that has lost nothing; where it does in the proof, the next one.
+void ProveCheapest(const CScene& scene, const CParameterSweepOptions& options,
+                   std::vector<CSetting>& settings) {
+  std::map<std::string, std::deque<CSetting*>> candidates;
+  for (CSetting* pSetting : ByCost(settings))
+    if (pSetting->m_cEngine.m_pBackend != nullptr && pSetting->m_nTunneled == 0 && pSetting->m_nContacts > 0)
+      candidates[pSetting->m_cEngine.m_sName].push_back(pSetting);
+  while (!candidates.empty()) {
+    std::vector<CSetting*> cheapest;
+    for (const auto& [name, left] : candidates)
+      cheapest.push_back(left.front());
+    Prove(scene, options, cheapest);
+    for (auto it = candidates.begin(); it != candidates.end();) {
+      auto& left = it->second;
+      const bool hasLost = left.front()->GetAllTunneled() > 0;
+      left.pop_front();
+      it = hasLost && !left.empty() ? std::next(it) : candidates.erase(it);
+    }
+  }
 }
 
 } // namespace
@@ -187,13 +217,7 @@ CWorkPrecision MeasureWorkPrecision(const CScene& scene, const std::vector<CEngi
   exact.m_nContacts = work.m_stdSettings.front().m_nContacts;
   MeasureCosts(scene, options, work.m_stdSettings);
 
-  std::map<std::string, bool> proven;
-  for (CSetting* pSetting : ByCost(work.m_stdSettings)) {
-    bool& done = proven[pSetting->m_cEngine.m_sName];
-    if (done || pSetting == &exact || pSetting->m_nTunneled > 0 || pSetting->m_nContacts == 0) continue;
-    Prove(scene, options, *pSetting);
-    done = pSetting->GetAllTunneled() == 0 && pSetting->GetAllContacts() >= options.m_nConfirmation;
-  }
+  ProveCheapest(scene, options, work.m_stdSettings);
   MarkFronts(work.m_stdSettings);
   work.m_stdRecommendations = MakeRecommendations(work.m_stdSettings, options.m_nConfirmation);
   options.m_stdProgress(1.0);
