@@ -3,9 +3,11 @@
 #include "Report.h"
 #include "metrics/Overall.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -142,7 +144,8 @@ ordered_json EngineToJson(const CRunReport& run, const CSceneReport& scene, std:
   json["bins"] = ordered_json::array();
   for (const CBin& bin : report.m_stdBins)
     json["bins"].push_back(ToJson(bin));
-  json["bounces"] = report.m_cLongRun.m_nBounces;
+  json["bounces"] =
+      FindKept(scene.m_cScene).IsAnything() ? ordered_json(report.m_cLongRun.m_nBounces) : nullptr;
   json["ns_per_ball_step_interval"] = ToJson(cost.m_cNsPerBallStep.m_cInterval);
   json["simulated_seconds"] = Number(cost.m_fSimulatedSeconds);
   return json;
@@ -331,9 +334,7 @@ ordered_json HistogramEdges() {
   return edges;
 }
 
-} // namespace
-
-std::string MakeJson(const CRunReport& report, int indent) {
+ordered_json RunToJson(const CRunReport& report) {
   const CMachine machine = DescribeMachine();
   ordered_json json{{"version", g_nRunVersion},
                     {"command", report.m_sCommand},
@@ -360,8 +361,31 @@ std::string MakeJson(const CRunReport& report, int indent) {
     for (const CEffectCost& cost : scene.m_cEffects.m_stdCosts)
       json["effects"].push_back(ToJson(cost, scene));
   }
-  // Bytes of a command line or a scene's name that are no UTF-8 are replaced, not refused at the very end.
+  return json;
+}
+
+// Bytes of a command line or a scene's name that are no UTF-8 are replaced, not refused at the very end.
+std::string Dump(const ordered_json& json, int indent) {
   return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+// More digits than are shown anywhere.
+void RoundFigures(ordered_json& json) {
+  if (json.is_number_float())
+    json = std::stod(fmt::format("{:.6g}", json.get<double>()));
+  else if (json.is_structured())
+    for (ordered_json& part : json)
+      RoundFigures(part);
+}
+
+} // namespace
+
+std::string MakeJson(const CRunReport& report) { return Dump(RunToJson(report), 1); }
+
+std::string MakePageJson(const CRunReport& report) {
+  ordered_json json = RunToJson(report);
+  RoundFigures(json);
+  return Dump(json, -1);
 }
 
 } // namespace Shapes::Compare

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <type_traits>
 #include <variant>
 
@@ -18,6 +20,8 @@ using nlohmann::ordered_json;
 class CRounder {
 public:
   explicit CRounder(int decimals) : m_fScale(std::pow(10.0, std::abs(decimals))), m_bIsFine(decimals >= 0) {}
+
+  double GetUnit() const { return m_bIsFine ? 1.0 / m_fScale : m_fScale; }
 
   ordered_json operator()(double x) const {
     if (!std::isfinite(x)) return nullptr;
@@ -87,7 +91,47 @@ std::string GetTitle(const std::string& name) {
   return name.starts_with(worst) ? "Worst contact of " + name.substr(worst.size()) : "First trial";
 }
 
-ordered_json ToJson(const CClip& clip, const CScene& scene, const CRounder& round) {
+// The tracks of a scene, each once: engines that fly alike share one, in all clips. A coordinate is written
+// in units of the last decimal as its second difference from frame to frame, with 0 before the first: a ball
+// that flies freely takes a digit or two.
+class CTrackPool {
+public:
+  explicit CTrackPool(double unit) : m_fUnit(unit) {}
+
+  // Where the track is in the list.
+  std::size_t Add(const std::vector<Vector2>& track, std::size_t balls) {
+    std::vector<CCoordinate> coordinates(2 * balls);
+    ordered_json packed = ordered_json::array();
+    for (std::size_t i = 0; i < track.size(); ++i)
+      for (const Eigen::Index axis : {0, 1})
+        packed.push_back(Pack(track[i][axis], coordinates[2 * (i % balls) + static_cast<std::size_t>(axis)]));
+    const auto [place, isNew] = m_stdPlaces.try_emplace(packed.dump(), m_cTracks.size());
+    if (isNew) m_cTracks.push_back(std::move(packed));
+    return place->second;
+  }
+  const ordered_json& GetTracks() const { return m_cTracks; }
+
+private:
+  struct CCoordinate {
+    std::int64_t m_nLast = 0, m_nStep = 0;
+  };
+  // Beyond any picture, and still exact where the page adds up.
+  static constexpr double g_fFarthest = 1e12;
+
+  ordered_json Pack(float x, CCoordinate& before) const {
+    const double units = std::round(static_cast<double>(x) / m_fUnit);
+    if (!(std::abs(units) < g_fFarthest)) return nullptr;
+    const std::int64_t step = static_cast<std::int64_t>(units) - before.m_nLast, turn = step - before.m_nStep;
+    before = {static_cast<std::int64_t>(units), step};
+    return turn;
+  }
+
+  double m_fUnit;
+  std::map<std::string, std::size_t> m_stdPlaces;
+  ordered_json m_cTracks = ordered_json::array();
+};
+
+ordered_json ToJson(const CClip& clip, const CScene& scene, const CRounder& round, CTrackPool& pool) {
   const std::size_t frames = clip.GetFrames(scene.m_stdBalls.size());
   ordered_json json{{"name", clip.m_sName},
                     {"title", GetTitle(clip.m_sName)},
@@ -99,14 +143,8 @@ ordered_json ToJson(const CClip& clip, const CScene& scene, const CRounder& roun
                     {"tracks", ordered_json::array()},
                     {"orientations", ordered_json::array()},
                     {"offsets", ordered_json::array()}};
-  for (const std::vector<Vector2>& track : clip.m_stdTracks) {
-    ordered_json flat = ordered_json::array();
-    for (const Vector2& p : track) {
-      flat.push_back(round(p.x()));
-      flat.push_back(round(p.y()));
-    }
-    json["tracks"].push_back(std::move(flat));
-  }
+  for (const std::vector<Vector2>& track : clip.m_stdTracks)
+    json["tracks"].push_back(pool.Add(track, scene.m_stdBalls.size()));
   const CRounder roundAngle(g_nAngleDecimals);
   const double dt = scene.m_cWorld.m_fTimeStep;
   for (const CSceneShape& shape : scene.m_stdShapes) {
@@ -142,13 +180,16 @@ ordered_json ToJson(const CSceneReport& report) {
                       {"top", round(bounds.GetTopLeft().y())}}},
                     {"radii", ordered_json::array()},
                     {"shapes", ordered_json::array()},
-                    {"clips", ordered_json::array()}};
+                    {"clips", ordered_json::array()},
+                    {"unit", round.GetUnit()}};
   for (const CSceneBall& ball : scene.m_stdBalls)
     json["radii"].push_back(ball.m_cDesc.m_fRadius);
   for (const CSceneShape& shape : scene.m_stdShapes)
     json["shapes"].push_back(ToJson(shape, round));
+  CTrackPool pool(round.GetUnit());
   for (const CClip& clip : report.m_stdClips)
-    json["clips"].push_back(ToJson(clip, scene, round));
+    json["clips"].push_back(ToJson(clip, scene, round, pool));
+  json["tracks"] = pool.GetTracks();
   return json;
 }
 

@@ -77,15 +77,16 @@ std::vector<std::string> MakeEffectChanges(const CSceneReport& scene);
 std::vector<std::string> MakeVerdict(const CRunReport& report, const CSceneReport& scene);
 /// All else that is wrong with an engine in a scene, a sentence each.
 std::vector<std::string> MakeRemarks(const CRunReport& report, const CSceneReport& scene);
-/// The same over all scenes in one sentence.
+/// The same over all scenes: the engine to take and how fast it is, then what it does.
 std::string MakeResult(const CRunReport& report, const COverall& overall);
 
 /// Of run.json: it grows when a field changes its meaning or goes away.
 inline constexpr int g_nRunVersion = 4;
 
 /// run.json. docs/run_json.md describes it, compare/run.schema.json is its schema.
-/// @param indent  spaces by which a level is indented; -1 for all in one line
-std::string MakeJson(const CRunReport& report, int indent = 1);
+std::string MakeJson(const CRunReport& report);
+/// The same for the page: in one line, and figures with six digits.
+std::string MakePageJson(const CRunReport& report);
 
 /// The shapes and trajectories of all scenes, for the replay in the report.
 std::string MakeReplayJson(const CRunReport& report);

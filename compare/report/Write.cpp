@@ -54,7 +54,7 @@ void WriteChart(const CRunReport& report, const std::filesystem::path& file) {
 void WriteReport(const CRunReport& report, const std::filesystem::path& folder) {
   RequireWritable(folder);
   WriteFile(folder / g_stdNames[0],
-            MakeHtml(MakeJson(report, -1), MakeReplayJson(report), MakeChartsJson(report)));
+            MakeHtml(MakePageJson(report), MakeReplayJson(report), MakeChartsJson(report)));
   WriteFile(folder / g_stdNames[1], MakeJson(report));
   WriteFile(folder / g_stdNames[2], MakeCsv(report));
 }

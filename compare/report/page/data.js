@@ -21,8 +21,24 @@ const Data = (() => {
                 Format.el('span', {class: `mark ${rowOf(name).mark}`, 'aria-hidden': 'true'}), text);
 
   const workOf = (scene) => list(run.work_precision).filter((row) => row.scene === scene.name);
+  /** The places of a track, x and y of each ball, frame by frame. They are packed as second differences. */
+  function unpack(packed, balls, unit) {
+    const places = Array(2 * balls).fill(0), steps = [...places];
+    return packed.map((turn, i) => {
+      if (turn === null) return null; // nowhere
+      const k = i % places.length;
+      steps[k] += turn;
+      places[k] += steps[k];
+      return places[k] * unit;
+    });
+  }
+  /** The clips of a scene of the replay with their tracks. */
+  function clipsOf(scene) {
+    const tracks = list(scene.tracks).map((track) => unpack(track, scene.radii.length, scene.unit));
+    return list(scene.clips).map((clip) => ({...clip, tracks: clip.tracks.map((i) => tracks[i])}));
+  }
   const replayOf = (scene) => list(replay.scenes).find((s) => s.name === scene.name);
   const tracks = list(replay.engines);
 
-  return {run, charts, scenes, list, rowOf, colour, css, tag, workOf, replayOf, tracks};
+  return {run, charts, scenes, list, rowOf, colour, css, tag, workOf, replayOf, clipsOf, tracks};
 })();

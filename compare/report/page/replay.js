@@ -321,6 +321,8 @@ const Replay = (() => {
 
   /** The player of a scene, at the worst contact of an engine, or null where nothing was recorded. */
   const make = (scene, engine) =>
-      (isPlayable(scene) ? new Player({...scene, shapes: Data.list(scene.shapes)}, engine) : null);
+      (isPlayable(scene) ?
+           new Player({...scene, shapes: Data.list(scene.shapes), clips: Data.clipsOf(scene)}, engine) :
+           null);
   return {make};
 })();

@@ -325,6 +325,20 @@ json Shapes() {
        {"turns", true}}};
 }
 
+constexpr double g_fUnit = 0.001;
+constexpr int g_nFrames = 31;
+
+// Second differences in units, as the page has them. @param track  x and y of two balls, frame by frame
+json Pack(const json& track) {
+  json packed = json::array();
+  const auto at = [&](std::size_t i, std::size_t frames) {
+    return i < 4 * frames ? 0 : std::lround(track[i - 4 * frames].get<double>() / g_fUnit);
+  };
+  for (std::size_t i = 0; i < track.size(); ++i)
+    packed.push_back(at(i, 0) - 2 * at(i, 1) + at(i, 2));
+  return packed;
+}
+
 // Balls that bounce on the floor at y = -1. `sink` is how far the engine lets them in.
 json Track(int frames, double sink, double sideways) {
   json track = json::array();
@@ -340,20 +354,26 @@ json Track(int frames, double sink, double sideways) {
 }
 
 json Clip(const std::string& name, const std::string& title, const std::string& what, int contact) {
-  const int frames = 31;
   json angles = json::array();
-  for (int f = 0; f < frames; ++f)
+  for (int f = 0; f < g_nFrames; ++f)
     angles.push_back(f * 0.1);
   return {{"name", name},
           {"title", title},
           {"what", what},
           {"contact", contact},
           {"ball", g_nWorstBall},
-          {"frames", frames},
-          {"tracks",
-           {Track(frames, 0.02, 0.5), Track(frames, 0.08, 1.5), Track(frames, 0.04, 0.8),
-            Track(frames, -0.02, 0.3), Track(frames, 0, 0.1), Track(frames, 0, 0)}},
+          {"frames", g_nFrames},
+          {"tracks", {0, 1, 2, 3, 4, 5}},
           {"orientations", {angles}}};
+}
+
+// Of the engines and the reference, in all clips.
+json Tracks() {
+  json tracks = json::array();
+  for (const auto& [sink, sideways] :
+       {std::pair(0.02, 0.5), {0.08, 1.5}, {0.04, 0.8}, {-0.02, 0.3}, {0.0, 0.1}, {0.0, 0.0}})
+    tracks.push_back(Pack(Track(g_nFrames, sink, sideways)));
+  return tracks;
 }
 
 // Engines that lie close together: labels have to make room for each other.
@@ -390,13 +410,14 @@ json MakeOverallJson(const CChart& chart) {
                        {"ns_box2d_ratio_interval", {1400 / p.m_fNs, 1500 / p.m_fNs}},
                        {"ns_box2d_ratio_scenes", {700 / p.m_fNs, 3000 / p.m_fNs}},
                        {"front", p.m_bFront}});
-  return {{"impacts", 30000},
-          {"scenes", 15},
-          {"take", "native"},
-          {"result",
-           "Take native: 7.1 times faster than Box2D, 7 of 30,000 balls lost (Box2D 50), bounces off by "
-           "0.001 degrees (Box2D 12 degrees); native-approximate is 2.1 times faster but loses 1 in 10."},
-          {"engines", std::move(engines)}};
+  return {
+      {"impacts", 30000},
+      {"scenes", 15},
+      {"take", "native"},
+      {"result",
+       "Take native: 7.1 times faster than Box2D. It loses 7 of 30,000 balls (Box2D 50) and bounces within "
+       "0.001 degrees (Box2D 12 degrees); native-approximate is 2.1 times faster but loses 1 in 10."},
+      {"engines", std::move(engines)}};
 }
 
 } // namespace
@@ -453,6 +474,8 @@ CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
          {"bounds", {{"left", -10}, {"bottom", -10}, {"right", 10}, {"top", 10}}},
          {"radii", {0.1, 0.15}},
          {"shapes", Shapes()},
+         {"unit", g_fUnit},
+         {"tracks", Tracks()},
          {"clips",
           {Clip("start", "First trial", "", 0),
            Clip("worst native", "Worst contact of native", "sent off 0.61 rad from the exact direction",
@@ -526,10 +549,10 @@ CPageDocuments MakeSparsePageDocuments() {
   nulls["not_counted"] = "valgrind is not there";
 
   // A ball that left the numbers, and a scene that was not recorded at all.
-  json& clips = report.m_cReplay["scenes"][3]["clips"];
-  for (int i = 80; i < 90; ++i)
-    clips[0]["tracks"][0][static_cast<std::size_t>(i)] = nullptr;
-  clips[0]["orientations"] = json::array();
+  json& nulled = report.m_cReplay["scenes"][3];
+  for (std::size_t i = 80; i < 90; ++i)
+    nulled["tracks"][0][i] = nullptr;
+  nulled["clips"][0]["orientations"] = json::array();
   report.m_cReplay["scenes"][2]["clips"] = json::array();
   report.m_cReplay["scenes"].erase(4);
   report.m_cRun["scenes"][4]["features"] = {"gravity"};
