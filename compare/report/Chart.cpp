@@ -19,6 +19,9 @@ constexpr double g_fSmall = 12.0, g_fLarge = 14.0;          // letters
 // Widths of letters in times of their size, those of a broad font: a narrower one leaves room.
 constexpr double g_fLetter = 0.62, g_fBoldLetter = 0.72;
 
+// Pixels of width up to which there is room for short words only.
+constexpr double g_fNarrow = 500.0;
+
 struct CBox {
   double m_fLeft, m_fTop, m_fRight, m_fBottom;
   double OverlapWith(const CBox& b) const {
@@ -147,8 +150,8 @@ private:
               " text-anchor=\"end\"");
     }
     AddText(0.5 * (left + right), bottom + 36.0,
-            m_cSize.m_fWidth > 500.0 ? "nanoseconds for one step of one ball (left is faster)"
-                                     : "ns for a step of a ball (left: faster)",
+            m_cSize.m_fWidth > g_fNarrow ? "nanoseconds for one step of one ball (left is faster)"
+                                         : "ns for a step of a ball (left: faster)",
             " text-anchor=\"middle\"");
     const double middle = 0.5 * (m_cArea.m_fTop + bottom);
     AddText(12.0, middle, "error of 95% of the bounces (down: exact)",
@@ -225,8 +228,8 @@ private:
   void AddLabel(const CChartPoint& p) {
     const std::string lost =
         p.m_nLost == 0 ? "none lost" : fmt::format("loses {}", LossText(p.m_nLost, p.m_nOf));
-    const double width =
-        std::max(Width(p.m_pRow->m_sName, g_fLarge, g_fBoldLetter), Width(lost, g_fSmall, g_fLetter));
+    const char* pName = m_cSize.m_fWidth > g_fNarrow ? p.m_pRow->m_sName : p.m_pRow->m_sShort;
+    const double width = std::max(Width(pName, g_fLarge, g_fBoldLetter), Width(lost, g_fSmall, g_fLetter));
     constexpr double height = 34.0;
     CBox best{};
     double least = 1e300;
@@ -245,9 +248,9 @@ private:
     m_sSvg += fmt::format(
         "<g class=\"label\" data-of=\"{0}\" paint-order=\"stroke\" stroke=\"var(--bg)\" "
         "stroke-width=\"4\" stroke-linejoin=\"round\"><text x=\"{1:.1f}\" y=\"{2:.1f}\" font-size=\"{3}\" "
-        "font-weight=\"600\" fill=\"var(--ink)\">{0}</text><text x=\"{1:.1f}\" y=\"{4:.1f}\" "
+        "font-weight=\"600\" fill=\"var(--ink)\">{7}</text><text x=\"{1:.1f}\" y=\"{4:.1f}\" "
         "font-size=\"{5}\" fill=\"var(--ink)\">{6}</text></g>",
-        p.m_pRow->m_sName, x, y + 14.0, g_fLarge, y + 29.0, g_fSmall, lost);
+        p.m_pRow->m_sName, x, y + 14.0, g_fLarge, y + 29.0, g_fSmall, lost, pName);
   }
 
   double CostOf(const CBox& box) const {

@@ -218,10 +218,10 @@ std::vector<std::string> MakeRemarks(const CRunReport& report, const CSceneRepor
 
 namespace {
 
-// "6.1 times faster than Box2D, ", "as fast as Box2D, ".
+// "6.1 times faster than Box2D. It ", "as fast as Box2D. It ".
 std::string Against(const CEngineOverall& engine) {
   const std::string faster = FasterText(engine.m_cTimes->m_fMedian);
-  return fmt::format("{} {} Box2D, ", faster, faster == "as fast" ? "as" : "than");
+  return fmt::format("{} {} Box2D. It ", faster, faster == "as fast" ? "as" : "than");
 }
 
 } // namespace
@@ -241,12 +241,10 @@ std::string MakeResult(const CRunReport& report, const COverall& overall) {
   const std::string n = CountText(overall.m_nImpacts);
   const auto loss = [](const CCase& c) { return c.m_nLost == 0 ? "none" : CountText(c.m_nLost); };
   std::string text = cases.size() == 1 ? take.GetName() + ": " : fmt::format("Take {}: ", take.GetName());
-  if (isAgainst)
-    text += fmt::format("{}{} of {} balls lost (Box2D {})", Against(overall.m_stdEngines[*overall.m_nTake]),
-                        loss(take), n, loss(*pBox2D));
-  else
-    text += fmt::format("{} of {} balls lost", loss(take), n);
-  if (take.m_fDirection) text += fmt::format(", bounces off by {}", DegreesText(*take.m_fDirection));
+  text += isAgainst ? Against(overall.m_stdEngines[*overall.m_nTake]) : "it ";
+  text += fmt::format("loses {} of {} balls", loss(take), n);
+  if (isAgainst) text += fmt::format(" (Box2D {})", loss(*pBox2D));
+  if (take.m_fDirection) text += fmt::format(" and bounces within {}", DegreesText(*take.m_fDirection));
   if (isAgainst && take.m_fDirection && pBox2D->m_fDirection)
     text += fmt::format(" (Box2D {})", DegreesText(*pBox2D->m_fDirection));
   return text + Price(cases, take, overall.m_nImpacts) + '.';

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -152,7 +153,8 @@ TEST(SummaryTest, OneEngineAloneIsHeldAgainstNone) {
   CRunReport report = MakeSampleReport();
   report.m_stdEngines.resize(1);
   report.m_stdScenes[0].m_stdEngines.resize(1);
-  EXPECT_TRUE(Contains(MakeSummary(report), "Result: native: 12 of 1,000 balls lost")) << MakeSummary(report);
+  EXPECT_TRUE(Contains(MakeSummary(report), "Result: native: it loses 12 of 1,000 balls"))
+      << MakeSummary(report);
   EXPECT_FALSE(Contains(MakeSummary(report), "ox2"));
 }
 
@@ -262,6 +264,20 @@ TEST(CsvTest, QuotesNames) {
   EXPECT_TRUE(Lines(MakeCsv(report)).at(1).starts_with("\"a, \"\"b\"\"\",3,14"));
 }
 
+// In units of the scene. Tracks are written as second differences, and 0 is before them.
+nlohmann::json UnpackTrack(const nlohmann::json& scene, const nlohmann::json& place) {
+  const std::size_t n = 2 * scene.at("radii").size();
+  std::vector<std::int64_t> last(n), step(n);
+  nlohmann::json track = nlohmann::json::array();
+  std::size_t i = 0;
+  for (const nlohmann::json& turn : scene.at("tracks").at(place.get<std::size_t>())) {
+    const std::size_t k = i++ % n;
+    if (!turn.is_null()) last[k] += step[k] += turn.get<std::int64_t>();
+    track.push_back(turn.is_null() ? turn : nlohmann::json(last[k]));
+  }
+  return track;
+}
+
 TEST(ReplayJsonTest, HoldsShapesAndTracks) {
   CRunReport report = MakeSampleReport();
   CScene& scene = report.m_stdScenes[0].m_cScene;
@@ -301,9 +317,9 @@ TEST(ReplayJsonTest, HoldsShapesAndTracks) {
   EXPECT_EQ(clip.at("frames"), 2);
   EXPECT_EQ(clip.at("contact"), 1);
   EXPECT_EQ(clip.at("ball"), 0);
-  ASSERT_EQ(clip.at("tracks").size(), 6u);
   // 90 units wide, five digits: three decimals.
-  EXPECT_EQ(clip.at("tracks")[5], nlohmann::json({1, 2, 1.123, 3}));
+  EXPECT_EQ(s.at("unit"), 0.001);
+  EXPECT_EQ(UnpackTrack(s, clip.at("tracks").at(5)), nlohmann::json({1000, 2000, 1123, 3000}));
   // The three shapes of the compound turn, twice a second.
   ASSERT_EQ(clip.at("orientations").size(), 3u);
   const double turn = 2 * 2 * 3.14159265358979 / 60;
@@ -311,18 +327,75 @@ TEST(ReplayJsonTest, HoldsShapesAndTracks) {
   EXPECT_NEAR(clip.at("orientations")[2][1].get<double>(), turn, 1e-5); // rounded to five decimals
 }
 
-TEST(ReplayJsonTest, WhatIsNotFiniteIsNull) {
-  CRunReport report = MakeSampleReport();
-  report.m_stdScenes[0].m_stdClips[0].m_stdTracks[1][1].x() = std::numeric_limits<float>::quiet_NaN();
-  const auto json = nlohmann::json::parse(MakeReplayJson(report));
-  EXPECT_EQ(json.at("/scenes/0/clips/0/tracks/1"_json_pointer), nlohmann::json({1, 2, nullptr, 2.375}));
+TEST(ReplayJsonTest, WhatIsNotFiniteOrFarFromAnyPictureIsNull) {
+  for (const float nowhere :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1e30f}) {
+    CRunReport report = MakeSampleReport();
+    auto& track = report.m_stdScenes[0].m_stdClips[0].m_stdTracks[1];
+    track.insert(track.begin() + 1, Vector2(nowhere, 2.0f));
+    const auto s = nlohmann::json::parse(MakeReplayJson(report)).at("scenes").at(0);
+    EXPECT_EQ(UnpackTrack(s, s.at("/clips/0/tracks/1"_json_pointer)),
+              nlohmann::json({1000, 2000, nullptr, 2000, 1500, 2375})); // and then it goes on
+  }
 }
 
 TEST(ReplayJsonTest, SmallBallsKeepTwoDigits) {
   CRunReport report = MakeSampleReport();
   report.m_stdScenes[0].m_cScene.m_stdBalls[0].m_cDesc.m_fRadius = 0.0005f;
-  const auto json = nlohmann::json::parse(MakeReplayJson(report));
-  EXPECT_EQ(json.at("/scenes/0/clips/0/tracks/5/2"_json_pointer), 1.12346);
+  const auto s = nlohmann::json::parse(MakeReplayJson(report)).at("scenes").at(0);
+  EXPECT_EQ(s.at("unit"), 0.00001);
+  EXPECT_EQ(UnpackTrack(s, s.at("/clips/0/tracks/5"_json_pointer)).at(2), 112346);
+}
+
+TEST(ReplayJsonTest, EnginesThatFlyAlikeShareATrackInAllClips) {
+  CRunReport report = MakeSampleReport();
+  auto& clips = report.m_stdScenes[0].m_stdClips;
+  clips.push_back(clips.front());
+  const auto tracks = [&] {
+    return nlohmann::json::parse(MakeReplayJson(report)).at("/scenes/0/tracks"_json_pointer).size();
+  };
+  EXPECT_EQ(tracks(), 5u); // two of six are alike
+  clips[1].m_stdTracks[0][1].x() += 0.001f;
+  EXPECT_EQ(tracks(), 6u); // the control
+}
+
+// By this the page of all scenes stays below 3 MB.
+TEST(ReplayJsonTest, AFreeFlightTakesAtMostThreeBytesACoordinate) {
+  CRunReport report = MakeSampleReport();
+  CClip& clip = report.m_stdScenes[0].m_stdClips[0];
+  constexpr std::size_t n = 1000;
+  const auto size = [&](const auto& place) {
+    std::vector<Vector2> track;
+    for (std::size_t frame = 0; frame < n; ++frame)
+      track.push_back(place(static_cast<float>(frame)));
+    clip.m_stdTracks.assign(6, track);
+    return nlohmann::json::parse(MakeReplayJson(report)).at("/scenes/0/tracks/0"_json_pointer).dump().size();
+  };
+  const std::size_t most = 3 * 2 * n;
+  EXPECT_LE(size([](float i) { return Vector2(-30.0f + 0.06789f * i, 12.3456f - 0.01234f * i); }), most);
+  // The control: a ball that is anywhere in each frame takes all its digits.
+  EXPECT_GT(size([](float i) { return Vector2(40.0f * std::sin(i * i), 30.0f * std::cos(i * i)); }), most);
+}
+
+TEST(PageJsonTest, IsTheRunWithSixDigits) {
+  CRunReport report = MakeSampleReport();
+  report.m_nSeed = 1234567890123;
+  report.m_stdScenes[0].m_stdEngines[0].m_cTotals["direction_error"].m_fP95 = 0.123456789;
+  const auto run = nlohmann::json::parse(MakeJson(report)),
+             page = nlohmann::json::parse(MakePageJson(report));
+  EXPECT_EQ(page.at("seed"), 1234567890123); // no figure
+  const nlohmann::json::json_pointer p95("/scenes/0/engines/0/direction_error/p95");
+  EXPECT_EQ(page.at(p95), 0.123457);
+  EXPECT_EQ(run.at(p95), 0.123456789);
+  const auto flat = page.flatten(), whole = run.flatten();
+  ASSERT_EQ(flat.size(), whole.size());
+  for (const auto& [key, value] : whole.items()) {
+    if (!value.is_number_float())
+      EXPECT_EQ(flat.at(key), value) << key;
+    else
+      EXPECT_NEAR(flat.at(key).get<double>(), value.get<double>(), 0.5001e-5 * std::abs(value.get<double>()))
+          << key;
+  }
 }
 
 class CWriteTest : public testing::Test {

@@ -191,14 +191,19 @@ TEST(OverallTest, TimesAreGeometricMeansAndCountsAreSums) {
   EXPECT_FALSE(MakeOverall(report).m_nTake);
 }
 
-TEST(OverallTest, TheResultIsOneSentence) {
+TEST(OverallTest, TheResultBeginsWithTheEngineToTake) {
   CRunReport report = Of({g_nNative, g_nApproximate, g_nContinuous, g_nBox2D});
   for (const std::size_t e : {g_nNative, g_nContinuous})
     report.m_stdScenes[0].m_stdEngines[e] = MakeSampleEngine(1, 70.0, 0.0002);
   const std::string result = MakeResult(report, MakeOverall(report));
-  EXPECT_EQ(result,
-            "Take native: 7.1 times faster than Box2D, 1 of 1,000 balls lost (Box2D 6), bounces off by 0.001 "
-            "degrees; native-approximate is 1.4 times faster but loses 1 in 4.9.");
+  EXPECT_EQ(result, "Take native: 7.1 times faster than Box2D. It loses 1 of 1,000 balls (Box2D 6) and "
+                    "bounces within 0.001 "
+                    "degrees; native-approximate is 1.4 times faster but loses 1 in 4.9.");
+  CRunReport alone = Of({g_nNative, g_nApproximate});
+  EXPECT_EQ(MakeResult(alone, MakeOverall(alone))
+                .rfind("Take native: it loses 12 of 1,000 balls and bounces within ", 0),
+            0u)
+      << MakeResult(alone, MakeOverall(alone));
   report.m_stdScenes.clear();
   EXPECT_EQ(MakeResult(report, MakeOverall(report)), "Nothing was judged.");
 }

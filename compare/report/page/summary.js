@@ -14,7 +14,7 @@ const Summary = (() => {
 
   function times(engine) {
     if (!isNumber(engine.ns_box2d_ratio)) return dash;
-    return plain(Number(engine.ns_box2d_ratio.toPrecision(2)));
+    return `${plain(Number(engine.ns_box2d_ratio.toPrecision(2)))}\u00d7`;
   }
   const range = (pair, format) => (list(pair).length === 2 ? pair.map(format).join(` to `) : null);
 
@@ -35,12 +35,12 @@ const Summary = (() => {
            el('small', null, Data.rowOf(engine.name).meaning),
            isTaken ? el('span', {class: 'chosen'}, 'take this') : null),
         el('dl', null,
-           part(`lost of ${count(n)}`, lossText(engine.tunneled, n).replace(/ of .*/, ''),
+           part('balls lost', lossText(engine.tunneled, n).replace(/ of .*/, ''),
                 `${count(engine.tunneled?.count)} of ${count(n)} impacts`),
            part('off by', degrees(engine.direction_error_p95), '95% of the bounces are no farther off'),
-           part('ball-step', `${num(engine.ns_per_ball_step)} ns`,
-                interval && `geometric mean of the scenes, 95% interval ${interval} ns`),
-           part('\u00d7 Box2D', times(engine),
+           part('per ball', `${num(engine.ns_per_ball_step)} ns`,
+                interval && `one step, geometric mean of the scenes, 95% interval ${interval} ns`),
+           part('vs Box2D', times(engine),
                 range(engine.ns_box2d_ratio_scenes, num) &&
                     `times as fast as Box2D; ${range(engine.ns_box2d_ratio_scenes, num)} in single scenes`)));
   }
@@ -60,7 +60,9 @@ const Summary = (() => {
   }
 
   function show() {
-    document.getElementById('result').textContent = Format.spoken(overall.result ?? 'Nothing was judged.');
+    const [, headline, lead] = /^(.*?)(?:\. (.*))?$/s.exec(Format.spoken(overall.result ?? 'Nothing was judged.'));
+    document.getElementById('result').textContent = headline;
+    document.getElementById('lead').textContent = lead ?? '';
     document.getElementById('tiles').append(...list(overall.engines).map(tile));
     const chart = document.getElementById('overall-chart');
     if (list(overall.engines).length > 0)
