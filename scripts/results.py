@@ -1,8 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the result tables of a page from a run: scripts/results.py RUN_JSON PAGE
+"""Puts the figures of a run into documents.
 
-What is between `<!-- results: NAME -->` and `<!-- end -->` in the page is replaced."""
+scripts/results.py RUN_JSON PAGE...           fills the pages
+scripts/results.py --check RUN_JSON PAGE...   says what in them is not of this run, and fails then
+scripts/results.py --keep RUN_JSON FILE       writes what the pages need of the run, which is another RUN_JSON
+
+What is between `<!-- results: NAME ARGUMENT... -->` and `<!-- end -->` in a page is what the function NAME of this file
+returns for the run and the arguments."""
 import json
 import math
 import pathlib
@@ -10,6 +15,7 @@ import re
 import sys
 
 VERSION = 4
+PLACE = re.compile(r"(<!-- results: (\w+)((?: [\w-]+)*) -->(\n?))(.*?)(<!-- end -->)", re.S)
 
 
 def refuse(text):
@@ -95,18 +101,154 @@ def answers(run):
     return table(["scene", "demand", *columns(run), "exact"], rows)
 
 
+def engine_of(rows, name):
+    return next(row for row in rows if row["name"] == name)
+
+
+def scene_of(run, name):
+    return next(scene for scene in run["scenes"] if scene["name"] == name)
+
+
+# Figures within a sentence: of an engine in a scene, or over all of them.
+
+
+def result(run):
+    return run["overall"]["result"]
+
+
+def impacts(run):
+    return f"{run['overall']['impacts']:,}"
+
+
+def loss(run, scene, engine):
+    row = engine_of(scene_of(run, scene)["engines"], engine)
+    return lost(row["tunneled"], row["contacts"])
+
+
+def losses(run, engine):
+    return f"{engine_of(run['overall']['engines'], engine)['tunneled']['count']:,}"
+
+
+def angle(run, scene, engine):
+    return p95(engine_of(scene_of(run, scene)["engines"], engine)["direction_error"])
+
+
+def angles(run, engine):
+    return degrees(engine_of(run["overall"]["engines"], engine)["direction_error_p95"])
+
+
+def nanoseconds(run, engine):
+    return f"{engine_of(run['overall']['engines'], engine)['ns_per_ball_step']:,.0f}"
+
+
+def range_of_nanoseconds(run, engine):
+    low, high = engine_of(run["overall"]["engines"], engine)["ns_per_ball_step_scenes"]
+    return f"{low:.0f} to {high:,.0f}"
+
+
+def times(run, engine):
+    return two(engine_of(run["overall"]["engines"], engine)["ns_box2d_ratio"])
+
+
+def range_of_times(run, engine):
+    low, high = engine_of(run["overall"]["engines"], engine)["ns_box2d_ratio_scenes"]
+    return f"{two(low)} to {two(high)}"
+
+
+def price(run, engine):
+    """In times of Box2D as it ships."""
+    return two(1 / engine_of(run["overall"]["engines"], engine)["ns_box2d_ratio"])
+
+
+def not_good(run, engine):
+    names = [f"`{scene['name']}`" for scene in run["scenes"]
+             if engine_of(scene["engines"], engine)["grade"] != "good"]
+    return ", ".join(names) or "none"
+
+
+def ladder(run, scene, substeps, figure):
+    """Of native-approximate with so many substeps: `lost`, or `angle` in radians."""
+    row = next(row for row in run["work_precision"]
+               if row["scene"] == scene and row["engine"] == "native-approximate"
+               and row["label"] == ("as it comes" if substeps == "1" else f"{substeps} substeps"))
+    return lost(row["tunneled_rate"], row["contacts"]) if figure == "lost" else f"{row['direction_error_p95']:.1g}"
+
+
+def kept(run):
+    """What the functions above read."""
+    def some(row, *keys):
+        return {key: short(row[key]) for key in keys}
+
+    def short(x):
+        if isinstance(x, float):
+            return float(f"{x:.7g}")
+        if isinstance(x, list):
+            return [short(y) for y in x]
+        return {key: short(y) for key, y in x.items() if key not in ("low", "high", "median", "max")} \
+            if isinstance(x, dict) else x
+
+    scenes = []
+    for scene in run["scenes"]:
+        row = some(scene, "name", "take")
+        row["answers"] = [{"choices": [some(choice, "engine", "label", "ns_per_ball_second")
+                                       for choice in answer["choices"]]} for answer in scene["answers"]]
+        row["engines"] = [some(engine, "name", "grade", "contacts", "tunneled", "direction_error", "ns_per_ball_step")
+                          for engine in scene["engines"]]
+        scenes.append(row)
+    ladders = [some(row, "scene", "engine", "label", "ns_per_ball_second", "direction_error_p95", "contacts",
+                    "tunneled_rate")
+               for row in run["work_precision"] if row["engine"] in ("native-approximate", "exact")]
+    overall = some(run["overall"], "impacts", "result")
+    overall["engines"] = [some(row, "name", "tunneled", "direction_error_p95", "ns_per_ball_step",
+                               "ns_per_ball_step_scenes", "ns_box2d_ratio", "ns_box2d_ratio_scenes")
+                          for row in run["overall"]["engines"]]
+    return {"version": run["version"], "engines": [some(row, "name", "short") for row in run["engines"]],
+            "overall": overall, "scenes": scenes, "work_precision": ladders}
+
+
+def write_kept(run, path):
+    """A row of a list in a line, so that a change can be read."""
+    text = ",\n".join(f'"{key}": ' + ("[\n" + ",\n".join(map(json.dumps, part)) + "]" if isinstance(part, list)
+                                     else json.dumps(part)) for key, part in kept(run).items())
+    path.write_text("{" + text + "}\n")
+
+
+def fill(run, path, is_check):
+    """Whether everything in the page was of this run already."""
+    page = path.read_text()
+    if not PLACE.search(page):
+        refuse(f"{path} has no place for results")
+    is_same = True
+
+    def text_of(match):
+        nonlocal is_same
+        opening, name, arguments, line, old, end = match.groups()
+        new = globals()[name](run, *arguments.split()) + line
+        if new != old:
+            is_same = False
+            if is_check:
+                print(f"{path}: results: {name}{arguments}: {old.strip()!r}, expected {new.strip()!r}")
+        return opening + new + end
+
+    filled = PLACE.sub(text_of, page)
+    if not is_check:
+        path.write_text(filled)
+    return is_same
+
+
 def main():
-    if len(sys.argv) != 3:
-        refuse("expected RUN_JSON PAGE")
-    run = json.loads(pathlib.Path(sys.argv[1]).read_text())
+    words = sys.argv[1:]
+    option = words.pop(0) if words and words[0].startswith("--") else None
+    if option not in (None, "--check", "--keep") or len(words) < 2:
+        sys.exit(__doc__)
+    run = json.loads(pathlib.Path(words[0]).read_text())
     if run.get("version") != VERSION:
-        refuse(f"{sys.argv[1]} is of version {run.get('version')}, expected {VERSION}: run shapes-compare again")
-    page = pathlib.Path(sys.argv[2])
-    text, n = re.subn(r"(<!-- results: (\w+) -->\n).*?(<!-- end -->)",
-                      lambda m: m[1] + globals()[m[2]](run) + "\n" + m[3], page.read_text(), flags=re.S)
-    if n == 0:
-        refuse(f"{page} has no place for results")
-    page.write_text(text)
+        refuse(f"{words[0]} is of version {run.get('version')}, expected {VERSION}: run shapes-compare again")
+    pages = [pathlib.Path(word) for word in words[1:]]
+    if option == "--keep":
+        write_kept(run, pages[0])
+    elif not all([fill(run, page, option == "--check") for page in pages]) and option == "--check":
+        sys.exit(1)
 
 
 if __name__ == "__main__":

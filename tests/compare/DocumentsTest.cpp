@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Figures in documents come from a run: scripts/results.py puts them there, and docs/results.json keeps them.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "CommandCalls.h"
+
+namespace {
+
+using Shapes::Compare::Tests::CResult;
+
+class DocumentsTest : public Shapes::Compare::Tests::CCommandTest {
+protected:
+  static CResult Results(const std::string& arguments) {
+    return Call(SHAPES_SOURCE_DIR "/scripts/results.py " + arguments, SHAPES_PYTHON);
+  }
+};
+
+const std::string g_sKept = SHAPES_SOURCE_DIR "/docs/results.json";
+
+TEST_F(DocumentsTest, EveryFigureOfARunIsThatOfTheRunThatIsKept) {
+  for (const char* pPage : {"/README.md", "/docs/accuracy.md"}) {
+    const std::string page = SHAPES_SOURCE_DIR + std::string(pPage);
+    const CResult result = Results("--check " + g_sKept + " " + page);
+    EXPECT_EQ(result.m_nExit, 0) << result.m_sOutput;
+    // The control: one of them is changed.
+    std::ostringstream text;
+    text << std::ifstream(page).rdbuf();
+    const std::size_t end = text.str().rfind("<!-- end -->");
+    const std::string changed = Write("page.md", std::string(text.str()).insert(end, "1"));
+    EXPECT_EQ(Results("--check " + g_sKept + " " + changed).m_nExit, 1);
+  }
+}
+
+TEST_F(DocumentsTest, WhatIsKeptOfARunIsAllThatItsDocumentsNeed) {
+  ASSERT_EQ(Call("run --scenes bowl --contacts 20 --out " + m_cFolder.string()).m_nExit, 0);
+  const std::string run = (m_cFolder / "run.json").string(), kept = (m_cFolder / "kept.json").string();
+  ASSERT_EQ(Results("--keep " + run + " " + kept).m_nExit, 0);
+  const std::string text = "<!-- results: overall -->\n<!-- end -->\n<!-- results: scenes -->\n<!-- end -->\n"
+                           "<!-- results: answers -->\n<!-- end -->\n"
+                           "<!-- results: ladder bowl 64 angle --><!-- end -->";
+  const std::string page = Write("page.md", text), other = Write("other.md", text);
+  EXPECT_EQ(Results(run + " " + page).m_nExit, 0);
+  EXPECT_EQ(Results(kept + " " + other).m_nExit, 0);
+  EXPECT_EQ(Read("page.md"), Read("other.md"));
+  EXPECT_LT(std::filesystem::file_size(kept), std::filesystem::file_size(run) / 5);
+}
+
+// The script that fills documents; a run of another version is refused in words.
+TEST_F(DocumentsTest, ResultTablesAreWrittenFromTheRun) {
+  ASSERT_EQ(Call("run --scenes bowl --contacts 20 --out " + m_cFolder.string()).m_nExit, 0);
+  const std::string page = Write("page.md", "above\n<!-- results: scenes -->\nold\n<!-- end -->\nbelow\n");
+  const auto fill = [&] {
+    return Call(SHAPES_SOURCE_DIR "/scripts/results.py " + (m_cFolder / "run.json").string() + " " + page,
+                SHAPES_PYTHON);
+  };
+  EXPECT_EQ(fill().m_nExit, 0);
+  const std::string filled = Read("page.md");
+  EXPECT_NE(filled.find("\n| bowl | "), std::string::npos) << filled;
+  EXPECT_EQ(filled.find("old"), std::string::npos) << filled;
+  EXPECT_TRUE(filled.starts_with("above\n") && filled.ends_with("<!-- end -->\nbelow\n")) << filled;
+  nlohmann::json old = nlohmann::json::parse(Read("run.json"));
+  old["version"] = 3;
+  Write("run.json", old.dump());
+  const CResult refused = fill();
+  EXPECT_EQ(refused.m_nExit, 1);
+  EXPECT_NE(refused.m_sOutput.find("is of version 3, expected 4"), std::string::npos) << refused.m_sOutput;
+  EXPECT_EQ(Read("page.md"), filled);
+}
+
+} // namespace
