@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Run.h"
 
-#include "Interrupt.h"
+#include "scene/Interrupt.h"
 
 #include <algorithm>
 #include <exception>

@@ -3,13 +3,13 @@
 #include "Child.h"
 #include "FailAbove.h"
 #include "FirstImpact.h"
-#include "Interrupt.h"
 #include "NearMatches.h"
 #include "Options.h"
 #include "Run.h"
 #include "metrics/Instructions.h"
 #include "report/Machine.h"
 #include "report/Numbers.h"
+#include "scene/Interrupt.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -92,8 +92,10 @@ int Run(const std::vector<CScene>& scenes, const COptions& options, const std::s
     if (const std::string warning = WarnOfFew(limit, options.GetSizes().m_nContacts); !warning.empty())
       fmt::print(stderr, "shapes-compare: {}\n", warning);
 
-  for (const CScene& scene : scenes)
+  for (const CScene& scene : scenes) {
+    RequireHeld(scene, engines);
     RequireImpact(scene, options.m_nSeed);
+  }
   AnnounceDuration(options, scenes.size());
 
   CRunReport heading;

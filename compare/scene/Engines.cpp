@@ -73,6 +73,16 @@ std::vector<CEngine> GetEngines() {
   return engines;
 }
 
+void RequireHeld(const CScene& scene, const std::vector<CEngine>& engines) {
+  for (const CEngine& engine : engines)
+    try {
+      LoadScene(scene.m_cPath,
+                [&](const CScene& read) { return engine.m_pBackend->MakeWorld(engine.MakeWorldDesc(read)); });
+    } catch (const CSceneError& e) {
+      throw CSceneError(fmt::format("{} on {} (--engines takes others)", e.what(), engine.m_sName));
+    }
+}
+
 std::optional<std::size_t> FindOther(const std::vector<CEngine>& engines) {
   for (std::size_t i = 1; i < engines.size(); ++i)
     if (engines[i].m_pBackend != engines[0].m_pBackend) return i;

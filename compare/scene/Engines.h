@@ -66,6 +66,10 @@ const CEngineRow& GetEngineRow(std::string_view name);
 /// @throws std::runtime_error if the Box2D engine was not built
 std::vector<CEngine> GetEngines();
 
+/// Reads the file of the scene again, for each engine.
+/// @throws CSceneError naming the field and the engine, if one of them cannot hold the scene
+void RequireHeld(const CScene& scene, const std::vector<CEngine>& engines);
+
 /// The first engine that has another backend than the first of all; none if there is no such. Settings of one
 /// backend share their CollisionDetected, whatever effects and profile they have, so these two are held
 /// against each other.

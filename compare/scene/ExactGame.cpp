@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ExactGame.h"
 
+#include "Interrupt.h"
+
 namespace Shapes::Compare {
 
 CExactGame::CExactGame(const CScene& scene, const CStart& start)
@@ -12,6 +14,7 @@ CExactGame::CExactGame(const CScene& scene, const CStart& start)
       m_fNextTime(start.m_fTime) {}
 
 void CExactGame::Step() {
+  CheckInterrupt();
   const double dt = static_cast<double>(m_cScene.m_cWorld.m_fTimeStep);
   m_fTime = m_fNextTime;
   // What drained in the last step starts again now, so that its end could still be looked at.

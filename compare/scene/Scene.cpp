@@ -64,7 +64,8 @@ struct CSceneMotion {
 
 class CSceneReader {
 public:
-  CSceneReader(const std::filesystem::path& file, const CJson& doc) : m_sFile(file.string()), m_cDoc(doc) {
+  CSceneReader(const std::filesystem::path& file, const CJson& doc, const CMakeWorld& makeWorld)
+      : m_sFile(file.string()), m_cDoc(doc), m_stdMakeWorld(makeWorld) {
     m_cScene.m_cPath = file;
   }
 
@@ -128,9 +129,17 @@ private:
   }
 
   void MakeCheckedWorld(const CJsonPath& path) {
-    m_pWorld = Checked({path}, [&] { return GetBackend(eBackend::Native)->MakeWorld(m_cScene.m_cWorld); });
+    m_pWorld = Checked({path}, [&] { return m_stdMakeWorld(m_cScene); });
     if (!(m_cScene.m_fDuration >= m_cScene.m_cWorld.m_fTimeStep))
       Refuse(path / "duration", "at least one time_step");
+    RequireSteps(path / "duration", m_cScene.m_fDuration);
+    RequireSteps(path / "lasting", m_cScene.m_fLasting);
+  }
+
+  void RequireSteps(const CJsonPath& path, float seconds) const {
+    const double dt = static_cast<double>(m_cScene.m_cWorld.m_fTimeStep);
+    if (static_cast<double>(seconds) > dt * static_cast<double>(g_nMaxTrialSteps))
+      Refuse(path, fmt::format("at most {} time_steps", g_nMaxTrialSteps));
   }
 
   void ReadBounds(const CJsonPath& path) {
@@ -366,20 +375,25 @@ private:
 
   std::string m_sFile;
   const CJson& m_cDoc;
+  const CMakeWorld& m_stdMakeWorld;
   CScene m_cScene;
   std::unique_ptr<CWorld> m_pWorld; // takes every descriptor once: what it refuses, no scene may have
 };
 
 } // namespace
 
-CScene LoadScene(const std::filesystem::path& file) {
+std::unique_ptr<CWorld> MakeNativeWorld(const CScene& scene) {
+  return GetBackend(eBackend::Native)->MakeWorld(scene.m_cWorld);
+}
+
+CScene LoadScene(const std::filesystem::path& file, const CMakeWorld& makeWorld) {
   const CJson doc = ReadSceneDocument(file);
-  return CSceneReader(file, doc).Read();
+  return CSceneReader(file, doc, makeWorld).Read();
 }
 
 CScene ParseScene(const std::filesystem::path& file, const std::string& text) {
   const CJson doc = ParseSceneDocument(file.string(), text);
-  return CSceneReader(file, doc).Read();
+  return CSceneReader(file, doc, &MakeNativeWorld).Read();
 }
 
 std::vector<CScene> LoadScenes(const std::filesystem::path& folder) {

@@ -4,13 +4,19 @@
 
 #include <Shapes/Shapes.h>
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace Shapes::Compare {
+
+/// Most steps of a trial: a day of 100 steps a second.
+inline constexpr std::size_t g_nMaxTrialSteps = 10'000'000;
 
 /// How a game works a flipper: from rest it turns by m_fAngle at m_fSpeed, stays until half of the period,
 /// goes back at the same speed and rests for what is left of the period; again and again. A loaded one has
@@ -51,13 +57,14 @@ struct CSceneBall {
 };
 
 /// A scene that was loaded is valid: a native world takes its descriptors, its balls start in its bounds. A
-/// world on Box2D may refuse one whose lengths, speeds or masses are beyond its limits (Limits.h).
+/// world on Box2D may refuse one whose lengths, speeds or masses are beyond its limits (Limits.h):
+/// RequireHeld.
 struct CScene {
   std::string m_sName, m_sDescription;
   std::filesystem::path m_cPath;
   CWorldDesc m_cWorld;
   CAabb2D m_cBounds;        ///< A centre of a ball outside has escaped.
-  float m_fDuration = 0.0f; ///< Seconds, at least one time step.
+  float m_fDuration = 0.0f; ///< Seconds, 1 to g_nMaxTrialSteps time steps.
   float m_fLasting = 0.0f;  ///< Seconds for which contact that lasts is measured, 0 if it is not.
   std::vector<CSceneShape> m_stdShapes;
   std::vector<CSceneBall> m_stdBalls;
@@ -84,8 +91,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// @throws CSceneError if the file is missing, unreadable or no scene
-CScene LoadScene(const std::filesystem::path& file);
+/// Makes an empty world for a scene of which m_cWorld was read.
+using CMakeWorld = std::function<std::unique_ptr<CWorld>(const CScene&)>;
+std::unique_ptr<CWorld> MakeNativeWorld(const CScene& scene);
+
+/// @param makeWorld  of the world that has to take every descriptor
+/// @throws CSceneError if the file is missing, unreadable or no scene, or if the world refuses a descriptor
+CScene LoadScene(const std::filesystem::path& file, const CMakeWorld& makeWorld = &MakeNativeWorld);
 /// The scene that the file would be if this were its text.
 /// @throws CSceneError if it is no scene
 CScene ParseScene(const std::filesystem::path& file, const std::string& text);

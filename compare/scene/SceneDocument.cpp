@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <set>
@@ -17,6 +18,8 @@ namespace {
 // A scene nests 6 deep; the recursive parts of the JSON libraries would not survive a hundred thousand.
 constexpr std::size_t g_nMaxDepth = 16;
 constexpr std::size_t g_nMaxValueText = 60; // characters of a wrong value in a message
+// Bytes of a scene file: some hundred thousand shapes.
+constexpr std::uintmax_t g_nMaxFileSize = 64u << 20;
 
 std::string PathText(const CJsonPath& path) { return path.empty() ? "/" : path.to_string(); }
 
@@ -40,19 +43,23 @@ std::string Got(const CJson& doc, const CJsonPath& path) {
 namespace {
 
 std::string ReadText(const std::filesystem::path& file) {
+  const auto refuse = [&](const std::string& got) {
+    throw CSceneError(fmt::format("{}: expected a file that can be read, got {}", file.string(), got));
+  };
   std::error_code error;
-  const bool isFolder = std::filesystem::is_directory(file, error);
+  const auto status = std::filesystem::status(file, error);
+  if (std::filesystem::is_directory(status)) refuse("a folder");
+  // A device may have no end, and a pipe no writer.
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    refuse("a device or a pipe");
+  if (const auto size = std::filesystem::file_size(file, error); !error && size > g_nMaxFileSize)
+    refuse(fmt::format("{} MB, more than the {} MB of the largest scene", size >> 20, g_nMaxFileSize >> 20));
   errno = 0;
   std::ifstream in(file, std::ios::binary);
   std::string text;
-  if (in && !isFolder) {
-    text.assign(std::istreambuf_iterator<char>(in), {});
-    if (!in.bad()) return text;
-  }
-  throw CSceneError(fmt::format("{}: expected a file that can be read, got {}", file.string(),
-                                isFolder     ? "a folder"
-                                : errno != 0 ? std::strerror(errno)
-                                             : "a read error"));
+  if (in) text.assign(std::istreambuf_iterator<char>(in), {});
+  if (!in || in.bad()) refuse(errno != 0 ? std::strerror(errno) : "a read error");
+  return text;
 }
 
 // ---- Text to JSON: what the parser alone would let through or not locate -------------------------------

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
+#include "Interrupt.h"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -123,6 +125,7 @@ void CGame::StartAgain(std::size_t ball) {
 }
 
 void CGame::Step() {
+  CheckInterrupt();
   CWorld& world = *m_cWorld.m_pWorld;
   const double dt = m_cScene.m_cWorld.m_fTimeStep;
   m_cWorld.Flip(m_cScene, m_fTime);

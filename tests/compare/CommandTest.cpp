@@ -362,6 +362,14 @@ TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
     "balls": [{"position": [1, 1], "radius": 0.1}]})") +
                      out,
                  "field.json: /shapes/0/radius: expected");
+  const std::string fast = Write("fast.json", R"({"name": "x", "duration": 1,
+    "bounds": {"left": -2, "bottom": -2, "right": 2, "top": 2},
+    "shapes": [{"type": "point", "position": [0, 0]}],
+    "balls": [{"position": [1, 1], "velocity": [1e18, 0], "radius": 0.1}]})");
+  ExpectBadInput("scene " + fast + out,
+                 "fast.json: /balls/0/velocity: expected finite coordinates of at most 1e+09 in size, got "
+                 "[1e+18,0] on box2d (--engines takes others)");
+  ExpectBadInput("scene " + fast + " --engines native" + out, "none met anything"); // which holds it
   ExpectBadInput("run --out " + Write("file", "") + "/below", "file/below");
   // All of this is known before any work is done.
   EXPECT_FALSE(fs::exists(m_cFolder / "run.json"));

@@ -5,7 +5,9 @@
 
 #include <csignal>
 
-#include "app/Interrupt.h"
+#include "MadeScenes.h"
+#include "scene/ExactGame.h"
+#include "scene/Interrupt.h"
 
 namespace Shapes::Compare {
 namespace {
@@ -60,6 +62,22 @@ TEST_F(CInterruptTest, TheFirstIsCaughtTheSecondKills) {
   sigaction(SIGINT, nullptr, &now);
   EXPECT_EQ(now.sa_handler, SIG_DFL);
   EXPECT_EXIT(raise(SIGINT), testing::KilledBySignal(SIGINT), "");
+}
+
+// So that neither a long trial nor a slow one has to end before.
+TEST_F(CInterruptTest, EveryStepOfAGameEndsByIt) {
+  CScene scene = Tests::MakeScene(10.0f, 1.0f);
+  Tests::AddBall(scene, CDynamicCircleDesc({0, 0}, 0.1f, {1, 0}));
+  const CStart start = MakeStart(scene, 1, 0);
+  CGame game(scene, GetEngines()[Tests::g_nNative], start);
+  CExactGame exact(scene, start);
+  signal(SIGINT, SIG_DFL);
+  CatchInterrupt();
+  EXPECT_NO_THROW(game.Step());
+  EXPECT_NO_THROW(exact.Step());
+  raise(SIGINT);
+  EXPECT_THROW(game.Step(), CInterrupted);
+  EXPECT_THROW(exact.Step(), CInterrupted);
 }
 
 TEST_F(CInterruptTest, WhatIsIgnoredStaysIgnored) {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "SampleReport.h"
-#include "app/Interrupt.h"
+#include "scene/Interrupt.h"
 
 namespace Shapes::Compare {
 namespace {

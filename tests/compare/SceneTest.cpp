@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -329,6 +331,9 @@ TEST_F(SceneTest, FieldsThatContradictEachOtherAreRefused) {
       {[](json& d) { d["bounds"]["right"] = -5; }, " /bounds/right: expected a number above left, got -5"},
       {[](json& d) { d["bounds"]["top"] = -7; }, " /bounds/top: expected a number above bottom, got -7"},
       {[](json& d) { d["duration"] = 0.007; }, " /duration: expected at least one time_step, got 0.007"},
+      {[](json& d) { d["duration"] = 4e17; }, " /duration: expected at most 10000000 time_steps, got 4e+17"},
+      {[](json& d) { d["duration"] = d["time_step"] = 1e-4, d["lasting"] = 3600; },
+       " /lasting: expected at most 10000000 time_steps, got 3600"},
       {[](json& d) {
          d["balls"][0]["position"] = {6.75, 0};
        },
@@ -397,6 +402,18 @@ TEST_F(SceneTest, FilesThatCannotBeReadAreRefused) {
             missing.string() + ": expected a file that can be read, got No such file or directory");
   EXPECT_EQ(what(m_cFolder), m_cFolder.string() + ": expected a file that can be read, got a folder");
   EXPECT_THROW(LoadScenes(missing), CSceneError);
+  // Neither ends when it is read.
+  const auto pipe = m_cFolder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::filesystem::path& file : {pipe, std::filesystem::path("/dev/zero")})
+    EXPECT_EQ(what(file), file.string() + ": expected a file that can be read, got a device or a pipe");
+  const auto large = Write("{}", "large.json");
+  std::filesystem::resize_file(large, 65u << 20); // takes no place on the disk
+  EXPECT_EQ(what(large), large.string() +
+                             ": expected a file that can be read, got 65 MB, more than the 64 MB "
+                             "of the largest scene");
+  std::filesystem::resize_file(large, 2);
+  EXPECT_EQ(what(large), large.string() + ": /name: expected a text of at least one letter, got nothing");
 }
 
 TEST_F(SceneTest, AFolderIsLoadedInTheOrderOfItsFileNames) {

@@ -11,6 +11,7 @@ struct CInterrupted {};
 /// of the program ignores the signal, as for jobs in the background, it stays ignored.
 void CatchInterrupt();
 
+/// Called by each step of a game, so that no scene is too slow to be ended.
 /// @throws CInterrupted once the signal has come
 void CheckInterrupt();
 
