@@ -14,10 +14,10 @@ namespace Shapes {
 /// that is far above g_fMaxSpeed, to which the ball is cut.
 inline constexpr float g_fMaxApproach = 1e25f;
 
-/// Relative error of a cross product that decides on which side of an arc's end ray a point lies,
-/// dimensionless. A point within it counts as in the sector, so rounding cannot open a gap at the end of an
-/// arc.
-inline constexpr float g_fSectorRounding = 4.0f * 1.1920929e-7f;
+/// Angle from an arc's end ray, in radians, up to which a point counts as in the sector; twice that for rays
+/// along a diagonal, because lengths are sums of coordinates there. The angles of the ends are rounded by up
+/// to 1 ulp of one radian, so an arc that goes on from a segment leaves no gap.
+inline constexpr float g_fSectorRounding = 2.5f * 1.1920929e-7f;
 
 /// Two angles whose difference is a whole turn to this share of their sizes are a full circle, dimensionless:
 /// two roundings of each. An arc that lacks less than that of a full turn cannot be told from one.

@@ -33,7 +33,8 @@ struct CContactEvent {
 };
 
 /// A ball and a sensor (a shape, or a ball that is one) begin or cease to touch. Every begin has its end: it
-/// comes when they part, and in the next Step where one of the two was removed, or is no sensor any more.
+/// comes when they part, and in the next Step where one of the two was removed, or is no sensor any more. In
+/// a substep they touch once at most: a ball that passes, bounces off and passes again within it begins once.
 struct CSensorEvent {
   CShapeId m_cShape; ///< As in CContactEvent.
   CShapeId m_cBall;

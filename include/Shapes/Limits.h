@@ -13,7 +13,8 @@ inline constexpr float g_fMaxLength = 1e18f;
 inline constexpr float g_fMinLengthUnit = 1e-18f;
 
 /// Largest speed, in units per second. A response that would exceed it (elasticity above 1 between two walls
-/// doubles the speed at each hit) is cut to it and flagged: CDynamicCircle::GetSpeedCapped, CWorldStats.
+/// doubles the speed at each hit) is cut to it and flagged: CDynamicCircle::GetSpeedCapped, CWorldStats. So
+/// is what gravity gives in a world.
 inline constexpr float g_fMaxSpeed = 1e18f;
 
 /// Range of masses. The sum of two and the inverse of each stay finite.

@@ -25,12 +25,16 @@ struct CWorldStats {
   std::uint64_t m_nBallsSwept = 0; ///< Native: balls that had something on their path, once for each substep.
   std::uint64_t m_nBallsHalted =
       0; ///< Native: balls that had more than g_nMaxImpacts in a substep, and stayed where they were then.
+  /// Native, where Continuous does not run: times that a ball with a velocity stayed where it was, because
+  /// its move was below half an ulp of its place.
+  std::uint64_t m_nMovesLost = 0;
   std::uint64_t m_nSensorTests = 0; ///< Paths of balls that were tested against a sensor.
   /// Contacts that were responded to. Box2D: only where Events or Sensors runs; else they are not counted.
   std::uint64_t m_nContacts = 0;
-  std::uint64_t m_nSensorHits = 0;   ///< Contacts of sensors.
-  std::uint64_t m_nReported = 0;     ///< Contacts of both kinds in GetContacts.
-  std::uint64_t m_nSpeedsCapped = 0; ///< Responses after which a ball had to be cut to g_fMaxSpeed.
+  std::uint64_t m_nSensorHits = 0; ///< Contacts of sensors.
+  std::uint64_t m_nReported = 0;   ///< Contacts of both kinds in GetContacts.
+  std::uint64_t m_nSpeedsCapped =
+      0; ///< Responses and gravity steps after which a ball had to be cut to g_fMaxSpeed.
   std::uint64_t m_nMovesClamped =
       0; ///< Box2D: ball steps longer than its 2 metres; Box2D slows such a ball down.
   std::uint64_t m_nTurnsClamped =

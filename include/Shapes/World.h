@@ -120,6 +120,8 @@ public:
   /// that goes on after SaveState, and one that goes on after LoadState of it, have the same bits on the same
   /// engine.
   CSavedState SaveState();
+  /// The ids are those of the state from then on. Where another world has saved it, an id that this one has
+  /// given before may name another shape in it.
   /// @throws std::invalid_argument if the state was made by nobody (default constructed), or if this
   /// world cannot hold what another one saved; nothing has changed then
   void LoadState(const CSavedState& state);

@@ -82,6 +82,9 @@ void CNativeEngine::Accelerate(const CSubstep& substep) {
   for (Vector2& v : b.m_stdVel)
     Shapes::Accelerate(v, m_cState.m_vGravity, substep.m_fTime);
   Stats().m_nBallsAccelerated += b.Size();
+  if (!CanExceedMaxSpeed(substep.m_vGravityStep)) return;
+  for (Vector2& v : b.m_stdVel)
+    Count(CapSpeed(v));
 }
 
 void CNativeEngine::MoveShapes(const CSubstep& substep) {
@@ -96,8 +99,10 @@ void CNativeEngine::MoveBalls(const CSubstep& substep) {
   CBallArrays& b = m_cState.m_cBalls;
   b.m_stdPrevPos = b.m_stdPos;
   if (m_bKeepsInside) m_stdPushes.assign(b.Size(), 0);
-  for (std::size_t i = 0; i < b.Size(); ++i)
+  for (std::size_t i = 0; i < b.Size(); ++i) {
     Move(b.m_stdPos[i], b.m_stdVel[i], substep.m_fTime);
+    Stats().m_nMovesLost += b.m_stdPos[i] == b.m_stdPrevPos[i] && b.m_stdVel[i] != Vector2::Zero();
+  }
 }
 
 CBall CNativeEngine::Ball(std::size_t i) const {

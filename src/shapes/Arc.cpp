@@ -45,6 +45,7 @@ CArc::CArc(const CArcDesc& desc, eMotion motion)
       m_eSides(desc.m_eSides) {
   RequireFinite("m_fAngle0", desc.GetAngle0());
   RequireFinite("m_fAngle1", desc.GetAngle1());
+  RequireSides(desc.m_eSides);
   m_fSpan = desc.GetAngle1() - desc.GetAngle0();
   if (m_fSpan <= 0.0f) m_fSpan += g_fTwoPi;
   desc.GetEndPts(m_vPt0, m_vPt1);
@@ -75,8 +76,7 @@ bool CArc::PtInSector(const Vector2& p) const {
   // gives a cross product of 0 within its own rounding.
   const Vector2 e0 = m_vPt0 - m_vPos, e1 = m_vPt1 - m_vPos, u = p - m_vPos;
   const auto leftOf = [](const Vector2& a, const Vector2& b) { // b left of a, or on a's line within rounding
-    const float up = a.x() * b.y(), down = a.y() * b.x();
-    return up - down >= -g_fSectorRounding * (std::abs(up) + std::abs(down));
+    return a.x() * b.y() - a.y() * b.x() >= -g_fSectorRounding * a.lpNorm<1>() * b.lpNorm<1>();
   };
   // On a short arc both hold for what is opposite to it as well, within rounding: ask which side it is on.
   if (m_fSpan < 1.0f && u.dot(e0) < 0.0f) return false;

@@ -28,6 +28,7 @@ Vector2 Tangent(const Vector2& p0, const Vector2& p1) { return Normalize(p1 - p0
 const CLineSegDesc& Checked(const CLineSegDesc& desc) {
   RequireVector("m_vPt0", desc.GetEndPt0(), g_fMaxLength);
   RequireVector("m_vPt1", desc.GetEndPt1(), g_fMaxLength);
+  RequireSides(desc.m_eSides);
   return desc;
 }
 

@@ -17,6 +17,12 @@ namespace Shapes {
 inline void Accelerate(Vector2& v, const Vector2& gravity, float dt) { v += gravity * dt; }
 inline void Move(Vector2& p, const Vector2& v, float dt) { p += v * dt; }
 
+/// Whether gravity can take a ball beyond g_fMaxSpeed in one step: what is below half an ulp of that is lost
+/// beside it.
+inline bool CanExceedMaxSpeed(const Vector2& gravityStep) {
+  return gravityStep.cwiseAbs().maxCoeff() >= 0x1p-25f * g_fMaxSpeed;
+}
+
 /// max(0, -(v - surface) . n). Error at most 2 ulp of |v - surface|.
 template <class TVector>
 typename TVector::Scalar ApproachSpeed(const TVector& v, const TVector& surface, const TVector& n) {

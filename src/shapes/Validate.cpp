@@ -43,4 +43,9 @@ void RequireVector(const char* field, const Vector2& v, float most) {
     Refuse(field, ToText(v), "finite coordinates of at most " + ToText(most) + " in size");
 }
 
+void RequireSides(eSides sides) {
+  if (sides != eSides::Both && sides != eSides::Front && sides != eSides::Back)
+    Refuse("m_eSides", std::to_string(static_cast<int>(sides)), "Both, Front or Back");
+}
+
 } // namespace Shapes

@@ -3,7 +3,7 @@
 // expected.
 #pragma once
 
-#include <Shapes/ShapeMath.h>
+#include <Shapes/Shape.h>
 
 #include <string>
 
@@ -22,5 +22,7 @@ void RequirePositive(const char* field, float value, float most);
 void RequireFinite(const char* field, float value);
 /// Each component finite and at most `most` in size.
 void RequireVector(const char* field, const Vector2& v, float most);
+/// One of the three.
+void RequireSides(eSides sides);
 
 } // namespace Shapes

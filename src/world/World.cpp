@@ -168,7 +168,10 @@ CShapeId CWorld::Add(const CAnyShapeDesc& desc) {
 std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, const Vector2& rotCenter,
                                           float revsPerSecond, const Vector2& v) {
   m_pImpl->Access(eAccess::Change);
+  // Even where there is no shape that would be asked.
   RequireVector("m_vRotCenter", rotCenter, m_pImpl->GetLimits().m_fMaxLength);
+  RequireRange("m_fRotSpeed", revsPerSecond, -g_fMaxRotSpeed, g_fMaxRotSpeed);
+  RequireVector("m_vVel", v, m_pImpl->GetLimits().m_fMaxSpeed);
   std::vector<std::unique_ptr<CShape>> shapes;
   for (const CAnyShapeDesc& any : descs)
     shapes.push_back(std::visit(

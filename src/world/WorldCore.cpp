@@ -37,6 +37,8 @@ CWorld::CImpl::CImpl(const CWorldDesc& desc, const CWorldLimits& limits, CEffect
   RequireCount("m_nSubsteps", desc.m_nSubsteps, g_nMaxSubsteps);
   RequireRange("m_fTimeStep / m_nSubsteps", GetSubstep(desc), g_fMinTimeStep, g_fMaxTimeStep);
   RequirePositive("m_fSagittaTolerance", box2D.m_fSagittaTolerance, g_fMaxLength);
+  if (box2D.m_eProfile != eProfile::Shipped && box2D.m_eProfile != eProfile::Tuned)
+    Refuse("m_eProfile", std::to_string(static_cast<int>(box2D.m_eProfile)), "Shipped or Tuned");
   RequireCount("m_nVelocityIterations", box2D.m_nVelocityIterations, 1000);
   RequireCount("m_nPositionIterations", box2D.m_nPositionIterations, 1000);
   for (int i = 0; i < static_cast<int>(eEffect::Size); ++i) {

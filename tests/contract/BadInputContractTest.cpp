@@ -100,6 +100,28 @@ TEST_P(CBadInputContract, ShapesAreChecked) {
   CCircleDesc dynamic({0, 0}, 1);
   dynamic.m_eMotionType = eMotion::Dynamic;
   refuse(dynamic, "m_eMotionType", "neither");
+  CDynamicCircleDesc still({0, 0}, 1);
+  still.m_eMotionType = eMotion::Static;
+  refuse(still, "m_eMotionType", "not Dynamic");
+  CLineSegDesc line({0, 0}, {1, 0});
+  line.m_eSides = static_cast<eSides>(77);
+  refuse(line, "m_eSides", "77");
+  CArcDesc arc({0, 0}, 1, 0, 1);
+  arc.m_eSides = static_cast<eSides>(77);
+  refuse(arc, "m_eSides", "77");
+}
+
+TEST_P(CBadInputContract, CompoundsAreCheckedAlsoWithoutAShape) {
+  for (const std::vector<CAnyShapeDesc>& descs :
+       {std::vector<CAnyShapeDesc>(), std::vector<CAnyShapeDesc>{CPointDesc(Vector2(0, 0))}}) {
+    const auto refuse = [&](const Vector2& center, float revs, const Vector2& v, const char* field) {
+      ExpectRefused([&] { m_pWorld->AddCompound(descs, center, revs, v); }, field, "inf");
+    };
+    refuse({g_fInf, 0}, 0, {0, 0}, "m_vRotCenter");
+    refuse({0, 0}, g_fInf, {0, 0}, "m_fRotSpeed");
+    refuse({0, 0}, 0, {g_fInf, 0}, "m_vVel");
+  }
+  EXPECT_TRUE(m_pWorld->AddCompound({}, {0, 0}).empty()); // the control
 }
 
 TEST_P(CBadInputContract, SettersAreChecked) {
@@ -143,6 +165,7 @@ TEST_P(CBadInputContract, WorldDescriptionsAreChecked) {
   refuse([](auto& d) { d.m_cBox2D.m_fLengthUnit = 0; }, "m_fLengthUnit", "0");
   refuse([](auto& d) { d.m_cBox2D.m_fSagittaTolerance = -1; }, "m_fSagittaTolerance", "-1");
   refuse([](auto& d) { d.m_cBox2D.m_nVelocityIterations = 0; }, "m_nVelocityIterations", "0");
+  refuse([](auto& d) { d.m_cBox2D.m_eProfile = static_cast<eProfile>(9); }, "m_eProfile", "9");
 }
 
 TEST_P(CBadInputContract, AStateThatTheEngineCannotHoldIsNotLoaded) {

@@ -68,6 +68,23 @@ TEST_P(CSensorEventContract, WhoeverIsRemovedOrTurnedOffCeasesToTouch) {
   }
 }
 
+// The ball passes the gate, bounces off the wall and passes it again.
+TEST_P(CSensorEventContract, PassesWithinASubstepAreOne) {
+  for (const unsigned substeps : {1u, 2u}) {
+    CWorldDesc desc;
+    desc.m_fTimeStep = 1.0f / 64.0f;
+    desc.m_nSubsteps = substeps;
+    desc.m_cEffects = g_cContinuous;
+    m_pWorld = Backend().MakeWorld(desc);
+    CLineSegDesc gate({0.5f, -1}, {0.5f, 1});
+    gate.m_bIsSensor = true;
+    m_pWorld->Add(gate);
+    m_pWorld->Add(CLineSegDesc({0.875f, -1}, {0.875f, 1}));
+    m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.125f, {100, 0})); // 1.56 a step, the wall is .75 away
+    EXPECT_EQ(Step(), substeps == 1 ? "+-" : "+-+-");
+  }
+}
+
 TEST_P(CSensorEventContract, WhatIsOffAndOnAgainBetweenStepsTouchesOn) {
   const CShapeId zone = m_pWorld->Add(MakeZone()), ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f));
   EXPECT_EQ(Step(), "+");

@@ -341,15 +341,32 @@ TEST_P(CWorldContract, ASavedStateContinuesWithTheSameBits) {
 }
 
 // A ball sleeps in the world by default of any engine. Another world throws it up, and gives the state back.
+TEST_P(CWorldContract, AfterAStateOfAnotherWorldTheIdsAreThoseOfTheState) {
+  auto pWorld = Backend().MakeWorld(CWorldDesc()), pOther = Backend().MakeWorld(CWorldDesc());
+  const CShapeId mine = pWorld->Add(CPointDesc(Vector2(1, 1))), gone = pWorld->Add(CPointDesc(Vector2(2, 2)));
+  const CShapeId its = pOther->Add(CCircleDesc({3, 3}, 1));
+  pOther->SetGravity({0, -3});
+  pWorld->LoadState(pOther->SaveState());
+  EXPECT_EQ(pWorld->GetDesc().m_vGravity, Vector2(0, -3)); // the state's, too
+  EXPECT_EQ(mine, its);                                    // as the comment of LoadState warns
+  EXPECT_EQ(pWorld->GetShapeType(mine), eShape::Circle);
+  EXPECT_THROW(pWorld->GetPos(gone), std::invalid_argument);
+  EXPECT_GT(pWorld->Add(CPointDesc(Vector2(4, 4))), gone); // neither world's ids are given again
+}
+
+// By its user, and by a floor that moves, which nobody has told to the ball.
 TEST_P(CWorldContract, ABallThatSleptAndWasThrownByAnotherWorldFallsWhereItWasLeft) {
-  for (const CEffects forbidden : {CEffects(), CEffects({eEffect::Continuous})}) {
+  for (const auto& [forbidden, byFloor] :
+       {std::pair(CEffects(), false), std::pair(CEffects({eEffect::Continuous}), false),
+        std::pair(CEffects(), true), std::pair(CEffects({eEffect::Continuous}), true)}) {
     const auto pHome = GetBackend(eBackend::Native)->MakeWorld([] {
       CWorldDesc desc;
       desc.m_vGravity = {0, -10};
       return desc;
     }());
-    pHome->Add(CLineSegDesc({-9, 0}, {9, 0}));
-    const CShapeId ball = pHome->Add(CDynamicCircleDesc({0, 0.5f}, 0.5f));
+    CLineSegDesc floorDesc({-9, 0}, {9, 0});
+    floorDesc.m_eMotionType = eMotion::Kinematic;
+    const CShapeId floor = pHome->Add(floorDesc), ball = pHome->Add(CDynamicCircleDesc({0, 0.5f}, 0.5f));
     for (int step = 0; step < 60; ++step)
       pHome->Step();
     CWorldDesc desc;
@@ -357,9 +374,11 @@ TEST_P(CWorldContract, ABallThatSleptAndWasThrownByAnotherWorldFallsWhereItWasLe
     desc.m_cEffects.m_cForbidden = forbidden;
     const auto pOther = Backend().MakeWorld(desc);
     pOther->LoadState(pHome->SaveState());
-    pOther->SetVel(ball, {0, 4});
-    for (int step = 0; step < 30; ++step)
+    pOther->SetVel(byFloor ? floor : ball, {0, byFloor ? 2.0f : 4.0f}); // a ball gets twice that of a floor
+    for (int step = 0; step < 30; ++step) {
       pOther->Step();
+      if (step == 2) pOther->SetVel(floor, {0, 0});
+    }
     const float left = pOther->GetPos(ball).y();
     ASSERT_GT(left, 1.0f);
     pHome->LoadState(pOther->SaveState());

@@ -274,6 +274,7 @@ private:
     more(a.m_nSweeps, b.m_nSweeps, "m_nSweeps");
     more(a.m_nBallsSwept, b.m_nBallsSwept, "m_nBallsSwept");
     more(a.m_nBallsHalted, b.m_nBallsHalted, "m_nBallsHalted");
+    more(a.m_nMovesLost, b.m_nMovesLost, "m_nMovesLost");
     more(a.m_nSensorTests, b.m_nSensorTests, "m_nSensorTests");
     more(a.m_nContacts, b.m_nContacts, "m_nContacts");
     more(a.m_nSensorHits, b.m_nSensorHits, "m_nSensorHits");

@@ -351,5 +351,70 @@ TEST(NativeWorldTest, TunnelsHeadOnAsOftenAsTheFormulaSays) {
   }
 }
 
+// An arc that goes on from a segment: its end, (0, 0), is rounded to (1.19e-8, 0).
+TEST(NativeWorldTest, NoBallFallsBetweenASegmentAndAnArcThatGoesOn) {
+  CWorldDesc desc;
+  desc.m_cEffects = g_cApproximate;
+  int missed = 0;
+  for (float x = 0.0f; x < 2e-8f; x += 1e-10f) {
+    const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+    pWorld->Add(CLineSegDesc({-2, 0}, {0, 0}));
+    pWorld->Add(CArcDesc({0, 1}, 1, 1.5f * g_fPi, 0));
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({x, 0.11f}, 0.1f, {0, -3}));
+    pWorld->Step();
+    missed += !(pWorld->GetVel(ball).y() > 0.0f);
+  }
+  EXPECT_EQ(missed, 0);
+}
+
+// Without a cut the place of the ball is no number any more after 26,000 steps.
+TEST(NativeWorldTest, TheLargestGravityIsFinite) {
+  for (const CEffectChoice& effects : {g_cApproximate, g_cContinuous}) {
+    CWorldDesc desc;
+    desc.m_vGravity = {0, -g_fMaxSpeed};
+    desc.m_fTimeStep = g_fMaxTimeStep;
+    desc.m_cEffects = effects;
+    const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 1));
+    for (int i = 0; i < 40000; ++i)
+      pWorld->Step();
+    EXPECT_TRUE(pWorld->GetPos(ball).allFinite()) << pWorld->GetPos(ball).transpose();
+    EXPECT_NEAR(pWorld->GetVel(ball).y() / g_fMaxSpeed, -1.0f, 4 * 1.2e-7f); // the bound of CapSpeed
+    EXPECT_GT(pWorld->GetStats().m_nSpeedsCapped, 0u);
+  }
+}
+
+// As docs/effects.md says.
+TEST(NativeWorldTest, TheApproximateModeFallsAheadOfTheParabola) {
+  const double g = 8.0, dt = 1.0 / 64.0;
+  for (const int steps : {1, 64, 128}) {
+    CWorldDesc desc;
+    desc.m_vGravity = {0, static_cast<float>(-g)};
+    desc.m_fTimeStep = static_cast<float>(dt);
+    desc.m_cEffects = g_cApproximate;
+    const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 1, {0, 2}));
+    for (int i = 0; i < steps; ++i)
+      pWorld->Step();
+    const double t = steps * dt, parabola = 2.0 * t - 0.5 * g * t * t;
+    EXPECT_NEAR(static_cast<double>(pWorld->GetPos(ball).y()), parabola - 0.5 * g * t * dt, 1e-5) << steps;
+  }
+}
+
+TEST(NativeWorldTest, MovesThatAreLostToRoundingAreCounted) {
+  // Half an ulp at 2^23 is .5: what moves by less in a step does not move at all.
+  for (const auto& [move, lost] : {std::pair(0.25f, 3u), std::pair(1.0f, 0u), std::pair(0.0f, 0u)}) {
+    CWorldDesc desc;
+    desc.m_fTimeStep = 1.0f;
+    desc.m_cEffects = g_cApproximate;
+    const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0x1p23f, 0}, 10, {move, 0}));
+    for (int i = 0; i < 3; ++i)
+      pWorld->Step();
+    EXPECT_EQ(pWorld->GetStats().m_nMovesLost, lost) << move;
+    EXPECT_EQ(pWorld->GetPos(ball).x(), 0x1p23f + (lost > 0 ? 0.0f : 3 * move));
+  }
+}
+
 } // namespace
 } // namespace Shapes

@@ -142,14 +142,15 @@ TEST(ArcSector, BothEndRaysOfHalfATurnBelongToIt) {
       EXPECT_TRUE(arc.PtInSector(far * arc.GetEndPt0())) << far;
       EXPECT_TRUE(arc.PtInSector(far * arc.GetEndPt1())) << far;
     }
-    EXPECT_FALSE(arc.PtInSector({r, -1e-6f}));
-    EXPECT_FALSE(arc.PtInSector({-r, -1e-6f}));
+    const float beyond = 10 * 1.2e-7f * r; // the bound of PtInSector
+    EXPECT_FALSE(arc.PtInSector({r, -beyond}));
+    EXPECT_FALSE(arc.PtInSector({-r, -beyond}));
     // The complement has the same end rays.
     const CArc below = Arc({0.0f, 0.0f}, r, g_fPi, 0.0f);
     EXPECT_TRUE(below.PtInSector(8.0f * below.GetEndPt0()));
     EXPECT_TRUE(below.PtInSector(8.0f * below.GetEndPt1()));
-    EXPECT_FALSE(below.PtInSector({r, 1e-6f}));
-    EXPECT_FALSE(below.PtInSector({-r, 1e-6f}));
+    EXPECT_FALSE(below.PtInSector({r, beyond}));
+    EXPECT_FALSE(below.PtInSector({-r, beyond}));
   }
 }
 

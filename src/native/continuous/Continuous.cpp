@@ -22,6 +22,7 @@ void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs
   m_bPairs = pairs;
   m_fStep = static_cast<double>(dt);
   m_vGravity = gravity.cast<double>();
+  m_bCapsSpeeds = CanExceedMaxSpeed(gravity * dt);
   m_stdContacts.clear();
   m_stdPathVertices.clear();
   m_stdQueue.clear();

@@ -79,7 +79,7 @@ private:
   bool IsAsleep(std::uint32_t k) const;
   bool IsOnWay(std::uint32_t sleeper, std::uint32_t ball) const;
   void FallAsleep(CBallArrays& balls);
-  void Put(const Vector2d& p, const Vector2d& v, std::size_t i, CBallArrays& b) const;
+  void Put(const Vector2d& p, Vector2d v, std::size_t i, CBallArrays& b) const;
   CMotion GetMotion(const CMoving& ball) const;
   CMotion GetFreeMotion(std::uint32_t k) const;
   static CDiscGrid::CDisc GetDisc(const CMotion& motion, double sagitta);
@@ -136,6 +136,7 @@ private:
   double m_fFastest =
       0.0; // ball at the beginning, or surface that was met, of it g_fSqueezed times the speed
   Vector2d m_vGravity = Vector2d::Zero();
+  bool m_bCapsSpeeds = false; // gravity can take a ball beyond g_fMaxSpeed
   bool m_bPairs = false;
   std::vector<std::uint32_t> m_stdSolid;    // balls of the arrays, by k
   std::vector<CDiscGrid::CDisc> m_stdDiscs; // around their ways, as they would move alone

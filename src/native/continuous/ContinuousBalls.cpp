@@ -138,7 +138,8 @@ void CContinuous::FindBalls(std::uint32_t i, float reach) {
 }
 
 // The floats of a place and a velocity, and under gravity what they lack.
-void CContinuous::Put(const Vector2d& p, const Vector2d& v, std::size_t i, CBallArrays& b) const {
+void CContinuous::Put(const Vector2d& p, Vector2d v, std::size_t i, CBallArrays& b) const {
+  if (m_bCapsSpeeds) m_pStats->m_nSpeedsCapped += CapSpeed(v);
   b.m_stdPos[i] = ToFloat(p);
   b.m_stdVel[i] = ToFloat(v);
   if (!IsFalling()) return;
