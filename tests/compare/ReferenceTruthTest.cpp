@@ -269,5 +269,18 @@ TEST(ReferenceTruth, ElasticBallKeepsItsBeat) {
   RecordProperty("worst time error", Text(worst));
 }
 
+// In a ring a ball keeps its angular momentum and its speed; each hit puts it some roundings inwards.
+TEST(ReferenceTruth, ABallInARingDriftsByRoundings) {
+  CExact reference = Make({CArcDesc({0, 0}, 1, 0, 0)}, {CDynamicCircleDesc({.5f, 0}, .125f, {1, 2})});
+  const auto momentum = [&] { return Cross(reference.GetBall(0).m_vPos, reference.GetBall(0).m_vVel); };
+  const double before = momentum(), energy = Energy(reference);
+  const auto hits = static_cast<double>(Carry(reference, 1, 8000).size());
+  ASSERT_GT(hits, 10000.0);
+  const double drift = std::abs(momentum() / before - 1);
+  EXPECT_LE(drift, 1e-14 * hits);
+  EXPECT_LE(std::abs(Energy(reference) / energy - 1), 1e-14 * hits);
+  RecordProperty("drift per hit", Text(drift / hits));
+}
+
 } // namespace
 } // namespace Shapes::Compare::Tests
