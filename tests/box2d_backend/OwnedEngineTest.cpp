@@ -208,6 +208,21 @@ TEST(OwnedWorldTest, BothFacesOfAnArcAreSolidUnlessOneIsOpen) {
   }
 }
 
+// Its lowest place is where two of its 16 chords meet, and Box2D solves a contact with each.
+TEST(OwnedWorldTest, ABallThatTouchesTwoChordsOfAnArcHasOneContact) {
+  const auto pWorld = Make({0, -10});
+  pWorld->Add(CArcDesc({0, 1}, 1, g_fPi, 0));
+  pWorld->Add(CDynamicCircleDesc({0, 0.5f}, 0.5f, {0, 0}, 1, 0));
+  std::size_t reported = 0;
+  for (int i = 0; i < 60; ++i) {
+    pWorld->Step();
+    EXPECT_LE(pWorld->GetContacts().size(), 1u);
+    reported += pWorld->GetContacts().size();
+  }
+  EXPECT_GT(reported, 50u);
+  EXPECT_GT(pWorld->GetStats().m_nEngineContacts, reported); // the control
+}
+
 TEST(OwnedWorldTest, ABallStaysInABowlOfAnArc) {
   for (const CEffectChoice& choice : {g_cContinuous, g_cAutomatic}) {
     CWorldDesc desc;

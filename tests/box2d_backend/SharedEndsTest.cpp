@@ -135,6 +135,13 @@ TEST(JointsTest, OnlyWhatMovesTogetherIsJoined) {
   EXPECT_EQ(count({0.5f, 0.5f}, 2), 2u);
   EXPECT_EQ(count({0.5f, 0.5f}, -2), 0u);
   EXPECT_EQ(count({0.5f, 0.4f}, 2), 0u);
+  CTable moving;
+  const CShapeId left = moving.Turning({-1, 0}, {0, 0}, {0, 0}, 0),
+                 right = moving.Turning({0, 0}, {1, 0}, {0, 0}, 0);
+  moving.Get(left).SetVel({1, 0});
+  EXPECT_EQ(moving.Count(), 0u);
+  moving.Get(right).SetVel({1, 0});
+  EXPECT_EQ(moving.Count(), 2u);
   CTable table; // not a static one and one that turns, even if it stands still
   table.Turning({-1, 0}, {0, 0}, {0, 0}, 0);
   table.Segment({0, 0}, {1, 0});

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "SampleReport.h"
@@ -115,6 +116,14 @@ TEST(FailAboveTest, WhatWasMeasuredNowhereIsNoPass) {
   EXPECT_NE(above[0].find("missed was not measured"), std::string::npos);
   report.m_stdScenes.push_back(MakeSampleScene());
   EXPECT_TRUE(Find(report, "missed=1").empty());
+}
+
+TEST(FailAboveTest, ANaNIsAboveEveryLimit) {
+  CRunReport report = MakeSampleReport();
+  report.m_stdScenes[0].m_stdEngines[Tests::g_nBox2D].m_cLongRun.m_fEnergyDrift = std::nan("");
+  const auto above = Find(report, "energy_drift=1e9");
+  ASSERT_EQ(above.size(), 1u);
+  EXPECT_EQ(above[0], "energy_drift is nan on spinner with box2d: above 1e+09");
 }
 
 TEST(FailAboveTest, FewImpactsShowNoSmallRate) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Responses to what is not touched: a scene in which Box2D has them, by a mechanism that is known, and
 // controls.
+#include "metrics/Ghosts.h"
 #include "MadeScenes.h"
 #include "metrics/ImpactTrials.h"
+#include "scene/ExactGame.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace Shapes::Compare::Tests {
 namespace {
@@ -84,6 +88,52 @@ TEST(GhostsTest, EarlyAnswersAreNoGhosts) {
   EXPECT_EQ(result.m_stdGhosts[g_nApproximate], 0u);
   // The third step before the impact may still be in the skin: that one is a ghost by definition.
   EXPECT_LT(result.m_stdGhosts[g_nBox2D], 60u);
+}
+
+// One step from the start of the scene as it is, with so many impacts before that each quiet step is drawn.
+CImpactTrialResult JudgeOneStep(const CScene& scene) {
+  const std::vector<CEngine> engines = GetEngines();
+  CStart start;
+  for (const CSceneBall& ball : scene.m_stdBalls)
+    start.m_stdBalls.push_back(ball.m_cDesc);
+  CExactGame game(scene, start);
+  game.Step();
+  CImpactTrialResult result;
+  result.m_stdContacts.resize(1000);
+  result.m_stdGhosts.assign(engines.size(), 0);
+  CGhostHunter(scene, engines).Judge(game, result);
+  return result;
+}
+
+// Between their surfaces, at the least, in radii; both are counted.
+TEST(GhostsTest, TwoBallsPassEachOtherWithinARadius) {
+  for (const auto& [gap, quiet] : {std::pair(0.5f, 2u), std::pair(0.95f, 2u), std::pair(1.05f, 0u)}) {
+    CScene scene = MakeScene(4, 1);
+    AddBall(scene, {{-0.5f, 0}, 0.1f, {60, 0}});
+    AddBall(scene, {{0.5f, 0.2f + 0.1f * gap}, 0.1f, {-60, 0}});
+    EXPECT_EQ(JudgeOneStep(scene).m_nQuietSteps, quiet) << gap;
+  }
+}
+
+// In Box2D's skin of .01. The one that comes nearer touches in the next step, the other one in none.
+TEST(GhostsTest, WhatIsTouchedInTheNextTwoStepsIsNoGhost) {
+  for (const auto& [speed, ghosts] : {std::pair(0.3f, 0u), std::pair(0.01f, 1u)}) {
+    CScene scene = MakeScene(4, 1);
+    AddShape(scene, CLineSegDesc({0, -2}, {0, 2}));
+    AddBall(scene, {{-0.109f, 0}, 0.1f, {speed, 0}});
+    const CImpactTrialResult result = JudgeOneStep(scene);
+    EXPECT_EQ(result.m_nQuietSteps, 1u);
+    EXPECT_EQ(result.m_stdGhosts[g_nBox2D], ghosts) << speed;
+    EXPECT_EQ(result.m_stdGhosts[g_nNative], 0u);
+  }
+}
+
+TEST(GhostsTest, ResponsesToTwoShapesInAStepAreOneGhost) {
+  CScene scene = MakeScene(4, 1);
+  AddShape(scene, CLineSegDesc({0, -2}, {0, 2}));
+  AddShape(scene, CLineSegDesc({-2, 0}, {2, 0}));
+  AddBall(scene, {{-0.109f, 0.109f}, 0.1f, {0.01f, -0.01f}});
+  EXPECT_EQ(JudgeOneStep(scene).m_stdGhosts[g_nBox2D], 1u);
 }
 
 } // namespace

@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 namespace Shapes::Compare::Tests {
 namespace {
 
@@ -41,6 +44,57 @@ TEST(ImpactEvaluatorTest, ARollingBallHasNotAnsweredTheWallThatItMissed) {
   EXPECT_TRUE(Holds(native.GetTunneled(), g_nJudgeContacts, 5.0 / 6)) << native.GetTunneled();
   EXPECT_TRUE(Holds(native.m_nMissed, g_nJudgeContacts, 4.0 / 6)) << native.m_nMissed;
   EXPECT_FALSE(Holds(native.m_nMissed, g_nJudgeContacts, 0)); // as if the floor had answered
+}
+
+// A point that the ball passed has no side on which it could be wrong.
+TEST(ImpactEvaluatorTest, TheFloorIsNoAnswerToAPointThatTheBallPassed) {
+  CScene scene = MakeScene(3, 0.1f);
+  scene.m_cWorld.m_vGravity = {0, -10};
+  CLineSegDesc floor({-3, 0}, {3, 0});
+  floor.m_fElasticity = 0.0f;
+  AddShape(scene, floor);
+  AddShape(scene, CPointDesc(Vector2(0, 0.8f * g_fBallRadius)));
+  AddBall(scene, Flying({-1, g_fBallRadius}, 6));
+  const CImpactTrialResult result = Judge(scene);
+  ASSERT_EQ(result.m_stdContacts.size(), g_nJudgeContacts);
+  const CTotals native = MakeTotals(result.m_stdContacts, g_nApproximate);
+  EXPECT_TRUE(Holds(native.m_nMissed, g_nJudgeContacts, 4.0 / 6)) << native.m_nMissed;
+}
+
+// The exact ball bounces off the end of a segment, which is open in the approximate mode: there the ball is
+// met when its centre is beside the segment, so many steps after the impact.
+TEST(ImpactEvaluatorTest, AResponseIsLateForTwoStepsAndMissingThen) {
+  const float r = 0.5f, dt = 1.0f / 60;
+  for (const auto& [steps, outcome] :
+       {std::pair(1.98f, eOutcome::Late), std::pair(3.0001f, eOutcome::Missed)}) {
+    CScene scene = MakeScene(3, 0.2f);
+    AddShape(scene, CLineSegDesc({0, 0}, {2, 0}));
+    const Vector2 v(0.1f / (steps * dt), -0.3f), impact(-0.1f, std::sqrt(r * r - 0.01f));
+    AddBall(scene, {impact - 3.3f * dt * v, r, v});
+    const CImpactTrialResult result = Judge(scene, 50);
+    ASSERT_EQ(result.m_stdContacts.size(), 50u);
+    for (const CContact& contact : result.m_stdContacts) {
+      EXPECT_EQ(contact.m_ePair, ePair::SegmentEnd);
+      EXPECT_EQ(contact.m_stdEngines[g_nApproximate].m_eOutcome, outcome)
+          << steps << " steps, impact at " << contact.m_fTime;
+    }
+  }
+}
+
+// Box2D moves nothing by more than 2 metres a step: a ball that wants to go 4 loses half of its speed.
+TEST(ImpactEvaluatorTest, ABallThatIsTooSlowHasANegativeError) {
+  CScene scene = MakeScene(30, 1);
+  AddShape(scene, CLineSegDesc({10, -20}, {10, 20}));
+  AddBall(scene, {{0, 0}, 0.5f, {240, 0}});
+  std::size_t compared = 0;
+  for (const CContact& contact : Judge(scene, 100).m_stdContacts) {
+    const CEngineContact& c = contact.m_stdEngines[g_nBox2D];
+    if (!c.m_bCompared) continue;
+    ++compared;
+    EXPECT_NEAR(c.m_fSpeedError, -0.5f, 1e-3f);
+    EXPECT_NEAR(c.m_fEnergyError, -0.75f, 1e-3f);
+  }
+  EXPECT_GT(compared, 10u);
 }
 
 // A ball that got into a ring unseen is turned back by its far side a step later, with the right normal.

@@ -97,6 +97,18 @@ TEST(ImpactTrialRulesTest, SlowImpactsAreResting) {
                           [&](const CContact& c) { return c.m_fApproach < 2 * slow; }));
 }
 
+// The ball enters the circle by less than the rounding of its way.
+TEST(ImpactTrialRulesTest, GrazesAreAmbiguous) {
+  CScene scene = MakeScene(4, 1);
+  AddShape(scene, CCircleDesc({0, 0}, 1));
+  AddBall(scene, {{-1, 1.5f}, 0.5f, {3, -1e-9f}});
+  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), MakeOptions(10, 30));
+  EXPECT_EQ(result.m_cExcluded.m_nAmbiguous, 30u);
+  EXPECT_TRUE(result.m_stdContacts.empty());
+  scene.m_stdBalls[0].m_cDesc.m_vVel.y() = -0.1f; // the control
+  EXPECT_EQ(RunImpactTrials(scene, GetEngines(), MakeOptions(10, 30)).m_stdContacts.size(), 10u);
+}
+
 TEST(ImpactTrialRulesTest, OverlapsAreAmbiguous) {
   CScene scene = MakeScene(2, 0.1f);
   AddShape(scene, CLineSegDesc({0, -1}, {0, 1}));

@@ -95,6 +95,9 @@ TEST(LastingTest, EnergyFromNothingIsOnlyToldWhereNothingDoesWork) {
   AddShape(deep, CLineSegDesc({-3, 0}, {3, 0}, 0.0f));
   AddBall(deep, {{0, 0.05f}, 0.1f});
   EXPECT_NEAR(Measure(deep, g_nApproximate).m_fEnergyGained.value(), 0.05 / 4.05, 1e-3);
+  // What another ball loses, which falls by 1 onto the floor, does not make up for it.
+  AddBall(deep, {{2, 1.1f}, 0.1f});
+  EXPECT_NEAR(Measure(deep, g_nApproximate).m_fEnergyGained.value(), 0.05 / (4.05 + 5.1), 1e-3);
 }
 
 TEST(LastingTest, FlowIsBallsPerSecondUntilTheLastOne) {

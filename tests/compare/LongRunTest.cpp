@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace Shapes::Compare::Tests {
 namespace {
@@ -70,6 +71,31 @@ TEST(LongRunTest, FreePathOfNativeBetweenWallsIsRoundedUpToSteps) {
     EXPECT_NEAR(runs[g_nApproximate].m_fSeconds, 4000 * std::ceil(steps) / 60,
                 0.01 * runs[g_nApproximate].m_fSeconds);
   }
+}
+
+// The approximate mode may lose height until the ball lies there (docs/effects.md): the drift is that of the
+// height above the lowest place of the bounds, each bounce for as long as it takes.
+TEST(LongRunTest, EnergyIsThatOfTheHeightAboveTheLowestPlace) {
+  CScene scene = MakeScene(3, 1);
+  scene.m_cWorld.m_vGravity = {0, -10};
+  AddShape(scene, CLineSegDesc({-1, 0}, {1, 0}));
+  AddBall(scene, {{0, 2}, 0.1f});
+  const std::vector<CEngine> engines{GetEngines()[g_nApproximate]};
+  const CLongRun run = MeasureLongRuns(scene, engines, 3, 400, 100000).at(0);
+  const CStart start = MakeStart(scene, 3, 0);
+  CGame game(scene, engines[0], start);
+  std::vector<double> heights;
+  for (auto steps = std::lround(run.m_fSeconds * 60); steps > 0; --steps) {
+    game.Step();
+    heights.push_back(static_cast<double>(game.GetWorld().GetBallPositions()[0].y()));
+  }
+  double sum = 0.0, time = 0.0;
+  for (std::size_t i = 1; i < heights.size() / 10; ++i)
+    if (heights[i - 1] < heights[i] && heights[i] >= heights[i + 1])
+      sum += std::pow(heights[i], 1.5), time += std::sqrt(heights[i]);
+  const double first = sum / time, last = heights.back();
+  ASSERT_NEAR(last, 0.1, 0.01);
+  EXPECT_NEAR(run.m_fEnergyDrift.value(), (last - first) / (first + 3.0), 0.05);
 }
 
 // The billiard of Sinai has the mean free path pi A / P, for a ball of radius r with the walls moved in and

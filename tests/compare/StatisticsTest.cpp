@@ -102,5 +102,14 @@ TEST(StatisticsTest, TheIntervalOfAQuantileIsBetweenOrderStatistics) {
 
 TEST(StatisticsTest, GeometricMeansAreOfRatios) { EXPECT_NEAR(GeometricMean({1.0, 100.0}), 10.0, 1e-12); }
 
+// As by the sign test: with even odds all of 5 come out alike once in 16 times, all of 6 once in 32.
+TEST(StatisticsTest, SixOfSixAreToldApartAndFiveOfFiveAreNot) {
+  EXPECT_FALSE(CanBeToldApart(5, 0));
+  EXPECT_TRUE(CanBeToldApart(6, 0));
+  EXPECT_TRUE(CanBeToldApart(0, 6));
+  EXPECT_FALSE(CanBeToldApart(120, 91));
+  EXPECT_TRUE(CanBeToldApart(120, 90));
+}
+
 } // namespace
 } // namespace Shapes::Compare

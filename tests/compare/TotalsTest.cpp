@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 
 namespace Shapes::Compare::Tests {
@@ -214,6 +215,20 @@ TEST(TotalsTest, HistogramsCountBetweenTheirEdges) {
   EXPECT_EQ(h.m_stdPenetration, penetrations);
   EXPECT_GT(h.m_stdSetbackError.back(), 0u);
   EXPECT_GT(h.m_stdPenetration.front(), 100u); // zeros
+}
+
+TEST(TotalsTest, AnEdgeOfTheHistogramBelongsToTheBinAboveIt) {
+  ASSERT_EQ(GetHistogramEdge(24), 1.0);
+  const auto binOf = [](float penetration) {
+    CContact contact;
+    contact.m_stdEngines.resize(1);
+    contact.m_stdEngines[0].m_eOutcome = eOutcome::Correct;
+    contact.m_stdEngines[0].m_fPenetration = penetration;
+    const auto bins = MakeHistogram(std::span(&contact, 1), 0).m_stdPenetration;
+    return std::find(bins.begin(), bins.end(), 1u) - bins.begin();
+  };
+  EXPECT_EQ(binOf(1.0f), 24);
+  EXPECT_EQ(binOf(std::nextafter(1.0f, 0.0f)), 23);
 }
 
 } // namespace

@@ -17,7 +17,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WORK = ROOT / "build" / "mutations"
-SOURCES, BUILD = WORK / "sources", WORK / "build"
+SOURCES, BUILD = WORK / "sources", WORK / "sources/build/dev"  # where a clone has it: so ccache knows its objects
 TIMEOUT = 300  # seconds for the tests of a unit; a fault that makes them run forever is noticed too
 
 
@@ -71,16 +71,14 @@ def prepare():
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(source, copy)
     launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
-    subprocess.run(["cmake", "-S", SOURCES, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
-                    "-DCMAKE_CXX_FLAGS_DEBUG=-Og", "-DSHAPES_BUILD_EXAMPLES=OFF", *launcher],
-                   stdout=subprocess.DEVNULL, check=True)
+    subprocess.run(["cmake", "--preset", "dev", *launcher], cwd=SOURCES, stdout=subprocess.DEVNULL, check=True)
 
 
 def main():
     words = " ".join(sys.argv[1:])
     mutations = [m for m in read_mutations() if words in m["name"]]
-    os.environ.setdefault("CCACHE_NOHASHDIR", "1")
-    os.environ.setdefault("CCACHE_BASEDIR", str(SOURCES))
+    os.environ["CCACHE_NOHASHDIR"] = "1"
+    os.environ["CCACHE_BASEDIR"] = str(SOURCES)
     prepare()
     for program in sorted({m["program"] for m in mutations}):
         if (error := build(program)) is not None:
