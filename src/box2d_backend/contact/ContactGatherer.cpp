@@ -9,10 +9,10 @@
 
 namespace Shapes::Box2D {
 
-void CContactGatherer::BeginStep(const b2Vec2& g, float h) {
+void CContactGatherer::BeginStep(const b2Vec2& g, float h, float weight) {
   m_vGravity = g;
   m_fStep = h;
-  m_cOverride.BeginStep(g, h);
+  m_cOverride.BeginStep(g, h, weight);
   m_stdPathVertices.clear();
   if (!Follows()) return;
   for (CBody* pBall : m_cBodies.GetBalls()) {

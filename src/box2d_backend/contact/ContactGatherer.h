@@ -32,7 +32,8 @@ public:
   /// To be called before each b2World::Step.
   /// @param g  gravity in metres; of worlds that follow parabolas, else 0
   /// @param h  length of the step, seconds
-  void BeginStep(const b2Vec2& g, float h);
+  /// @param weight  of all balls in lasting contact, newtons
+  void BeginStep(const b2Vec2& g, float h, float weight);
 
   void PreSolve(b2Contact* pContact, const b2Manifold* pOld) override;
   /// After PreSolve, in a game's b2World: one of our balls meets what is not ours. Box2D, or the game,

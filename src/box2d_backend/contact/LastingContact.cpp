@@ -39,13 +39,15 @@ bool ArePressed(const CBody& a, const CBody& b, float gravityStep) {
 
 } // namespace
 
-void FindLastingContacts(CBodies& bodies, const b2Vec2& g, float h) {
+float FindLastingContacts(CBodies& bodies, const b2Vec2& g, float h) {
   bodies.FindContacts();
   const float gravityStep = h * g.Length();
+  float mass = 0.0f;
   std::vector<CBody*> lasting;
   const auto mark = [&](CBody& ball) {
     if (ball.m_bIsLasting) return;
     ball.m_bIsLasting = true;
+    mass += ball.m_pBody->GetMass();
     lasting.push_back(&ball);
   };
   for (CBody* pBall : bodies.GetBalls())
@@ -69,6 +71,7 @@ void FindLastingContacts(CBodies& bodies, const b2Vec2& g, float h) {
     });
   }
   bodies.SetBullets();
+  return mass * g.Length();
 }
 
 void PushOutOfShapes(CBodies& bodies) {

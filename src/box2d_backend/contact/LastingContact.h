@@ -13,7 +13,8 @@ namespace Shapes::Box2D {
 /// or two. So is every ball that touches a lasting one.
 /// @param g  gravity in metres, 0 if balls do not follow parabolas
 /// @param h  length of the step, seconds
-void FindLastingContacts(CBodies& bodies, const b2Vec2& g, float h);
+/// @return the weight of all balls in lasting contact, newtons
+float FindLastingContacts(CBodies& bodies, const b2Vec2& g, float h);
 
 /// After each b2World::Step: no ball in lasting contact remains in a shape, whatever others push it there.
 void PushOutOfShapes(CBodies& bodies);

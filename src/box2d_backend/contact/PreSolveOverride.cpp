@@ -98,9 +98,10 @@ struct CPreSolveOverride::CInspected {
   CParabolicCorrection::CImpact m_cImpact;
 };
 
-void CPreSolveOverride::BeginStep(const b2Vec2& g, float h) {
+void CPreSolveOverride::BeginStep(const b2Vec2& g, float h, float weight) {
   m_vGravity = g;
   m_fStep = h;
+  m_fLastingWeight = weight;
   m_bIsContinuous = m_bIsIslandOpen = false;
   m_stdEarly.clear();
 }
@@ -269,8 +270,15 @@ CPreSolveOverride::LeaveToSolver(b2Contact& contact, const CBody& shape, const C
   const b2Vec2 p = ball.m_pBody->GetPosition(), surface = shape.m_pBody->GetLinearVelocityFromWorldPoint(p);
   const CExactContact exact = FindExactContact(shape.m_cGeometry, ToDouble(b2MulT(xf, p)), Vector2d::Zero(),
                                                static_cast<double>(ball.m_fRadius));
-  const b2Vec2 n = b2Mul(xf.q, ToFloat(exact.m_vNorm));
+  b2Vec2 n = b2Mul(xf.q, ToFloat(exact.m_vNorm));
   const float gap = static_cast<float>(exact.m_fGap);
+  // A row that walls press together would stay in line for ever, ball in ball.
+  if (shape.m_bIsBall && gap < -g_fCrushed * std::min(ball.m_fRadius, shape.m_fRadius)) {
+    b2Vec2 down = m_vGravity;
+    down.Normalize();
+    n += (ball.m_cId.m_nValue % 2 == 0 ? -g_fCrushedTilt : g_fCrushedTilt) * down;
+    n.Normalize();
+  }
   if (m_bIsContinuous && !m_bIsIslandOpen && !shape.m_bIsBall) {
     // Stopped here, it would lose the way by which the others have pushed it out of themselves.
     const float left = static_cast<float>(1.0 - PartAt(shape, ball)) * m_fStep;
@@ -284,6 +292,10 @@ CPreSolveOverride::LeaveToSolver(b2Contact& contact, const CBody& shape, const C
   // At a time of impact Box2D would move a ball out of others at once and unswept, be it through a shape.
   const float kept = m_bIsContinuous && shape.m_bIsBall ? std::max(0.0f, gap) : gap;
   SetManifold(contact, contact.GetFixtureB()->GetBody() == ball.m_pBody ? n : -n, kept - b2_linearSlop);
+  // Box2D begins with the impulse of the last step. What lies presses by its weight at most; what walls have
+  // pressed together keeps any impulse, as it is balanced, and would be shot out with it.
+  float& impulse = contact.GetManifold()->points[0].normalImpulse;
+  impulse = std::min(impulse, m_fStep * m_fLastingWeight);
   const float approach = -b2Dot(ball.m_pBody->GetLinearVelocity() - surface, n);
   if (!(approach > 0.0f)) return {};
   // The ball bounces off as it would have before the gravity step, and then gets that. What gravity presses

@@ -26,7 +26,8 @@ class CPreSolveOverride {
 public:
   /// @param g  gravity, 0 if balls do not follow parabolas
   /// @param h  length of the step, seconds
-  void BeginStep(const b2Vec2& g, float h);
+  /// @param weight  of all balls in lasting contact, newtons
+  void BeginStep(const b2Vec2& g, float h, float weight);
   /// After PostSolve of any contact.
   void AfterSolve();
 
@@ -61,6 +62,7 @@ private:
 
   b2Vec2 m_vGravity{0.0f, 0.0f};
   float m_fStep = 0.0f;
+  float m_fLastingWeight = 0.0f;
   bool m_bIsContinuous = false; // in the second pass
   bool m_bIsIslandOpen = false; // the contact that was hit has been answered, what else touches comes now
   b2Vec2 m_vIslandNormal{0.0f, 0.0f};

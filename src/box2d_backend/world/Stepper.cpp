@@ -179,7 +179,7 @@ bool CStepper::HasParabolas() const { return m_cTuning.m_bParabolas && GetGravit
 
 void CStepper::BeforeStep(float h) {
   const b2Vec2 g = HasParabolas() ? GetGravity() : b2Vec2_zero;
-  if (m_cTuning.m_bLastingContact) FindLastingContacts(m_cBodies, g, h);
+  const float weight = m_cTuning.m_bLastingContact ? FindLastingContacts(m_cBodies, g, h) : 0.0f;
   if (HasParabolas())
     for (CBody* pBall : m_cBodies.GetBalls()) {
       // What lasts gets all of it before the step, so that Box2D's solver is left with nothing undone.
@@ -187,7 +187,7 @@ void CStepper::BeforeStep(float h) {
       pBall->m_pBody->SetLinearVelocity(pBall->m_pBody->GetLinearVelocity() + part * h * g);
     }
   CountClamped(h);
-  m_cGatherer.BeginStep(g, h);
+  m_cGatherer.BeginStep(g, h, weight);
 }
 
 void CStepper::AfterStep() {
