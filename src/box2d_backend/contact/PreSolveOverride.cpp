@@ -298,16 +298,20 @@ CPreSolveOverride::LeaveToSolver(b2Contact& contact, const CBody& shape, const C
   impulse = std::min(impulse, m_fStep * m_fLastingWeight);
   const float approach = -b2Dot(ball.m_pBody->GetLinearVelocity() - surface, n);
   if (!(approach > 0.0f)) return {};
+  const float nearing = std::max(0.0f, gap) / m_fStep; // as fast as that they touch at the end of the step
+  if (approach < nearing) {
+    contact.SetRestitution(-1.0f); // no response
+    return {};
+  }
   // The ball bounces off as it would have before the gravity step, and then gets that. What gravity presses
-  // together does not bounce, and may come as near as to touch at the end of the step: then the restitution
-  // is less than 0, the share of the approach that is left.
+  // together does not bounce, and may come as near as to touch: then the restitution is less than 0, the
+  // share of the approach that is left.
   const float press = m_bIsContinuous || shape.m_bIsBall ? 0.0f : -m_fStep * b2Dot(m_vGravity, n);
   const float before = approach - press;
-  float bounce = -std::max(0.0f, gap) / m_fStep;
+  float bounce = -nearing;
   if (before > static_cast<float>(g_fRestingSpeed) * m_fStep * m_vGravity.Length())
-    bounce = std::max(0.0f, contact.GetRestitution() * before - press);
-  contact.SetRestitution(bounce > -approach ? bounce / approach : -1.0f);
-  if (gap > b2_linearSlop) return {};
+    bounce = std::max(bounce, contact.GetRestitution() * before - press);
+  contact.SetRestitution(bounce / approach);
   return CResolution{p - ball.m_fRadius * n, n, before};
 }
 
