@@ -23,7 +23,7 @@ constexpr const char* g_sLasting = "Contact that lasts";
 constexpr const char* g_sCost = "Cost";
 
 bool IsDetected(const C& c) { return c.m_bDetected; }
-bool HasTurnedBack(const C& c) { return c.HasTurnedBack(); }
+bool IsReported(const C& c) { return c.HasTurnedBack() && c.m_bReported; }
 bool IsCompared(const C& c) { return c.m_bCompared; }
 
 CHits OfImpacts(const E& e, std::size_t hits) { return {hits, e.m_cTotals.m_nContacts}; }
@@ -79,9 +79,8 @@ constexpr CFigure g_stdFigures[] = {
     OfImpact("setback_error_normal", g_sClaims, "along the normal, out is +", "radii", true,
              &C::m_fSetbackErrorNormal, IsDetected),
     OfImpact("time_error", g_sClaims, "in time, late is +", "steps", true, &C::m_fTimeError, IsDetected),
-    OfImpact("poi_error", g_sResponses, "place of the impact", "radii", false, &C::m_fPOIError,
-             HasTurnedBack),
-    OfImpact("normal_error", g_sResponses, "normal", "rad", false, &C::m_fNormalError, HasTurnedBack),
+    OfImpact("poi_error", g_sResponses, "place of the impact", "radii", false, &C::m_fPOIError, IsReported),
+    OfImpact("normal_error", g_sResponses, "normal", "rad", false, &C::m_fNormalError, IsReported),
     OfImpact("direction_error", g_sResponses, "direction", "rad", false, &C::m_fDirectionError, IsCompared),
     OfImpact("speed_error", g_sResponses, "speed", "relative", true, &C::m_fSpeedError, IsCompared),
     OfImpact("energy_error", g_sResponses, "energy", "relative", true, &C::m_fEnergyError, IsCompared),

@@ -119,6 +119,15 @@ public:
     return late == 0 ? eOutcome::Correct : eOutcome::Late;
   }
 
+  // Whether the ball rests or slides: of what it would have after a bounce it may lack the bounce itself, but
+  // not that and half of the approach.
+  bool HasComeToRest(double approach, double elasticity) const {
+    const auto& exact = m_cGame.GetReference();
+    CVec2d v = GetVel(m_cEvent.m_nBall) - exact.GetBall(m_cEvent.m_nBall).m_vVel;
+    if (m_cEvent.m_bIsBall) v -= GetVel(m_cEvent.m_nShape) - exact.GetBall(m_cEvent.m_nShape).m_vVel;
+    return v.dot(m_cEvent.m_vNorm) > -(elasticity + 0.5) * approach && IsOnExactSide();
+  }
+
   float GetPenetration() const {
     const CVec2d p = GetPos(m_cEvent.m_nBall);
     const auto& reference = m_cGame.GetReference();
@@ -178,6 +187,13 @@ private:
 };
 
 } // namespace
+
+float GetElasticity(const CScene& scene, const CExactGame& game, const CEvent& event) {
+  const CDynamicCircleDesc& ball = game.GetBalls()[event.m_nBall];
+  return ball.m_fElasticity * (event.m_bIsBall
+                                   ? game.GetBalls()[event.m_nShape].m_fElasticity
+                                   : GetBase(scene.m_stdShapes[event.m_nShape].m_cDesc).m_fElasticity);
+}
 
 // The exact game at the end of the step of the impacts and of those after it, which are played when they are
 // asked for.
@@ -249,9 +265,7 @@ CContact CImpactEvaluator::Describe(std::uint64_t trial, const CExactGame& game,
   c.m_fTravel = static_cast<float>(Norm(event.m_vVelBefore) * dt / static_cast<double>(ball.m_fRadius));
   c.m_fApproach = static_cast<float>(approach);
   c.m_fIncidence = static_cast<float>(AngleBetween(-v, event.m_vNorm));
-  c.m_fElasticity = ball.m_fElasticity *
-                    (event.m_bIsBall ? game.GetBalls()[event.m_nShape].m_fElasticity
-                                     : GetBase(m_cScene.m_stdShapes[event.m_nShape].m_cDesc).m_fElasticity);
+  c.m_fElasticity = GetElasticity(m_cScene, game, event);
   c.m_stdEngines.resize(m_stdEngines.size());
   return c;
 }
@@ -260,6 +274,7 @@ CContact CImpactEvaluator::Describe(std::uint64_t trial, const CExactGame& game,
 void CImpactEvaluator::Run(std::size_t engine, const CExactGame& game, std::span<const CEvent> events,
                            CAhead& ahead, std::span<CContact> contacts) const {
   CTrialWorld world(m_cScene, m_stdEngines[engine], game.GetBalls(), game.GetTime());
+  const double slow = GetSlowSpeed(m_cScene);
   std::size_t open = events.size();
   for (int late = 0; late <= g_nLateSteps && open > 0; ++late) {
     if (late > 0)
@@ -273,11 +288,18 @@ void CImpactEvaluator::Run(std::size_t engine, const CExactGame& game, std::span
       const CShapeId other = (event.m_bIsBall ? world.m_stdBalls : world.m_stdShapes)[event.m_nShape];
       const CEndOfStep end(ahead.Find(late), world, event);
       const auto answer = end.FindAnswer(other, late);
-      if (!answer) continue;
+      const double approach = static_cast<double>(contacts[i].m_fApproach);
+      c.m_bReported = answer.has_value();
+      if (answer)
+        c.m_eOutcome = answer->m_eOutcome;
+      else if (approach <= slow &&
+               end.HasComeToRest(approach, static_cast<double>(contacts[i].m_fElasticity)))
+        c.m_eOutcome = late == 0 ? eOutcome::Correct : eOutcome::Late;
+      else
+        continue;
       --open;
-      c.m_eOutcome = answer->m_eOutcome;
       if (!c.HasTurnedBack()) continue;
-      end.Touch(answer->m_cResponse, c);
+      if (answer) end.Touch(answer->m_cResponse, c);
       if (ahead.IsClear(late, event)) end.Compare(c);
     }
   }

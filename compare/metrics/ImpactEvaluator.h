@@ -11,6 +11,9 @@
 
 namespace Shapes::Compare {
 
+/// Product of the elasticities of those who meet in an event of the last step of `game`.
+float GetElasticity(const CScene& scene, const CExactGame& game, const CExactEvent<double>& event);
+
 class CAhead;
 
 class CImpactEvaluator {

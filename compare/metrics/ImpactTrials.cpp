@@ -14,8 +14,8 @@ namespace {
 // Which impacts of a step are judged: the first of each ball, unless it cannot be held against an engine.
 class CSelector {
 public:
-  /// @param slow approach speed up to which an impact is called resting
-  CSelector(double slow, CExcluded& aside) : m_fSlow(slow), m_cAside(aside) {}
+  CSelector(const CScene& scene, CExcluded& aside)
+      : m_cScene(scene), m_fSlow(GetSlowSpeed(scene)), m_cAside(aside) {}
 
   const std::vector<CExactEvent<double>>& Select(const CExactGame& game) {
     m_stdSelected.clear();
@@ -28,7 +28,7 @@ public:
       m_stdBusy.push_back(event.m_nBall);
       if (event.m_bIsBall) m_stdBusy.push_back(event.m_nShape);
       if (!first) continue;
-      if (std::size_t* pAside = FindReason(event))
+      if (std::size_t* pAside = FindReason(game, event))
         ++*pAside;
       else
         m_stdSelected.push_back(event);
@@ -42,13 +42,17 @@ private:
   }
 
   // Why an impact is set aside: the counter of the reason, or nullptr.
-  std::size_t* FindReason(const CExactEvent<double>& event) {
+  std::size_t* FindReason(const CExactGame& game, const CExactEvent<double>& event) {
     if (event.m_bGraze || event.m_bOverlapped) return &m_cAside.m_nAmbiguous;
     if (event.m_bSimultaneous) return &m_cAside.m_nSimultaneous;
     const double approach = -(event.m_vVelBefore - event.m_vSurface).dot(event.m_vNorm);
-    return approach > m_fSlow ? nullptr : &m_cAside.m_nResting;
+    if (approach > m_fSlow) return nullptr;
+    const double speed = Norm(event.m_vVelAfter),
+                 bounce = static_cast<double>(GetElasticity(m_cScene, game, event)) * approach;
+    return speed <= m_fSlow || bounce > g_fRestingTurn * speed ? &m_cAside.m_nResting : nullptr;
   }
 
+  const CScene& m_cScene;
   double m_fSlow;
   CExcluded& m_cAside;
   std::vector<CExactEvent<double>> m_stdSelected;
@@ -63,10 +67,7 @@ public:
         m_cJudge(scene, engines, options.m_bAsk),
         m_cGhosts(scene, engines),
         m_nSteps(GetStepsPerTrial(scene)),
-        // Gravity alone gives a ball that lies still half of this in every step.
-        m_cSelector(2.0 * static_cast<double>(scene.m_cWorld.m_vGravity.norm()) *
-                        static_cast<double>(scene.m_cWorld.m_fTimeStep),
-                    m_cResult.m_cExcluded) {
+        m_cSelector(scene, m_cResult.m_cExcluded) {
     m_cResult.m_stdGhosts.assign(engines.size(), 0);
   }
 
@@ -150,6 +151,11 @@ const char* GetName(eOutcome outcome) {
   case eOutcome::Missed: break;
   }
   return "missed";
+}
+
+double GetSlowSpeed(const CScene& scene) {
+  return g_fSlow * static_cast<double>(scene.m_cWorld.m_vGravity.norm()) *
+         static_cast<double>(scene.m_cWorld.m_fTimeStep);
 }
 
 CImpactTrialResult RunImpactTrials(const CScene& scene, const std::vector<CEngine>& engines,

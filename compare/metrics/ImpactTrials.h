@@ -28,6 +28,14 @@ inline constexpr std::size_t g_nPairs = 7;
 const char* GetName(ePair pair);
 const char* GetName(eOutcome outcome);
 
+/// An approach, or a ball, that is no faster than what gravity gives in so many steps is slow: an engine may
+/// respond to a slow approach with a bounce, or let the ball rest or slide, and need not report the latter.
+inline constexpr double g_fSlow = 2.0;
+double GetSlowSpeed(const CScene& scene);
+/// A slow impact is not judged where that makes a difference: if the ball leaves slowly, or if the bounce is
+/// more than this share of the speed with which it leaves (radians).
+inline constexpr double g_fRestingTurn = 0.01;
+
 /// A ball that did not tunnel and is deeper in the shape than this share of its radius, at the end of the
 /// step, overlaps.
 inline constexpr float g_fOverlap = 0.01f;
@@ -43,7 +51,8 @@ struct CEngineContact {
   float m_fSetbackErrorNormal = 0.0f; ///< the part of it along the exact normal; above 0 is too far out
   float m_fTimeError = 0.0f;          ///< the part of it along the way of the ball, in steps; above 0 is late
 
-  // By its world; only if the outcome is Correct or Late.
+  // By its world; only if the outcome is Correct or Late, and it reported the response.
+  bool m_bReported = true;     ///< false if the ball rests or slides unreported after a slow approach
   float m_fPOIError = 0.0f;    ///< distance of the points of impact
   float m_fNormalError = 0.0f; ///< radians between the normals
 
@@ -80,7 +89,7 @@ struct CContact {
 
 /// Steps and impacts that were seen and not judged, and why.
 struct CExcluded {
-  std::size_t m_nResting = 0;      ///< impacts too slow to be called one
+  std::size_t m_nResting = 0;      ///< slow impacts after which a ball may rest or bounce
   std::size_t m_nAmbiguous = 0;    ///< grazes that are decided by rounding, and overlaps
   std::size_t m_nSimultaneous = 0; ///< where the order of two impacts at once decides
   std::size_t m_nUndecided = 0;    ///< trials that the reference gave up, or whose state an engine refused

@@ -109,6 +109,47 @@ TEST(ImpactTrialRulesTest, GrazesAreAmbiguous) {
   EXPECT_EQ(RunImpactTrials(scene, GetEngines(), MakeOptions(10, 30)).m_stdContacts.size(), 10u);
 }
 
+// A slow approach of a fast ball: it leaves the same way whether it bounces or slides.
+TEST(ImpactTrialRulesTest, SlowImpactsAreJudgedWhereRestMakesNoDifference) {
+  const auto run = [](float speed, float e) {
+    CScene scene = MakeScene(20, 0.5f);
+    scene.m_cWorld.m_vGravity = {0, -9.81f};
+    CLineSegDesc floor({-20, 0}, {20, 0});
+    floor.m_fElasticity = e;
+    AddShape(scene, floor);
+    AddBall(scene, {{0, 0.1005f}, 0.1f, {speed, 0}}); // arrives with .1
+    return RunImpactTrials(scene, GetEngines(), MakeOptions(1000, 10));
+  };
+  const CImpactTrialResult fast = run(6, 0.5f);
+  EXPECT_EQ(fast.m_cExcluded.m_nResting, 0u);
+  EXPECT_GE(fast.m_stdContacts.size(), 10u);
+  for (const CContact& contact : fast.m_stdContacts) {
+    EXPECT_LT(contact.m_fApproach, 0.11f);
+    for (const CEngineContact& c : contact.m_stdEngines)
+      EXPECT_TRUE(c.HasTurnedBack());
+  }
+  EXPECT_GT(run(6, 1.0f).m_cExcluded.m_nResting, 9u);    // it bounces by .1 / 6 > .01 radians
+  EXPECT_GT(run(0.3f, 0.5f).m_cExcluded.m_nResting, 9u); // slow
+  EXPECT_EQ(run(0.4f, 0.0f).m_cExcluded.m_nResting, 0u); // nothing bounces
+}
+
+// Whoever slides need not report it, but whoever flies on has missed it.
+TEST(ImpactTrialRulesTest, ASlowImpactThatIsNotAnsweredIsMissed) {
+  CScene scene = MakeScene(40, 0.5f);
+  scene.m_cWorld.m_vGravity = {0, -9.81f};
+  AddBall(scene, {{-0.102f, 0}, 0.1f, {0.1f, 20}, 1, 0.5f});
+  AddBall(scene, {{0.102f, 0}, 0.1f, {0, 20}, 1, 0.5f});
+  std::vector<CEngine> engines = GetEngines();
+  engines[g_nContinuous].m_cEffects.m_cForbidden = {eEffect::BallPairs};
+  const CImpactTrialResult result = RunImpactTrials(scene, engines, MakeOptions(20, 20));
+  ASSERT_EQ(result.m_stdContacts.size(), 20u);
+  for (const CContact& contact : result.m_stdContacts) {
+    EXPECT_LT(contact.m_fApproach, 0.11f);
+    EXPECT_EQ(contact.m_stdEngines[g_nContinuous].m_eOutcome, eOutcome::Missed);
+    EXPECT_TRUE(contact.m_stdEngines[g_nNative].HasTurnedBack());
+  }
+}
+
 TEST(ImpactTrialRulesTest, OverlapsAreAmbiguous) {
   CScene scene = MakeScene(2, 0.1f);
   AddShape(scene, CLineSegDesc({0, -1}, {0, 1}));
