@@ -43,6 +43,42 @@ TEST(TunedBallsTest, AShippedCradleOfTouchingBallsShares) { // the control
   EXPECT_LT(Cradle(eProfile::Shipped, 0.001f, 50).back(), 0.9);
 }
 
+/// The energy that three elastic balls in a bowl gain in so many hits, as a share of what they began with.
+double GainInABowl(eProfile profile, std::uint64_t seed, std::size_t most) {
+  const float g = 10;
+  const auto pWorld = MakeBox2D(profile, {0, -g}, 1 / 60.0f);
+  pWorld->Add(CArcDesc({0, 0}, 1, 0, 0));
+  CRandom random(seed);
+  for (int i = 0; i < 3; ++i) {
+    const float x = 0.5f * static_cast<float>(i - 1) + static_cast<float>(EitherSign(random, 0.05)),
+                v = static_cast<float>(EitherSign(random, 1.5));
+    pWorld->Add(CDynamicCircleDesc({x, 0}, 0.1f, {v, 0}));
+  }
+  const auto energy = [&] {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      sum += 0.5 * pWorld->GetBallVelocities()[i].squaredNorm() + g * (pWorld->GetBallPositions()[i].y() + 1);
+    return sum;
+  };
+  const double first = energy();
+  for (std::size_t hits = 0; hits < most; hits += pWorld->GetContacts().size())
+    pWorld->Step();
+  return energy() / first - 1;
+}
+
+// Where a ball meets another one and the bowl in one step, Box2D may do so in the other order than the
+// parabolas. With the deviation of the wrong time they gained 3% in 10,000 hits.
+TEST(TunedBallsTest, ThreeElasticBallsInABowlGainNoEnergy) {
+  double sum = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const double gain = GainInABowl(eProfile::Tuned, seed, 10000);
+    EXPECT_GT(gain, -0.01) << seed;
+    sum += gain;
+  }
+  EXPECT_LT(sum / 4, 0.01);
+  EXPECT_GT(GainInABowl(eProfile::Shipped, 1, 1000), 1); // the control
+}
+
 struct CMeeting {
   int m_nWrong = 0; // direction of the relative velocity
   int m_nMissed = 0;

@@ -31,12 +31,10 @@ void CParabolicCorrection::Begin(const Vector2d& g, double h) {
 double CParabolicCorrection::PartAt(const b2Body& ball, const b2Vec2& start) const {
   const b2Vec2 v = ball.GetLinearVelocity(), p = ball.GetPosition();
   const double vv = static_cast<double>(b2Dot(v, v)) * m_fStep;
-  // The parabolas may meet just outside of the step in which the straight ways do.
-  const double least = std::clamp(m_fPart, 0.0, 1.0);
-  if (!(vv > 0.0)) return least;
+  if (!(vv > 0.0)) return std::clamp(m_fPart, 0.0, 1.0);
   const double part = m_bHasMotion ? 1.0 - static_cast<double>(b2Dot(m_vMotionEnd - p, v)) / vv
                                    : static_cast<double>(b2Dot(p - start, v)) / vv;
-  return std::clamp(part, least, 1.0);
+  return std::clamp(part, 0.0, 1.0);
 }
 
 void CParabolicCorrection::GetDeviation(double part, Vector2d& p, Vector2d& v) const {
