@@ -22,6 +22,7 @@ struct CContactGeometry {
   Vector2d m_vCentre = Vector2d::Zero(); ///< Of disks and arcs.
   double m_fRadius = 0.0;                ///< Of disks (0 for a point) and arcs.
   bool m_bFull = false;                  ///< An arc that is a full circle has no ends.
+  bool m_bIsOneSided = false;            ///< A ball may be on its way through it.
   bool m_bLong = false;                  ///< An arc of more than half a circle.
   CEnd m_cEnd0, m_cEnd1;                 ///< An arc runs counterclockwise from end 0.
 };

@@ -40,11 +40,13 @@ CContactGeometry MakeContactGeometry(const CShape& shape, const Vector2& origin,
                               [&](const CLineSeg& seg) {
                                 if (seg.GetEndPt0() == seg.GetEndPt1()) return;
                                 geometry.m_eKind = CContactGeometry::eKind::LineSeg;
+                                geometry.m_bIsOneSided = seg.GetSides() != eSides::Both;
                                 SetEnds(seg, origin, scale, sharedEnds, geometry);
                               },
                               [&](const CCircle& circle) { setRadius(circle.GetRadius()); },
                               [&](const CArc& arc) {
                                 geometry.m_eKind = CContactGeometry::eKind::Arc;
+                                geometry.m_bIsOneSided = arc.GetSides() != eSides::Both;
                                 setRadius(arc.GetRadius());
                                 geometry.m_bFull = arc.IsFullCircle();
                                 geometry.m_bLong = arc.GetSpan() > g_fPi;
