@@ -170,10 +170,6 @@ inline constexpr float g_fCrushedTilt = 0.1f;
 /// by the rest of that: rounding would decide on which side of it its centre is.
 inline constexpr float g_fLeastRest = 0.25f;
 
-/// A ball in a tuned world is small if its radius is below so many slops: what Box2D lets overlap may take it
-/// through a shape, above all where it slides in a ring. At 1.6 slops one of 60 was lost, at 8 none.
-inline constexpr float g_fSmallBall = 4.0f;
-
 /// Resting thresholds of a tuned world, as multiples of g dt: the largest approach speed at which a
 /// ball rests on a surface; the same of an elastic ball, which rests only where it would bounce more than
 /// once in a step; and the largest speed at which a ball leaves the surface and still rests.

@@ -65,15 +65,45 @@ CCrush Crush(const Box2D::CTuning& tuning, std::uint64_t seed) {
 TEST(TunedCrushTest, BallsThatWallsPressTogetherAreNeitherShotOutNorStayInEachOther) {
   Box2D::CTuning without = Box2D::g_cTuned;
   without.m_bLastingContact = false;
-  float control = 0;
   for (std::uint64_t seed = g_nCrushSeed; seed < g_nCrushSeed + 4; ++seed) {
     SCOPED_TRACE(seed);
     const CCrush crush = Crush(Box2D::g_cTuned, seed);
     EXPECT_LT(crush.m_fFastest, 5 * g_fWallSpeed);
     EXPECT_LT(crush.m_fOverlap, 0.15f);
-    control = std::max(control, Crush(without, seed).m_fOverlap);
   }
-  EXPECT_GT(control, 0.3f);
+  EXPECT_GT(Crush(without, g_nCrushSeed + 1).m_fOverlap, 0.3f); // the control
+}
+
+// Runs of ten seconds in which one of three balls gets out of a ring with a bar that turns in it and leaves
+// them too little room.
+int CountLostToABar(eSides sides, int runs) {
+  CRandom random(g_nCrushSeed);
+  int lost = 0;
+  for (int run = 0; run < runs; ++run) {
+    const auto pWorld = MakeBox2D(eProfile::Tuned, {0, 0}, 1 / 60.0f);
+    CArcDesc ring({0, 0}, 1, 0, 0);
+    ring.m_eSides = sides;
+    pWorld->Add(ring);
+    CLineSegDesc bar({-0.75f, 0}, {0.75f, 0});
+    bar.m_eMotionType = eMotion::Kinematic;
+    bar.m_fRotSpeed = 1;
+    pWorld->Add(bar);
+    for (int i = 0; i < 3; ++i) {
+      const float vx = static_cast<float>(EitherSign(random, 1)),
+                  vy = static_cast<float>(EitherSign(random, 1));
+      pWorld->Add(CDynamicCircleDesc({0.5f * static_cast<float>(i - 1), 0.35f}, 0.15f, {vx, vy}, 1, 0.7f));
+    }
+    for (int i = 0; i < 600; ++i)
+      pWorld->Step();
+    lost += std::any_of(pWorld->GetBallPositions().begin(), pWorld->GetBallPositions().end(),
+                        [](const Vector2& p) { return !(p.norm() < 1); });
+  }
+  return lost;
+}
+
+TEST(TunedCrushTest, ABallThatABarSqueezesStaysInItsRing) {
+  EXPECT_EQ(CountLostToABar(eSides::Both, 10), 0);
+  EXPECT_GT(CountLostToABar(eSides::Back, 3), 0); // the control: a ball may be on its way through this one
 }
 
 } // namespace

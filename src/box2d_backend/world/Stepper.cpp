@@ -3,7 +3,7 @@
 
 #include "../../shapes/Response.h"
 #include "../contact/LastingContact.h"
-#include "../contact/SmallBalls.h"
+#include "../contact/Sides.h"
 
 #include <algorithm>
 #include <cmath>
@@ -198,7 +198,7 @@ void CStepper::AfterStep() {
   for (CBody* pBall : m_cBodies.GetBalls())
     CPreSolveOverride::Land(*pBall);
   if (m_cTuning.m_bLastingContact) PushOutOfShapes(m_cBodies);
-  if (m_cTuning.m_bExactContacts) KeepSmallBallsOnTheirSide(m_cBodies);
+  if (m_cTuning.m_bExactContacts) KeepBallsOnTheirSide(m_cBodies);
 }
 
 std::vector<CStepper::CPathVertex> CStepper::GetPathVertices() const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "SmallBalls.h"
+#include "Sides.h"
 
 #include "../../Tolerances.h"
 
@@ -18,7 +18,8 @@ struct CCrossing {
 };
 
 // Where the way from a to b goes through the shape, all in its frame.
-std::optional<CCrossing> FindCrossing(const CContactGeometry& o, const Vector2d& a, const Vector2d& b) {
+std::optional<CCrossing> FindCrossing(const CContactGeometry& o, const Vector2d& a, const Vector2d& b,
+                                      double r) {
   if (o.m_eKind == CContactGeometry::eKind::Disk || o.m_bIsOneSided) return {};
   const bool isArc = o.m_eKind == CContactGeometry::eKind::Arc;
   const Vector2d& t = o.m_cEnd1.m_vOut;
@@ -37,14 +38,17 @@ std::optional<CCrossing> FindCrossing(const CContactGeometry& o, const Vector2d&
   if (before < 0.0) crossing.m_vNorm = -crossing.m_vNorm;
   const double past = FindExactContact(o, crossing.m_vPos, Vector2d::Zero(), 0.0).m_fGap;
   if (past > static_cast<double>(g_fLeastRest * b2_linearSlop)) return {}; // beyond an end
+  for (const CContactGeometry::CEnd* pEnd : {&o.m_cEnd0, &o.m_cEnd1})
+    if (!o.m_bFull && !pEnd->m_bIsShared && (crossing.m_vPos - pEnd->m_vPos).norm() < r) return {};
   return crossing;
 }
 
 void KeepOnSide(const CBody& shape, CBody& ball) {
   const b2Transform &now = shape.m_pBody->GetTransform(),
                     &then = shape.m_pBody->GetType() == b2_staticBody ? now : shape.m_cStart;
-  const auto crossing = FindCrossing(shape.m_cGeometry, ToDouble(b2MulT(then, ball.m_cStart.p)),
-                                     ToDouble(b2MulT(now, ball.m_pBody->GetPosition())));
+  const auto crossing =
+      FindCrossing(shape.m_cGeometry, ToDouble(b2MulT(then, ball.m_cStart.p)),
+                   ToDouble(b2MulT(now, ball.m_pBody->GetPosition())), static_cast<double>(ball.m_fRadius));
   if (!crossing) return;
   const b2Vec2 n = b2Mul(now.q, ToFloat(crossing->m_vNorm));
   const float off = std::max(ball.m_fRadius, g_fLeastRest * b2_linearSlop);
@@ -57,12 +61,13 @@ void KeepOnSide(const CBody& shape, CBody& ball) {
 
 } // namespace
 
-void KeepSmallBallsOnTheirSide(CBodies& bodies) {
+void KeepBallsOnTheirSide(CBodies& bodies) {
   for (CBody* pBall : bodies.GetBalls()) {
-    if (pBall->m_fRadius >= g_fSmallBall * b2_linearSlop) continue;
-    for (const b2ContactEdge* p = pBall->m_pBody->GetContactList(); p != nullptr; p = p->next)
-      if (const CBody* pShape = bodies.Find(*p->other); pShape != nullptr && !pShape->m_bIsBall)
-        KeepOnSide(*pShape, *pBall);
+    if (!pBall->m_pBody->GetWorld()->GetContinuousPhysics()) return;
+    for (const b2BodyType type : {b2_kinematicBody, b2_staticBody})
+      for (const b2ContactEdge* p = pBall->m_pBody->GetContactList(); p != nullptr; p = p->next)
+        if (const CBody* pShape = bodies.Find(*p->other); pShape != nullptr && p->other->GetType() == type)
+          KeepOnSide(*pShape, *pBall);
   }
 }
 
