@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Continuous.h"
 
+#include "../../shapes/Response.h"
 #include "Rounding.h"
 
 #include <algorithm>
