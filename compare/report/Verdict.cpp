@@ -58,13 +58,24 @@ const CCase* FindBox2D(const std::vector<CCase>& cases) {
   return nullptr;
 }
 
-// "; native-approximate is 1.9 times faster but loses 1 in 40".
+std::string Bounces(double direction) {
+  return fmt::format(", and 95% of its bounces are within {}", DegreesText(direction));
+}
+
+// "6.1 times faster than", "as fast as".
+std::string FasterThan(double times) {
+  const std::string faster = FasterText(times);
+  return faster + (faster == "as fast" ? " as" : " than");
+}
+
+// "; native-approximate is 1.9 times faster than native but loses 1 in 40".
 std::string Price(const std::vector<CCase>& cases, const CCase& take, std::size_t n) {
   const CCase* pFaster = FindFaster(cases, take);
   if (pFaster == nullptr) return "";
   const std::string flaw = Flaw(*pFaster, take, n);
   if (flaw.empty()) return "";
-  return fmt::format("; {} is {} but {}", pFaster->GetName(), FasterText(take.m_fNs / pFaster->m_fNs), flaw);
+  return fmt::format("; {} is {} {} but {}", pFaster->GetName(), FasterThan(take.m_fNs / pFaster->m_fNs),
+                     take.GetName(), flaw);
 }
 
 class CVerdict {
@@ -169,11 +180,10 @@ private:
     const CCase* pBox2D = FindBox2D(m_stdCases);
     const auto lost = [&](const CCase& c) { return LossText(c.m_nLost, Totals(0).m_nContacts); };
     std::string text = fmt::format("It loses {}", lost(take));
-    if (take.m_fDirection) text += fmt::format(" and bounces within {}", DegreesText(*take.m_fDirection));
+    if (take.m_fDirection) text += Bounces(*take.m_fDirection);
     if (pBox2D != nullptr && pBox2D != &take) {
       text += fmt::format("; Box2D loses {}", lost(*pBox2D));
-      if (pBox2D->m_fDirection)
-        text += fmt::format(" and bounces within {}", DegreesText(*pBox2D->m_fDirection));
+      if (pBox2D->m_fDirection) text += fmt::format(" and is within {}", DegreesText(*pBox2D->m_fDirection));
     }
     const auto native = FindEngine(m_cReport.m_stdEngines, g_sNative);
     const auto same = native ? FindSameRun(m_cReport, m_cScene, *native) : std::nullopt;
@@ -216,16 +226,6 @@ std::vector<std::string> MakeRemarks(const CRunReport& report, const CSceneRepor
   return CVerdict(report, scene).Remarks();
 }
 
-namespace {
-
-// "6.1 times faster than Box2D. It ", "as fast as Box2D. It ".
-std::string Against(const CEngineOverall& engine) {
-  const std::string faster = FasterText(engine.m_cTimes->m_fMedian);
-  return fmt::format("{} {} Box2D. It ", faster, faster == "as fast" ? "as" : "than");
-}
-
-} // namespace
-
 std::string MakeResult(const CRunReport& report, const COverall& overall) {
   if (!overall.m_nTake) return "Nothing was judged.";
   std::vector<CCase> cases;
@@ -241,10 +241,11 @@ std::string MakeResult(const CRunReport& report, const COverall& overall) {
   const std::string n = CountText(overall.m_nImpacts);
   const auto loss = [](const CCase& c) { return c.m_nLost == 0 ? "none" : CountText(c.m_nLost); };
   std::string text = cases.size() == 1 ? take.GetName() + ": " : fmt::format("Take {}: ", take.GetName());
-  text += isAgainst ? Against(overall.m_stdEngines[*overall.m_nTake]) : "it ";
+  text += isAgainst ? FasterThan(overall.m_stdEngines[*overall.m_nTake].m_cTimes->m_fMedian) + " Box2D. It "
+                    : "it ";
   text += fmt::format("loses {} of {} balls", loss(take), n);
   if (isAgainst) text += fmt::format(" (Box2D {})", loss(*pBox2D));
-  if (take.m_fDirection) text += fmt::format(" and bounces within {}", DegreesText(*take.m_fDirection));
+  if (take.m_fDirection) text += Bounces(*take.m_fDirection);
   if (isAgainst && take.m_fDirection && pBox2D->m_fDirection)
     text += fmt::format(" (Box2D {})", DegreesText(*pBox2D->m_fDirection));
   return text + Price(cases, take, overall.m_nImpacts) + '.';

@@ -109,9 +109,9 @@ TEST(TableTest, ShowsTheEnginesBelowEachOther) {
           << pText << " in " << scene[static_cast<std::ptrdiff_t>(e) + 1];
   EXPECT_TRUE(
       Contains(Unwrapped(table),
-               "Engines: native (the world by default), native-approximate (balls never swept), "
-               "native-continuous (balls always swept), box2d (Box2D as it ships), box2d-tuned (Box2D in "
-               "the profile Tuned)."));
+               "Engines: native (what a game gets by default), native-approximate (no ball is swept), "
+               "native-continuous (every ball is swept), box2d (Box2D as it ships), box2d-tuned (Box2D "
+               "set for accuracy)."));
   // The verdict comes after the table.
   EXPECT_TRUE(Contains(table, "\n  " + MakeVerdict(MakeSampleReport(), MakeSampleScene())[0].substr(0, 40)));
 }

@@ -33,9 +33,9 @@ CRunReport Of(std::initializer_list<std::size_t> numbers) {
 
 TEST(VerdictTest, SaysWhatToTakeAndWhatAFasterOneWouldLose) {
   CRunReport report = MakeSampleReport();
-  EXPECT_EQ(Use(report),
-            "Use tuned Box2D: better than Box2D here and 1.6 times slower; native-approximate is 16 "
-            "times faster but loses 1 in 4.9.");
+  EXPECT_EQ(Use(report), "Use tuned Box2D: better than Box2D here and 1.6 times slower; native-approximate "
+                         "is 16 times faster than "
+                         "tuned Box2D but loses 1 in 4.9.");
 }
 
 // 12 and 6 of 1,000 cannot be told apart, but 12 are more than good allows, and 6 too.
@@ -46,10 +46,11 @@ TEST(VerdictTest, TheFastestOfTheBestGradeIsTaken) {
   engines[g_nNative] = engines[g_nContinuous] = MakeSampleEngine(0, 70.0, 0.0002);
   EXPECT_EQ(Use(report),
             "Use native: better than Box2D here and 7.1 times faster; native-approximate is 1.4 times "
-            "faster but loses 1 in 4.9.");
-  EXPECT_EQ(Does(report),
-            "It loses none of 1,000 and bounces within 0.011 degrees; Box2D loses 1 in 170 and "
-            "bounces within 1.1 degrees; native sweeps every ball here, as native-continuous does.");
+            "faster than native but loses 1 in 4.9.");
+  EXPECT_EQ(
+      Does(report),
+      "It loses none of 1,000, and 95% of its bounces are within 0.011 degrees; Box2D loses 1 in 170 and "
+      "is within 1.1 degrees; native sweeps every ball here, as native-continuous does.");
   engines[g_nBox2D] = MakeSampleEngine(0, 500.0, 0.0002);
   EXPECT_EQ(Use(report).substr(0, 50), "Use native: as good as Box2D here and 7.1 times fa");
   engines[g_nApproximate] = MakeSampleEngine(0, 50.0, 0.0002);
@@ -68,9 +69,10 @@ TEST(VerdictTest, WorseBouncesAreAReasonToo) {
   for (const std::size_t e : {g_nNative, g_nApproximate, g_nContinuous})
     engines[e] = MakeSampleEngine(0, 50.0 + 10.0 * static_cast<double>(e), 0.1);
   engines[g_nBox2D] = MakeSampleEngine(0, 500.0, 0.01);
-  EXPECT_EQ(Use(report),
-            "Use Box2D: no faster engine is as good here; native is 10 times faster but bounces up to "
-            "5.7 degrees off.");
+  EXPECT_EQ(
+      Use(report),
+      "Use Box2D: no faster engine is as good here; native is 10 times faster than Box2D but bounces up to "
+      "5.7 degrees off.");
 }
 
 TEST(VerdictTest, ARunThatNeedsNoSweepsIsSaidToBeTheSame) {
@@ -87,11 +89,11 @@ TEST(VerdictTest, ARunThatNeedsNoSweepsIsSaidToBeTheSame) {
 TEST(VerdictTest, OneEngineAloneIsNotCompared) {
   const CRunReport report = Of({g_nBox2D});
   EXPECT_EQ(Use(report), "Box2D is alone here.");
-  EXPECT_EQ(Does(report), "It loses 1 in 170 and bounces within 1.1 degrees.");
+  EXPECT_EQ(Does(report), "It loses 1 in 170, and 95% of its bounces are within 1.1 degrees.");
   // Without Box2D the one that loses least is the measure.
   CRunReport two = Of({g_nNative, g_nApproximate});
   two.m_stdScenes[0].m_stdEngines[0] = MakeSampleEngine(0, 70.0, 0.0002);
-  EXPECT_EQ(Use(two), "Use native; native-approximate is 1.4 times faster but loses 1 in 4.9.");
+  EXPECT_EQ(Use(two), "Use native; native-approximate is 1.4 times faster than native but loses 1 in 4.9.");
 }
 
 TEST(VerdictTest, TellsOfWhatElseIsWrongAndOnlyThen) {
@@ -196,12 +198,13 @@ TEST(OverallTest, TheResultBeginsWithTheEngineToTake) {
   for (const std::size_t e : {g_nNative, g_nContinuous})
     report.m_stdScenes[0].m_stdEngines[e] = MakeSampleEngine(1, 70.0, 0.0002);
   const std::string result = MakeResult(report, MakeOverall(report));
-  EXPECT_EQ(result, "Take native: 7.1 times faster than Box2D. It loses 1 of 1,000 balls (Box2D 6) and "
-                    "bounces within 0.001 "
-                    "degrees; native-approximate is 1.4 times faster but loses 1 in 4.9.");
+  EXPECT_EQ(result,
+            "Take native: 7.1 times faster than Box2D. It loses 1 of 1,000 balls (Box2D 6), and 95% of its "
+            "bounces are "
+            "within 0.001 degrees; native-approximate is 1.4 times faster than native but loses 1 in 4.9.");
   CRunReport alone = Of({g_nNative, g_nApproximate});
   EXPECT_EQ(MakeResult(alone, MakeOverall(alone))
-                .rfind("Take native: it loses 12 of 1,000 balls and bounces within ", 0),
+                .rfind("Take native: it loses 12 of 1,000 balls, and 95% of its bounces are within ", 0),
             0u)
       << MakeResult(alone, MakeOverall(alone));
   report.m_stdScenes.clear();
