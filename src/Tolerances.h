@@ -234,7 +234,7 @@ inline constexpr int g_nSetBackRounds = 8;
 /// Shapes along which a ball that was pushed by several contacts may slide before it stays where it is.
 inline constexpr int g_nKeepInsideRounds = 3;
 /// Most discs in the grid of balls for each of them, before it is made anew of those that count.
-inline constexpr std::size_t g_nMostDiscs = 8;
+inline constexpr std::size_t g_nMostDiscs = 2;
 /// Discs of which each is looked at, because that costs less than to find the cells.
 inline constexpr std::size_t g_nFewDiscs = 24;
 /// Levels of cells of that grid, and the powers of two of the diameter that share one; smaller balls share

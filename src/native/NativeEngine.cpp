@@ -175,7 +175,7 @@ void CNativeEngine::MoveInDiscGrid(std::uint32_t i) {
   // Those of the places where it was have to be forgotten now and then.
   if (m_cDiscGrid.Size() > g_nMostDiscs * b.Size()) return BuildDiscGrid();
   m_stdDiscs[i].m_vCenter = b.m_stdPos[i];
-  m_cDiscGrid.Add(i, m_stdDiscs[i]);
+  m_cDiscGrid.Move(i, m_stdDiscs[i]);
 }
 
 void CNativeEngine::CollectBalls(std::uint32_t i, std::uint32_t first) {

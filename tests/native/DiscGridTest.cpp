@@ -86,12 +86,12 @@ void Check(std::uint64_t seed, const Vector2& centre, const std::function<float(
     CBalls balls = Clusters(random, 400, centre, [&] { return radius(random); });
     CDiscGrid grid = MakeGrid(balls);
     std::size_t overlaps = ExpectAllFound(grid, balls, seed);
-    // Every other ball somewhere else, by way of Add.
+    // Every other ball somewhere else, by way of Move.
     for (std::uint32_t i = 0; i < balls.m_stdPos.size(); i += 2) {
       const auto j = random.Below(static_cast<std::uint32_t>(balls.m_stdPos.size()));
       balls.m_stdPos[i] = balls.m_stdPos[j] +
                           (balls.m_stdRadius[i] + balls.m_stdRadius[j]) * random.VectorOfLength(0.0f, 1.1f);
-      grid.Add(i, {balls.m_stdPos[i], balls.m_stdRadius[i]});
+      grid.Move(i, {balls.m_stdPos[i], balls.m_stdRadius[i]});
     }
     overlaps += ExpectAllFound(grid, balls, seed);
     if (mustOverlap) {

@@ -2,6 +2,7 @@
 #include "DiscGrid.h"
 
 #include <bit>
+#include <limits>
 
 namespace Shapes::Native {
 
@@ -10,6 +11,7 @@ void CDiscGrid::Build(std::span<const CDisc> discs) {
   m_stdAdded.assign(std::bit_ceil(discs.size() + 1), g_nNone);
   m_stdBegins.assign(m_stdAdded.size() + 1, 0);
   m_stdBucketOf.resize(discs.size());
+  m_stdEntryOf.resize(discs.size());
   m_stdEntries.resize(discs.size());
   float largest = 0.0f;
   for (const CDisc& disc : discs)
@@ -25,13 +27,22 @@ void CDiscGrid::Build(std::span<const CDisc> discs) {
   for (std::uint32_t& begin : m_stdBegins)
     begin = end += begin;
   for (std::size_t i = discs.size(); i-- > 0;)
-    m_stdEntries[--m_stdBegins[m_stdBucketOf[i]]] = {discs[i], static_cast<std::uint32_t>(i), g_nNone};
+    m_stdEntries[m_stdEntryOf[i] = --m_stdBegins[m_stdBucketOf[i]]] = {
+        discs[i], static_cast<std::uint32_t>(i), g_nNone};
 }
 
-void CDiscGrid::Add(std::uint32_t index, const CDisc& disc) {
-  std::uint32_t& last = m_stdAdded[Enter(disc)];
-  m_stdEntries.push_back({disc, index, last});
-  last = static_cast<std::uint32_t>(m_stdEntries.size() - 1);
+void CDiscGrid::Move(std::uint32_t index, const CDisc& disc) {
+  const std::uint32_t bucket = Enter(disc);
+  CDisc& old = m_stdEntries[m_stdEntryOf[index]].m_cDisc;
+  if (bucket == m_stdBucketOf[index]) {
+    old = disc;
+    return;
+  }
+  old = {Vector2::Constant(std::numeric_limits<float>::max()), 0.0f}; // nobody looks there
+  m_stdBucketOf[index] = bucket;
+  m_stdEntryOf[index] = static_cast<std::uint32_t>(m_stdEntries.size());
+  m_stdEntries.push_back({disc, index, m_stdAdded[bucket]});
+  m_stdAdded[bucket] = m_stdEntryOf[index];
 }
 
 // Those that are larger than all are in the widest cells, too, and those that are smaller than all in the

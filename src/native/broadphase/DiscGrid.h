@@ -24,12 +24,12 @@ public:
   };
   /// Takes in these discs instead of those before; the index is the name of a disc from then on.
   void Build(std::span<const CDisc> discs);
-  /// Takes in one more disc of this name.
-  void Add(std::uint32_t index, const CDisc& disc);
-  /// Discs in it.
+  /// Takes this disc instead of the one of this name.
+  void Move(std::uint32_t index, const CDisc& disc);
+  /// Discs in it, and places that some have left: those are looked at, too, until it is built anew.
   std::size_t Size() const { return m_stdEntries.size(); }
-  /// Calls f(index) for every name of which a disc overlaps the disc of radius r about p, maybe more than
-  /// once, in no order, until f returns true; whether it did. f may call Add.
+  /// Calls f(index) for every disc that overlaps the disc of radius r about p, maybe more than once, in no
+  /// order, until f returns true; whether it did.
   template <class F>
   bool FindNear(const Vector2& p, float r, const F& f) const;
 
@@ -42,7 +42,7 @@ private:
   struct CEntry {
     CDisc m_cDisc;
     std::uint32_t m_nIndex;
-    std::uint32_t m_nNext; // of those that were added to a bucket
+    std::uint32_t m_nNext; // of those that have come to a bucket
   };
   std::size_t GetLevel(float radius) const;
   std::uint32_t Enter(const CDisc& disc);
@@ -55,9 +55,10 @@ private:
   std::array<CLevel, g_nMostLevels> m_stdLevels;
   int m_nTop = 0;                         // exponent of the widest cells
   std::vector<std::uint32_t> m_stdBegins; // of each bucket in the entries; the next one begins where it ends
-  std::vector<CEntry> m_stdEntries;       // bucket by bucket, and then those that were added
+  std::vector<CEntry> m_stdEntries;       // bucket by bucket, and then those that have come
   std::vector<std::uint32_t> m_stdAdded;  // the last one of each bucket
   std::vector<std::uint32_t> m_stdBucketOf; // of each disc
+  std::vector<std::uint32_t> m_stdEntryOf;  // of each disc
 };
 
 // Cells that are far out are one: there is nothing to be won there. (std::floor is a call where the processor
@@ -87,8 +88,7 @@ inline bool CDiscGrid::Overlaps(const CDisc& disc, const Vector2& p, float r) {
 template <class F>
 bool CDiscGrid::FindNear(const Vector2& p, float r, const F& f) const {
   const auto visit = [&](std::size_t k) {
-    const std::uint32_t index = m_stdEntries[k].m_nIndex; // f may move the entries
-    return Overlaps(m_stdEntries[k].m_cDisc, p, r) && f(index);
+    return Overlaps(m_stdEntries[k].m_cDisc, p, r) && f(m_stdEntries[k].m_nIndex);
   };
   const auto visitAll = [&] {
     for (std::size_t e = 0, n = m_stdEntries.size(); e < n; ++e)

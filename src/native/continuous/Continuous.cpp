@@ -162,7 +162,7 @@ void CContinuous::CorrectPosition(std::uint32_t i, const Vector2d& n, double dep
   }
   ball.m_vPos += depth * n;
   ball.m_bIsMoved = true;
-  Rebox(i);
+  MoveDisc(i);
 }
 
 } // namespace Shapes::Native

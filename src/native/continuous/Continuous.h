@@ -83,7 +83,7 @@ private:
   CMotion GetMotion(const CMoving& ball) const;
   CMotion GetFreeMotion(std::uint32_t k) const;
   static CDiscGrid::CDisc GetDisc(const CMotion& motion, double sagitta);
-  void Rebox(std::uint32_t i);
+  void MoveDisc(std::uint32_t i);
   void FindShapes(std::uint32_t i, float reach = 0.0f);
   void FindFirst(std::uint32_t i);
   bool SetBackFromShapes(std::uint32_t i);

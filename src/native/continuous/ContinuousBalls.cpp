@@ -109,7 +109,7 @@ void CContinuous::Take(std::uint32_t k) {
 }
 
 // Its motion is another one.
-void CContinuous::Rebox(std::uint32_t i) {
+void CContinuous::MoveDisc(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   const CMotion motion = GetMotion(ball);
   ball.m_cDisc = GetDisc(motion, motion.GetSagitta());
@@ -119,7 +119,7 @@ void CContinuous::Rebox(std::uint32_t i) {
   if (m_cDiscGrid.Size() > g_nMostDiscs * m_stdDiscs.size())
     m_cDiscGrid.Build(m_stdDiscs);
   else
-    m_cDiscGrid.Add(ball.m_nSolid, ball.m_cDisc);
+    m_cDiscGrid.Move(ball.m_nSolid, ball.m_cDisc);
 }
 
 // The balls whose ways come near that of this one, each once, in the order in which they were taken. Where it

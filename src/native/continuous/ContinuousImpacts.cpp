@@ -125,9 +125,9 @@ void CContinuous::Resolve(std::uint32_t i) {
     ResolveWithShape(ball);
   }
   if (!m_cResting.IsEmpty()) PassOn();
-  // All boxes have to be there before any looks for the others.
+  // All discs have to be there before any looks for the others.
   for (const std::uint32_t j : m_stdHit)
-    Rebox(j);
+    MoveDisc(j);
   for (auto it = m_stdHit.rbegin(); it != m_stdHit.rend(); ++it)
     FindNext(*it);
 }

@@ -46,7 +46,7 @@ void CContinuous::FindRestingContacts() {
   }
   m_cResting.Separate(m_stdBalls);
   for (std::uint32_t i = 0; i < n; ++i)
-    if (m_stdBalls[i].m_bIsNearBall) Rebox(i);
+    if (m_stdBalls[i].m_bIsNearBall) MoveDisc(i);
   m_cResting.FindPiles(m_stdBalls);
 }
 
@@ -59,7 +59,7 @@ void CContinuous::SolveRestingContacts() {
   });
   for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     if (!m_stdBalls[i].m_bIsInPile) continue;
-    Rebox(i);
+    MoveDisc(i);
     FindShapes(i);
     FindFirst(i);
   }
