@@ -88,7 +88,11 @@ void Check(std::uint64_t seed, const Vector2& centre, float spread, float reach)
       answers += found.size();
       const bool isClear = grid.IsClear(p, r);
       clear += isClear;
+      // It may be asked whether more than its reach is clear; it need not know.
+      const float more = reach * random.Uniform(1.0f, 4.0f);
+      const bool isMoreClear = grid.IsClear(p, more);
       for (std::uint32_t order = 0; order < shapes.m_stdShapes.size(); ++order) {
+        ASSERT_FALSE(isMoreClear && IsNear(*shapes.m_stdShapes[order], p, more)) << order << " seed " << seed;
         if (!IsNear(*shapes.m_stdShapes[order], p, r)) continue;
         ++near;
         ASSERT_TRUE(std::binary_search(found.begin(), found.end(), order)) << order << " seed " << seed;
