@@ -44,7 +44,7 @@ public:
   void FindNear(const Vector2& p, float r, std::vector<std::uint32_t>& orders);
   /// Whether surely none of them does: quicker.
   bool IsClear(const Vector2& p, float r) const {
-    if (!m_cGrid.IsBuilt() || !m_cGrid.IsClear(p, r)) return false;
+    if (m_cGrid.IsBuilt() ? !m_cGrid.IsClear(p, r) : !m_cStatic.m_stdOrder.empty()) return false;
     return m_bIsGridComplete || IsClearOfOthers(p, r);
   }
 
