@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(, CNoAssertRandom, testing::Values(eProfile::Shipped, e
 TEST_P(CNoAssertRandom, WorldsAtTheBordersNeitherAbortNorLoseTheirNumbers) {
   const char *pSeconds = std::getenv("SHAPES_TEST_SECONDS"), *pSeed = std::getenv("SHAPES_TEST_SEED");
   const double seconds = pSeconds != nullptr ? std::atof(pSeconds) : 0.0;
-  const int first = pSeed != nullptr ? std::atoi(pSeed) : 1, n = GetParam() == eProfile::Tuned ? 360 : 400;
+  const int first = pSeed != nullptr ? std::atoi(pSeed) : 1, n = GetParam() == eProfile::Tuned ? 180 : 400;
   const auto previous = std::signal(SIGABRT, TellSeed);
   const auto now = [] { return std::chrono::steady_clock::now(); };
   const auto start = now();
