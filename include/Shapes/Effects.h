@@ -24,11 +24,9 @@ enum class eEffect {
   /// CWorld::GetContacts. Called for wherever a ball can meet anything; forbid it where nobody reads them.
   Events,
   /// Balls meet what is on their way when they are there, instead of what they overlap at the end of a
-  /// substep: none gets through a wall. Called for where a ball moves by more than g_fFastMove of its radius
-  /// in a substep, or a rotating shape by more than that of the smallest ball. Where it is not forbidden, no
-  /// ball is pushed through a shape by others either. On Box2D this is its continuous physics; in a tuned
-  /// world
-  /// it always runs, in a game's b2World it is the game's affair.
+  /// substep: none gets through a wall. On the native engine balls that fall fly on parabolas then, and only
+  /// those that something may be near to cost more than their flight. Called for wherever a ball can meet
+  /// anything. On Box2D this is its continuous physics; in a game's b2World the game decides.
   Continuous,
   Size ///< counts them
 };

@@ -35,11 +35,6 @@ inline constexpr float g_fMaxRotSpeed = 1e9f;
 /// Most substeps in one step: 64 times the most that shapes-compare tries.
 inline constexpr unsigned g_nMaxSubsteps = 4096;
 
-/// A ball that moves by more than this share of its radius in a substep is fast: Continuous is called for.
-/// A ball that moves by less than its whole radius does not get through a wall in one substep; half of it
-/// leaves room for the speed that an impact adds in the middle of one.
-inline constexpr float g_fFastMove = 0.5f;
-
 /// Most impacts of a ball in a substep where Continuous runs: bounds time. A ball that has had as many stays
 /// where it is for the rest of the substep, or goes along with the turning shape that it has met last, and is
 /// counted: CWorldStats::m_nBallsHalted. In a pile of balls under gravity a sixteenth of these impacts is
