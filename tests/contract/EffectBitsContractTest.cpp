@@ -85,6 +85,16 @@ TEST_P(CEffectBits, WhatIsNotCalledForChangesNothing) {
     }
 }
 
+TEST_P(CEffectBits, BallsAreSweptByDefaultHoweverSlowTheyAre) {
+  CScene slow;
+  slow.m_bGravity = slow.m_bTurns = slow.m_bFast = false;
+  for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned}) {
+    const auto path = Run(slow, g_cAutomatic, profile);
+    EXPECT_EQ(path, Run(slow, g_cContinuous, profile));
+    EXPECT_NE(path, Run(slow, g_cApproximate, profile)); // the control
+  }
+}
+
 TEST_P(CEffectBits, WhoWatchesChangesNothing) {
   for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned})
     for (const float e : {1.0f, 0.9f, 1.02f}) {
