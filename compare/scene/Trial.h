@@ -13,10 +13,10 @@
 
 namespace Shapes::Compare {
 
-/// All effects, in their order.
+/// All effects that a scene can call for, in their order.
 inline constexpr eEffect g_stdEffects[] = {eEffect::Gravity, eEffect::Kinematics, eEffect::BallPairs,
                                            eEffect::Sensors, eEffect::Events,     eEffect::Continuous};
-static_assert(std::size(g_stdEffects) == static_cast<std::size_t>(eEffect::Size));
+static_assert(std::size(g_stdEffects) + 1 == static_cast<std::size_t>(eEffect::Size)); // without Touches
 
 /// Where a trial begins.
 struct CStart {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reports of a step: contacts, and sensors that balls begin or cease to touch.
+// Reports of a step: contacts, and shapes and sensors that balls begin or cease to touch.
 #pragma once
 
 #include <Shapes/ShapeMath.h>
@@ -30,6 +30,21 @@ struct CContactEvent {
   /// whose places are rounded.
   float m_fSpeed = 0.0f;
   bool m_bIsSensor = false; ///< Either of them is a sensor: there was no response.
+  /// What the ball got along the normal, mass times velocity, at least 0: how hard it was hit. Of a ball that
+  /// lies, what carried it through the substep. At most the largest float; of sensors 0.
+  float m_fImpulse = 0.0f;
+};
+
+/// A ball and a solid shape, or another ball, begin or cease to touch. Touching begins with a contact, and
+/// ends after the first substep without one in which they are farther apart than g_fTouchReach radii (on
+/// Box2D than its skin of .015 metres, if that is more): a ball that lies begins once, and one that bounces
+/// begins and ends with each bounce. Bounces in consecutive substeps are one. Every begin has its end, as
+/// that of a sensor has.
+struct CTouchEvent {
+  CShapeId m_cShape; ///< As in CContactEvent; null for all bodies of a game together.
+  CShapeId m_cBall;
+  bool m_bBegin = false;
+  friend bool operator==(const CTouchEvent&, const CTouchEvent&) = default;
 };
 
 /// A ball and a sensor (a shape, or a ball that is one) begin or cease to touch. Every begin has its end: it

@@ -41,6 +41,10 @@ inline constexpr unsigned g_nMaxSubsteps = 4096;
 /// enough.
 inline constexpr unsigned g_nMaxImpacts = 256;
 
+/// A ball and what it has touched touch on as long as they are no farther apart than this, in radii of the
+/// ball: 100 times what balls in a pile move apart, and less than is seen.
+inline constexpr float g_fTouchReach = 0.02f;
+
 /// Error of the path of a ball in the frame of a turning sensor, in its radii: a ball that touches by less
 /// than that may be missed, one that misses by less may be detected.
 inline constexpr float g_fRotatedPathError = 0.01f;

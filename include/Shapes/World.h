@@ -61,6 +61,9 @@ public:
   /// What sensors saw in the last Step, in the order in which it happened, substep by substep; within one by
   /// ball and then by shape. A ball that crosses a sensor within a step is seen too: it begins and ends.
   std::span<const CSensorEvent> GetSensorEvents() const;
+  /// What solid shapes and balls began or ceased to touch in the last Step, substep by substep; within one by
+  /// ball and then by shape. Empty unless the description forces eEffect::Touches.
+  std::span<const CTouchEvent> GetTouchEvents() const;
   const CWorldStats& GetStats() const;
 
   /// What the next substep will simulate, from what is in the world now.

@@ -147,11 +147,13 @@ void CNativeEngine::CollideWithShape(std::size_t i, const CShapeEntry& entry) {
 
   CBallArrays& b = m_cState.m_cBalls;
   const Vector2 surface = shape.GetSurfaceVelocity(hit.m_vPOI);
-  if constexpr (TReports)
-    m_cWorld.Report({entry.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
-                     ApproachSpeed(b.m_stdVel[i], surface, hit.m_vNorm)});
-  ++Stats().m_nContacts;
   const float e = b.m_stdElasticity[i] * shape.GetElasticity();
+  if constexpr (TReports) {
+    const float speed = ApproachSpeed(b.m_stdVel[i], surface, hit.m_vNorm);
+    m_cWorld.Report({entry.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback, speed, false,
+                     ImpulseOf(b.m_stdMass[i], e, speed)});
+  }
+  ++Stats().m_nContacts;
   RespondKinematic(hit.m_vNorm, hit.m_fSetback, e, surface, b.m_stdPos[i], b.m_stdVel[i]);
   Count(CapSpeed(b.m_stdVel[i]));
 }
@@ -213,12 +215,15 @@ bool CNativeEngine::CollideWithBall(std::size_t i, std::size_t j) {
   FailIf(!CollideBallBall(Ball(j), Ball(i), hit));
 
   CBallArrays& b = m_cState.m_cBalls;
-  if constexpr (TReports)
-    m_cWorld.Report({b.m_stdId[j], b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
-                     ApproachSpeed(b.m_stdVel[i], b.m_stdVel[j], hit.m_vNorm)});
+  const float e = b.m_stdElasticity[i] * b.m_stdElasticity[j];
+  if constexpr (TReports) {
+    const float speed = ApproachSpeed(b.m_stdVel[i], b.m_stdVel[j], hit.m_vNorm);
+    m_cWorld.Report({b.m_stdId[j], b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback, speed, false,
+                     ImpulseOf(ReducedMass(b.m_stdMass[i], b.m_stdMass[j]), e, speed)});
+  }
   ++Stats().m_nContacts;
-  RespondDynamic(hit.m_vNorm, hit.m_fSetback, b.m_stdElasticity[i] * b.m_stdElasticity[j], b.m_stdMass[j],
-                 b.m_stdMass[i], b.m_stdPos[j], b.m_stdVel[j], b.m_stdPos[i], b.m_stdVel[i]);
+  RespondDynamic(hit.m_vNorm, hit.m_fSetback, e, b.m_stdMass[j], b.m_stdMass[i], b.m_stdPos[j], b.m_stdVel[j],
+                 b.m_stdPos[i], b.m_stdVel[i]);
   Count(CapSpeed(b.m_stdVel[j]));
   Count(CapSpeed(b.m_stdVel[i]));
   return true;

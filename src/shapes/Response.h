@@ -7,6 +7,7 @@
 #include <Shapes/ShapeMath.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Shapes {
 
@@ -27,6 +28,15 @@ inline bool CanExceedMaxSpeed(const Vector2& gravityStep) {
 template <class TVector>
 typename TVector::Scalar ApproachSpeed(const TVector& v, const TVector& surface, const TVector& n) {
   return std::max(typename TVector::Scalar(0), -(v - surface).dot(n));
+}
+
+/// The mass of two balls that hit each other.
+inline double ReducedMass(double m0, double m1) { return m0 * m1 / (m0 + m1); }
+
+/// The impulse of a response, mass times velocity, as it is reported: at most the largest float.
+inline float ImpulseOf(double mass, double e, double approach) {
+  return static_cast<float>(
+      std::min((1.0 + e) * mass * approach, static_cast<double>(std::numeric_limits<float>::max())));
 }
 
 // For Vector2, and for double, in which the sweeps compute.

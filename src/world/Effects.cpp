@@ -27,6 +27,7 @@ std::string Why(eEffect e, const CContent& c, const CWorldState& state) {
                 : ", " + Plural(state.m_stdTouching.size(), "pair touches", "pairs touch"));
   case eEffect::Events: return whatCanMeet() + ", " + Plural(c.m_nSensors, "sensor", "sensors");
   case eEffect::Continuous: return whatCanMeet();
+  case eEffect::Touches: return Plural(state.m_stdSolidTouching.size(), "pair touches", "pairs touch");
   case eEffect::Size: break;
   }
   return {};
@@ -42,6 +43,7 @@ std::string_view GetName(eEffect e) {
   case eEffect::Sensors: return "Sensors";
   case eEffect::Events: return "Events";
   case eEffect::Continuous: return "Continuous";
+  case eEffect::Touches: return "Touches";
   case eEffect::Size: break;
   }
   return {};

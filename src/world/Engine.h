@@ -60,6 +60,9 @@ public:
   virtual void Substep(float dt) = 0;
   virtual void Saved() {}
   virtual void Loaded() = 0;
+
+  /// How far apart it holds what lies on each other, user units.
+  virtual float GetTouchReach() const { return 0.0f; }
 };
 
 /// One row of the table of engines.

@@ -46,6 +46,8 @@ CWorld::CImpl::CImpl(const CWorldDesc& desc, const CWorldLimits& limits, CEffect
     if (desc.m_cEffects.m_cForced.Has(e) && desc.m_cEffects.m_cForbidden.Has(e))
       Refuse("m_cEffects", std::string(GetName(e)) + " both forced and forbidden", "at most one of both");
   }
+  if (desc.m_cEffects.m_cForced.Has(eEffect::Touches) && IsForbidden(eEffect::Events))
+    Refuse("m_cEffects", "Touches forced and Events forbidden", "Events too: touches are found by contacts");
   m_cState.m_vGravity = desc.m_vGravity;
   m_cState.m_cLimits = limits;
   m_pEngine = makeEngine(*this);
@@ -164,12 +166,25 @@ void CWorld::CImpl::BeginStep() {
   if (m_bPlanIsOld) PlanSubsteps();
   m_stdContacts.clear();
   m_stdSensorEvents.clear();
-  if (IsBuilt(eEffect::Sensors) && Runs(eEffect::Sensors)) m_cSensors.Begin(m_cState, m_stdSensorEvents);
+  if (!Watches()) return;
+  m_stdTouchEvents.clear();
+  m_nFollowed = 0;
+  if (Runs(eEffect::Sensors)) m_cSensors.Begin(m_cState, m_stdSensorEvents);
+  if (Runs(eEffect::Touches)) EndLostTouches(m_cState, m_stdTouchEvents);
 }
 
 void CWorld::CImpl::EndSubstep(float dt) {
   ++m_cStats.m_nSubsteps;
-  if (IsBuilt(eEffect::Sensors) && Runs(eEffect::Sensors)) Sense(dt);
+  if (!Watches()) return;
+  if (Runs(eEffect::Touches))
+    FollowTouches(std::span(m_stdContacts).subspan(m_nFollowed), m_pEngine->GetTouchReach(), m_cState,
+                  m_stdTouchEvents);
+  if (Runs(eEffect::Sensors)) Sense(dt);
+  m_nFollowed = m_stdContacts.size();
+}
+
+bool CWorld::CImpl::Watches() const {
+  return !(m_cRunning & g_cBuilt & CEffects{eEffect::Sensors, eEffect::Touches}).IsEmpty();
 }
 
 void CWorld::CImpl::Sense(float dt) {
@@ -227,6 +242,7 @@ void CWorld::CImpl::LoadState(const CWorldState& state) {
   m_cDesc.m_vGravity = m_cState.m_vGravity;
   m_stdContacts.clear();
   m_stdSensorEvents.clear();
+  m_stdTouchEvents.clear();
   m_cSensors.Invalidate();
   m_cContent = CountContent(m_cState);
   InvalidatePlan();

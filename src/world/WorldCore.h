@@ -5,6 +5,7 @@
 #include "Effects.h"
 #include "Engine.h"
 #include "Sensors.h"
+#include "Touches.h"
 #include "WorldState.h"
 
 #include <cstdint>
@@ -60,6 +61,7 @@ public:
   std::string ExplainEffects();
   std::span<const CContactEvent> GetContacts() const { return m_stdContacts; }
   std::span<const CSensorEvent> GetSensorEvents() const { return m_stdSensorEvents; }
+  std::span<const CTouchEvent> GetTouchEvents() const { return m_stdTouchEvents; }
   void SetGravity(const Vector2& g);
   CShapeId Add(std::unique_ptr<CShape> pShape);
   CShapeId Add(const CDynamicCircleDesc& desc);
@@ -80,6 +82,8 @@ private:
   void UpdateContent(const CContent& before, const CContent& after);
   void PlanSubsteps();
   void CountEffects();
+  /// Whether Sensors or Touches runs.
+  bool Watches() const;
   void Sense(float dt);
 
   CWorldDesc m_cDesc;
@@ -95,6 +99,8 @@ private:
   CSensors m_cSensors;
   std::vector<CContactEvent> m_stdContacts;
   std::vector<CSensorEvent> m_stdSensorEvents;
+  std::vector<CTouchEvent> m_stdTouchEvents;
+  std::size_t m_nFollowed = 0; // contacts of this step that Touches knows of
   CWorldStats m_cStats;
   std::unique_ptr<CEngine> m_pEngine; // last: it is made from the rest, and goes before it
 };

@@ -86,7 +86,7 @@ struct CShapeEntry {
   }
 };
 
-/// A ball and a sensor that touch: named as in CContactEvent.
+/// A ball and what it touches: named as in CContactEvent.
 struct CTouchingPair {
   CShapeId m_cBall;
   CShapeId m_cShape;
@@ -100,7 +100,9 @@ public:
   CWorldLimits m_cLimits; // of the world that it is from
   std::vector<CShapeEntry> m_stdShapes;
   CBallArrays m_cBalls;
-  std::vector<CTouchingPair> m_stdTouching; // whose end was not told yet, in order
+  // Whose end was not told yet, in order: with sensors, and of what is solid.
+  std::vector<CTouchingPair> m_stdTouching;
+  std::vector<CTouchingPair> m_stdSolidTouching;
 
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
   /// Index in m_stdShapes or in the ball arrays; npos if there is none. Ids ascend in both.

@@ -2,12 +2,22 @@
 #include "ContactGatherer.h"
 
 #include "../../Tolerances.h"
+#include "../../shapes/Response.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace Shapes::Box2D {
+
+namespace {
+
+// Whether a is the ball of the two that responds: of two balls the one that was added first.
+bool IsBallOf(const CBody* pA, const CBody* pB) {
+  FailIf(pA == nullptr || !pA->m_bIsBall);
+  return pB == nullptr || !pB->m_bIsBall || pA->m_cId < pB->m_cId;
+}
+
+} // namespace
 
 void CContactGatherer::BeginStep(const b2Vec2& g, float h, float weight) {
   m_vGravity = g;
@@ -30,8 +40,7 @@ void CContactGatherer::PreSolve(b2Contact* pContact, const b2Manifold*) {
   CBody* pB = m_cBodies.Find(*pContact->GetFixtureB()->GetBody());
   if (pA == nullptr || pB == nullptr) return;
   ++m_nAsked;
-  // Of two balls the one that responds is the one that was added first.
-  if (pA->m_bIsBall && (!pB->m_bIsBall || pA->m_cId < pB->m_cId)) std::swap(pA, pB);
+  if (IsBallOf(pA, pB)) std::swap(pA, pB);
   pContact->SetRestitution(RestitutionOf(*pA, *pB));
   if (!m_cTuning.m_bExactContacts)
     ReportAsIs(*pContact, *pA, *pB);
@@ -56,12 +65,23 @@ float CContactGatherer::RestitutionOf(const CBody& shape, const CBody& ball) con
   return e * speed > g_fMaxBox2DSpeedGain ? g_fMaxBox2DSpeedGain / speed : e;
 }
 
-void CContactGatherer::PostSolve(b2Contact* pContact, const b2ContactImpulse*) {
+void CContactGatherer::PostSolve(b2Contact* pContact, const b2ContactImpulse* pImpulse) {
+  if (!m_bContacts && !Follows()) return;
+  CBody* pA = m_cBodies.Find(*pContact->GetFixtureA()->GetBody());
+  CBody* pB = m_cBodies.Find(*pContact->GetFixtureB()->GetBody());
+  if (m_bContacts) AddImpulse(pA, pB, *pImpulse);
   if (!Follows()) return;
-  for (const b2Fixture* pFixture : {pContact->GetFixtureA(), pContact->GetFixtureB()})
-    if (CBody* pBody = m_cBodies.Find(*pFixture->GetBody()); pBody != nullptr && pBody->m_bIsBall)
-      pBody->m_cCorrection.MotionEnds(*pBody->m_pBody);
+  for (CBody* pBody : {pA, pB})
+    if (pBody != nullptr && pBody->m_bIsBall) pBody->m_cCorrection.MotionEnds(*pBody->m_pBody);
   m_cOverride.AfterSolve();
+}
+
+void CContactGatherer::AddImpulse(const CBody* pA, const CBody* pB, const b2ContactImpulse& impulse) {
+  if (!IsBallOf(pA, pB)) std::swap(pA, pB);
+  if (!IsBallOf(pA, pB)) return; // a shape and a body of the game
+  const CShapeId other = pB != nullptr ? pB->m_cId : CShapeId();
+  for (int i = 0; i < impulse.count; ++i)
+    m_stdSolved.push_back({{pA->m_cId, other}, impulse.normalImpulses[i]});
 }
 
 void CContactGatherer::CollideWithOther(b2Contact& contact) {
@@ -86,7 +106,7 @@ void CContactGatherer::ReportAsIs(b2Contact& contact, const CBody& shape, const 
   const b2Vec2 centre = ball.m_pBody->GetPosition();
   const b2Vec2 poi = centre - ball.m_fRadius * n;
   const b2Vec2 v = ball.m_pBody->GetLinearVelocity() - shape.m_pBody->GetLinearVelocityFromWorldPoint(poi);
-  Report(shape, ball, {poi, n, -b2Dot(v, n)});
+  Report(shape, ball, {poi, n, -b2Dot(v, n), 0.0f});
 }
 
 void CContactGatherer::Report(const CBody& shape, const CBody& ball,
@@ -99,6 +119,7 @@ void CContactGatherer::Report(const CBody& shape, const CBody& ball,
   event.m_vPOI = m_cScale.FromMetres(poi);
   event.m_vNorm = Vector2(n.x, n.y);
   event.m_fSpeed = m_cScale.FromMetres(std::max(0.0f, resolution.m_fSpeed));
+  event.m_fImpulse = resolution.m_fUnsolved; // in metres until TakeContacts
   m_stdEvents.push_back(event);
   if (!m_bPathVertices) return;
   const double part = m_cOverride.PartAt(shape, ball);
@@ -107,7 +128,7 @@ void CContactGatherer::Report(const CBody& shape, const CBody& ball,
 }
 
 std::vector<CContactEvent> CContactGatherer::TakeContacts() {
-  const auto pair = [](const CContactEvent& e) { return std::tie(e.m_cBall, e.m_cShape); };
+  const auto pair = [](const CContactEvent& e) { return CTouchingPair{e.m_cBall, e.m_cShape}; };
   std::stable_sort(m_stdEvents.begin(), m_stdEvents.end(),
                    [&](const CContactEvent& a, const CContactEvent& b) {
                      return pair(a) != pair(b) ? pair(a) < pair(b) : a.m_fSpeed > b.m_fSpeed;
@@ -116,6 +137,16 @@ std::vector<CContactEvent> CContactGatherer::TakeContacts() {
       std::unique(m_stdEvents.begin(), m_stdEvents.end(),
                   [&](const CContactEvent& a, const CContactEvent& b) { return pair(a) == pair(b); }),
       m_stdEvents.end());
+  for (const CSolved& solved : m_stdSolved) {
+    const auto it = std::lower_bound(
+        m_stdEvents.begin(), m_stdEvents.end(), solved.m_cPair,
+        [&](const CContactEvent& e, const CTouchingPair& wanted) { return pair(e) < wanted; });
+    if (it != m_stdEvents.end() && pair(*it) == solved.m_cPair) it->m_fImpulse += solved.m_fImpulse;
+  }
+  m_stdSolved.clear();
+  for (CContactEvent& event : m_stdEvents)
+    event.m_fImpulse = ImpulseOf(static_cast<double>(m_cScale.FromMetres(1.0f)), 0.0,
+                                 std::max(0.0, static_cast<double>(event.m_fImpulse)));
   return std::exchange(m_stdEvents, {});
 }
 

@@ -63,6 +63,7 @@ private:
   float RestitutionOf(const CBody& shape, const CBody& ball) const;
   void ReportAsIs(b2Contact& contact, const CBody& shape, const CBody& ball);
   void Report(const CBody& shape, const CBody& ball, const CPreSolveOverride::CResolution& resolution);
+  void AddImpulse(const CBody* pA, const CBody* pB, const b2ContactImpulse& impulse);
 
   CBodies& m_cBodies;
   CScale m_cScale;
@@ -72,7 +73,13 @@ private:
   CPreSolveOverride m_cOverride;
   bool m_bContacts = true, m_bPathVertices = true;
   std::uint64_t m_nAsked = 0;
+  /// What the solver has pushed a ball and another one apart with.
+  struct CSolved {
+    CTouchingPair m_cPair;
+    float m_fImpulse; ///< newton seconds
+  };
   std::vector<CContactEvent> m_stdEvents;
+  std::vector<CSolved> m_stdSolved;
   std::vector<CPathVertex> m_stdPathVertices;
 };
 

@@ -137,8 +137,8 @@ std::optional<CPreSolveOverride::CResolution> CPreSolveOverride::Override(b2Cont
 
   CInspected inspected = Inspect(contact, shape, ball);
   CParabolicCorrection::CImpact& impact = inspected.m_cImpact;
-  CResolution resolution{inspected.m_vPOI, inspected.m_vNorm, static_cast<float>(inspected.m_fSpeed)};
-  if (ResolvePress(inspected, shape, ball)) return resolution;
+  CResolution resolution{inspected.m_vPOI, inspected.m_vNorm, static_cast<float>(inspected.m_fSpeed), 0.0f};
+  if (ResolvePress(inspected, shape, ball, resolution)) return resolution;
 
   const bool approaches = impact.m_fSpeed < 0.0;
   const double left = (1.0 - impact.m_fPart) * static_cast<double>(m_fStep);
@@ -165,6 +165,10 @@ std::optional<CPreSolveOverride::CResolution> CPreSolveOverride::Override(b2Cont
     contact.GetManifold()->points[0].normalImpulse = 0.0f;
     resolution.m_fSpeed = static_cast<float>(CParabolicCorrection::Bounce(
         impact, ball.m_cCorrection, ShareOf(shape, ball), shape.m_bIsBall ? &shape.m_cCorrection : nullptr));
+    // Box2D knows the mean speed of the parabola.
+    resolution.m_fUnsolved = static_cast<float>((1.0 + impact.m_fElasticity) * ShareOf(shape, ball)) *
+                             ball.m_pBody->GetMass() *
+                             (resolution.m_fSpeed + static_cast<float>(impact.m_fSpeed));
     if (!shape.m_bIsBall && m_vGravity != b2Vec2_zero) ball.m_pBouncedOff = &shape;
   }
   if (m_bIsContinuous)
@@ -312,11 +316,12 @@ CPreSolveOverride::LeaveToSolver(b2Contact& contact, const CBody& shape, const C
   if (before > static_cast<float>(g_fRestingSpeed) * m_fStep * m_vGravity.Length())
     bounce = std::max(bounce, contact.GetRestitution() * before - press);
   contact.SetRestitution(bounce / approach);
-  return CResolution{p - ball.m_fRadius * n, n, before};
+  return CResolution{p - ball.m_fRadius * n, n, before, 0.0f};
 }
 
 // Whether they are pressed rather than hit each other; done then.
-bool CPreSolveOverride::ResolvePress(const CInspected& inspected, CBody& shape, CBody& ball) {
+bool CPreSolveOverride::ResolvePress(const CInspected& inspected, CBody& shape, CBody& ball,
+                                     CResolution& resolution) {
   // What moves by less than Box2D's slop is what its own solver is good at.
   const float move = static_cast<float>(inspected.m_fSpeed) * m_fStep;
   const float fall = m_fStep * m_fStep * m_vGravity.Length();
@@ -324,6 +329,11 @@ bool CPreSolveOverride::ResolvePress(const CInspected& inspected, CBody& shape, 
       std::abs(move) <= g_fPressMove * std::max(b2_linearSlop, fall) && inspected.m_fGap <= move;
   const bool isSupport = IsSupport(inspected, shape, ball);
   FailIf(!isPress && !isSupport);
+  if (isSupport) { // the half of the gravity step that what lies is not given after the step
+    const CBody& upper = b2Dot(m_vGravity, inspected.m_vNorm) < 0.0f ? ball : shape;
+    resolution.m_fUnsolved =
+        0.5f * m_fStep * std::abs(b2Dot(m_vGravity, inspected.m_vNorm)) * upper.m_pBody->GetMass();
+  }
   // What lies does not bounce off what it lies on, nor off what is beside it.
   if (isSupport ||
       (inspected.m_cImpact.m_fElasticity < 1.0 && (ball.m_bWasSupported || shape.m_bWasSupported)))

@@ -35,6 +35,7 @@ public:
   struct CResolution {
     b2Vec2 m_vPOI, m_vNorm; ///< normal to the ball
     float m_fSpeed;         ///< of approach
+    float m_fUnsolved;      ///< part of the impulse that Box2D's solver has no part in, newton seconds
   };
   /// Prepares the contact for Box2D.
   /// @param contact  its restitution is that of the pair already
@@ -55,7 +56,7 @@ private:
   struct CInspected;
   CInspected Inspect(b2Contact& contact, const CBody& shape, const CBody& ball) const;
   std::optional<CResolution> LeaveToSolver(b2Contact& contact, const CBody& shape, const CBody& ball);
-  bool ResolvePress(const CInspected& inspected, CBody& shape, CBody& ball);
+  bool ResolvePress(const CInspected& inspected, CBody& shape, CBody& ball, CResolution& resolution);
   bool IsSupport(const CInspected& inspected, CBody& shape, CBody& ball) const;
   void SeparateShapes(const CInspected& inspected, CBody& shape, CBody& ball);
   void OpenIsland(const b2Vec2& n);

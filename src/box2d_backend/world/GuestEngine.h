@@ -35,6 +35,7 @@ public:
   void Plan(CEffects running) override { m_pStepper->Plan(running); }
   void Substep(float) override {} // not called: Step is refused
   void Loaded() override {}
+  float GetTouchReach() const override { return m_pStepper->GetTouchReach(); }
 
 private:
   bool IsBox2DAtWork() const;

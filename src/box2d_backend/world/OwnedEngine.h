@@ -27,6 +27,7 @@ public:
   // same bits.
   void Saved() override { Rebuild(); }
   void Loaded() override { Rebuild(); }
+  float GetTouchReach() const override { return m_pStepper->GetTouchReach(); }
 
 private:
   void Rebuild();

@@ -28,6 +28,8 @@ public:
 
   /// To be told of what happens in the b2World.
   CContactGatherer& GetListener() { return m_cGatherer; }
+  /// The skin of edges, above which balls hover, and what Box2D leaves of an overlap; user units.
+  float GetTouchReach() const { return m_cScale.FromMetres(b2_polygonRadius + b2_linearSlop); }
   /// In metres; 0 if it does not run.
   b2Vec2 GetGravity() const {
     return m_cRunning.Has(eEffect::Gravity) ? m_cScale.ToMetres(m_cState.m_vGravity) : b2Vec2_zero;

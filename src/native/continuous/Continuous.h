@@ -121,7 +121,8 @@ private:
   void GoAlong(CMoving& ball, double time);
   void HoldAnew(CMoving& ball);
   void Slide(CMoving& ball, const CImpact& impact) const;
-  void Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n, double speed);
+  void Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n, double speed,
+              float impulse);
   void EndMotion(CMoving& ball);
   void Halt(CMoving& ball);
 

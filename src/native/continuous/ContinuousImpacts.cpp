@@ -204,7 +204,9 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   const double approach = ApproachSpeed(ball.m_vVel, surface, n);
   const double e = ball.m_fElasticity * static_cast<double>(entry.m_pShape->GetElasticity());
   const double speed = Norm(ball.m_vVel) + Norm(surface);
-  if (IsFalling() && IsHop(e * approach, impact.m_fClosing, speed) && CanFollow(ball, order, impact)) {
+  const bool stays =
+      IsFalling() && IsHop(e * approach, impact.m_fClosing, speed) && CanFollow(ball, order, impact);
+  if (stays) {
     Hold(ball, MakeHold(ball, order, impact));
   } else {
     RespondKinematic(n, 0.0, e, surface, ball.m_vPos, ball.m_vVel);
@@ -214,7 +216,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   m_pStats->m_nSpeedsCapped += CapSpeed(ball.m_vVel);
   ball.m_nLastOrder = order;
   if (m_pShapes->GetGeometry(order).IsMoving()) ball.m_nLastMoving = order;
-  Report(entry.m_cId, ball, impact.m_vPOI, n, approach);
+  Report(entry.m_cId, ball, impact.m_vPOI, n, approach, ImpulseOf(ball.m_fMass, stays ? 0.0 : e, approach));
   EndMotion(ball);
 }
 
@@ -251,6 +253,8 @@ void CContinuous::ResolveWithBall(CMoving& ball, CMoving& other) {
 void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, double setback, bool isSlow) {
   const double approach = ApproachSpeed(GetMotion(ball).m_vVel, GetMotion(other).m_vVel, n);
   const double e = isSlow ? 0.0 : ball.m_fElasticity * other.m_fElasticity;
+  double mass = ReducedMass(ball.m_fMass, other.m_fMass);
+  if (ball.m_bIsHalted || other.m_bIsHalted) mass = ball.m_bIsHalted ? other.m_fMass : ball.m_fMass;
   if (other.m_bIsHalted)
     RespondKinematic(n, setback, e, other.m_vCarried, ball.m_vPos, ball.m_vVel);
   else if (ball.m_bIsHalted)
@@ -271,13 +275,14 @@ void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, doub
   const bool ballIsFirst = ball.m_nBall < other.m_nBall;
   const CMoving &first = ballIsFirst ? ball : other, &second = ballIsFirst ? other : ball;
   const Vector2d nhat = ballIsFirst ? n : Vector2d(-n);
-  Report(m_pBalls->m_stdId[second.m_nBall], first, second.m_vPos + second.m_fRadius * nhat, nhat, approach);
+  Report(m_pBalls->m_stdId[second.m_nBall], first, second.m_vPos + second.m_fRadius * nhat, nhat, approach,
+         ImpulseOf(mass, e, approach));
   for (CMoving* pBall : {&ball, &other})
     if (!pBall->m_bIsHalted) EndMotion(*pBall);
 }
 
 void CContinuous::Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n,
-                         double speed) {
+                         double speed, float impulse) {
   ++m_pStats->m_nContacts;
   CContactEvent event;
   event.m_cShape = shape;
@@ -285,6 +290,7 @@ void CContinuous::Report(CShapeId shape, const CMoving& ball, const Vector2d& po
   event.m_vPOI = ToFloat(poi);
   event.m_vNorm = n.cast<float>();
   event.m_fSpeed = static_cast<float>(speed);
+  event.m_fImpulse = impulse;
   m_stdContacts.push_back(event);
 }
 

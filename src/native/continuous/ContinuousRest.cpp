@@ -52,11 +52,12 @@ void CContinuous::FindRestingContacts() {
 
 void CContinuous::SolveRestingContacts() {
   m_cResting.Solve(m_stdBalls);
-  m_cResting.ForEach([this](std::uint32_t i, std::uint32_t other, bool isBall, const Vector2d& norm) {
-    const CMoving& ball = m_stdBalls[i];
-    Report(isBall ? m_pBalls->m_stdId[m_stdBalls[other].m_nBall] : m_pShapes->Get(other).m_cId, ball,
-           ball.m_vPos - ball.m_fRadius * norm, norm, 0.0);
-  });
+  m_cResting.ForEach(
+      [this](std::uint32_t i, std::uint32_t other, bool isBall, const Vector2d& norm, double impulse) {
+        const CMoving& ball = m_stdBalls[i];
+        Report(isBall ? m_pBalls->m_stdId[m_stdBalls[other].m_nBall] : m_pShapes->Get(other).m_cId, ball,
+               ball.m_vPos - ball.m_fRadius * norm, norm, 0.0, ImpulseOf(1.0, 0.0, impulse));
+      });
   for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     if (!m_stdBalls[i].m_bIsInPile) continue;
     MoveDisc(i);
@@ -141,8 +142,9 @@ bool CContinuous::HoldIfTouching(CMoving& ball, std::uint32_t order) {
 void CContinuous::ReportHold(const CMoving& ball) {
   if (ball.m_cHolds.IsEmpty()) return;
   const CHold& hold = ball.m_cHolds.Get().back();
+  const double push = std::max(0.0, hold.m_vNorm.dot(ball.m_vAcc - ball.m_vFall)) * m_fStep;
   Report(m_pShapes->Get(hold.m_nOther).m_cId, ball, ball.m_vPos - ball.m_fRadius * hold.m_vNorm, hold.m_vNorm,
-         0.0);
+         0.0, ImpulseOf(ball.m_fMass, 0.0, push));
 }
 
 // Onto the surfaces that hold it: the parabola leaves those that curve with the third power of the time.

@@ -55,11 +55,12 @@ public:
   void FindPiles(std::vector<CMoving>& balls);
   /// Sets the velocities of all balls of piles; the shapes that push become holds.
   void Solve(std::vector<CMoving>& balls);
-  /// Calls f(ball, other, isBall, normal) for each contact that pushes, pile by pile from the bottom up.
+  /// Calls f(ball, other, isBall, normal, impulse) for each contact that pushes, pile by pile from the bottom
+  /// up.
   template <class F>
   void ForEach(const F& f) const {
     for (const CContact& c : m_stdContacts)
-      if (c.m_fImpulse > 0.0) f(c.m_nBall, c.m_nOther, c.m_bIsBall, c.m_vNorm);
+      if (c.m_fImpulse > 0.0) f(c.m_nBall, c.m_nOther, c.m_bIsBall, c.m_vNorm, c.m_fImpulse);
   }
 
 private:

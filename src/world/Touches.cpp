@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "Touches.h"
+
+#include <Shapes/Limits.h>
+
+#include "BallPath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace Shapes {
+namespace {
+
+CTouchEvent Event(const CTouchingPair& pair, bool begin) { return {pair.m_cShape, pair.m_cBall, begin}; }
+
+// Whether both are there and solid. What belongs to a game has no id, and is.
+bool IsSolidPair(const CWorldState& state, const CTouchingPair& pair) {
+  const std::size_t i = state.FindBall(pair.m_cBall);
+  FailIf(i == CWorldState::npos || !state.m_cBalls.IsSolid(i));
+  if (pair.m_cShape == CShapeId()) return true;
+  if (const std::size_t j = state.FindBall(pair.m_cShape); j != CWorldState::npos)
+    return state.m_cBalls.IsSolid(j);
+  const std::size_t k = state.FindShape(pair.m_cShape);
+  FailIf(k == CWorldState::npos);
+  const CShape& shape = *state.m_stdShapes[k].m_pShape;
+  return shape.GetCanCollide() && !shape.GetSensor();
+}
+
+// Whether the two of a solid pair are hardly apart now.
+bool AreClose(const CWorldState& state, const CTouchingPair& pair, float reach) {
+  FailIf(pair.m_cShape == CShapeId()); // nobody knows where that is
+  const CBallArrays& b = state.m_cBalls;
+  const std::size_t i = state.FindBall(pair.m_cBall), j = state.FindBall(pair.m_cShape);
+  const Vector2d p = b.m_stdPos[i].cast<double>();
+  double distance; // from the centre to the other one
+  if (j != CWorldState::npos) {
+    distance = (p - b.m_stdPos[j].cast<double>()).norm() - static_cast<double>(b.m_stdRadius[j]);
+  } else {
+    const CPathVertex here[] = {{0.0, p}, {1.0, p}};
+    const CZone zone(*state.m_stdShapes[state.FindShape(pair.m_cShape)].m_pShape);
+    distance = std::abs(zone.Approach(here).m_fDistance); // a solid circle is a ring
+  }
+  const float r = b.m_stdRadius[i];
+  return distance - static_cast<double>(r) <= static_cast<double>(std::max(reach, g_fTouchReach * r));
+}
+
+} // namespace
+
+void EndLostTouches(CWorldState& state, std::vector<CTouchEvent>& events) {
+  std::erase_if(state.m_stdSolidTouching, [&](const CTouchingPair& pair) {
+    FailIf(IsSolidPair(state, pair));
+    events.push_back(Event(pair, false));
+    return true;
+  });
+}
+
+void FollowTouches(std::span<const CContactEvent> contacts, float reach, CWorldState& state,
+                   std::vector<CTouchEvent>& events) {
+  std::vector<CTouchingPair> met;
+  for (const CContactEvent& contact : contacts)
+    if (!contact.m_bIsSensor) met.push_back({contact.m_cBall, contact.m_cShape});
+  std::sort(met.begin(), met.end());
+  met.erase(std::unique(met.begin(), met.end()), met.end());
+
+  const std::vector<CTouchingPair> before = std::move(state.m_stdSolidTouching);
+  std::vector<CTouchingPair> either;
+  std::set_union(before.begin(), before.end(), met.begin(), met.end(), std::back_inserter(either));
+  state.m_stdSolidTouching.clear();
+  for (const CTouchingPair& pair : either) {
+    const bool isMet = std::binary_search(met.begin(), met.end(), pair);
+    const bool touched = std::binary_search(before.begin(), before.end(), pair);
+    // A game may have destroyed one of them in the middle of the step.
+    const bool touches = IsSolidPair(state, pair) && (isMet || AreClose(state, pair, reach));
+    if (touches) state.m_stdSolidTouching.push_back(pair);
+    if (touches != touched) events.push_back(Event(pair, touches));
+  }
+}
+
+} // namespace Shapes
