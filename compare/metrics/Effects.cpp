@@ -36,7 +36,7 @@ public:
     for (std::uint64_t trial = 0; steps < g_nLook; ++trial) {
       CGame game(scene, engine, MakeStart(scene, seed, trial));
       if (trial == 0) Note(game.GetWorld(), [](const CEffectCost&) { return true; });
-      std::array<std::uint64_t, std::size(g_stdEffects)> ran{};
+      auto ran = CWorldStats().m_stdSubstepsWith;
       for (std::size_t i = 0; i < GetStepsPerTrial(scene) && steps < g_nLook; ++i, ++steps) {
         game.Step();
         AddStep(game.GetWorld(), ran);
@@ -47,7 +47,7 @@ public:
 
 private:
   // What runs for the first time has its reason in the world as it is now.
-  void AddStep(const CWorld& world, std::array<std::uint64_t, std::size(g_stdEffects)>& ran) {
+  void AddStep(const CWorld& world, decltype(CWorldStats::m_stdSubstepsWith)& ran) {
     const CWorldStats& stats = world.GetStats();
     const auto before = ran;
     const auto runsNow = [&](const CEffectCost& cost) {
