@@ -29,7 +29,7 @@ public:
   /// @param name     UTF-8, at least one letter
   /// @param seconds  how long one run takes, at least the time step
   /// @throws std::invalid_argument naming what is not valid or cannot be written: no ball, a ball that is a
-  /// sensor, a ball among the shapes, an empty name
+  /// sensor, a shape with stops, a ball among the shapes, an empty name
   std::string ToJson(const std::string& name, float seconds) const;
 };
 

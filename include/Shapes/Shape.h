@@ -4,6 +4,7 @@
 
 #include <Shapes/Aabb2D.h>
 #include <Shapes/Limits.h>
+#include <Shapes/MotionLimits.h>
 #include <Shapes/ShapeMath.h>
 
 #include <memory>
@@ -46,6 +47,7 @@ public:
   Vector2 m_vVel = Vector2::Zero();
   float m_fRotSpeed = 0.0f;               ///< Kinematic: revolutions per second, counterclockwise.
   Vector2 m_vRotCenter = Vector2::Zero(); ///< Kinematic: centre of the rotation, user units.
+  CMotionLimits m_cLimits;                ///< Kinematic, in a world: its stops.
 
 protected:
   explicit CShapeDesc(eShape e) : m_eShapeType(e) {}
@@ -92,6 +94,9 @@ public:
   /// present one). Static shapes and balls stay as they are. Error of every point, ends and centres, at most
   /// 3 ulp of |center| + its distance from center, for |angle| up to 1e9.
   virtual void Rotate(const Vector2& center, float angle);
+  /// Moves a kinematic shape so that its rotation centre is at `center`, and turns it to `angle` about that:
+  /// exactly, wherever it was. Others stay.
+  void SetPose(const Vector2& center, float angle);
   /// Puts a kinematic shape back to its pose at construction, bit for bit.
   virtual void Reset();
   /// One step of m_fTimeStep: a kinematic shape moves by its velocity and turns by its rotation speed about
@@ -117,7 +122,8 @@ public:
   void SetVel(const Vector2& v);
   /// Revolutions per second, counterclockwise.
   float GetRotSpeed() const { return m_fRotSpeed; }
-  /// @throws std::invalid_argument unless |revolutions per second| <= g_fMaxRotSpeed
+  /// @throws std::invalid_argument unless |revolutions per second| <= g_fMaxRotSpeed, or if it is not 0 for a
+  /// static shape
   void SetRotSpeed(float revsPerSecond);
   const Vector2& GetRotCenter() const { return m_vRotCenter; }
   /// @throws std::invalid_argument if center is not finite or too large (g_fMaxLength)

@@ -13,6 +13,7 @@
 #include <Shapes/Limits.h>
 #include <Shapes/Line.h>
 #include <Shapes/LineSeg.h>
+#include <Shapes/MotionLimits.h>
 #include <Shapes/Point.h>
 #include <Shapes/SceneDesc.h>
 #include <Shapes/Shape.h>

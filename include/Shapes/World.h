@@ -46,10 +46,11 @@ public:
   CShapeId Add(const CArcDesc& desc);
   CShapeId Add(const CDynamicCircleDesc& desc);
   CShapeId Add(const CAnyShapeDesc& desc);
-  /// Adds a compound: kinematic shapes about one rotation centre with one rotation speed and one velocity.
-  /// All or none is added.
+  /// Adds a compound: kinematic shapes about one rotation centre with one rotation speed, one velocity and
+  /// the same stops. All or none is added.
   std::vector<CShapeId> AddCompound(std::span<const CAnyShapeDesc> descs, const Vector2& rotCenter,
-                                    float revsPerSecond = 0.0f, const Vector2& v = Vector2::Zero());
+                                    float revsPerSecond = 0.0f, const Vector2& v = Vector2::Zero(),
+                                    const CMotionLimits& limits = {});
   void Remove(CShapeId id);
   bool Contains(CShapeId id) const;
 
@@ -95,10 +96,15 @@ public:
   const CShape& GetShape(CShapeId id) const;
   float GetOrientation(CShapeId id) const;
   void SetOrientation(CShapeId id, float angle);
+  /// The one that it was given, be it at a stop or not.
   float GetRotSpeed(CShapeId id) const;
   void SetRotSpeed(CShapeId id, float revsPerSecond);
   const Vector2& GetRotCenter(CShapeId id) const;
   void SetRotCenter(CShapeId id, const Vector2& center);
+  /// The stops of a kinematic shape, between which it moves and turns; of a compound those of all its shapes
+  /// have to be set.
+  const CMotionLimits& GetLimits(CShapeId id) const;
+  void SetLimits(CShapeId id, const CMotionLimits& limits);
   /// Puts a kinematic shape back to its pose and rotation centre when it was added.
   void Reset(CShapeId id);
 

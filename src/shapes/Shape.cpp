@@ -68,6 +68,8 @@ void CShape::SetVel(const Vector2& v) {
 
 void CShape::SetRotSpeed(float revsPerSecond) {
   RequireRange("m_fRotSpeed", revsPerSecond, -g_fMaxRotSpeed, g_fMaxRotSpeed);
+  if (m_eMotionType == eMotion::Static && revsPerSecond != 0.0f)
+    Refuse("m_fRotSpeed", ToText(revsPerSecond), "0: a static shape does not turn");
   m_fRotSpeed = revsPerSecond;
 }
 
@@ -86,6 +88,14 @@ void CShape::Rotate(const Vector2& center, float angle) {
   m_vLastMove.setZero();
   m_vPos = TurnFromStart(center, m_fOrientation);
   Update();
+}
+
+void CShape::SetPose(const Vector2& center, float angle) {
+  if (m_eMotionType != eMotion::Kinematic) return;
+  RequireVector("center", center, g_fMaxLength);
+  m_vMoved = center.cast<double>() - m_vStartRotCenter;
+  m_vRotCenter = center;
+  Rotate(center, angle);
 }
 
 void CShape::Reset() {

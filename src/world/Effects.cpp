@@ -52,8 +52,10 @@ std::string_view GetName(eEffect e) {
 CContent CContent::Of(const CShapeEntry& entry) {
   const CShape& shape = *entry.m_pShape;
   CContent c;
-  c.m_nMoving = shape.GetMotionType() == eMotion::Kinematic &&
-                (entry.m_fRotSpeed != 0.0f || entry.m_vVel != Vector2::Zero());
+  c.m_nMoving =
+      shape.GetMotionType() == eMotion::Kinematic &&
+      (entry.m_bIsHeld ? entry.m_fRotSpeed != 0.0f || entry.m_vVel != Vector2::Zero() : shape.GetMoving());
+  c.m_nWithStops = entry.HasStops();
   c.m_nSensors = shape.GetSensor();
   c.m_nSolidShapes = shape.GetCanCollide() && !shape.GetSensor();
   return c;
@@ -73,6 +75,7 @@ CContent& CContent::operator+=(const CContent& other) {
   m_nSolidShapes += other.m_nSolidShapes;
   m_nMoving += other.m_nMoving;
   m_nSensors += other.m_nSensors;
+  m_nWithStops += other.m_nWithStops;
   return *this;
 }
 
@@ -82,6 +85,7 @@ CContent& CContent::operator-=(const CContent& other) {
   m_nSolidShapes -= other.m_nSolidShapes;
   m_nMoving -= other.m_nMoving;
   m_nSensors -= other.m_nSensors;
+  m_nWithStops -= other.m_nWithStops;
   return *this;
 }
 

@@ -17,6 +17,7 @@ struct CContent {
   std::size_t m_nSolidShapes = 0;
   std::size_t m_nMoving = 0;  ///< Shapes that move or rotate by themselves.
   std::size_t m_nSensors = 0; ///< Shapes and balls.
+  std::size_t m_nWithStops = 0;
 
   /// The counts of one shape, and of one ball.
   static CContent Of(const CShapeEntry& entry);

@@ -89,6 +89,7 @@ std::string Written(const CDynamicCircleDesc&) {
 
 template <class TDesc>
 std::string Written(const TDesc& desc) {
+  if (desc.m_cLimits != CMotionLimits()) Refuse("m_cLimits", "set", "none: a scene file has no stops");
   CObject json;
   AddGeometry(json, desc);
   json.Add("elasticity", desc.m_fElasticity);

@@ -12,7 +12,7 @@
 namespace Shapes {
 namespace {
 
-CTouchEvent Event(const CTouchingPair& pair, bool begin) { return {pair.m_cShape, pair.m_cBall, begin}; }
+CTouchEvent TouchEvent(const CTouchingPair& pair, bool begin) { return {pair.m_cShape, pair.m_cBall, begin}; }
 
 // Whether both are there and solid. What belongs to a game has no id, and is.
 bool IsSolidPair(const CWorldState& state, const CTouchingPair& pair) {
@@ -50,7 +50,7 @@ bool AreClose(const CWorldState& state, const CTouchingPair& pair, float reach) 
 void EndLostTouches(CWorldState& state, std::vector<CTouchEvent>& events) {
   std::erase_if(state.m_stdSolidTouching, [&](const CTouchingPair& pair) {
     FailIf(IsSolidPair(state, pair));
-    events.push_back(Event(pair, false));
+    events.push_back(TouchEvent(pair, false));
     return true;
   });
 }
@@ -73,7 +73,7 @@ void FollowTouches(std::span<const CContactEvent> contacts, float reach, CWorldS
     // A game may have destroyed one of them in the middle of the step.
     const bool touches = IsSolidPair(state, pair) && (isMet || AreClose(state, pair, reach));
     if (touches) state.m_stdSolidTouching.push_back(pair);
-    if (touches != touched) events.push_back(Event(pair, touches));
+    if (touches != touched) events.push_back(TouchEvent(pair, touches));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <Shapes/World.h>
 
 #include "../shapes/Validate.h"
+#include "Stops.h"
 #include "WorldCore.h"
 
 #include <string>
@@ -22,9 +23,14 @@ std::unique_ptr<CShape> MakeShape(const TDesc& desc) {
   if (desc.m_eMotionType == eMotion::Static) {
     auto pShape = std::make_unique<TStatic>(desc);
     pShape->SetVel(desc.m_vVel); // which a static shape refuses
+    pShape->SetRotSpeed(desc.m_fRotSpeed);
+    RequireLimits(desc.m_cLimits, eMotion::Static);
     return pShape;
   }
-  if (desc.m_eMotionType == eMotion::Kinematic) return std::make_unique<TKinematic>(desc);
+  if (desc.m_eMotionType == eMotion::Kinematic) {
+    RequireLimits(desc.m_cLimits, eMotion::Kinematic);
+    return std::make_unique<TKinematic>(desc);
+  }
   Refuse("m_eMotionType", "neither static nor kinematic",
          "Static or Kinematic; balls are made from CDynamicCircleDesc");
 }
@@ -120,10 +126,10 @@ void SetPose(CWorldCore& core, CShapeEntry& entry, const F& change) {
   core.ChangeShape(entry, eChange::Pose, [&](CShapeEntry& changed) { change(*changed.m_pShape); });
 }
 
-CShapeId AddShape(CWorldCore& core, std::unique_ptr<CShape> pShape) {
+CShapeId AddShape(CWorldCore& core, std::unique_ptr<CShape> pShape, const CMotionLimits& limits) {
   core.Access(eAccess::Change);
   RequireShape(core.GetLimits(), *pShape);
-  return core.Add(std::move(pShape));
+  return core.Add(std::move(pShape), limits);
 }
 
 } // namespace
@@ -150,10 +156,10 @@ void CWorld::SetGravity(const Vector2& g) {
   m_pImpl->SetGravity(g);
 }
 
-CShapeId CWorld::Add(const CPointDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc)); }
-CShapeId CWorld::Add(const CLineSegDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc)); }
-CShapeId CWorld::Add(const CCircleDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc)); }
-CShapeId CWorld::Add(const CArcDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc)); }
+CShapeId CWorld::Add(const CPointDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc), desc.m_cLimits); }
+CShapeId CWorld::Add(const CLineSegDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc), desc.m_cLimits); }
+CShapeId CWorld::Add(const CCircleDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc), desc.m_cLimits); }
+CShapeId CWorld::Add(const CArcDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc), desc.m_cLimits); }
 
 CShapeId CWorld::Add(const CDynamicCircleDesc& desc) {
   m_pImpl->Access(eAccess::Change);
@@ -167,12 +173,14 @@ CShapeId CWorld::Add(const CAnyShapeDesc& desc) {
 }
 
 std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, const Vector2& rotCenter,
-                                          float revsPerSecond, const Vector2& v) {
+                                          float revsPerSecond, const Vector2& v,
+                                          const CMotionLimits& limits) {
   m_pImpl->Access(eAccess::Change);
   // Even where there is no shape that would be asked.
   RequireVector("m_vRotCenter", rotCenter, m_pImpl->GetLimits().m_fMaxLength);
   RequireRange("m_fRotSpeed", revsPerSecond, -g_fMaxRotSpeed, g_fMaxRotSpeed);
   RequireVector("m_vVel", v, m_pImpl->GetLimits().m_fMaxSpeed);
+  RequireLimits(limits, eMotion::Kinematic);
   std::vector<std::unique_ptr<CShape>> shapes;
   for (const CAnyShapeDesc& any : descs)
     shapes.push_back(std::visit(
@@ -181,6 +189,7 @@ std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, 
           desc.m_vRotCenter = rotCenter;
           desc.m_fRotSpeed = revsPerSecond;
           desc.m_vVel = v;
+          desc.m_cLimits = limits;
           return MakeShape(desc);
         },
         any));
@@ -188,7 +197,7 @@ std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, 
     RequireShape(m_pImpl->GetLimits(), *pShape);
   std::vector<CShapeId> ids;
   for (auto& pShape : shapes)
-    ids.push_back(m_pImpl->Add(std::move(pShape)));
+    ids.push_back(m_pImpl->Add(std::move(pShape), limits));
   return ids;
 }
 
@@ -313,6 +322,20 @@ void CWorld::SetRotCenter(CShapeId id, const Vector2& center) {
   CShapeEntry& entry = FindKinematic(m_pImpl->GetState(), id, g_sToBeTurned);
   m_pImpl->ChangeShape(entry, eChange::Pose,
                        [&](CShapeEntry& changed) { changed.m_pShape->SetRotCenter(center); });
+}
+
+const CMotionLimits& CWorld::GetLimits(CShapeId id) const {
+  return FindEntry(m_pImpl->ReadState(), id).m_cLimits;
+}
+
+void CWorld::SetLimits(CShapeId id, const CMotionLimits& limits) {
+  m_pImpl->Access(eAccess::Change);
+  CShapeEntry& entry = FindEntry(m_pImpl->GetState(), id);
+  RequireLimits(limits, entry.m_pShape->GetMotionType());
+  m_pImpl->ChangeShape(entry, eChange::Motion, [&](CShapeEntry& changed) {
+    changed.m_cLimits = limits;
+    changed.SetHeld(changed.m_bIsHeld); // it moves again if a stop is gone
+  });
 }
 
 void CWorld::Reset(CShapeId id) {

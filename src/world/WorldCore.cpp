@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "WorldCore.h"
 
+#include "../Tolerances.h"
 #include "../shapes/Validate.h"
+#include "Stops.h"
 
 #include <algorithm>
 
@@ -115,9 +117,10 @@ void CWorld::CImpl::SetGravity(const Vector2& g) {
   InvalidatePlan();
 }
 
-CShapeId CWorld::CImpl::Add(std::unique_ptr<CShape> pShape) {
+CShapeId CWorld::CImpl::Add(std::unique_ptr<CShape> pShape, const CMotionLimits& limits) {
   const CShapeId id{m_cState.m_nNextId++};
   CShapeEntry entry(id, std::move(pShape));
+  entry.m_cLimits = limits;
   entry.SetHeld(IsForbidden(eEffect::Kinematics));
   m_cState.m_stdShapes.push_back(std::move(entry));
   UpdateContent({}, CContent::Of(m_cState.m_stdShapes.back()));
@@ -157,7 +160,37 @@ bool CWorld::CImpl::Remove(CShapeId id) {
   return true;
 }
 
-void CWorld::CImpl::BeginSubstep() {
+// Of what is left of a substep, up to where the first shape comes to its stop.
+float CWorld::CImpl::FindPart(float left) const {
+  const float least = g_fLeastPart * GetSubstep(m_cDesc);
+  double part = left;
+  for (const CShapeEntry& entry : m_cState.m_stdShapes)
+    if (entry.HasStops()) {
+      const double time = GetTimeToStop(entry);
+      if (time > least && time < left - least) part = std::min(part, time);
+    }
+  return static_cast<float>(part);
+}
+
+// For the next dt seconds: what is at a stop rests.
+void CWorld::CImpl::DriveShapes(float dt) {
+  for (CShapeEntry& entry : m_cState.m_stdShapes)
+    if (entry.HasStops()) {
+      const CDrive drive = GetDrive(entry, dt), before = entry.GetDrive();
+      if (drive.m_vVel != before.m_vVel || drive.m_fRotSpeed != before.m_fRotSpeed)
+        ChangeShape(entry, eChange::Motion, [&](CShapeEntry& changed) { changed.SetDrive(drive); });
+    }
+  if (m_bPlanIsOld) PlanSubsteps();
+}
+
+void CWorld::CImpl::StopShapes(float dt) {
+  for (CShapeEntry& entry : m_cState.m_stdShapes)
+    if (entry.HasStops() && HasCome(entry, dt))
+      ChangeShape(entry, eChange::Motion, [&](CShapeEntry& changed) { SnapToStops(changed, dt); });
+}
+
+void CWorld::CImpl::BeginSubstep(float dt) {
+  if (HaveStops()) DriveShapes(dt);
   if (!m_bEngineIsPlanned) m_pEngine->Plan(m_cRunning);
   m_bEngineIsPlanned = true;
 }
@@ -175,7 +208,11 @@ void CWorld::CImpl::BeginStep() {
 
 void CWorld::CImpl::EndSubstep(float dt) {
   ++m_cStats.m_nSubsteps;
-  if (!Watches()) return;
+  if (Watches()) Watch(dt);
+  if (HaveStops()) StopShapes(dt);
+}
+
+void CWorld::CImpl::Watch(float dt) {
   if (Runs(eEffect::Touches))
     FollowTouches(std::span(m_stdContacts).subspan(m_nFollowed), m_pEngine->GetTouchReach(), m_cState,
                   m_stdTouchEvents);
@@ -207,9 +244,13 @@ void CWorld::CImpl::Step() {
   BeginStep();
   const float dt = GetSubstep(m_cDesc);
   for (unsigned i = 0; i < m_cDesc.m_nSubsteps; ++i) {
-    BeginSubstep();
-    m_pEngine->Substep(dt);
-    EndSubstep(dt);
+    for (float left = dt; left > 0.0f;) {
+      const float part = HaveStops() ? FindPart(left) : left;
+      BeginSubstep(part);
+      m_pEngine->Substep(part);
+      EndSubstep(part);
+      left -= part;
+    }
   }
   EndStep();
 }

@@ -40,7 +40,7 @@ public:
 
   // For an engine that is stepped by the host, who owns the b2World: the parts of Step.
   void BeginStep();
-  void BeginSubstep();
+  void BeginSubstep(float dt);
   void EndSubstep(float dt);
   void EndStep();
   /// Called when the owner of the b2World decides whether continuous physics is on.
@@ -63,7 +63,7 @@ public:
   std::span<const CSensorEvent> GetSensorEvents() const { return m_stdSensorEvents; }
   std::span<const CTouchEvent> GetTouchEvents() const { return m_stdTouchEvents; }
   void SetGravity(const Vector2& g);
-  CShapeId Add(std::unique_ptr<CShape> pShape);
+  CShapeId Add(std::unique_ptr<CShape> pShape, const CMotionLimits& limits);
   CShapeId Add(const CDynamicCircleDesc& desc);
   /// @return false if there is none of that id
   bool Remove(CShapeId id);
@@ -82,8 +82,13 @@ private:
   void UpdateContent(const CContent& before, const CContent& after);
   void PlanSubsteps();
   void CountEffects();
+  bool HaveStops() const { return m_cContent.m_nWithStops > 0 && !IsForbidden(eEffect::Kinematics); }
+  float FindPart(float left) const;
+  void DriveShapes(float dt);
+  void StopShapes(float dt);
   /// Whether Sensors or Touches runs.
   bool Watches() const;
+  void Watch(float dt);
   void Sense(float dt);
 
   CWorldDesc m_cDesc;

@@ -2,6 +2,8 @@
 // All that a world holds, in the order of ids. Both engines keep their worlds here; saving a world copies it.
 #pragma once
 
+#include <Shapes/MotionLimits.h>
+
 #include "Engine.h"
 
 #include <cstddef>
@@ -48,13 +50,21 @@ struct CBallArrays {
   }
 };
 
+/// Velocity and rotation speed of a shape.
+struct CDrive {
+  Vector2 m_vVel;
+  float m_fRotSpeed;
+};
+
 /// A shape that is not a ball.
 struct CShapeEntry {
   CShapeId m_cId;
-  std::unique_ptr<CShape> m_pShape; ///< Its velocity and rotation speed are 0 where Kinematics is forbidden.
-  Vector2 m_vVel;                   ///< The one that the user gave it, units per second.
-  float m_fRotSpeed;                ///< Likewise, revolutions per second.
+  /// Its velocity and rotation speed are 0 where Kinematics is forbidden, and at a stop.
+  std::unique_ptr<CShape> m_pShape;
+  Vector2 m_vVel;    ///< The one that the user gave it, units per second.
+  float m_fRotSpeed; ///< Likewise, revolutions per second.
   bool m_bIsHeld = false;
+  CMotionLimits m_cLimits;
 
   CShapeEntry(CShapeId id, std::unique_ptr<CShape> pShape)
       : m_cId(id),
@@ -66,7 +76,8 @@ struct CShapeEntry {
         m_pShape(entry.m_pShape->Clone()),
         m_vVel(entry.m_vVel),
         m_fRotSpeed(entry.m_fRotSpeed),
-        m_bIsHeld(entry.m_bIsHeld) {}
+        m_bIsHeld(entry.m_bIsHeld),
+        m_cLimits(entry.m_cLimits) {}
   CShapeEntry(CShapeEntry&&) = default;
   CShapeEntry& operator=(CShapeEntry&&) = default;
 
@@ -77,6 +88,13 @@ struct CShapeEntry {
   void SetRotSpeed(float revsPerSecond) {
     m_fRotSpeed = revsPerSecond;
     m_pShape->SetRotSpeed(m_bIsHeld ? 0.0f : revsPerSecond);
+  }
+  bool HasStops() const { return m_cLimits != CMotionLimits(); }
+  CDrive GetDrive() const { return {m_pShape->GetVel(), m_pShape->GetRotSpeed()}; }
+  /// Moves with other speeds than it was given.
+  void SetDrive(const CDrive& drive) {
+    m_pShape->SetVel(drive.m_vVel);
+    m_pShape->SetRotSpeed(drive.m_fRotSpeed);
   }
   /// Stands still whatever its speeds.
   void SetHeld(bool b) {

@@ -97,6 +97,48 @@ TEST_P(CGuestEffects, EventsAreToldOfTheBodiesOfTheGameAlone) {
   }
 }
 
+// The bodies of the game are one, and have no id.
+TEST_P(CGuestEffects, TouchesOfTheBodiesOfTheGameAreTold) {
+  auto& guest = Join({{eEffect::Touches}, {}});
+  m_cGame.SetGravity({0, -10});
+  AddGround(m_cGame);
+  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.15f}, 0.1f, {0, 0}, 1, 0));
+  std::vector<CTouchEvent> told;
+  const auto steps = [&](int n) {
+    for (int i = 0; i < n; ++i) {
+      Steps(1);
+      told.insert(told.end(), guest.GetWorld().GetTouchEvents().begin(),
+                  guest.GetWorld().GetTouchEvents().end());
+    }
+  };
+  steps(120);
+  EXPECT_EQ(told, (std::vector<CTouchEvent>{{CShapeId(), ball, true}}));
+  guest.GetWorld().SetVel(ball, {0, 3});
+  steps(5);
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[1], (CTouchEvent{CShapeId(), ball, false}));
+}
+
+// A step of the game cannot be cut: the flipper is as slow in it as it has to be.
+TEST_P(CGuestEffects, AFlipperComesToItsStopWithTheStep) {
+  auto& guest = Join(g_cAutomatic);
+  CLineSegDesc desc({0, 0}, {1, 0});
+  desc.m_eMotionType = eMotion::Kinematic;
+  desc.m_fRotSpeed = 1;
+  desc.m_cLimits = CMotionLimits::OfAngle(0, 0.25f);
+  const CShapeId flipper = guest.GetWorld().Add(desc);
+  int mine = 0;
+  guest.GetWorld().SetUserPtr(flipper, &mine);
+  Steps(2);
+  EXPECT_NEAR(guest.GetWorld().GetOrientation(flipper), 2 * g_fTwoPi * g_fDt, 1e-6f);
+  Steps(1);
+  EXPECT_EQ(guest.GetWorld().GetOrientation(flipper), 0.25f);
+  EXPECT_NEAR(FindBody(m_cGame, &mine)->GetAngle(), 0.25f, 1e-6f);
+  Steps(10);
+  EXPECT_EQ(guest.GetWorld().GetOrientation(flipper), 0.25f);
+  EXPECT_NEAR(FindBody(m_cGame, &mine)->GetAngle(), 0.25f, 1e-6f);
+}
+
 TEST_P(CGuestEffects, WithoutEventsTheProductOfElasticitiesStays) {
   CCounting listener;
   m_cGame.SetContactListener(&listener);

@@ -92,7 +92,7 @@ TEST_P(CNoAssert, SegmentsOfAnyLength) {
         CLineSegDesc desc({0, 0}, {metres * Unit(), 0});
         desc.m_eSides = sides;
         desc.m_eMotionType = motion;
-        desc.m_fRotSpeed = 1;
+        desc.m_fRotSpeed = motion == eMotion::Kinematic ? 1.0f : 0.0f;
         m_pWorld->Add(desc);
         for (const Vector2& p : {desc.GetEndPt0(), desc.GetEndPt1(), desc.m_vPos})
           AddBalls(p);
@@ -110,7 +110,7 @@ TEST_P(CNoAssert, ArcsOfAnyRadiusAndSpan) {
         CArcDesc desc({0, 0}, metres * Unit(), 0, span);
         desc.m_eSides = span < 1 ? eSides::Front : eSides::Both;
         desc.m_eMotionType = motion;
-        desc.m_fRotSpeed = 1;
+        desc.m_fRotSpeed = motion == eMotion::Kinematic ? 1.0f : 0.0f;
         m_pWorld->Add(desc);
         Vector2 p0, p1;
         desc.GetEndPts(p0, p1);

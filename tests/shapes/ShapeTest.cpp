@@ -67,13 +67,14 @@ TEST(Shape, SettersAreReadBack) {
     p->SetSensor(true);
     p->SetCanCollide(false);
     p->SetUserPtr(&user);
-    p->SetRotSpeed(-2.0f);
+    const float speed = p->GetMotionType() == eMotion::Static ? 0.0f : -2.0f;
+    p->SetRotSpeed(speed);
     p->SetRotCenter({5.0f, 6.0f});
     EXPECT_EQ(p->GetElasticity(), 0.5f);
     EXPECT_TRUE(p->GetSensor());
     EXPECT_FALSE(p->GetCanCollide());
     EXPECT_EQ(p->GetUserPtr(), &user);
-    EXPECT_EQ(p->GetRotSpeed(), -2.0f);
+    EXPECT_EQ(p->GetRotSpeed(), speed);
     EXPECT_EQ(p->GetRotCenter(), Vector2(5.0f, 6.0f));
     p->SetCanCollide();
     EXPECT_TRUE(p->GetCanCollide());
@@ -267,6 +268,32 @@ TEST(Shape, ACloneIsAlikeAndOnItsOwn) {
       EXPECT_EQ(clone->GetPos(), Vector2(1.0f, 2.0f));
     }
   }
+}
+
+TEST(Shape, APoseThatIsSetIsExact) {
+  for (const auto& [name, p] : AllKinds()) {
+    SCOPED_TRACE(name);
+    const Vector2 before = p->GetPos(), center(0.1f, -0.3f);
+    p->SetPose(center, 0.7f);
+    if (!IsKinematic(*p)) {
+      EXPECT_EQ(p->GetPos(), before);
+      continue;
+    }
+    EXPECT_EQ(p->GetRotCenter(), center);
+    EXPECT_EQ(p->GetOrientation(), 0.7f);
+    p->Reset();
+    EXPECT_EQ(p->GetPos(), Vector2(1.0f, 2.0f));
+    EXPECT_NE(p->GetRotCenter(), center);
+  }
+}
+
+TEST(Shape, ARotationSpeedOfAStaticShapeIsRefused) {
+  CPoint fixed(CPointDesc(Vector2(1, 2)));
+  EXPECT_THROW(fixed.SetRotSpeed(1), std::invalid_argument);
+  fixed.SetRotSpeed(0);
+  CKinematicPoint turning(CPointDesc(Vector2(1, 2)));
+  turning.SetRotSpeed(1);
+  EXPECT_EQ(turning.GetRotSpeed(), 1);
 }
 
 TEST(Shape, CollisionDetectedNeedsBothToCollide) {

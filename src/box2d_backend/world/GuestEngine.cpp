@@ -21,13 +21,14 @@ namespace {
 
 class CBusy {
 public:
-  explicit CBusy(bool& b) : m_bIs(b) { m_bIs = true; }
-  ~CBusy() { m_bIs = false; }
+  explicit CBusy(bool& b) : m_bIs(b), m_bBefore(std::exchange(b, true)) {}
+  ~CBusy() { m_bIs = m_bBefore; }
   CBusy(const CBusy&) = delete;
   CBusy& operator=(const CBusy&) = delete;
 
 private:
   bool& m_bIs;
+  bool m_bBefore;
 };
 
 } // namespace
@@ -73,7 +74,7 @@ void CGuestEngine::PreStep(float dt) {
   }
   ReadHostSettings();
   m_cWorld.BeginStep();
-  m_cWorld.BeginSubstep();
+  m_cWorld.BeginSubstep(dt);
   m_fStep = dt;
   m_pStepper->TakeBalls(); // the game may have moved or kicked them
   m_pStepper->BeginSubstep();

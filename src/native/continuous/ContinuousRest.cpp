@@ -2,6 +2,7 @@
 // Contact that lasts: balls that lie on shapes or slide along them, and balls that rest on each other.
 #include "Continuous.h"
 
+#include "../../shapes/Response.h"
 #include "Rounding.h"
 
 #include <algorithm>
