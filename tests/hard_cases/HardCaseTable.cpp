@@ -9,7 +9,7 @@ namespace Shapes::HardCases {
 
 namespace {
 
-bool Deviates(const CHardCase& c) {
+bool HasDeviation(const CHardCase& c) {
   return std::ranges::any_of(
       c.m_stdExpect, [](const CExpect& expect) { return expect.m_eKind == CExpect::eKind::Deviates; });
 }
@@ -28,7 +28,7 @@ std::string Row(const CHardCase& c) {
 } // namespace
 
 std::string MakeTable(const std::vector<CHardCase>& cases) {
-  const auto deviating = std::ranges::count_if(cases, Deviates);
+  const auto deviating = std::ranges::count_if(cases, HasDeviation);
   std::string text =
       "# Hard cases\n\n"
       "Inputs at which collision code is known to fail, and the engines that deviate from the right answer.\n"
@@ -44,7 +44,7 @@ std::string MakeTable(const std::vector<CHardCase>& cases) {
       "- The last column is a formula that fails; the tests hold that it does.\n";
   std::map<std::string, std::ptrdiff_t> listed, right;
   for (const CHardCase& c : cases)
-    ++(Deviates(c) ? listed : right)[c.m_sGroup];
+    ++(HasDeviation(c) ? listed : right)[c.m_sGroup];
   std::string group;
   for (const CHardCase& c : cases) {
     if (c.m_sGroup != group) {
@@ -53,7 +53,7 @@ std::string MakeTable(const std::vector<CHardCase>& cases) {
       if (listed[group] > 0)
         text += "\n| case | right answer | deviations | formula that fails |\n|---|---|---|---|\n";
     }
-    if (Deviates(c)) text += Row(c);
+    if (HasDeviation(c)) text += Row(c);
   }
   return text;
 }
