@@ -112,10 +112,10 @@ inline constexpr int g_nWedgeRounds = 8;
 inline constexpr int g_nMaxTurnParts = 1024;
 
 /// A gap of that many roundings (in double) of the coordinates is touching in a sweep, and approach speeds of
-/// as many roundings of the speeds are none, dimensionless. Larger than what some hundred impacts add up to;
+/// as many roundings of the speeds are none, dimensionless. Larger than the sum of some hundred impacts;
 /// at 1 unit from the origin it is 1.4e-14 units.
 inline constexpr int g_nSweepRoundings = 64;
-/// What the distance to a shape that is surely far is off by more than any kernel, as a share of the
+/// Error of the distance to a shape that is surely far, above that of any kernel, as a share of the
 /// coordinates, dimensionless.
 inline constexpr double g_fFarRounding = 0x1p-40;
 /// Most steps of the search for an impact with one part of a turning shape. Ten in the mean; some dozen for
@@ -217,7 +217,7 @@ inline constexpr std::size_t g_nCellsPerShape = 48, g_nLeastCells = 4096, g_nMos
 inline constexpr std::size_t g_nMostColumns = 4096;
 /// Half the diagonal of a cell over its side, rounded up.
 inline constexpr float g_fHalfDiagonal = 0.7072f;
-/// What the distances in the grid of shapes are off, as a share of the largest coordinate in it: the kernels,
+/// Error of the distances in the grid of shapes, as a share of the largest coordinate in it: of the kernels,
 /// the closest point on a shape and the place of a cell together.
 inline constexpr float g_fGridPadding = 64.0f * 1.1920929e-7f;
 /// Largest coordinate in that grid, user units: the square of a distance in it is far from the largest float.

@@ -69,7 +69,7 @@ public:
 
       if (armed && rate < -slow && (gap <= touch || step <= tick)) {
         if (counts(ball.m_vPos)) {
-          // What is left of the gap.
+          // The time that the rest of the gap takes.
           t = std::min(now + std::min(Quotient(std::max(gap, 0.0), -rate, end), least), end);
           return eSweep::Impact;
         }

@@ -11,7 +11,7 @@
 
 namespace Shapes::Geometry {
 
-/// What counts as touching, and as no speed.
+/// The gap that counts as touching, and the speed that counts as none.
 struct CRoundings {
   double m_fTouch, m_fSlow;
 
@@ -81,7 +81,7 @@ public:
       aside = reach;
     }
     const double root = std::sqrt(reach - aside) * std::sqrt(reach + aside);
-    // What touches and rolls along it is there already: how fast it comes closer is rounding.
+    // A ball that touches and rolls along it is there already; its approach speed is rounding.
     if (b > 0.0) return MeetAt(*this, gap > GetTouch() ? gap * (R + dist) : 0.0, b + root, counts, t);
     return MeetAt(*this, root - b, speed * speed, counts, t);
   }

@@ -33,7 +33,7 @@ public:
     double m_fSpeed;  ///< relative velocity of the straight ways along the normal, below 0
     double m_fElasticity;
   };
-  /// What position and velocity on the parabola have more than those of Box2D at this part of the step.
+  /// The difference of position and velocity on the parabola to those of Box2D at this part of the step.
   void GetDeviation(double part, Vector2d& p, Vector2d& v) const;
   /// A ball and, if there is one, the other ball respond to an impact.
   /// @param share  of the other's mass in that of both; 1 against a shape

@@ -57,7 +57,7 @@ void IgnoreAcross(b2Contact& contact, const b2Vec2& answered, const CBody& ball)
   contact.GetManifold()->points[0].normalImpulse = 0.0f;
 }
 
-// What the ball takes of an impact: the share of the other's mass in that of both.
+// The ball's part of an impact: the share of the other's mass in that of both.
 double ShareOf(const CBody& shape, const CBody& ball) {
   const double m = static_cast<double>(ball.m_pBody->GetMass()),
                m1 = static_cast<double>(shape.m_pBody->GetMass());
@@ -179,7 +179,7 @@ void CPreSolveOverride::Land(CBody& ball) {
   const b2Vec2 from = ball.m_pBody->GetPosition();
   ball.m_cCorrection.Land(*ball.m_pBody);
   if (ball.m_pBouncedOff == nullptr) return;
-  // What gravity does after a bounce may be more than the bounce: at most to half of a ball.
+  // Gravity after a bounce may move the ball by more than the bounce: half a radius at most.
   const CBody& shape = *ball.m_pBouncedOff;
   const b2Transform& xf = shape.m_pBody->GetTransform();
   const CExactContact exact = FindExactContact(shape.m_cGeometry, ToDouble(b2MulT(xf, from)),
@@ -315,16 +315,16 @@ CPreSolveOverride::LeaveToSolver(b2Contact& contact, const CBody& shape, const C
   return CResolution{p - ball.m_fRadius * n, n, before};
 }
 
-// Whether they are pressed rather than hit each other; done then.
+// Whether the two press on each other rather than collide; resolves the press then.
 bool CPreSolveOverride::ResolvePress(const CInspected& inspected, CBody& shape, CBody& ball) {
-  // What moves by less than Box2D's slop is what its own solver is good at.
+  // Box2D's own solver handles moves below its slop best.
   const float move = static_cast<float>(inspected.m_fSpeed) * m_fStep;
   const float fall = m_fStep * m_fStep * m_vGravity.Length();
   const bool isPress =
       std::abs(move) <= g_fPressMove * std::max(b2_linearSlop, fall) && inspected.m_fGap <= move;
   const bool isSupport = IsSupport(inspected, shape, ball);
   FailIf(!isPress && !isSupport);
-  // What lies does not bounce off what it lies on, nor off what is beside it.
+  // A resting ball does not bounce off its support, nor off its neighbours.
   if (isSupport ||
       (inspected.m_cImpact.m_fElasticity < 1.0 && (ball.m_bWasSupported || shape.m_bWasSupported)))
     inspected.m_cContact.SetRestitution(0.0f);

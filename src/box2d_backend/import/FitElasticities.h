@@ -22,7 +22,7 @@ struct CBouncePair {
   std::size_t m_nSecond = 0;
 };
 
-/// What Box2D gives the pair: the larger restitution.
+/// The restitution of the pair on Box2D: the larger one.
 float GetTarget(std::span<const CBounceKind> kinds, const CBouncePair& pair);
 
 /// Whether the product of the two elasticities is what Box2D gives the pair, within 4 ulp: two roundings to

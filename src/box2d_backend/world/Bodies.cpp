@@ -199,8 +199,8 @@ void CBodies::SetProperties(const CWorldState& state, CShapeId id) {
   const bool changed = before.maskBits != filter.maskBits;
   for (b2Fixture* p = body.m_pBody->GetFixtureList(); p != nullptr; p = p->GetNext()) {
     p->GetUserData().pointer = reinterpret_cast<uintptr_t>(pUser);
-    // What is met is answered by the product of both elasticities; Box2D's own rule, the larger of both,
-    // remains for what is met of somebody else, and there a shape adds nothing.
+    // Shapes respond by the product of both elasticities; Box2D's own rule, the larger of both, remains for
+    // bodies of the game, and there a shape adds nothing.
     p->SetRestitution(body.m_bIsBall ? body.m_fElasticity : 0.0f);
     if (changed) p->SetFilterData(filter);
   }

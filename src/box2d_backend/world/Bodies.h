@@ -75,7 +75,7 @@ public:
   void SetBullets(bool b);
   /// Anew after m_bIsLasting of any ball has changed.
   void SetBullets();
-  /// What Box2D mixes by itself: for worlds in which nobody sets the restitution of contacts.
+  /// Sets the restitutions that Box2D mixes itself, for worlds without a listener that sets them per contact.
   void SetRestitutions(const CMixing& mixing);
 
   CBody& Get(CShapeId id) { return m_stdBodies.at(id); }

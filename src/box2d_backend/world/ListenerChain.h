@@ -21,7 +21,7 @@ public:
   /// Puts back the listener before which it came.
   void TakeOut(b2World& world);
 
-  /// Who hears of contacts before the game does; nullptr for nobody.
+  /// The gatherer gets contacts before the game's listener; may be nullptr.
   void SetGatherer(CContactGatherer* p) { m_pGatherer = p; }
   /// Whether the game's listener is at work.
   bool IsInside() const { return m_bIsInside; }

@@ -19,11 +19,11 @@ namespace Shapes::Box2D {
 /// whoever makes them.
 class CStepper {
 public:
-  /// What a world with that description can hold.
+  /// The limits of a world with that description.
   static CWorldLimits GetLimits(const CWorldDesc& desc, const CTuning& tuning);
 
-  /// Makes a body for all that is in the state of the world, in the order of ids. The world and the watch
-  /// have to outlive it.
+  /// Makes a body for each shape and ball in the state of the world, in the order of ids. The world and the
+  /// watch have to outlive it.
   CStepper(b2World& b2, CWorldCore& world, const CTuning& tuning, CDestructionWatch* pWatch = nullptr);
 
   /// To be told of what happens in the b2World.
