@@ -181,7 +181,7 @@ TEST(ComparisonTest, PinballRunsForTenMinutesOnEveryEngine) {
     for (int i = 0; i < steps; ++i) {
       game.Step();
       contacts += game.GetWorld().GetContacts().size();
-      // Whoever is out of bounds has been reported and put back.
+      // A ball out of bounds has been reported and put back.
       for (const Vector2& p : game.GetWorld().GetBallPositions())
         ASSERT_TRUE(scene.m_cBounds && p);
       for (const Vector2& v : game.GetWorld().GetBallVelocities())

@@ -46,7 +46,7 @@ public:
   const std::vector<CEffectCost>& GetCosts() const { return m_stdCosts; }
 
 private:
-  // What runs for the first time has its reason in the world as it is now.
+  // The reason of an effect that runs for the first time is in the world as it is now.
   void AddStep(const CWorld& world, std::array<std::uint64_t, std::size(g_stdEffects)>& ran) {
     const CWorldStats& stats = world.GetStats();
     const auto before = ran;

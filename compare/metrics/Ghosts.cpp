@@ -14,10 +14,10 @@ namespace {
 // Steps after the quiet one in which the exact ball may still touch what an engine has answered.
 constexpr int g_nLookAhead = 2;
 
-// What is nearer than this share of the radius counts as touched: a ball that lies on it, by all roundings.
+// A shape nearer than this share of the radius counts as touched, also by a resting ball after all roundings.
 constexpr double g_fTouching = 1e-3;
 
-// A ball passes what comes nearer than this to its surface, in its radii.
+// A ball passes a shape that comes nearer than this to its surface, in its radii.
 constexpr double g_fPass = 1.0;
 
 // Ways are walked in pieces of at least this many radii, so that walking ends. Passes are found to that

@@ -32,7 +32,7 @@ std::vector<double> ReadTotals(const std::filesystem::path& file) {
   return totals;
 }
 
-// What a program said of itself, without what valgrind says around it.
+// The program's own first line among those of valgrind.
 std::string ReadFirstLine(const std::filesystem::path& errors) {
   std::ifstream in(errors);
   for (std::string line; std::getline(in, line);)

@@ -14,7 +14,7 @@ namespace Shapes::Compare {
 
 struct CInstructions {
   std::vector<double> m_stdPerBallStep; ///< Of each world.
-  std::string m_sWhyNot;                ///< What prevents the count; empty if nothing does.
+  std::string m_sWhyNot;                ///< Reason for a missing count; empty if there is one.
 };
 
 /// Counts the instructions of `steps` steps of each world, those that change the balls and what they meet and

@@ -125,7 +125,7 @@ private:
   std::vector<CSample> m_stdSamples;
 };
 
-// What was flown, and how often something was hit.
+// Length of the path, and number of hits.
 struct CFlight {
   double m_fWay = 0.0;
   std::size_t m_nBounces = 0;

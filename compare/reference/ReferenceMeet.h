@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What each ball of the reference meets next. Included by Reference.cpp, and for 50 digits by the tests.
+// Finds the next impact of each ball of the reference. Included by Reference.cpp, and for 50 digits by the
+// tests.
 #pragma once
 
 #include "Reference.h"

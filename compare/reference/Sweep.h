@@ -46,7 +46,7 @@ bool Sweep(const CShapeGeometry<T>& f, const CTurning<T>& turning, const CSweptB
   const auto run = [&](const auto& path) {
     return CSweeper<std::decay_t<decltype(path)>>(path, ball.m_fRadius, meet, hit).Run(f);
   };
-  // What turns about its own centre and has no ends stays where it is.
+  // A shape without ends that turns about its own centre stays where it is.
   const bool isRound = f.m_eShapeType == eShape::Point || f.m_eShapeType == eShape::Circle || f.m_bFull;
   const bool turns = w != T(0) && !(isRound && f.m_vCenter == turning.m_vCenter);
   if (turns || !ball.m_stdMore.empty()) {

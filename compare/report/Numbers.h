@@ -9,7 +9,7 @@
 
 namespace Shapes::Compare {
 
-/// What floats of about 1 do not show: errors of directions below it are rounding.
+/// Rounding of floats of about 1: errors of directions below it are noise.
 inline constexpr double g_fRounding = 1e-7;
 
 /// A length in radii, an angle, any size from 0 up: three decimals, one from 10 on, "2e-5" below what they

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run found, and the forms in which it is handed out.
+// The results of a run, and their forms of output.
 #pragma once
 
 #include "Replay.h"
@@ -64,12 +64,11 @@ std::string MakeSummary(const CRunReport& report);
 /// Everything else as tables for a terminal, ASCII, at most 80 columns; MakeEffectTable is part of it.
 std::string MakeTable(const CRunReport& report);
 
-/// What each effect costs in each scene, and what changes in the result where it is forced or forbidden.
+/// The cost of each effect in each scene, and the changes of the result where it is forced or forbidden.
 /// Empty if none was measured.
 std::string MakeEffectTable(const CRunReport& report);
 
-/// What changes for the balls of a scene where an effect is forced or forbidden, a sentence each; of what can
-/// be told.
+/// Sentences about significant changes for the balls of a scene where an effect is forced or forbidden.
 std::vector<std::string> MakeEffectChanges(const CSceneReport& scene);
 
 /// The first things to know of one scene: which engine to take, and what it does; a sentence each,

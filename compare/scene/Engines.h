@@ -30,8 +30,7 @@ struct CEngine {
 
   /// The scene's world with these settings.
   CWorldDesc MakeWorldDesc(const CScene& scene) const;
-  /// What differs from the engine as it comes, to tell settings apart: "4 substeps, 10x scale";
-  /// "as it comes" if nothing does.
+  /// The differences from the engine as it comes: "4 substeps, 10x scale"; "as it comes" without any.
   std::string GetLabel() const;
 };
 

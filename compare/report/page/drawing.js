@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Draws shapes, balls and their ways.
+// Draws shapes, balls and their paths.
 const Drawing = (() => {
-  // What coincides can be told apart: the exact way is broad and lies below, the others are broken over it,
-  // each in the gaps of the others: all have the same period.
+  // Paths that coincide stay visible: the exact one is broad and below, the others are dashed with the same
+  // period, each in the gaps of the others.
   const dash = 4.5, slot = 6;
   function lineOf(name) {
     const engines = Data.tracks.filter((track) => track !== 'exact'), i = engines.indexOf(name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each effect costs in a scene, and what changes where it is forced or forbidden.
+// The cost of each effect in a scene, and the changes where it is forced or forbidden.
 const Effects = (() => {
   const {el, num, bothAngles, rate, percent, dash, isNumber} = Format;
   const {list} = Data;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all plots share: colours of the page, logarithmic axes, and what Chart.js does not draw by itself.
+// Parts of all plots: colours of the page, logarithmic axes, and drawings that Chart.js does not have.
 const PlotParts = (() => {
   const {el, isNumber} = Format;
 
