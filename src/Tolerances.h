@@ -9,9 +9,9 @@
 
 namespace Shapes {
 
-/// Most of an approach speed that a response looks at, in units per second: a surface may be faster than any
-/// ball. What a response adds, at most 1e37 with the largest elasticities, stays finite with what is there;
-/// that is far above g_fMaxSpeed, to which the ball is cut.
+/// Largest approach speed in a response, in units per second: a surface may be faster than any ball. The
+/// speed that a response adds, at most 1e37 with the largest elasticities, stays finite together with the
+/// ball's own; that is far above g_fMaxSpeed, to which the ball is cut.
 inline constexpr float g_fMaxApproach = 1e25f;
 
 /// Angle from an arc's end ray, in radians, up to which a point counts as in the sector; twice that for rays

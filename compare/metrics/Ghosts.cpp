@@ -105,7 +105,7 @@ void CGhostHunter::Judge(const CExactGame& game, CImpactTrialResult& result) {
         MarkTouched(ahead);
       }
     } catch (const std::exception&) {
-      return; // nobody knows what would have been touched
+      return; // without the reference the next touches are unknown
     }
   }
   CountGhosts(result);

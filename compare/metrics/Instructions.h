@@ -34,7 +34,7 @@ std::string ToWord(const CEngine& world);
 /// @throws std::invalid_argument if it is none
 CEngine FromWord(const std::string& word);
 
-/// Plays the steps of each world, for somebody who counts; those of the first one once more before.
+/// Plays the steps of each world, to be counted; those of the first one once more before.
 void PlayStepCost(const CScene& scene, std::span<const std::string> words, std::uint64_t seed,
                   std::size_t steps);
 /// One of them. Callgrind knows its end by its name.

@@ -38,7 +38,7 @@ template <class T>
 bool Sweep(const CShapeGeometry<T>& f, const CTurning<T>& turning, const CSweptBall<T>& mover, const T& tMax,
            CHit<T>& hit, eMeet meet = eMeet::Approaching) {
   using std::abs;
-  // As somebody sees it who moves with the figure.
+  // In the frame that moves with the figure.
   const CSweptBall<T> ball{mover.m_vPos, mover.m_vVel - turning.m_vVel, mover.m_fRadius, mover.m_vAcc,
                            mover.m_stdMore};
   const T size = GetExtent(f, ball, turning), w = turning.m_fSpeed;

@@ -162,7 +162,7 @@ private:
     m_cHit.m_ePart = part;
     m_cHit.m_bGraze = x.m_bGraze;
     m_cHit.m_bBegins = x.m_bBegins;
-    // One that comes from clear of the shape does not overlap, whatever rounding says.
+    // One that comes from clear of the shape does not overlap, also after rounding.
     Overlap(x.m_bBegins ? T((m_cPath.GetPos(x.m_fTime) - poi).dot(n) - m_fRadius) : T(0));
   }
 

@@ -70,8 +70,8 @@ std::vector<CEngine> GetEngines();
 void RequireHeld(const CScene& scene, const std::vector<CEngine>& engines);
 
 /// The first engine that has another backend than the first of all; none if there is no such. Settings of one
-/// backend share their CollisionDetected, whatever effects and profile they have, so these two are held
-/// against each other.
+/// backend share their CollisionDetected, with any effects and profile, so these two are compared
+/// with each other.
 std::optional<std::size_t> FindOther(const std::vector<CEngine>& engines);
 
 std::optional<std::size_t> FindEngine(const std::vector<CEngine>& engines, std::string_view name);

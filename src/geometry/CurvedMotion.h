@@ -61,7 +61,7 @@ public:
       double step;
       if (gap > touch)
         step = SafeStep(Nearing(feature, gap, rate), end);
-      else if (armed) // let go: until it begins to approach
+      else if (armed) // ignored until it begins to approach
         step =
             std::max(SlowStep(Nearing(feature, gap, rate), end), bendStep(std::max(touch, -g_fDeeper * gap)));
       else

@@ -33,7 +33,7 @@ eSweep MeetAt(const TMotion& motion, double above, double below, const F& counts
 
 /// TimeOfImpact(feature, deepest, counts, t): whether the ball touches and approaches the feature at some
 /// time up to t, and the first such time in t. Then `counts` says of the place of the centre whether the
-/// feature is solid there. A ball that overlaps by more than `deepest` is let go.
+/// feature is solid there. A ball that overlaps by more than `deepest` is ignored.
 class CLinearMotion {
 public:
   CLinearMotion(const CMotion& motion, const CRoundings& roundings)

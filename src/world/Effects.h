@@ -66,7 +66,7 @@ private:
 double FindLongestSurfaceMove(const CWorldState& state, float dt);
 
 /// The longest moves in dt seconds: that of a ball in its radii, that of a surface in those of the smallest
-/// ball. What cannot meet anything does not count.
+/// ball. Balls and shapes that cannot collide do not count.
 struct CLongestMoves {
   double m_fBall = 0.0;
   double m_fSurface = 0.0;
@@ -75,7 +75,7 @@ CLongestMoves FindLongestMoves(const CWorldState& state, const Vector2& gravityS
 
 /// A line for each effect: its name, whether it runs, and why.
 /// @param engineNeeds  run in this engine wherever they are not forbidden
-/// @param given        are for somebody else to say
+/// @param given        set by the host, the owner of the b2World
 std::string Explain(CEffects running, const CEffectChoice& choice, CEffects engineNeeds, CEffects given,
                     const CContent& content, const CWorldState& state, const CLongestMoves& moves);
 

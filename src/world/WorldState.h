@@ -37,7 +37,7 @@ struct CBallArrays {
   bool IsSolid(std::size_t i) const { return m_stdCanCollide[i] && !m_stdSensor[i]; }
   void Add(CShapeId id, const CDynamicCircleDesc& desc);
   void Remove(std::size_t i);
-  /// As somebody else than the engine does.
+  /// As a user of the world does, not the engine.
   void SetPos(std::size_t i, const Vector2& p) {
     m_stdPos[i] = m_stdPrevPos[i] = p;
     m_stdPosTail[i] = Vector2::Zero();
@@ -78,7 +78,7 @@ struct CShapeEntry {
     m_fRotSpeed = revsPerSecond;
     m_pShape->SetRotSpeed(m_bIsHeld ? 0.0f : revsPerSecond);
   }
-  /// Stands still whatever its speeds.
+  /// The shape stands still despite its speeds.
   void SetHeld(bool b) {
     m_bIsHeld = b;
     SetVel(m_vVel);

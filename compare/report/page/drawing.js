@@ -175,7 +175,7 @@ const Drawing = (() => {
     ctx.lineDashOffset = 0;
   }
 
-  /** What has to be in the picture: shapes and ways, as far as they are in the bounds. */
+  /** The box of the picture: shapes and paths, as far as they are in the bounds. */
   function boxOf(scene, clip) {
     const xs = [], ys = [];
     const add = (x, y, r) => {

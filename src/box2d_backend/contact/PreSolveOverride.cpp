@@ -292,8 +292,8 @@ CPreSolveOverride::LeaveToSolver(b2Contact& contact, const CBody& shape, const C
   // At a time of impact Box2D would move a ball out of others at once and unswept, be it through a shape.
   const float kept = m_bIsContinuous && shape.m_bIsBall ? std::max(0.0f, gap) : gap;
   SetManifold(contact, contact.GetFixtureB()->GetBody() == ball.m_pBody ? n : -n, kept - b2_linearSlop);
-  // Box2D begins with the impulse of the last step. What lies presses by its weight at most; what walls have
-  // pressed together keeps any impulse, as it is balanced, and would be shot out with it.
+  // Box2D begins with the impulse of the last step. A resting ball presses by its weight at most; a row
+  // between walls keeps any impulse, as it is balanced, and would be shot out with it.
   float& impulse = contact.GetManifold()->points[0].normalImpulse;
   impulse = std::min(impulse, m_fStep * m_fLastingWeight);
   const float approach = -b2Dot(ball.m_pBody->GetLinearVelocity() - surface, n);
@@ -303,8 +303,8 @@ CPreSolveOverride::LeaveToSolver(b2Contact& contact, const CBody& shape, const C
     contact.SetRestitution(-1.0f); // no response
     return {};
   }
-  // The ball bounces off as it would have before the gravity step, and then gets that. What gravity presses
-  // together does not bounce, and may come as near as to touch: then the restitution is less than 0, the
+  // The ball bounces off as it would have before the gravity step, and then gets that. A contact that
+  // gravity presses together does not bounce, and may close its gap: then the restitution is less than 0, the
   // share of the approach that is left.
   const float press = m_bIsContinuous || shape.m_bIsBall ? 0.0f : -m_fStep * b2Dot(m_vGravity, n);
   const float before = approach - press;

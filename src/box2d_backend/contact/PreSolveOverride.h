@@ -14,8 +14,8 @@ namespace Shapes::Box2D {
 
 /// Box2D makes two passes over a step. In its first look it updates all contacts where everything is at the
 /// beginning, solves them, and moves everything. Then it goes from impact to impact: it moves two bodies to
-/// where they touch, updates the contact and then whatever else touches them, solves this island, and moves
-/// on. It asks about each contact before it is solved (PreSolve) and tells of it afterwards (PostSolve). What
+/// where they touch, updates the contact and then all others that touch them, solves this island, and moves
+/// on. It asks about each contact before it is solved (PreSolve) and reports it afterwards (PostSolve). What
 /// it is answered here:
 /// - an impact waits for the second pass, and gets the normal and the time that it really has;
 /// - what only touches the shape that is hit waits for its own impact;

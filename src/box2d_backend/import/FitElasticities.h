@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Box2D gives a pair the larger of two restitutions, this library the product of two elasticities. What the
-// elasticities have to be for the same bounces.
+// Box2D gives a pair the larger of two restitutions, this library the product of two elasticities. Finds
+// elasticities for the same bounces.
 #pragma once
 
 #include <cstddef>

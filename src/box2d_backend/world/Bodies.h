@@ -46,8 +46,8 @@ struct CBody {
   CSharedEnds m_cSharedEnds;            ///< of which the geometry of a shape knows
 };
 
-/// Makes one b2Body for each shape. What Box2D tells of a body leads back to its shape without the user data
-/// of Box2D, which belong to the user.
+/// Makes one b2Body for each shape. Finds the shape of a body without the user data of Box2D, which belong
+/// to the user.
 class CBodies {
 public:
   /// @param sagitta  in the metres of Box2D
@@ -79,14 +79,14 @@ public:
   void SetRestitutions(const CMixing& mixing);
 
   CBody& Get(CShapeId id) { return m_stdBodies.at(id); }
-  /// The shape that a body is of; nullptr for a body of somebody else.
+  /// The shape of a body; nullptr for a body of the game.
   CBody* Find(const b2Body& body);
   /// Makes b2Body::GetContactList of all that has moved or was created since the last step what it will be in
   /// the next one.
   void FindContacts();
   /// In the order of their ids, as everywhere.
   const std::vector<CBody*>& GetBalls() const { return m_stdBalls; }
-  /// Whether the ball may be touching a body of somebody else.
+  /// Whether the ball may be touching a body of the game.
   bool IsNearOthers(const CBody& ball);
   /// Shapes that move or turn, sensors too.
   const std::vector<CBody*>& GetMoving() const { return m_stdMoving; }

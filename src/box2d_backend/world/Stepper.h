@@ -15,8 +15,8 @@
 
 namespace Shapes::Box2D {
 
-/// The shapes of a world as bodies of a b2World, and what is to be done before and after each of its steps,
-/// whoever makes them.
+/// The shapes of a world as bodies of a b2World, and the work before and after each of its steps, by the
+/// library or by a game.
 class CStepper {
 public:
   /// The limits of a world with that description.
@@ -44,7 +44,7 @@ public:
   void Removed(CShapeId id);
   void Changed(CShapeId id, eChange change);
   void RemoveAll() { m_cBodies.RemoveAll(); }
-  /// A fixture of that shape was destroyed by somebody else: what is left of its body is no concern of ours.
+  /// The game has destroyed a fixture of that shape: the rest of its body is the game's.
   /// @return false if that was known
   bool OnLost(CShapeId id);
 
