@@ -82,12 +82,18 @@ std::string MakeResult(const CRunReport& report, const COverall& overall);
 /// Of run.json: it grows when a field changes its meaning or goes away.
 inline constexpr int g_nRunVersion = 4;
 
-/// run.json. docs/run_json.md describes it, compare/run.schema.json is its schema.
+/// run.json, as compare/run.schema.json describes it.
 std::string MakeJson(const CRunReport& report);
 /// The same for the page: in one line, and figures with six digits.
 std::string MakePageJson(const CRunReport& report);
 
-/// The shapes and trajectories of all scenes, for the replay in the report.
+/// The shapes and trajectories of all scenes, for the replay in the report: `engines` (names, the last is
+/// "exact") and `scenes`, each with name, time_step, bounds, radii of the balls, shapes, clips, unit and
+/// tracks. Points of a shape are its place, its two ends or its centre at angle 0; it has a center if it
+/// turns. A clip has for each engine the index of a track, which engines that fly alike share, a list of
+/// angles for each turning shape, and the frame of the worst contact, or 0. A track holds x and y of each
+/// ball, frame by frame, as second differences in units, with 0 before the first frame; where a ball has no
+/// place they are null, and it goes on from its last one.
 std::string MakeReplayJson(const CRunReport& report);
 
 /// contacts.csv: a row for each impact.
