@@ -20,7 +20,7 @@ inline constexpr float g_fMaxApproach = 1e25f;
 inline constexpr float g_fSectorRounding = 2.5f * 1.1920929e-7f;
 
 /// Two angles whose difference is a whole turn to this share of their sizes are a full circle, dimensionless:
-/// two roundings of each. An arc that lacks less than that of a full turn cannot be told from one.
+/// two roundings of each. An arc that lacks less than that of a full turn counts as one.
 inline constexpr float g_fFullTurnRounding = 2.0f * 1.1920929e-7f;
 
 /// Padding of boxes in the broad phase, relative to their largest coordinate plus the radius of the ball. The
@@ -210,8 +210,8 @@ inline constexpr float g_fMaxBox2DSpeedGain = 4e9f;
 
 /// Length of a motion in which nothing turns, seconds: how far a ball may be pushed is asked as a motion.
 inline constexpr double g_fInstant = 0x1p-80;
-/// Cells of the grid of shapes for each of them, and in all at least and at most: finer cells tell of more
-/// places that they are clear, and cost more to be made.
+/// Cells of the grid of shapes for each of them, and in all at least and at most: finer cells clear more
+/// places, and cost more to make.
 inline constexpr std::size_t g_nCellsPerShape = 48, g_nLeastCells = 4096, g_nMostCells = 1 << 18;
 /// Most of them in a row or a column.
 inline constexpr std::size_t g_nMostColumns = 4096;

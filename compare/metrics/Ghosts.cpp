@@ -11,7 +11,7 @@
 namespace Shapes::Compare {
 namespace {
 
-// Steps after the quiet one in which the exact ball may still touch what an engine has answered.
+// Steps after the quiet one in which the exact ball may still touch a shape to which an engine has responded.
 constexpr int g_nLookAhead = 2;
 
 // A shape nearer than this share of the radius counts as touched, also by a resting ball after all roundings.
@@ -134,7 +134,7 @@ void CGhostHunter::Ask(const CExactGame& game) {
   }
 }
 
-// Takes away the answers to what the exact ball touched in the last step of the game.
+// Removes the responses to shapes that the exact ball touched in the last step of the game.
 void CGhostHunter::MarkTouched(const CExactGame& game) {
   const CReference<double>& reference = game.GetReference();
   std::erase_if(m_stdResponses, [&](const CResponse& a) {
@@ -154,7 +154,7 @@ void CGhostHunter::MarkTouched(const CExactGame& game) {
   });
 }
 
-// One for each ball and engine, however many shapes it answered.
+// One for each ball and engine, for responses to any number of shapes.
 void CGhostHunter::CountGhosts(CImpactTrialResult& result) {
   const auto same = [](const CResponse& a, const CResponse& b) {
     return a.m_nEngine == b.m_nEngine && a.m_nBall == b.m_nBall;

@@ -150,7 +150,7 @@ void FlyExactly(const CScene& scene, const CStart& start, std::size_t bounces, s
     try {
       reference.Step(dt, events);
     } catch (const std::runtime_error&) {
-      return; // what would have happened cannot be told: the flight ends before
+      return; // the flight ends where the reference gave up
     }
     hits += events.size();
     flight.m_nBounces += events.size();

@@ -24,8 +24,8 @@ inline constexpr CGradeBound g_cGood{0.001, 1.0 * g_fDegree}, g_cRough{0.01, 10.
 eGrade GradeOf(std::size_t lost, std::size_t impacts, std::optional<double> direction);
 eGrade GradeOf(const CTotals& totals);
 
-/// Another engine of the same backend that made the same of every impact, bit by bit: the effects that tell
-/// both apart ran in both or in neither. The first one; none without impacts.
+/// Another engine of the same backend that made the same of every impact, bit by bit: the effects in which
+/// they differ ran in both or in neither. The first one; none without impacts.
 std::optional<std::size_t> FindSameRun(const CRunReport& report, const CSceneReport& scene, std::size_t e);
 
 /// Whether the times of two engines differ by more than their scatter.
@@ -35,7 +35,7 @@ bool AreTimesApart(const CCost& a, const CCost& b);
 inline constexpr double g_fSameDirection = 0.001;
 
 /// The engine to take in a scene: of those that lose no more than Box2D and whose directions are no worse,
-/// the fastest that has the best grade; the world by default where another one is no faster than can be told.
+/// the fastest that has the best grade; the world by default where another one is not measurably faster.
 /// Without Box2D, none may be worse than the engine that loses least. None where nothing was judged.
 std::optional<std::size_t> FindTake(const CRunReport& report, const CSceneReport& scene);
 

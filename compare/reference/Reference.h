@@ -121,7 +121,7 @@ public:
   void SetOffset(std::size_t shape, const CVec<T>& way);
   void SetVel(std::size_t shape, const CVec<T>& v);
 
-  /// One step of dt seconds. Events are answered in the order of their times, and appended in that order:
+  /// One step of dt seconds. Events are resolved in the order of their times, and appended in that order:
   /// with e the product of the elasticities and V the velocity of the surface along n, v_n becomes V + e (V -
   /// v_n); two balls exchange the impulse. Simultaneous events come in any order (m_bSimultaneous). A sensor
   /// is reported when it is first touched in the step, a ball that is in it already at time 0.

@@ -136,7 +136,7 @@ void CReference<T>::Offer(CNext& next, bool found, bool isBall, std::size_t i, s
                           abs(hit.m_fTime - old.m_fTime) <= T(g_fSimultaneous) * m_fStep;
     // Where a ball comes to lie on a joint it lies on the side, not on an end.
     if (together && hit.m_bBegins && old.m_bBegins && isFace(hit) != isFace(old)) earlier = isFace(hit);
-    // Two that answer alike, as the sides of a joint do, are one.
+    // Two hits with the same response, as at the sides of a shared end, are one.
     const bool ties =
         together && (next.m_bTies || AreApart(i, next.m_bIsBall, next.m_nOther, old, isBall, other, hit));
     if (!next.m_bFound || earlier) next = {true, isBall, other, hit};

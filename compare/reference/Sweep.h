@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Exact time of impact of a ball that moves on a straight line, on a parabola or along a curve, against every
-// kind of shape (Sweeper.h tells what is solid). All results are in the world. Templates on the scalar, so
-// that double is checked by 50 digits.
+// kind of shape (Sweeper.h says which parts are solid). All results are in the world. Templates on the
+// scalar, so that double is checked by 50 digits.
 #pragma once
 
 #include "Sweeper.h"

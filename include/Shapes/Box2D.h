@@ -73,7 +73,7 @@ public:
   /// To be called after b2World::Step.
   /// @throws std::logic_error without PreStep, in a callback of Box2D, or if the b2World is gone
   void PostStep();
-  /// Whether the b2World is still there, as far as can be told from the bodies in it.
+  /// Whether the b2World is still there, judged by the bodies in it.
   bool IsAlive() const;
 
 private:

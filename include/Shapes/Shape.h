@@ -14,8 +14,8 @@ class CContactDesc;
 
 enum class eShape { Unknown, Point, Line, LineSeg, Circle, Arc };
 
-/// Static shapes stay, kinematic shapes move and turn as told, dynamic shapes (balls) move and respond. Size
-/// counts them.
+/// Static shapes stay, kinematic shapes move and turn at given speeds, dynamic shapes (balls) move and
+/// respond. Size counts them.
 enum class eMotion { Static, Kinematic, Dynamic, Size };
 
 /// Which faces of a segment or an arc are solid. Front is the side to which the normal points: to the left of

@@ -24,7 +24,7 @@ public:
   /// The part of the step that is over when the ball is at p on its way, in [0, 1].
   /// @param start  where it was at the beginning of the step
   double PartAt(const b2Body& ball, const b2Vec2& start) const;
-  /// An impact, as Box2D answers it at this part of the step.
+  /// An impact that Box2D resolves at this part of the step.
   struct CImpact {
     double m_fPart; ///< of the step that is over
     double m_fTime =
@@ -48,7 +48,7 @@ public:
   /// The ball lies on a surface of normal n: the part of the gravity step that would press it into the
   /// surface is not given.
   void Rest(const Vector2d& n) { m_stdRests.push_back(n); }
-  /// The last bounce of the ball has been answered.
+  /// The last bounce of the ball is resolved.
   void MotionEnds(const b2Body& ball);
   const b2Vec2& GetMotionEnd() const { return m_vMotionEnd; }
 

@@ -46,7 +46,7 @@ void Ignore(b2Contact& contact, const b2Vec2& n) {
   contact.GetManifold()->points[0].normalImpulse = 0.0f;
 }
 
-// Across the normal of what is answered, the response changes nothing.
+// The response changes nothing across the normal of the resolved contact.
 void IgnoreAcross(b2Contact& contact, const b2Vec2& answered, const CBody& ball) {
   b2Vec2 across = b2Cross(1.0f, answered);
   const b2Vec2 p = ball.m_pBody->GetPosition(); // what turns has another velocity everywhere

@@ -18,8 +18,8 @@ namespace Shapes::Box2D {
 /// The shapes of fixtures that one world watches over.
 class CDestructionWatch {
 public:
-  /// @param onLost  told whose tie it was when a tied shape is destroyed; within a function of Box2D, so it
-  /// must not call any and must not throw
+  /// @param onLost  called with the owner of a watched shape that is destroyed; within a function of Box2D,
+  /// so it must not call any and must not throw
   explicit CDestructionWatch(std::function<void(CShapeId)> onLost) : m_stdOnLost(std::move(onLost)) {}
   ~CDestructionWatch();
   CDestructionWatch(const CDestructionWatch&) = delete;

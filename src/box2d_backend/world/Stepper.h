@@ -26,7 +26,7 @@ public:
   /// watch have to outlive it.
   CStepper(b2World& b2, CWorldCore& world, const CTuning& tuning, CDestructionWatch* pWatch = nullptr);
 
-  /// To be told of what happens in the b2World.
+  /// The listener to install in the b2World.
   CContactGatherer& GetListener() { return m_cGatherer; }
   /// In metres; 0 if it does not run.
   b2Vec2 GetGravity() const {
@@ -48,7 +48,7 @@ public:
   /// @return false if that was known
   bool OnLost(CShapeId id);
 
-  /// To be told before the first substep, and whenever the content has changed.
+  /// To be called before the first substep, and whenever the content has changed.
   /// @param running  the effects that run
   void Plan(CEffects running);
   /// Makes Box2D's own mixing of restitutions give what the listener gives.
@@ -61,7 +61,7 @@ public:
   /// Before each b2World::Step of h seconds, and after it.
   void BeforeStep(float h);
   void AfterStep();
-  /// Where balls were answered on their way through the last step.
+  /// Where balls bounced on their paths through the last step.
   struct CPathVertex {
     std::size_t m_nBall;
     Vector2 m_vPos;
