@@ -14,7 +14,7 @@ import pathlib
 import re
 import sys
 
-VERSION = 4
+VERSION = 5
 PLACE = re.compile(r"(<!-- results: (\w+)((?: [\w-]+)*) -->(\n?))(.*?)(<!-- end -->)", re.S)
 
 

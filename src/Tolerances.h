@@ -231,8 +231,6 @@ inline constexpr std::size_t g_nMostLoose = 16;
 /// Rounds in which a ball that overlaps several shapes is set back from all of them: it stays in the last one
 /// if that is not enough.
 inline constexpr int g_nSetBackRounds = 8;
-/// Shapes along which a ball that was pushed by several contacts may slide before it stays where it is.
-inline constexpr int g_nKeepInsideRounds = 3;
 /// Most discs in the grid of balls for each of them, before it is made anew of those that count.
 inline constexpr std::size_t g_nMostDiscs = 2;
 /// Discs of which each is looked at, because that costs less than to find the cells.

@@ -12,13 +12,6 @@ std::optional<double> GetDirection(const CTotals& totals) {
   return summary.m_nCount == 0 ? std::nullopt : std::optional(summary.m_fP95);
 }
 
-bool MadeTheSame(const CEngineContact& a, const CEngineContact& b) {
-  const auto figures = GetImpactFigures();
-  return a.m_eOutcome == b.m_eOutcome && a.m_bCompared == b.m_bCompared &&
-         std::all_of(figures.begin(), figures.end(),
-                     [&](const CFigure& figure) { return a.*figure.m_pOfImpact == b.*figure.m_pOfImpact; });
-}
-
 // The least and the most of some values.
 CInterval Extremes(const std::vector<double>& values) {
   if (values.empty()) return {0.0, 0.0};
@@ -141,17 +134,6 @@ eGrade GradeOf(const CTotals& totals) {
   return GradeOf(totals.GetTunneled(), totals.m_nContacts, GetDirection(totals));
 }
 
-std::optional<std::size_t> FindSameRun(const CRunReport& report, const CSceneReport& scene, std::size_t e) {
-  const std::vector<CContact>& contacts = scene.m_cImpactTrials.m_stdContacts;
-  for (std::size_t other = 0; other < report.m_stdEngines.size() && !contacts.empty(); ++other)
-    if (other != e && report.m_stdEngines[other].m_pBackend == report.m_stdEngines[e].m_pBackend &&
-        std::all_of(contacts.begin(), contacts.end(), [&](const CContact& contact) {
-          return MadeTheSame(contact.m_stdEngines[e], contact.m_stdEngines[other]);
-        }))
-      return other;
-  return std::nullopt;
-}
-
 bool AreTimesApart(const CCost& a, const CCost& b) {
   const CInterval i = CompareCosts(a, b).m_cInterval;
   return i.m_fLow > 1.0 || i.m_fHigh < 1.0;
@@ -164,8 +146,7 @@ std::optional<std::size_t> FindTake(const CRunReport& report, const CSceneReport
     candidates.push_back({engine.m_cTotals.GetTunneled(), GetDirection(engine.m_cTotals).value_or(0.0),
                           engine.m_cCost.m_cNsPerBallStep.m_fMedian, GradeOf(engine.m_cTotals)});
   return Choose(report.m_stdEngines, candidates, [&](std::size_t a, std::size_t b) {
-    return a != b && FindSameRun(report, scene, a) != b &&
-           AreTimesApart(scene.m_stdEngines[a].m_cCost, scene.m_stdEngines[b].m_cCost);
+    return a != b && AreTimesApart(scene.m_stdEngines[a].m_cCost, scene.m_stdEngines[b].m_cCost);
   });
 }
 

@@ -24,10 +24,6 @@ inline constexpr CGradeBound g_cGood{0.001, 1.0 * g_fDegree}, g_cRough{0.01, 10.
 eGrade GradeOf(std::size_t lost, std::size_t impacts, std::optional<double> direction);
 eGrade GradeOf(const CTotals& totals);
 
-/// Another engine of the same backend that made the same of every impact, bit by bit: the effects in which
-/// they differ ran in both or in neither. The first one; none without impacts.
-std::optional<std::size_t> FindSameRun(const CRunReport& report, const CSceneReport& scene, std::size_t e);
-
 /// Whether the times of two engines differ by more than their scatter.
 bool AreTimesApart(const CCost& a, const CCost& b);
 

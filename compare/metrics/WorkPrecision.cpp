@@ -27,8 +27,7 @@ std::vector<CEngine> GetParameterSweep() {
       return engine;
     };
   };
-  auto native = settings(g_sNative), approximate = settings(g_sNativeApproximate),
-       continuous = settings(g_sNativeContinuous), box2d = settings(g_sBox2D),
+  auto native = settings(g_sNative), approximate = settings(g_sNativeApproximate), box2d = settings(g_sBox2D),
        tuned = settings("box2d-tuned");
   // A substep of Box2D is a whole step of it at a higher rate. Iterations matter where contacts act on each
   // other; the scale shrinks its skin and slop, the sagitta the error of arcs.
@@ -44,7 +43,6 @@ std::vector<CEngine> GetParameterSweep() {
       approximate(16),
       approximate(32),
       approximate(64),
-      continuous(1),
       box2d(1),
       box2d(1, 1, 1),
       box2d(1, 30, 10),

@@ -90,11 +90,10 @@ ordered_json Features(const CScene& scene) {
   return features;
 }
 
-// Every engine runs what the scene calls for; some sweep the balls too, wherever they are.
+// Every engine runs what the scene calls for and its settings do not forbid.
 ordered_json Features(const CEngine& engine, const CScene& scene) {
   ordered_json features = Features(scene);
-  if (engine.m_cEffects.m_cForced.Has(eEffect::Continuous) || engine.m_eProfile == eProfile::Tuned)
-    features.push_back("continuous");
+  if (!engine.m_cEffects.m_cForbidden.Has(eEffect::Continuous)) features.push_back("continuous");
   return features;
 }
 
@@ -134,7 +133,6 @@ ordered_json EngineToJson(const CRunReport& run, const CSceneReport& scene, std:
                     {"settings", Settings(engine, scene.m_cScene)},
                     {"features", Features(engine, scene.m_cScene)},
                     {"grade", GetName(GradeOf(t))},
-                    {"same_run", Name(run, FindSameRun(run, scene, e))},
                     {"contacts", n},
                     {"correct", n - t.GetTunneled() - t.m_nLate}};
   for (const CFigure& figure : GetFigures())

@@ -80,7 +80,7 @@ std::vector<std::string> MakeRemarks(const CRunReport& report, const CSceneRepor
 std::string MakeResult(const CRunReport& report, const COverall& overall);
 
 /// Of run.json: it grows when a field changes its meaning or goes away.
-inline constexpr int g_nRunVersion = 4;
+inline constexpr int g_nRunVersion = 5;
 
 /// run.json, as compare/run.schema.json describes it.
 std::string MakeJson(const CRunReport& report);

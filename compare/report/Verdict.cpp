@@ -175,7 +175,7 @@ private:
                        price);
   }
 
-  // Its figures, and whether it swept.
+  // Its figures, beside those of Box2D.
   std::string Figures(std::size_t e) const {
     const CCase& take = m_stdCases[e];
     const CCase* pBox2D = FindBox2D(m_stdCases);
@@ -186,12 +186,6 @@ private:
       text += fmt::format("; Box2D loses {}", lost(*pBox2D));
       if (pBox2D->m_fDirection) text += fmt::format(" and is within {}", DegreesText(*pBox2D->m_fDirection));
     }
-    const auto native = FindEngine(m_cReport.m_stdEngines, g_sNative);
-    const auto same = native ? FindSameRun(m_cReport, m_cScene, *native) : std::nullopt;
-    if (same && Name(*same) == g_sNativeContinuous)
-      text += "; native sweeps every ball here, as native-continuous does";
-    if (same && Name(*same) == g_sNativeApproximate)
-      text += "; native need not sweep here, so native-approximate makes the same run";
     return text;
   }
 

@@ -9,16 +9,14 @@
 namespace Shapes::Compare {
 namespace {
 
-// Box2D ships with its continuous physics on. Colours have a contrast of 3:1 to the page; those of one family
+// Colours have a contrast of 3:1 to the page; those of one family
 // differ in lightness, and marks tell all of them apart without colour.
 constexpr CEngineRow g_stdRows[] = {
     {g_sNative, "native", "native", "what a game gets by default", eBackend::Native, g_cAutomatic,
      eProfile::Shipped, "circle", "#0061a8", "#6cbcff"},
     {g_sNativeApproximate, "native-approximate", "approx.", "no ball is swept", eBackend::Native,
      g_cApproximate, eProfile::Shipped, "triangle", "#2f8f9d", "#5fd0c5"},
-    {g_sNativeContinuous, "native-continuous", "contin.", "every ball is swept", eBackend::Native,
-     g_cContinuous, eProfile::Shipped, "wedge", "#1b2a6b", "#4f86e8"},
-    {g_sBox2D, "Box2D", "box2d", "Box2D as it ships", eBackend::Box2D, g_cContinuous, eProfile::Shipped,
+    {g_sBox2D, "Box2D", "box2d", "Box2D as it ships", eBackend::Box2D, g_cAutomatic, eProfile::Shipped,
      "rect", "#c2410c", "#ff9a52"},
     {"box2d-tuned", "tuned Box2D", "tuned", "Box2D set for accuracy", eBackend::Box2D, g_cAutomatic,
      eProfile::Tuned, "rectRot", "#7b1d84", "#d68cff"},

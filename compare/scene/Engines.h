@@ -36,9 +36,8 @@ struct CEngine {
 
 /// The world that a game gets by default.
 inline constexpr const char* g_sNative = "native";
-/// The same engine with balls that are never swept, and always.
-inline constexpr const char *g_sNativeApproximate = "native-approximate",
-                            *g_sNativeContinuous = "native-continuous";
+/// The same engine with balls that are never swept.
+inline constexpr const char* g_sNativeApproximate = "native-approximate";
 /// Box2D as it ships.
 inline constexpr const char* g_sBox2D = "box2d";
 
@@ -51,7 +50,7 @@ struct CEngineRow {
   eBackend m_eBackend;
   CEffectChoice m_cEffects;
   eProfile m_eProfile;
-  const char* m_sMark;   ///< its mark in pictures: "circle", "triangle", "wedge", "rect" or "rectRot"
+  const char* m_sMark;   ///< its mark in pictures: "circle", "triangle", "rect" or "rectRot"
   const char* m_sColour; ///< of the mark on white
   const char* m_sDark;   ///< of the mark on black
 };

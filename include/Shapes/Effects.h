@@ -24,10 +24,9 @@ enum class eEffect {
   /// CWorld::GetContacts. Called for wherever a ball can collide; forbid it if the contacts are not read.
   Events,
   /// Balls are swept: they collide where they first touch, instead of where they overlap at the end of a
-  /// substep. Called for where a ball moves by more than g_fFastMove of its radius in a substep, or a surface
-  /// by more than that of the smallest ball, and on native by gravity where something can collide. Where it
-  /// is not forbidden, balls do not push each other through shapes either. On Box2D this is its continuous
-  /// physics; it always runs in a tuned world, and in a game's b2World the game decides.
+  /// substep, and do not push each other through shapes. On native balls fall on parabolas then, and only
+  /// those that something may be near to cost more than their flight. Called for wherever a ball can collide.
+  /// On Box2D this is its continuous physics; in a game's b2World the game decides.
   Continuous,
   Size ///< counts them
 };

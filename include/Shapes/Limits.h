@@ -35,11 +35,6 @@ inline constexpr float g_fMaxRotSpeed = 1e9f;
 /// Most substeps in one step: 64 times the most that shapes-compare tries.
 inline constexpr unsigned g_nMaxSubsteps = 4096;
 
-/// A ball that moves by more than this share of its radius in a substep is fast: Continuous is called for.
-/// A ball that moves by less than its whole radius does not get through a wall in one substep; half of it
-/// leaves room for the speed that an impact adds in the middle of one.
-inline constexpr float g_fFastMove = 0.5f;
-
 /// Most impacts of a ball in a substep where Continuous runs: bounds time. After as many a ball stays for the
 /// rest of the substep, or goes along with the moving shape that it touched last, and
 /// CWorldStats::m_nBallsHalted counts it. In a pile of balls under gravity the limit is a sixteenth of this.

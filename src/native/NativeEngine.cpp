@@ -47,60 +47,58 @@ void CNativeEngine::UpdateBroadPhase() {
 void CNativeEngine::Plan(CEffects running) {
   m_cRunning = running;
   const bool reports = Runs(eEffect::Events);
-  m_stdApproximate.clear();
-  m_stdContinuous.clear();
-  const auto add = [](std::vector<CStage>& stages, bool runs, CStage stage) {
-    if (runs) stages.push_back(stage);
+  m_stdStages.clear();
+  const auto add = [this](bool runs, CStage stage) {
+    if (runs) m_stdStages.push_back(stage);
   };
-  add(m_stdApproximate, Runs(eEffect::Gravity), &CNativeEngine::Accelerate);
-  add(m_stdApproximate, Runs(eEffect::Kinematics), &CNativeEngine::MoveShapes);
-  add(m_stdApproximate, true, &CNativeEngine::MoveBalls);
-  add(m_stdApproximate, true,
-      reports ? &CNativeEngine::CollideWithShapes<true> : &CNativeEngine::CollideWithShapes<false>);
-  add(m_stdApproximate, Runs(eEffect::BallPairs),
+  if (Runs(eEffect::Continuous)) {
+    add(true, &CNativeEngine::Sweep);
+    add(Runs(eEffect::Kinematics), &CNativeEngine::MoveShapes);
+    return;
+  }
+  add(Runs(eEffect::Gravity), &CNativeEngine::Accelerate);
+  add(Runs(eEffect::Kinematics), &CNativeEngine::MoveShapes);
+  add(true, &CNativeEngine::MoveBalls);
+  add(true, reports ? &CNativeEngine::CollideWithShapes<true> : &CNativeEngine::CollideWithShapes<false>);
+  add(Runs(eEffect::BallPairs),
       reports ? &CNativeEngine::CollideBalls<true> : &CNativeEngine::CollideBalls<false>);
-  m_bKeepsInside = !m_cWorld.GetDesc().m_cEffects.m_cForbidden.Has(eEffect::Continuous);
-  add(m_stdApproximate, m_bKeepsInside, &CNativeEngine::KeepInside);
-  add(m_stdContinuous, true, &CNativeEngine::Sweep);
-  add(m_stdContinuous, Runs(eEffect::Kinematics), &CNativeEngine::MoveShapes);
 }
 
-void CNativeEngine::Substep(const CSubstep& substep) {
+void CNativeEngine::Substep(float dt) {
   if (m_bShapesChanged) UpdateBroadPhase();
-  if (!substep.m_bIsContinuous) m_cState.m_cBalls.m_bIsDisturbed = true;
+  if (!Runs(eEffect::Continuous)) m_cState.m_cBalls.m_bIsDisturbed = true;
   if (std::exchange(m_bBallsChanged, false)) {
     const std::vector<float>& radius = m_cState.m_cBalls.m_stdRadius;
     m_fLargestRadius = radius.empty() ? 0.0f : *std::max_element(radius.begin(), radius.end());
   }
   m_cBroadPhase.SetRadius(m_fLargestRadius);
-  for (const CStage stage : substep.m_bIsContinuous ? m_stdContinuous : m_stdApproximate)
-    (this->*stage)(substep);
+  for (const CStage stage : m_stdStages)
+    (this->*stage)(dt);
 }
 
-void CNativeEngine::Accelerate(const CSubstep& substep) {
+void CNativeEngine::Accelerate(float dt) {
   CBallArrays& b = m_cState.m_cBalls;
   for (Vector2& v : b.m_stdVel)
-    Shapes::Accelerate(v, m_cState.m_vGravity, substep.m_fTime);
+    Shapes::Accelerate(v, m_cState.m_vGravity, dt);
   Stats().m_nBallsAccelerated += b.Size();
-  if (!CanExceedMaxSpeed(substep.m_vGravityStep)) return;
+  if (!CanExceedMaxSpeed(m_cState.m_vGravity * dt)) return;
   for (Vector2& v : b.m_stdVel)
     Count(CapSpeed(v));
 }
 
-void CNativeEngine::MoveShapes(const CSubstep& substep) {
+void CNativeEngine::MoveShapes(float dt) {
   for (CShape* pShape : m_stdKinematic) {
     Stats().m_nShapesTurned += pShape->GetMoving();
-    pShape->Advance(substep.m_fTime, m_cWorld.GetLimits().m_fMaxLength);
+    pShape->Advance(dt, m_cWorld.GetLimits().m_fMaxLength);
   }
   m_cBroadPhase.BoxKinematic();
 }
 
-void CNativeEngine::MoveBalls(const CSubstep& substep) {
+void CNativeEngine::MoveBalls(float dt) {
   CBallArrays& b = m_cState.m_cBalls;
   b.m_stdPrevPos = b.m_stdPos;
-  if (m_bKeepsInside) m_stdPushes.assign(b.Size(), 0);
   for (std::size_t i = 0; i < b.Size(); ++i) {
-    Move(b.m_stdPos[i], b.m_stdVel[i], substep.m_fTime);
+    Move(b.m_stdPos[i], b.m_stdVel[i], dt);
     Stats().m_nMovesLost += b.m_stdPos[i] == b.m_stdPrevPos[i] && b.m_stdVel[i] != Vector2::Zero();
   }
 }
@@ -111,7 +109,7 @@ CBall CNativeEngine::Ball(std::size_t i) const {
 }
 
 template <bool TReports>
-void CNativeEngine::CollideWithShapes(const CSubstep&) {
+void CNativeEngine::CollideWithShapes(float) {
   const CBallArrays& b = m_cState.m_cBalls;
   if (m_cBroadPhase.Size() == 0) return;
   for (std::size_t i = 0; i < b.Size(); ++i)
@@ -153,7 +151,6 @@ void CNativeEngine::CollideWithShape(std::size_t i, const CShapeEntry& entry) {
     m_cWorld.Report({entry.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
                      ApproachSpeed(b.m_stdVel[i], surface, hit.m_vNorm)});
   ++Stats().m_nContacts;
-  if (m_bKeepsInside) m_stdPushes[i] = m_stdPushes[i] == 0 ? 1 : 2;
   const float e = b.m_stdElasticity[i] * shape.GetElasticity();
   RespondKinematic(hit.m_vNorm, hit.m_fSetback, e, surface, b.m_stdPos[i], b.m_stdVel[i]);
   Count(CapSpeed(b.m_stdVel[i]));
@@ -192,7 +189,7 @@ void CNativeEngine::CollectBalls(std::uint32_t i, std::uint32_t first) {
 }
 
 template <bool TReports>
-void CNativeEngine::CollideBalls(const CSubstep&) {
+void CNativeEngine::CollideBalls(float) {
   const CBallArrays& b = m_cState.m_cBalls;
   BuildDiscGrid();
   for (std::uint32_t i = 0; i + 1 < b.Size(); ++i) {
@@ -220,7 +217,6 @@ bool CNativeEngine::CollideWithBall(std::size_t i, std::size_t j) {
     m_cWorld.Report({b.m_stdId[j], b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback,
                      ApproachSpeed(b.m_stdVel[i], b.m_stdVel[j], hit.m_vNorm)});
   ++Stats().m_nContacts;
-  if (m_bKeepsInside) m_stdPushes[i] = m_stdPushes[j] = 2;
   RespondDynamic(hit.m_vNorm, hit.m_fSetback, b.m_stdElasticity[i] * b.m_stdElasticity[j], b.m_stdMass[j],
                  b.m_stdMass[i], b.m_stdPos[j], b.m_stdVel[j], b.m_stdPos[i], b.m_stdVel[i]);
   Count(CapSpeed(b.m_stdVel[j]));
@@ -228,75 +224,10 @@ bool CNativeEngine::CollideWithBall(std::size_t i, std::size_t j) {
   return true;
 }
 
-void CNativeEngine::KeepInside(const CSubstep& substep) {
-  CBallArrays& b = m_cState.m_cBalls;
-  bool isMade = false;
-  for (std::size_t i = 0; i < b.Size(); ++i) {
-    if (m_stdPushes[i] < 2) continue;
-    CAabb2D box(b.m_stdPrevPos[i], b.m_stdPrevPos[i]);
-    box += b.m_stdPos[i];
-    m_stdCandidates.clear();
-    m_cBroadPhase.Query(Padded(box, b.m_stdRadius[i]), m_stdCandidates);
-    if (m_stdCandidates.empty()) continue;
-    if (!std::exchange(isMade, true)) m_cBroadPhase.MakeGeometries(substep.m_fTime);
-    std::sort(m_stdCandidates.begin(), m_stdCandidates.end());
-    KeepInside(i, static_cast<double>(substep.m_fTime));
-  }
-}
-
-namespace {
-
-// A ball that does not fit into a circle, but is in it, is always outside of it for the kernels.
-bool IsTooLargeFor(const CShapeGeometry& geometry, const Vector2d& p, float r) {
-  return geometry.m_fRadius <= static_cast<double>(r) && Norm(p - geometry.m_vCenter) < geometry.m_fRadius;
-}
-
-} // namespace
-
-// Along the straight way of the substep, with half the radius: a smaller overlap is set back in the next one.
-void CNativeEngine::KeepInside(std::size_t i, double dt) {
-  CBallArrays& b = m_cState.m_cBalls;
-  Vector2d p = b.m_stdPrevPos[i].cast<double>(), left = b.m_stdPos[i].cast<double>() - p;
-  const double r = 0.5 * static_cast<double>(b.m_stdRadius[i]);
-  bool isStopped = false;
-  for (int round = 0; round < g_nKeepInsideRounds; ++round) {
-    CMotion motion{p, left / dt, r, dt};
-    CImpact first;
-    bool isMet = false;
-    for (const std::uint32_t order : m_stdCandidates) {
-      const CShapeGeometry& geometry = m_cBroadPhase.GetGeometry(order);
-      if (!m_cBroadPhase.Get(order).m_pShape->GetCanCollide() || IsTooLargeFor(geometry, p, b.m_stdRadius[i]))
-        continue;
-      ++Stats().m_nSweeps;
-      CImpact impact;
-      // Shapes are at the end of their turn already.
-      if (Geometry::Sweep(geometry, motion, -dt, impact) != eSweep::Impact) continue;
-      isMet = true;
-      first = impact;
-      motion.m_fDuration = impact.m_fTime;
-    }
-    if (!isMet) {
-      if (isStopped) b.m_stdPos[i] = (p + left).cast<float>();
-      return;
-    }
-    isStopped = true;
-    // Or gravity would add to a speed that the ball does not have.
-    const Vector2d v = b.m_stdVel[i].cast<double>();
-    b.m_stdVel[i] =
-        Vector2d(v + ApproachSpeed(v, first.m_vSurface, first.m_vNorm) * first.m_vNorm).cast<float>();
-    const double share = std::clamp(first.m_fTime / dt, 0.0, 1.0);
-    p += share * left;
-    left *= 1.0 - share;
-    left -= std::min(0.0, left.dot(first.m_vNorm)) * first.m_vNorm; // what remains slides along it
-  }
-  b.m_stdPos[i] = p.cast<float>();
-}
-
-void CNativeEngine::Sweep(const CSubstep& substep) {
+void CNativeEngine::Sweep(float dt) {
   const Vector2 gravity = Runs(eEffect::Gravity) ? m_cState.m_vGravity : Vector2(Vector2::Zero());
   if (Runs(eEffect::Gravity)) Stats().m_nBallsAccelerated += m_cState.m_cBalls.Size();
-  m_cContinuous.Step(m_cState.m_cBalls, m_cBroadPhase, Runs(eEffect::BallPairs), gravity, substep.m_fTime,
-                     Stats());
+  m_cContinuous.Step(m_cState.m_cBalls, m_cBroadPhase, Runs(eEffect::BallPairs), gravity, dt, Stats());
   for (const CContinuous::CPathVertex& vertex : m_cContinuous.GetPathVertices())
     m_cWorld.AddPathVertex(vertex.m_nBall, vertex.m_vPos, vertex.m_fPart);
   if (!Runs(eEffect::Events)) return;

@@ -13,7 +13,7 @@
 
 namespace Shapes::Native {
 
-/// The native engine. A substep is a list of stages, those that are called for. With Continuous forbidden it
+/// The native engine. A substep is a list of stages, those that are called for. Without Continuous it
 /// gives the same bits as the plain loop: kinematic shapes advance by id; balls move by id; each ball by id
 /// is tested against every point by id, then every other shape by id, at its present position, and responds
 /// at once; then every pair of balls i < j responds once. Sensors are left out. Boxes only spare tests that
@@ -26,34 +26,30 @@ public:
   void Removed(CShapeId id) override;
   void Changed(CShapeId id, eChange change) override;
   void Plan(CEffects running) override;
-  void Substep(const CSubstep& substep) override;
+  void Substep(float dt) override;
   /// A world that goes on and one that is loaded take the same steps.
   void Saved() override { m_cContinuous.Forget(); }
   void Loaded() override {
     m_bShapesChanged = m_bBallsChanged = true;
     m_cContinuous.Forget();
   }
-  bool NeedsContinuousToFall() const override { return true; }
 
 private:
-  using CStage = void (CNativeEngine::*)(const CSubstep&);
+  using CStage = void (CNativeEngine::*)(float);
 
   bool Runs(eEffect e) const { return m_cRunning.Has(e); }
   void UpdateBroadPhase();
   CWorldStats& Stats() { return m_cWorld.Stats(); }
 
   // Stages.
-  void Accelerate(const CSubstep& substep);
-  void MoveShapes(const CSubstep& substep);
-  void MoveBalls(const CSubstep& substep);
+  void Accelerate(float dt);
+  void MoveShapes(float dt);
+  void MoveBalls(float dt);
   template <bool TReports>
-  void CollideWithShapes(const CSubstep& substep);
+  void CollideWithShapes(float dt);
   template <bool TReports>
-  void CollideBalls(const CSubstep& substep);
-  /// Where Continuous is not forbidden: a ball that several contacts in a substep have pushed ends on the
-  /// side of every shape on which it began.
-  void KeepInside(const CSubstep& substep);
-  void Sweep(const CSubstep& substep);
+  void CollideBalls(float dt);
+  void Sweep(float dt);
 
   template <bool TReports>
   void CollideWithShapesOf(std::size_t ball);
@@ -63,7 +59,6 @@ private:
   bool CollideWithBall(std::size_t i, std::size_t j);
 
   CBall Ball(std::size_t i) const;
-  void KeepInside(std::size_t ball, double dt);
   void BuildDiscGrid();
   void MoveInDiscGrid(std::uint32_t i);
   void CollectBalls(std::uint32_t i, std::uint32_t first);
@@ -72,10 +67,7 @@ private:
   CWorldCore& m_cWorld;
   CWorldState& m_cState;
   CEffects m_cRunning;
-  std::vector<CStage> m_stdApproximate, m_stdContinuous;
-  bool m_bKeepsInside = false;
-  std::vector<std::uint8_t>
-      m_stdPushes; // of each ball in this substep: 1 for a shape, 2 for a ball, 2 at most
+  std::vector<CStage> m_stdStages;
 
   bool m_bShapesChanged = true; // the broad phase is made anew
   std::size_t m_nShapes = 0;    // when it was made

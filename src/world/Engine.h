@@ -34,13 +34,6 @@ enum class eChange {
 /// The kind of the call that the user is about to make.
 enum class eAccess { Read, Change, SetGravity, Step, SaveLoad };
 
-/// One substep.
-struct CSubstep {
-  float m_fTime;          ///< seconds
-  bool m_bIsContinuous;   ///< whether Continuous runs in it
-  Vector2 m_vGravityStep; ///< what gravity adds to each velocity; zero where Gravity does not run
-};
-
 /// Steps the shapes and balls in the state of its world. It is made with the world, when the state is empty,
 /// and called in this order (tests/world/EngineOrderTest.cpp keeps it):
 ///
@@ -61,14 +54,12 @@ public:
   virtual void Added(CShapeId id) = 0;
   virtual void Removed(CShapeId id) = 0;
   virtual void Changed(CShapeId id, eChange change) = 0;
-  /// @param running  the effects that run; Continuous is among them only if it runs in every substep
+  /// @param running  the effects that run
   virtual void Plan(CEffects running) = 0;
-  virtual void Substep(const CSubstep& substep) = 0;
+  /// @param dt  seconds
+  virtual void Substep(float dt) = 0;
   virtual void Saved() {}
   virtual void Loaded() = 0;
-
-  /// Whether balls that fall and meet anything call for Continuous on this engine, however slow they are.
-  virtual bool NeedsContinuousToFall() const { return false; }
 };
 
 /// One row of the table of engines.

@@ -310,7 +310,6 @@ void CWorld::SetRotCenter(CShapeId id, const Vector2& center) {
   m_pImpl->Access(eAccess::Change);
   RequireVector("m_vRotCenter", center, m_pImpl->GetLimits().m_fMaxLength);
   CShapeEntry& entry = FindKinematic(m_pImpl->GetState(), id, g_sToBeTurned);
-  m_pImpl->InvalidateSurfaces(entry);
   m_pImpl->ChangeShape(entry, eChange::Pose,
                        [&](CShapeEntry& changed) { changed.m_pShape->SetRotCenter(center); });
 }

@@ -67,73 +67,42 @@ void CWorld::CImpl::CountEffects() {
   const std::uint64_t substeps = m_cStats.m_nSubsteps - std::exchange(m_nCounted, m_cStats.m_nSubsteps);
   for (std::size_t i = 0; i < m_cStats.m_stdSubstepsWith.size(); ++i)
     if (m_cRunning.Has(static_cast<eEffect>(i))) m_cStats.m_stdSubstepsWith[i] += substeps;
-  m_cStats.m_stdSubstepsWith[static_cast<std::size_t>(eEffect::Continuous)] +=
-      std::exchange(m_nContinuous, 0);
 }
 
 void CWorld::CImpl::PlanSubsteps() {
   m_bPlanIsOld = false;
   CountEffects();
   const CEffectChoice& choice = m_cDesc.m_cEffects;
-  CEffects called = GetCalledFor(m_cContent, m_cState);
-  if (called.Has(eEffect::Gravity) && !IsForbidden(eEffect::Gravity) && m_cContent.CanMeet() &&
-      m_pEngine->NeedsContinuousToFall())
-    called.Set(eEffect::Continuous);
-  called = called | choice.m_cForced | m_cNeeds;
-  const CEffects running = (called - choice.m_cForbidden) & g_cBuilt;
+  const CEffects called = GetCalledFor(m_cContent, m_cState) | choice.m_cForced | m_cNeeds;
+  CEffects running = (called - choice.m_cForbidden) & g_cBuilt;
+  if (m_bHostRunsContinuous) running.Set(eEffect::Continuous, *m_bHostRunsContinuous);
   m_bEngineIsPlanned = m_bEngineIsPlanned && running == m_cRunning;
   m_cRunning = running;
-  const eEffect e = eEffect::Continuous;
-  const bool isOpen = !m_cRunning.Has(e) && !IsForbidden(e) && !m_cSetByHost.Has(e);
-  m_bIsContinuousOpen = IsBuilt(e) && isOpen && m_cContent.CanMeet();
-  if (!m_bIsContinuousOpen) return;
-  const float dt = GetSubstep(m_cDesc);
-  if (std::exchange(m_bBallsChanged, false)) m_cFastMoves.SetBalls(m_cState.m_cBalls, dt);
-  if (std::exchange(m_bSurfacesChanged, false)) m_cFastMoves.SetSurfaces(m_cState, dt);
 }
 
 void CWorld::CImpl::UpdateContent(const CContent& before, const CContent& after) {
   if (before != after) InvalidatePlan();
-  m_bBallsChanged |= before.m_nSolidBalls != after.m_nSolidBalls;
   m_cContent -= before;
   m_cContent += after;
 }
 
-void CWorld::CImpl::InvalidateSurfaces(const CShapeEntry& entry) {
-  if (entry.m_pShape->GetMotionType() != eMotion::Kinematic) return;
-  m_bSurfacesChanged = true;
-  InvalidatePlan();
-}
-
 void CWorld::CImpl::SetContinuousByHost(bool runs) {
-  if (m_cSetByHost.Has(eEffect::Continuous) && m_cNeeds.Has(eEffect::Continuous) == runs) return;
-  m_cSetByHost.Set(eEffect::Continuous);
-  m_cNeeds.Set(eEffect::Continuous, runs);
+  if (m_bHostRunsContinuous == runs) return;
+  m_bHostRunsContinuous = runs;
   InvalidatePlan();
-}
-
-bool CWorld::CImpl::MovesFast(const Vector2& gravityStep) const {
-  return m_cFastMoves.IsAny(m_cState.m_cBalls.m_stdVel, gravityStep);
-}
-
-Vector2 CWorld::CImpl::GetGravityStep() const {
-  if (!m_cRunning.Has(eEffect::Gravity)) return Vector2::Zero();
-  return m_cState.m_vGravity * GetSubstep(m_cDesc);
 }
 
 CEffects CWorld::CImpl::GetEffects() {
   Access(eAccess::Read);
   // As it would be found in the next step.
   if (m_bPlanIsOld) PlanSubsteps();
-  CEffects running = m_cRunning;
-  if (m_bIsContinuousOpen && MovesFast(GetGravityStep())) running.Set(eEffect::Continuous);
-  return running;
+  return m_cRunning;
 }
 
 std::string CWorld::CImpl::ExplainEffects() {
   const CEffects running = GetEffects();
-  return Explain(running, m_cDesc.m_cEffects, m_cNeeds, m_cSetByHost, m_cContent, m_cState,
-                 FindLongestMoves(m_cState, GetGravityStep(), GetSubstep(m_cDesc)));
+  const CEffects byHost = m_bHostRunsContinuous ? CEffects{eEffect::Continuous} : CEffects();
+  return Explain(running, m_cDesc.m_cEffects, m_cNeeds, byHost, m_cContent, m_cState);
 }
 
 void CWorld::CImpl::SetGravity(const Vector2& g) {
@@ -149,7 +118,6 @@ CShapeId CWorld::CImpl::Add(std::unique_ptr<CShape> pShape) {
   CShapeEntry entry(id, std::move(pShape));
   entry.SetHeld(IsForbidden(eEffect::Kinematics));
   m_cState.m_stdShapes.push_back(std::move(entry));
-  InvalidateSurfaces(m_cState.m_stdShapes.back());
   UpdateContent({}, CContent::Of(m_cState.m_stdShapes.back()));
   m_cSensors.Invalidate();
   m_pEngine->Added(id);
@@ -160,7 +128,6 @@ CShapeId CWorld::CImpl::Add(const CDynamicCircleDesc& desc) {
   const CShapeId id{m_cState.m_nNextId++};
   CBallArrays& b = m_cState.m_cBalls;
   b.Add(id, desc);
-  m_bBallsChanged = true;
   UpdateContent({}, CContent::Of(b, b.Size() - 1));
   m_cSensors.Invalidate();
   m_pEngine->Added(id);
@@ -169,12 +136,10 @@ CShapeId CWorld::CImpl::Add(const CDynamicCircleDesc& desc) {
 
 bool CWorld::CImpl::Erase(CShapeId id) {
   if (const std::size_t i = m_cState.FindBall(id); i != CWorldState::npos) {
-    m_bBallsChanged = true;
     UpdateContent(CContent::Of(m_cState.m_cBalls, i), {});
     m_cState.m_cBalls.Remove(i);
   } else if (const std::size_t k = m_cState.FindShape(id); k != CWorldState::npos) {
     const auto entry = m_cState.m_stdShapes.begin() + static_cast<std::ptrdiff_t>(k);
-    InvalidateSurfaces(*entry);
     UpdateContent(CContent::Of(*entry), {});
     m_cState.m_stdShapes.erase(entry);
   } else {
@@ -190,13 +155,9 @@ bool CWorld::CImpl::Remove(CShapeId id) {
   return true;
 }
 
-CSubstep CWorld::CImpl::BeginSubstep(float dt) {
+void CWorld::CImpl::BeginSubstep() {
   if (!m_bEngineIsPlanned) m_pEngine->Plan(m_cRunning);
   m_bEngineIsPlanned = true;
-  const Vector2 gravityStep = GetGravityStep();
-  const bool isFast = m_bIsContinuousOpen && MovesFast(gravityStep);
-  m_nContinuous += isFast;
-  return {dt, isFast || Runs(eEffect::Continuous), gravityStep};
 }
 
 void CWorld::CImpl::BeginStep() {
@@ -231,7 +192,8 @@ void CWorld::CImpl::Step() {
   BeginStep();
   const float dt = GetSubstep(m_cDesc);
   for (unsigned i = 0; i < m_cDesc.m_nSubsteps; ++i) {
-    m_pEngine->Substep(BeginSubstep(dt));
+    BeginSubstep();
+    m_pEngine->Substep(dt);
     EndSubstep(dt);
   }
   EndStep();
@@ -267,7 +229,6 @@ void CWorld::CImpl::LoadState(const CWorldState& state) {
   m_stdSensorEvents.clear();
   m_cSensors.Invalidate();
   m_cContent = CountContent(m_cState);
-  m_bBallsChanged = m_bSurfacesChanged = true;
   InvalidatePlan();
   m_pEngine->Loaded();
 }

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -20,8 +21,8 @@ namespace Shapes {
 struct CWorld::CImpl {
 public:
   using CMakeEngine = std::function<std::unique_ptr<CEngine>(CWorldCore&)>;
-  /// @param needs  effects that the engine runs wherever they are not forbidden
   /// @throws std::invalid_argument naming the field of the description that is not valid
+  /// @param needs  effects that the engine runs wherever they are not forbidden
   CImpl(const CWorldDesc& desc, const CWorldLimits& limits, CEffects needs, const CMakeEngine& makeEngine);
 
   // For the engine.
@@ -38,15 +39,13 @@ public:
 
   // For an engine that is stepped by the host, who owns the b2World: the parts of Step.
   void BeginStep();
-  CSubstep BeginSubstep(float dt);
+  void BeginSubstep();
   void EndSubstep(float dt);
   void EndStep();
   /// Called when the owner of the b2World decides whether continuous physics is on.
   void SetContinuousByHost(bool runs);
   /// Effects and the plan of the engine are found anew before the next substep.
   void InvalidatePlan() { m_bPlanIsOld = true; }
-  /// The reach or the speed of a kinematic shape has changed.
-  void InvalidateSurfaces(const CShapeEntry& entry);
   /// Erases a shape or a ball from the state.
   /// @return false if there is none of that id
   bool Erase(CShapeId id);
@@ -80,24 +79,18 @@ private:
   bool IsForbidden(eEffect e) const { return m_cDesc.m_cEffects.m_cForbidden.Has(e); }
   void UpdateContent(const CContent& before, const CContent& after);
   void PlanSubsteps();
-  bool MovesFast(const Vector2& gravityStep) const;
-  Vector2 GetGravityStep() const;
   void CountEffects();
   void Sense(float dt);
 
   CWorldDesc m_cDesc;
   CWorldLimits m_cLimits;
   CEffects m_cNeeds;
-  CEffects m_cSetByHost; // they run if they are among the needs
+  std::optional<bool> m_bHostRunsContinuous; // where that is the host's decision
   CEffects m_cRunning;
-  bool m_bIsContinuousOpen = false; // decided in each substep by the speeds
   bool m_bPlanIsOld = true;
   bool m_bEngineIsPlanned = false;
-  bool m_bBallsChanged = true, m_bSurfacesChanged = true; // of what is fast
-  std::uint64_t m_nCounted = 0;                           // substeps whose effects are in the statistics
-  std::uint64_t m_nContinuous = 0; // substeps since the last plan in which Continuous was decided
+  std::uint64_t m_nCounted = 0; // substeps whose effects are in the statistics
   CContent m_cContent;
-  CFastMoves m_cFastMoves;
   CWorldState m_cState;
   CSensors m_cSensors;
   std::vector<CContactEvent> m_stdContacts;
@@ -110,11 +103,7 @@ template <class F>
 void CWorld::CImpl::ChangeShape(CShapeEntry& entry, eChange what, const F& change) {
   const CContent before = CContent::Of(entry);
   change(entry);
-  const CContent after = CContent::Of(entry);
-  // A rotating shape in another pose may reach farther.
-  const bool turns = what == eChange::Pose && entry.m_pShape->GetRotating();
-  if (what == eChange::Motion || before != after || turns) InvalidateSurfaces(entry);
-  UpdateContent(before, after);
+  UpdateContent(before, CContent::Of(entry));
   if (what == eChange::Sensor) m_cSensors.Invalidate();
   m_pEngine->Changed(entry.m_cId, what);
 }

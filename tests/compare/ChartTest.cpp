@@ -29,7 +29,7 @@ CChart Sample(std::size_t lost) {
 
 TEST(ChartTest, EveryEngineHasAMarkAndALabel) {
   const CChart chart = MakeOverallChart(MakeSampleReport(), MakeOverall(MakeSampleReport()));
-  EXPECT_EQ(chart.m_stdPoints.size(), 4u); // Box2D has no direction in the sample
+  EXPECT_EQ(chart.m_stdPoints.size(), 3u); // Box2D has no direction in the sample
   for (const CChartSize& size : {g_cWideChart, g_cNarrowChart}) {
     const std::string svg = DrawChart(Sample(0), size, false);
     for (const CEngineRow& row : GetEngineRows()) {
@@ -48,10 +48,10 @@ TEST(ChartTest, TheFillSaysWhatIsLost) {
   const auto dots = [](std::size_t lost) {
     return CountMatches(DrawChart(Sample(lost), g_cWideChart, false), "r=\"3.8\"");
   };
-  EXPECT_EQ(full(1), 5u);
+  EXPECT_EQ(full(1), 4u);
   EXPECT_EQ(full(2), 0u);
   EXPECT_EQ(dots(1), 0u);
-  EXPECT_EQ(dots(10), 5u);
+  EXPECT_EQ(dots(10), 4u);
   EXPECT_EQ(dots(11), 0u);
 }
 

@@ -65,11 +65,11 @@ TEST_F(DocumentsTest, ResultTablesAreWrittenFromTheRun) {
   EXPECT_EQ(filled.find("old"), std::string::npos) << filled;
   EXPECT_TRUE(filled.starts_with("above\n") && filled.ends_with("<!-- end -->\nbelow\n")) << filled;
   nlohmann::json old = nlohmann::json::parse(Read("run.json"));
-  old["version"] = 3;
+  old["version"] = 4;
   Write("run.json", old.dump());
   const CResult refused = fill();
   EXPECT_EQ(refused.m_nExit, 1);
-  EXPECT_NE(refused.m_sOutput.find("is of version 3, expected 4"), std::string::npos) << refused.m_sOutput;
+  EXPECT_NE(refused.m_sOutput.find("is of version 4, expected 5"), std::string::npos) << refused.m_sOutput;
   EXPECT_EQ(Read("page.md"), filled);
 }
 

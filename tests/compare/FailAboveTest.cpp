@@ -77,7 +77,7 @@ TEST(FailAboveTest, EveryMetricIsTheRightOne) {
                                 {"lasting_ns_per_ball_step", 654.0, 654.0}};
   EXPECT_EQ(std::size(expected), GetMetricNames().size());
   CRunReport report = MakeSampleReport();
-  for (const std::size_t e : {Tests::g_nTuned, Tests::g_nContinuous, Tests::g_nNative}) {
+  for (const std::size_t e : {Tests::g_nTuned, Tests::g_nNative}) {
     report.m_stdEngines.erase(report.m_stdEngines.begin() + static_cast<std::ptrdiff_t>(e));
     auto& engines = report.m_stdScenes[0].m_stdEngines;
     engines.erase(engines.begin() + static_cast<std::ptrdiff_t>(e));

@@ -25,7 +25,7 @@ CLasting Measure(const CScene& scene, std::size_t engine, int trials = 1) {
 TEST(LastingTest, WhatIsNotAskedForIsNotMeasured) {
   CScene scene = MakeLasting(0);
   AddBall(scene, {{0, 0}, 0.1f});
-  const CLasting lasting = Measure(scene, g_nContinuous);
+  const CLasting lasting = Measure(scene, g_nNative);
   EXPECT_EQ(lasting.m_nBalls, 0u);
   EXPECT_FALSE(lasting.m_fOverlap || lasting.m_fSpeed || lasting.m_fEnergyGained || lasting.m_fRestTime ||
                lasting.m_fFlow);
@@ -35,12 +35,12 @@ TEST(LastingTest, BallsOutsideOfTheBoundsAtTheEndAreLostAndAreLookedAtNoMore) {
   CScene scene = MakeLasting(1);
   AddBall(scene, {{0, 0}, 0.1f, {1, 0}});
   AddBall(scene, {{0, 1}, 0.1f, {4.25f, 0}});
-  const CLasting lasting = Measure(scene, g_nContinuous, 3);
+  const CLasting lasting = Measure(scene, g_nNative, 3);
   EXPECT_EQ(lasting.m_nBalls, 6u);
   EXPECT_EQ(lasting.m_nLost, 3u);
   EXPECT_EQ(lasting.m_fSpeed, 4.25); // it is lost in the last tenth only
   scene.m_fLasting = 2;
-  EXPECT_EQ(Measure(scene, g_nContinuous).m_fSpeed, 1.0);
+  EXPECT_EQ(Measure(scene, g_nNative).m_fSpeed, 1.0);
 }
 
 // The end of a segment is open for the approximate mode: a ball stays in it.
@@ -49,7 +49,7 @@ TEST(LastingTest, OverlapsAreInRadiiOfTheSmallerBall) {
   AddShape(scene, CLineSegDesc({-1, 0}, {0, 0}));
   AddBall(scene, {{0.03f, 0}, 0.1f});
   EXPECT_NEAR(Measure(scene, g_nApproximate).m_fOverlap.value(), 0.7, 1e-6);
-  EXPECT_LT(Measure(scene, g_nContinuous).m_fOverlap.value(), 1e-5); // the control
+  EXPECT_LT(Measure(scene, g_nNative).m_fOverlap.value(), 1e-5); // the control
   scene.m_stdBalls[0].m_cDesc.m_vPos = {1, 0};
   EXPECT_EQ(Measure(scene, g_nApproximate).m_fOverlap.value(), 0.0);
 
@@ -69,26 +69,26 @@ TEST(LastingTest, ADropIsAtRestAfterItsLastFastLanding) {
   double time = std::sqrt(0.2), v = 10.0 * time;
   while (0.5 * v > slow)
     v *= 0.5, time += 2.0 * v / 10.0;
-  const CLasting lasting = Measure(scene, g_nContinuous);
+  const CLasting lasting = Measure(scene, g_nNative);
   EXPECT_NEAR(lasting.m_fRestTime.value(), time, g_fDt);
   EXPECT_LT(lasting.m_fSpeed.value(), 1e-6);
   EXPECT_LT(lasting.m_fEnergyGained.value(), 1e-6);
   scene.m_fLasting = 1; // the controls: it has not had the time, or does not come to rest
-  EXPECT_FALSE(Measure(scene, g_nContinuous).m_fRestTime);
+  EXPECT_FALSE(Measure(scene, g_nNative).m_fRestTime);
   scene.m_fLasting = 6;
   std::get<CLineSegDesc>(scene.m_stdShapes[0].m_cDesc).m_fElasticity = 1.0f;
-  EXPECT_FALSE(Measure(scene, g_nContinuous).m_fRestTime);
+  EXPECT_FALSE(Measure(scene, g_nNative).m_fRestTime);
 }
 
 TEST(LastingTest, EnergyFromNothingIsOnlyToldWhereNothingDoesWork) {
   CScene scene = MakeLasting(2);
   AddShape(scene, CLineSegDesc({-3, 0}, {3, 0}));
   AddBall(scene, {{0, 1}, 0.1f});
-  EXPECT_FALSE(Measure(scene, g_nContinuous).m_fEnergyGained); // no gravity, no heights
+  EXPECT_FALSE(Measure(scene, g_nNative).m_fEnergyGained); // no gravity, no heights
   scene.m_cWorld.m_vGravity = {0, -10};
-  EXPECT_TRUE(Measure(scene, g_nContinuous).m_fEnergyGained);
+  EXPECT_TRUE(Measure(scene, g_nNative).m_fEnergyGained);
   std::get<CLineSegDesc>(scene.m_stdShapes[0].m_cDesc).m_fElasticity = 1.5f;
-  EXPECT_FALSE(Measure(scene, g_nContinuous).m_fEnergyGained);
+  EXPECT_FALSE(Measure(scene, g_nNative).m_fEnergyGained);
   // A ball that is set back gains what its weight does on the way: .05 of 4 units above the lowest place.
   CScene deep = MakeLasting(1);
   deep.m_cWorld.m_vGravity = {0, -10};
@@ -107,11 +107,11 @@ TEST(LastingTest, FlowIsBallsPerSecondUntilTheLastOne) {
   AddShape(scene, gate);
   for (const float height : {1.1f, 2.1f, 3.1f})
     AddBall(scene, {{height - 2, height}, 0.1f, {0, -1}});
-  EXPECT_NEAR(Measure(scene, g_nContinuous).m_fFlow.value(), 1.0, 2.0 * g_fDt);
+  EXPECT_NEAR(Measure(scene, g_nNative).m_fFlow.value(), 1.0, 2.0 * g_fDt);
   scene.m_fLasting = 0.5f;
-  EXPECT_EQ(Measure(scene, g_nContinuous).m_fFlow.value(), 0.0);
+  EXPECT_EQ(Measure(scene, g_nNative).m_fFlow.value(), 0.0);
   scene.m_stdShapes.clear();
-  EXPECT_FALSE(Measure(scene, g_nContinuous).m_fFlow);
+  EXPECT_FALSE(Measure(scene, g_nNative).m_fFlow);
 }
 
 // By default none is lost, however balls are pushed: a jammed row of them has to give way upward, and none is

@@ -43,7 +43,7 @@ inline bool Holds(std::size_t hits, std::size_t n, double rate) {
   return i.m_fLow <= rate && rate <= i.m_fHigh;
 }
 
-inline constexpr std::size_t g_nNative = 0, g_nApproximate = 1, g_nContinuous = 2, g_nBox2D = 3,
-                             g_nTuned = 4; // in the order of GetEngines
+inline constexpr std::size_t g_nNative = 0, g_nApproximate = 1, g_nBox2D = 2,
+                             g_nTuned = 3; // in the order of GetEngines
 
 } // namespace Shapes::Compare::Tests

@@ -17,8 +17,7 @@ std::vector<std::string> Selected(const std::vector<std::string>& names) {
 
 TEST(OptionsTest, EnginesComeInTheirOrderWhateverIsAsked) {
   using CNames = std::vector<std::string>;
-  EXPECT_EQ(Selected({}),
-            (CNames{"native", "native-approximate", "native-continuous", "box2d", "box2d-tuned"}));
+  EXPECT_EQ(Selected({}), (CNames{"native", "native-approximate", "box2d", "box2d-tuned"}));
   EXPECT_EQ(Selected({"box2d", "native"}), (CNames{"native", "box2d"}));
   EXPECT_EQ(Selected({"box2d", "box2d"}), (CNames{"box2d"}));
   EXPECT_EQ(Selected({"native"}), (CNames{"native"}));

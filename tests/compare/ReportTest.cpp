@@ -96,11 +96,10 @@ TEST(TableTest, ShowsTheEnginesBelowEachOther) {
   const std::vector<std::string> lines = Lines(table);
   const auto scene = std::find(lines.begin(), lines.end(),
                                "spinner, 1,000 impacts"); // one line for each engine comes after it
-  ASSERT_LT(scene - lines.begin() + 5, static_cast<std::ptrdiff_t>(lines.size()));
+  ASSERT_LT(scene - lines.begin() + 4, static_cast<std::ptrdiff_t>(lines.size()));
   const std::vector<std::vector<const char*>> expected{
       {"native ", " 0.60%", "1.2% +-0.7", "0.50%", "0.750", "2e-4", " 70"},
       {"native-approximate", " 10.1%", "20.3% +-2.5", "0.50%", "0.750", "0.040", "0.25%", " 50"},
-      {"native-continuous ", " 0.60%", "1.2% +-0.7", "0.50%", "0.750", "2e-4", " 70"},
       {"box2d ", " 0.30%", "0.60% +-0.51", "0.50%", "0.750", "0.020", " 500"},
       {"box2d-tuned ", " <0.3%", "0.50%", "0.750", "2e-6", " 800"}};
   for (std::size_t e = 0; e < expected.size(); ++e)
@@ -110,7 +109,7 @@ TEST(TableTest, ShowsTheEnginesBelowEachOther) {
   EXPECT_TRUE(
       Contains(Unwrapped(table),
                "Engines: native (what a game gets by default), native-approximate (no ball is swept), "
-               "native-continuous (every ball is swept), box2d (Box2D as it ships), box2d-tuned (Box2D "
+               "box2d (Box2D as it ships), box2d-tuned (Box2D "
                "set for accuracy)."));
   // The verdict comes after the table.
   EXPECT_TRUE(Contains(table, "\n  " + MakeVerdict(MakeSampleReport(), MakeSampleScene())[0].substr(0, 40)));
@@ -287,8 +286,8 @@ TEST(ReplayJsonTest, HoldsShapesAndTracks) {
   scene.m_stdShapes.push_back({CCircleDesc(Vector2(-1, 0), 0.5f), "", std::nullopt, false});
   scene.m_stdShapes.push_back({CArcDesc(Vector2(0, 0), 1, 0, 0), "", std::nullopt, false});
   const auto json = nlohmann::json::parse(MakeReplayJson(report));
-  EXPECT_EQ(json.at("engines"), nlohmann::json({"native", "native-approximate", "native-continuous", "box2d",
-                                                "box2d-tuned", "exact"}));
+  EXPECT_EQ(json.at("engines"),
+            nlohmann::json({"native", "native-approximate", "box2d", "box2d-tuned", "exact"}));
   const auto& s = json.at("scenes").at(0);
   EXPECT_EQ(s.at("name"), "spinner");
   EXPECT_EQ(s.at("bounds"), nlohmann::json({{"left", -45}, {"bottom", -45}, {"right", 45}, {"top", 45}}));

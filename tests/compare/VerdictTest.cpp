@@ -9,7 +9,7 @@
 namespace Shapes::Compare {
 namespace {
 
-using Tests::g_nApproximate, Tests::g_nBox2D, Tests::g_nContinuous, Tests::g_nNative, Tests::g_nTuned;
+using Tests::g_nApproximate, Tests::g_nBox2D, Tests::g_nNative, Tests::g_nTuned;
 
 std::string Use(const CRunReport& report) { return MakeVerdict(report, report.m_stdScenes[0]).at(0); }
 std::string Does(const CRunReport& report) { return MakeVerdict(report, report.m_stdScenes[0]).at(1); }
@@ -40,17 +40,17 @@ TEST(VerdictTest, SaysWhatToTakeAndWhatAFasterOneWouldLose) {
 
 // 12 and 6 of 1,000 cannot be told apart, but 12 are more than good allows, and 6 too.
 TEST(VerdictTest, TheFastestOfTheBestGradeIsTaken) {
-  CRunReport report = Of({g_nNative, g_nApproximate, g_nContinuous, g_nBox2D});
+  CRunReport report = Of({g_nNative, g_nApproximate, g_nBox2D});
   auto& engines = report.m_stdScenes[0].m_stdEngines;
   EXPECT_EQ(Use(report).substr(0, 12), "Use Box2D: n");
-  engines[g_nNative] = engines[g_nContinuous] = MakeSampleEngine(0, 70.0, 0.0002);
+  engines[g_nNative] = MakeSampleEngine(0, 70.0, 0.0002);
   EXPECT_EQ(Use(report),
             "Use native: better than Box2D here and 7.1 times faster; native-approximate is 1.4 times "
             "faster than native but loses 1 in 4.9.");
   EXPECT_EQ(
       Does(report),
       "It loses none of 1,000, and 95% of its bounces are within 0.011 degrees; Box2D loses 1 in 170 and "
-      "is within 1.1 degrees; native sweeps every ball here, as native-continuous does.");
+      "is within 1.1 degrees.");
   engines[g_nBox2D] = MakeSampleEngine(0, 500.0, 0.0002);
   EXPECT_EQ(Use(report).substr(0, 50), "Use native: as good as Box2D here and 7.1 times fa");
   engines[g_nApproximate] = MakeSampleEngine(0, 50.0, 0.0002);
@@ -64,9 +64,9 @@ TEST(VerdictTest, TheFastestOfTheBestGradeIsTaken) {
 }
 
 TEST(VerdictTest, WorseBouncesAreAReasonToo) {
-  CRunReport report = Of({g_nNative, g_nApproximate, g_nContinuous, g_nBox2D});
+  CRunReport report = Of({g_nNative, g_nApproximate, g_nBox2D});
   auto& engines = report.m_stdScenes[0].m_stdEngines;
-  for (const std::size_t e : {g_nNative, g_nApproximate, g_nContinuous})
+  for (const std::size_t e : {g_nNative, g_nApproximate})
     engines[e] = MakeSampleEngine(0, 50.0 + 10.0 * static_cast<double>(e), 0.1);
   engines[g_nBox2D] = MakeSampleEngine(0, 500.0, 0.01);
   EXPECT_EQ(
@@ -194,8 +194,8 @@ TEST(OverallTest, TimesAreGeometricMeansAndCountsAreSums) {
 }
 
 TEST(OverallTest, TheResultBeginsWithTheEngineToTake) {
-  CRunReport report = Of({g_nNative, g_nApproximate, g_nContinuous, g_nBox2D});
-  for (const std::size_t e : {g_nNative, g_nContinuous})
+  CRunReport report = Of({g_nNative, g_nApproximate, g_nBox2D});
+  for (const std::size_t e : {g_nNative})
     report.m_stdScenes[0].m_stdEngines[e] = MakeSampleEngine(1, 70.0, 0.0002);
   const std::string result = MakeResult(report, MakeOverall(report));
   EXPECT_EQ(result,

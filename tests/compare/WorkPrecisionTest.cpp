@@ -36,8 +36,7 @@ TEST(WorkPrecision, TheLadderHasEachSettingOnceAndBeginsWithTheEnginesAsTheyCome
   EXPECT_TRUE(labels.count("box2d-tuned: arcs 4x finer"));
   for (const char* pSubsteps : {"as it comes", "2 substeps", "4 substeps", "8 substeps"})
     EXPECT_TRUE(labels.count(std::string("native: ") + pSubsteps));
-  EXPECT_TRUE(labels.count("native-continuous: as it comes"));
-  EXPECT_EQ(labels.size(), 41u);
+  EXPECT_EQ(labels.size(), 40u);
   for (const CEngine& engine : GetParameterSweep()) {
     EXPECT_EQ(engine.m_eProfile, GetEngineRow(engine.m_sName).m_eProfile);
     EXPECT_EQ(engine.m_cEffects, GetEngineRow(engine.m_sName).m_cEffects);
@@ -87,7 +86,7 @@ TEST(WorkPrecision, AnswersAreTheCheapestOfEachEngine) {
 
 TEST(WorkPrecision, TheWorldByDefaultComesFirstWhereNoneIsFasterThanCanBeTold) {
   std::vector<CSetting> settings{MakeSetting("native", 1, 2050, .001, 1000, 0),
-                                 MakeSetting("native-continuous", 1, 2000, .001, 1000, 0)};
+                                 MakeSetting("native-approximate", 1, 2000, .001, 1000, 0)};
   const auto first = [&] { return MakeRecommendations(settings, 1000)[0].m_stdChoices.at(0); };
   EXPECT_EQ(first(), 1u); // the control: intervals without width
   settings[0].m_cNsPerBallSecond.m_cInterval = {1990, 2100};

@@ -68,9 +68,8 @@ protected:
 SHAPES_ON_EVERY_BACKEND(CEffectBits);
 
 TEST_P(CEffectBits, WhatIsNotCalledForChangesNothing) {
-  CScene flat, still, alone, blind, slow;
-  flat.m_bGravity = still.m_bTurns = alone.m_bPairs = blind.m_bSensor = slow.m_bFast = false;
-  slow.m_bGravity = slow.m_bTurns = false; // they would make balls fast
+  CScene flat, still, alone, blind;
+  flat.m_bGravity = still.m_bTurns = alone.m_bPairs = blind.m_bSensor = false;
   for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned})
     for (const auto& [e, scene] : {std::pair(eEffect::Gravity, flat),
                                    {eEffect::Kinematics, still},
@@ -84,9 +83,16 @@ TEST_P(CEffectBits, WhatIsNotCalledForChangesNothing) {
       if (e == eEffect::Sensors) continue;
       EXPECT_NE(Run({}, g_cAutomatic, profile), Run({}, {{}, {e}}, profile));
     }
-  // Forced, it answers contacts in another way.
-  EXPECT_FALSE(Make(Backend(), slow, g_cAutomatic)->GetEffects().Has(eEffect::Continuous));
-  EXPECT_EQ(Run(slow, g_cAutomatic), Run(slow, g_cApproximate));
+}
+
+TEST_P(CEffectBits, BallsAreSweptByDefaultHoweverSlowTheyAre) {
+  CScene slow;
+  slow.m_bGravity = slow.m_bTurns = slow.m_bFast = false;
+  for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned}) {
+    const auto path = Run(slow, g_cAutomatic, profile);
+    EXPECT_EQ(path, Run(slow, g_cContinuous, profile));
+    EXPECT_NE(path, Run(slow, g_cApproximate, profile)); // the control
+  }
 }
 
 TEST_P(CEffectBits, WhoWatchesChangesNothing) {

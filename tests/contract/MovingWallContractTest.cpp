@@ -108,9 +108,6 @@ TEST_P(CMovingWallContract, ItCallsForKinematicsAsOneThatTurnsDoes) {
   EXPECT_FALSE(pWorld->GetEffects().Has(eEffect::Kinematics));
   pWorld->SetVel(wall, {0.1f, 0});
   EXPECT_TRUE(pWorld->GetEffects().Has(eEffect::Kinematics));
-  EXPECT_FALSE(pWorld->GetEffects().Has(eEffect::Continuous));
-  pWorld->SetVel(wall, {30, 0});
-  EXPECT_TRUE(pWorld->GetEffects().Has(eEffect::Continuous));
 }
 
 // One that crosses a ball within a step begins and ends.

@@ -33,8 +33,8 @@ public:
     m_cPlanned = running;
     m_stdCalls.emplace_back("Plan");
   }
-  void Substep(const CSubstep& substep) override {
-    m_cSubstep = substep;
+  void Substep(float dt) override {
+    m_fSubstep = dt;
     m_stdCalls.emplace_back("Substep");
   }
   void Saved() override { m_stdCalls.emplace_back("Saved"); }
@@ -42,7 +42,7 @@ public:
 
   bool m_bRefuses = false;
   CEffects m_cPlanned;
-  CSubstep m_cSubstep{};
+  float m_fSubstep = 0;
 
 private:
   void Record(const std::string& what, CShapeId id) {
@@ -100,8 +100,7 @@ TEST_F(EngineOrder, PlansBeforeTheFirstSubstepAndOnlyWhereEffectsChange) {
   m_pWorld->Step();
   EXPECT_EQ(Calls(), (CCalls{"step", "Plan", "Substep", "Substep"}));
   EXPECT_EQ(m_pEngine->m_cPlanned, CEffects{eEffect::Gravity});
-  EXPECT_EQ(m_pEngine->m_cSubstep.m_fTime, 0.25f);
-  EXPECT_EQ(m_pEngine->m_cSubstep.m_vGravityStep, Vector2(0, -2));
+  EXPECT_EQ(m_pEngine->m_fSubstep, 0.25f);
   m_pWorld->SetVel(ball, {1, 0});
   m_pWorld->SetPos(ball, {1, 0});
   m_pWorld->SetElasticity(ball, 0.5f);
@@ -117,38 +116,6 @@ TEST_F(EngineOrder, PlansBeforeTheFirstSubstepAndOnlyWhereEffectsChange) {
   Calls();
   m_pWorld->Step();
   EXPECT_EQ(Calls(), (CCalls{"step", "Substep", "Substep"})); // as before
-}
-
-TEST_F(EngineOrder, ContinuousIsDecidedForEachSubstep) {
-  m_pWorld->Add(CPointDesc({0, 9}));
-  const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 1));
-  m_pWorld->SetGravity({0, 0});
-  m_pWorld->Step();
-  EXPECT_FALSE(m_pEngine->m_cSubstep.m_bIsContinuous);
-  m_pWorld->SetVel(ball, {100, 0});
-  m_pWorld->Step();
-  EXPECT_TRUE(m_pEngine->m_cSubstep.m_bIsContinuous);
-  m_pWorld->SetVel(ball, {0, 0});
-  m_pWorld->SetGravity({0, -8}); // and what gravity is about to add counts
-  m_pWorld->Step();
-  EXPECT_FALSE(m_pEngine->m_cSubstep.m_bIsContinuous);
-  m_pWorld->SetGravity({0, -800});
-  m_pWorld->Step();
-  EXPECT_TRUE(m_pEngine->m_cSubstep.m_bIsContinuous);
-}
-
-TEST_F(EngineOrder, AResetThatLetsAShapeReachFartherCallsForContinuous) {
-  m_pWorld->Add(CDynamicCircleDesc({9, 9}, 1));
-  m_pWorld->SetGravity({0, 0});
-  CPointDesc desc({1, 0});
-  desc.m_eMotionType = eMotion::Kinematic;
-  const CShapeId point = m_pWorld->Add(desc);
-  m_pWorld->SetOrientation(point, g_fPi);
-  m_pWorld->SetRotCenter(point, {-1, 0}); // where it is: it reaches nowhere
-  m_pWorld->SetRotSpeed(point, 2);
-  EXPECT_FALSE(m_pWorld->GetEffects().Has(eEffect::Continuous));
-  m_pWorld->Reset(point); // two away from its centre
-  EXPECT_TRUE(m_pWorld->GetEffects().Has(eEffect::Continuous));
 }
 
 TEST_F(EngineOrder, StatesAreSavedAndLoadedAfterTheAccess) {

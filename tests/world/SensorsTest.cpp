@@ -23,7 +23,7 @@ public:
   void Removed(CShapeId) override {}
   void Changed(CShapeId, eChange) override {}
   void Plan(CEffects) override {}
-  void Substep(const CSubstep&) override { m_stdSubstep(); }
+  void Substep(float) override { m_stdSubstep(); }
   void Loaded() override {}
 };
 

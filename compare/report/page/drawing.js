@@ -135,7 +135,6 @@ const Drawing = (() => {
   function drawMark(ctx, mark, x, y, r) {
     const corners = {
       triangle: [[0, -1], [1, 1], [-1, 1]],
-      wedge: [[-1, -1], [1, -1], [0, 1]],
       rect: [[-1, -1], [1, -1], [1, 1], [-1, 1]],
       rectRot: [[0, -1.2], [1.2, 0], [0, 1.2], [-1.2, 0]],
     }[mark];

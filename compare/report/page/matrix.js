@@ -9,26 +9,20 @@ const Matrix = (() => {
   /** A long name breaks after its underlines. */
   const breakable = (name) => name.split(/(?<=_)/).flatMap((part) => [part, el('wbr')]);
 
-  /** The world by default, and the engine that made the same of every impact. */
-  const sameAs = (engine) => (engine.name === 'native' && engine.same_run ? engine.same_run : null);
-
   function cell(scene, name) {
     const engine = list(scene.engines).find((e) => e.name === name);
     if (!engine) return el('td', null, dash);
     const lost = lossText(engine.tunneled, engine.contacts);
     const off = engine.direction_error?.count > 0 ? degrees(engine.direction_error.p95) : dash;
-    const same = sameAs(engine), grade = engine.grade ?? 'unknown';
+    const grade = engine.grade ?? 'unknown';
     return el('td', {
       class: `${grade}${scene.take === name ? ' take' : ''}`,
-      title: `${name}: ${grade}; lost ${lost}, off by ${off}${same ? `; the same run as ${same}` : ''}`
+      title: `${name}: ${grade}; lost ${lost}, off by ${off}`
     },
               el('span', {class: 'sign', 'aria-label': grade}, signs[grade] ?? dash),
               el('span', {class: 'more'}, ' '),
               el('span', null, isNumber(engine.ns_per_ball_step) ? count(engine.ns_per_ball_step) : dash,
-                 el('span', {class: 'more'}, ' ns'),
-                 same ? el('sup', {class: 'more', title: `the same run as ${same}`},
-                           same.endsWith('continuous') ? 's' : 'u')
-                      : null),
+                 el('span', {class: 'more'}, ' ns')),
               engine.contacts > 0 ? el('small', {class: 'more'}, `${lost.replace(/ of .*/, '')} lost, ${off}`)
                                   : null);
   }
@@ -53,9 +47,7 @@ const Matrix = (() => {
            el('span', {class: 'rough'}, '~ rough'), ': 1 in 100, 10\u00b0. ',
            el('span', {class: 'poor'}, '\u2717 poor'),
            ': worse. The number is nanoseconds for one step of one ball; ',
-           el('span', {class: 'take'}, 'framed'), ': what to take. native', el('sup', null, 's'),
-           ' swept every ball that mattered, so it made the same run as native-continuous, native',
-           el('sup', null, 'u'), ' none, as native-approximate.'),
+           el('span', {class: 'take'}, 'framed'), ': what to take.'),
         el('table', {class: 'matrix'},
            el('thead', null,
               el('tr', null, el('th', {scope: 'col'}, 'scene'),

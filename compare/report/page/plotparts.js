@@ -65,7 +65,7 @@ const PlotParts = (() => {
   /** The mark of an engine, as the points of a dataset. */
   function pointMark(engine) {
     const {mark} = Data.rowOf(engine);
-    return {pointStyle: mark === 'wedge' ? 'triangle' : mark, pointRotation: mark === 'wedge' ? 180 : 0};
+    return {pointStyle: mark};
   }
 
   /** The floor stands for zero, which a logarithmic axis does not have. */

@@ -73,7 +73,7 @@ void CGuestEngine::PreStep(float dt) {
   }
   ReadHostSettings();
   m_cWorld.BeginStep();
-  m_cWorld.BeginSubstep(dt);
+  m_cWorld.BeginSubstep();
   m_fStep = dt;
   m_pStepper->TakeBalls(); // the game may have moved or kicked them
   m_pStepper->BeginSubstep();

@@ -33,7 +33,7 @@ public:
   void Removed(CShapeId id) override;
   void Changed(CShapeId id, eChange change) override;
   void Plan(CEffects running) override { m_pStepper->Plan(running); }
-  void Substep(const CSubstep&) override {} // not called: Step is refused
+  void Substep(float) override {} // not called: Step is refused
   void Loaded() override {}
 
 private:

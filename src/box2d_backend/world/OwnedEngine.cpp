@@ -47,12 +47,11 @@ void COwnedEngine::PlanStepper() {
   m_pWorld->SetContactListener(m_pStepper->NeedsNoListener() ? nullptr : &m_pStepper->GetListener());
 }
 
-void COwnedEngine::Substep(const CSubstep& substep) {
+void COwnedEngine::Substep(float dt) {
   if (m_bPlanIsOld) PlanStepper();
   const CBox2DSettings& settings = m_cWorld.GetDesc().m_cBox2D;
-  const float dt = substep.m_fTime;
   m_pWorld->SetGravity(m_pStepper->GetGravity());
-  m_pWorld->SetContinuousPhysics(substep.m_bIsContinuous);
+  m_pWorld->SetContinuousPhysics(m_cRunning.Has(eEffect::Continuous));
   m_pStepper->BeginSubstep();
   // Counted anew for what is left, because an impact makes a ball faster.
   float left = dt;
@@ -71,11 +70,9 @@ void COwnedEngine::Substep(const CSubstep& substep) {
 }
 
 std::unique_ptr<CWorld> MakeWorld(const CWorldDesc& desc, const CTuning& tuning) {
-  const CEffects needs = tuning.m_bContinuous ? CEffects{eEffect::Continuous} : CEffects();
-  return std::make_unique<CWorld>(
-      std::make_unique<CWorldCore>(desc, CStepper::GetLimits(desc, tuning), needs, [&](CWorldCore& world) {
-        return std::make_unique<COwnedEngine>(world, tuning);
-      }));
+  return std::make_unique<CWorld>(std::make_unique<CWorldCore>(
+      desc, CStepper::GetLimits(desc, tuning), CEffects(),
+      [&](CWorldCore& world) { return std::make_unique<COwnedEngine>(world, tuning); }));
 }
 
 } // namespace Shapes::Box2D

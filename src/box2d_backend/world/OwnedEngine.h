@@ -22,7 +22,7 @@ public:
   void Removed(CShapeId id) override;
   void Changed(CShapeId id, eChange change) override;
   void Plan(CEffects running) override;
-  void Substep(const CSubstep& substep) override;
+  void Substep(float dt) override;
   // Bodies made anew have no contacts and no cached impulses: a world that goes on from a saved state has the
   // same bits.
   void Saved() override { Rebuild(); }

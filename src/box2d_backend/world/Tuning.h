@@ -15,11 +15,10 @@ struct CTuning {
   bool m_bGhostVertices = false;    ///< Shapes that share an end are joined by ghost vertices.
   bool m_bAdaptiveSubsteps = false; ///< A step in which Box2D would slow something down is cut.
   bool m_bLastingContact = false;   ///< Balls that press on each other are left to Box2D's own solver.
-  bool m_bContinuous = false;       ///< Box2D's continuous physics runs where nothing is fast, too.
 };
 
 inline constexpr CTuning g_cShipped{};
-inline constexpr CTuning g_cTuned{4.0f, true, true, true, true, true, true, true};
+inline constexpr CTuning g_cTuned{4.0f, true, true, true, true, true, true};
 
 inline const CTuning& GetTuning(eProfile e) { return e == eProfile::Tuned ? g_cTuned : g_cShipped; }
 

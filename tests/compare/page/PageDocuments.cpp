@@ -90,7 +90,6 @@ json Engine(const std::string& name, CNumbers& figures, int n) {
           {"grade", lost > 0.01    ? "poor"
                     : lost > 0.001 ? "rough"
                                    : "good"},
-          {"same_run", name == "native" ? json("native-continuous") : json(nullptr)},
           {"contacts", n},
           {"correct", n - missed - wrong - late},
           {"late", Rate(late, n)},
@@ -174,7 +173,7 @@ json Work(const std::string& scene, CNumbers& figures) {
                            {{"time_step", 1.0 / 60}, {"substeps", steps}}, base * (0.3 + 0.7 * steps),
                            error / steps, steps > 4 ? 0 : lost / steps / steps));
   for (const int steps : {1, 2, 4, 8})
-    for (const std::string engine : {"native", "native-continuous"})
+    for (const std::string engine : {"native"})
       rows.push_back(WorkRow(scene, engine, steps == 1 ? "as it comes" : std::to_string(steps) + " substeps",
                              {{"time_step", 1.0 / 60}, {"substeps", steps}},
                              base * ((engine == "native" ? 0.4 : 0.5) + 0.9 * steps), error / steps / 4, 0));
@@ -292,7 +291,7 @@ json Scene(const std::string& name, CNumbers& figures) {
       {"answers",
        {Answer("Bounces within 0.6 degrees (.01 rad), fewer than 1 in 100 lost", {"native", "box2d"}),
         Answer("Bounces within 0.06 degrees (.001 rad), fewer than 1 in 1,000 lost", {}),
-        Answer("None lost in 100,000 impacts", {"native", "native-continuous", "box2d", "box2d-tuned"})}},
+        Answer("None lost in 100,000 impacts", {"native", "box2d", "box2d-tuned"})}},
       {"engines", std::move(engines)},
       {"heat_map", HeatMap(figures)},
       {"sensor_touches", 0},
@@ -482,8 +481,6 @@ CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
            Clip("worst native", "Worst contact of native", "sent off 0.61 rad from the exact direction",
                 g_nWorstContact),
            Clip("worst native-approximate", "Worst contact of native-approximate", "sent off 0.7 rad",
-                g_nWorstContact),
-           Clip("worst native-continuous", "Worst contact of native-continuous", "sent off a bit",
                 g_nWorstContact),
            Clip("worst box2d", "Worst contact of box2d", "set back 0.1 radii too far", g_nWorstContact),
            Clip("worst box2d-tuned", "Worst contact of box2d-tuned", "sent off a little",
