@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Builds shapes-compare in release mode and runs it: compare/run.sh [ARGUMENTS OF shapes-compare run]
-# Works on a fresh Debian 12: what is missing is installed, as root or with sudo. Only what shapes-compare prints goes
+# Works on a fresh Debian 12: missing packages are installed, as root or with sudo. Only the output of shapes-compare goes
 # to the standard output. SHAPES_CMAKE_ARGS may hold further arguments for cmake.
 set -euo pipefail
 

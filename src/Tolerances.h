@@ -9,9 +9,9 @@
 
 namespace Shapes {
 
-/// Most of an approach speed that a response looks at, in units per second: a surface may be faster than any
-/// ball. What a response adds, at most 1e37 with the largest elasticities, stays finite with what is there;
-/// that is far above g_fMaxSpeed, to which the ball is cut.
+/// Largest approach speed in a response, in units per second: a surface may be faster than any ball. The
+/// speed that a response adds, at most 1e37 with the largest elasticities, stays finite together with the
+/// ball's own; that is far above g_fMaxSpeed, to which the ball is cut.
 inline constexpr float g_fMaxApproach = 1e25f;
 
 /// Angle from an arc's end ray, in radians, up to which a point counts as in the sector; twice that for rays
@@ -20,7 +20,7 @@ inline constexpr float g_fMaxApproach = 1e25f;
 inline constexpr float g_fSectorRounding = 2.5f * 1.1920929e-7f;
 
 /// Two angles whose difference is a whole turn to this share of their sizes are a full circle, dimensionless:
-/// two roundings of each. An arc that lacks less than that of a full turn cannot be told from one.
+/// two roundings of each. An arc that lacks less than that of a full turn counts as one.
 inline constexpr float g_fFullTurnRounding = 2.0f * 1.1920929e-7f;
 
 /// Padding of boxes in the broad phase, relative to their largest coordinate plus the radius of the ball. The
@@ -112,10 +112,10 @@ inline constexpr int g_nWedgeRounds = 8;
 inline constexpr int g_nMaxTurnParts = 1024;
 
 /// A gap of that many roundings (in double) of the coordinates is touching in a sweep, and approach speeds of
-/// as many roundings of the speeds are none, dimensionless. Larger than what some hundred impacts add up to;
+/// as many roundings of the speeds are none, dimensionless. Larger than the sum of some hundred impacts;
 /// at 1 unit from the origin it is 1.4e-14 units.
 inline constexpr int g_nSweepRoundings = 64;
-/// What the distance to a shape that is surely far is off by more than any kernel, as a share of the
+/// Error of the distance to a shape that is surely far, above that of any kernel, as a share of the
 /// coordinates, dimensionless.
 inline constexpr double g_fFarRounding = 0x1p-40;
 /// Most steps of the search for an impact with one part of a turning shape. Ten in the mean; some dozen for
@@ -210,14 +210,14 @@ inline constexpr float g_fMaxBox2DSpeedGain = 4e9f;
 
 /// Length of a motion in which nothing turns, seconds: how far a ball may be pushed is asked as a motion.
 inline constexpr double g_fInstant = 0x1p-80;
-/// Cells of the grid of shapes for each of them, and in all at least and at most: finer cells tell of more
-/// places that they are clear, and cost more to be made.
+/// Cells of the grid of shapes for each of them, and in all at least and at most: finer cells clear more
+/// places, and cost more to make.
 inline constexpr std::size_t g_nCellsPerShape = 48, g_nLeastCells = 4096, g_nMostCells = 1 << 18;
 /// Most of them in a row or a column.
 inline constexpr std::size_t g_nMostColumns = 4096;
 /// Half the diagonal of a cell over its side, rounded up.
 inline constexpr float g_fHalfDiagonal = 0.7072f;
-/// What the distances in the grid of shapes are off, as a share of the largest coordinate in it: the kernels,
+/// Error of the distances in the grid of shapes, as a share of the largest coordinate in it: of the kernels,
 /// the closest point on a shape and the place of a cell together.
 inline constexpr float g_fGridPadding = 64.0f * 1.1920929e-7f;
 /// Largest coordinate in that grid, user units: the square of a distance in it is far from the largest float.

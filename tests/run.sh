@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Builds everything in debug mode and runs all tests, on a fresh Debian 12 too. What is missing is installed, as root
+# Builds everything in debug mode and runs all tests, on a fresh Debian 12 too. Missing packages are installed, as root
 # or with sudo. SHAPES_CMAKE_ARGS may hold further arguments for cmake, such as -DSHAPES_BACKEND=box2d.
 # tests/run.sh [PRESET]   a preset of CMakePresets.json; dev by default
 set -euo pipefail

@@ -26,7 +26,7 @@ std::vector<std::string> GetMetricNames();
 /// number of at least 0
 CLimit ParseLimit(std::string_view text);
 
-/// What to tell about a limit on a rate that so many impacts cannot show (none in n is a rate below 3/n, with
+/// A warning about a limit on a rate that so many impacts cannot show (none in n is a rate below 3/n, with
 /// 95% confidence); empty if they can.
 std::string WarnOfFew(const CLimit& limit, std::size_t contacts);
 

@@ -32,7 +32,7 @@ void RequireImpact(const CScene& scene, std::uint64_t seed) {
     CExactGame game(scene, MakeStart(scene, seed, trials));
     try {
       for (std::size_t i = 0; i < steps && game.IsInBounds(); ++i) {
-        if (isTooLong() && trials == 0) return; // too large to be told in short
+        if (isTooLong() && trials == 0) return; // too large to be decided in short
         if (isTooLong()) break;
         game.Step();
         ++played;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What somebody meant who wrote a name that there is not.
+// Suggestions for a misspelled name.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the command line asks for, made into scenes and engines, or refused with the reason.
+// Scenes and engines from the command line, or the reason of a refusal.
 #pragma once
 
 #include "scene/Trial.h"

@@ -49,7 +49,7 @@ inline constexpr std::uint64_t g_nTrialsPerContact = 20;
 
 /// Everything that is measured on one scene.
 /// @param progress called again and again with the share of a part that is done; what it throws ends it
-/// @throws whatever an engine throws that cannot hold the scene
+/// @throws the exception of an engine that cannot hold the scene
 CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, const CRunSizes& sizes,
                       std::uint64_t seed, const std::function<void(eStage, double)>& progress);
 

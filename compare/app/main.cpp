@@ -241,7 +241,7 @@ int Main(int argc, char** argv) {
       ->type_name("FOLDER");
   pList->add_flag("--engines", options.m_bListEngines, "Say which engines there are instead");
   pList->add_flag("--figures", options.m_bListFigures, "Say which figures are measured instead");
-  // What the program is called with by itself to have its instructions counted; not for users.
+  // The program calls itself so to count its instructions; not for users.
   CLI::App* pStepCost = app.add_subcommand("step-cost")->group("");
   pStepCost->add_option("file", options.m_cFile)->required();
   pStepCost->add_option("seed", options.m_nSeed)->required();

@@ -10,7 +10,7 @@
 
 namespace Shapes::Compare {
 
-/// What an engine took for playing a scene, and what happened to the balls meanwhile.
+/// Time of an engine for playing a scene, and the balls that went astray meanwhile.
 struct CCost {
   CMedian m_cNsPerBallStep;         ///< Over the repeats; making the worlds is not counted.
   std::vector<double> m_stdRepeats; ///< The same of each repeat, in their order.

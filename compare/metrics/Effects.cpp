@@ -46,7 +46,7 @@ public:
   const std::vector<CEffectCost>& GetCosts() const { return m_stdCosts; }
 
 private:
-  // What runs for the first time has its reason in the world as it is now.
+  // The reason of an effect that runs for the first time is in the world as it is now.
   void AddStep(const CWorld& world, decltype(CWorldStats::m_stdSubstepsWith)& ran) {
     const CWorldStats& stats = world.GetStats();
     const auto before = ran;
@@ -123,7 +123,7 @@ private:
   std::vector<std::vector<double>> m_stdErrors;
 };
 
-// Whether the world tells that a ball has touched a shape that is a sensor.
+// Whether the world reports that a ball has touched a shape that is a sensor.
 bool HasBegun(const CTrialWorld& world, const CExactEvent<double>& event) {
   const auto events = world.m_pWorld->GetSensorEvents();
   const CShapeId shape = world.m_stdShapes[event.m_nShape], ball = world.m_stdBalls[event.m_nBall];
@@ -133,7 +133,7 @@ bool HasBegun(const CTrialWorld& world, const CExactEvent<double>& event) {
 }
 
 // Touches of sensors before which nothing else happened to the ball in this step, and how many of them each
-// world does not tell of, started anew at the beginning of the step.
+// world, started anew at the beginning of the step, does not report.
 class CTouches {
 public:
   CTouches(const CScene& scene, const std::vector<CEngine>& worlds, const CEffectOptions& options)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What each effect costs in a scene and what it is good for: the world as the scene calls for it, against the
-// same world with one effect forced or forbidden.
+// Cost and use of each effect in a scene: the world as the scene calls for it, against the same world with
+// one effect forced or forbidden.
 #pragma once
 
 #include "Cost.h"
@@ -18,12 +18,12 @@ namespace Shapes::Compare {
 struct CEffectWorld {
   CCost m_cCost;
   std::optional<double> m_fInstructions; ///< For a step of a ball; absent where they were not counted.
-  /// What it makes of the impacts. Nothing where Events are forbidden: it tells of none then.
+  /// Totals of the impacts. Empty where Events are forbidden, because none is reported then.
   CTotals m_cTotals;
-  /// How far its balls are off at the beginning of the step in which the exact game has its first impact, in
-  /// radii: that of the ball that is farthest off, in each trial.
+  /// Distance of its balls from the exact ones at the beginning of the step in which the exact game has its
+  /// first impact, in radii: the largest of each trial.
   CSummary m_cFlightError;
-  std::size_t m_nTouchesMissed = 0; ///< Of CEffectCosts::m_nTouches, no begin was told of so many.
+  std::size_t m_nTouchesMissed = 0; ///< Of CEffectCosts::m_nTouches: touches without a reported begin.
 };
 
 /// One effect on one engine. One of both worlds is the one that the scene calls for.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an engine did in its last step, read from the contacts that it reports.
+// Responses of an engine in its last step, read from the contacts that it reports.
 #pragma once
 
 #include <Shapes/World.h>

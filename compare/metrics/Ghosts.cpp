@@ -11,13 +11,13 @@
 namespace Shapes::Compare {
 namespace {
 
-// Steps after the quiet one in which the exact ball may still touch what an engine has answered.
+// Steps after the quiet one in which the exact ball may still touch a shape to which an engine has responded.
 constexpr int g_nLookAhead = 2;
 
-// What is nearer than this share of the radius counts as touched: a ball that lies on it, by all roundings.
+// A shape nearer than this share of the radius counts as touched, also by a resting ball after all roundings.
 constexpr double g_fTouching = 1e-3;
 
-// A ball passes what comes nearer than this to its surface, in its radii.
+// A ball passes a shape that comes nearer than this to its surface, in its radii.
 constexpr double g_fPass = 1.0;
 
 // Ways are walked in pieces of at least this many radii, so that walking ends. Passes are found to that
@@ -105,7 +105,7 @@ void CGhostHunter::Judge(const CExactGame& game, CImpactTrialResult& result) {
         MarkTouched(ahead);
       }
     } catch (const std::exception&) {
-      return; // nobody knows what would have been touched
+      return; // without the reference the next touches are unknown
     }
   }
   CountGhosts(result);
@@ -134,7 +134,7 @@ void CGhostHunter::Ask(const CExactGame& game) {
   }
 }
 
-// Takes away the answers to what the exact ball touched in the last step of the game.
+// Removes the responses to shapes that the exact ball touched in the last step of the game.
 void CGhostHunter::MarkTouched(const CExactGame& game) {
   const CReference<double>& reference = game.GetReference();
   std::erase_if(m_stdResponses, [&](const CResponse& a) {
@@ -154,7 +154,7 @@ void CGhostHunter::MarkTouched(const CExactGame& game) {
   });
 }
 
-// One for each ball and engine, however many shapes it answered.
+// One for each ball and engine, for responses to any number of shapes.
 void CGhostHunter::CountGhosts(CImpactTrialResult& result) {
   const auto same = [](const CResponse& a, const CResponse& b) {
     return a.m_nEngine == b.m_nEngine && a.m_nBall == b.m_nBall;

@@ -109,9 +109,9 @@ public:
     return answer;
   }
 
-  // What a response is worth, if it is one to this event. That to another shape (a guard point, the neighbour
-  // at a joint) is one only in the step of the impact, and only if it was in the same place, or if the ball
-  // no longer approaches what it met.
+  // The outcome of a response, if it belongs to this event. A response to another shape (a guard point, the
+  // neighbour at a shared end) does only in the step of the impact, and only if it was in the same place, or
+  // if the ball no longer approaches the exactly hit shape.
   std::optional<eOutcome> GetOutcome(const CResponse& response, bool sameShape, int late) const {
     const bool back = ToDouble(response.m_vNorm).dot(m_cEvent.m_vNorm) >= 0.0 && IsOnExactSide();
     if (!sameShape && (late > 0 || !back || (!IsSamePlace(response) && Approaches()))) return std::nullopt;

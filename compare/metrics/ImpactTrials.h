@@ -21,7 +21,7 @@ enum class eOutcome {
   Missed     ///< no response
 };
 
-/// What was met, and which part of it.
+/// The kind and part of the shape that was hit.
 enum class ePair { Point, Segment, SegmentEnd, Circle, Arc, ArcEnd, Ball };
 inline constexpr std::size_t g_nPairs = 7;
 /// "point", "segment", "segment end", "circle", "arc", "arc end", "ball".
@@ -40,7 +40,7 @@ inline constexpr double g_fRestingTurn = 0.01;
 /// step, overlaps.
 inline constexpr float g_fOverlap = 0.01f;
 
-/// What one engine made of one impact. Lengths are in radii of the ball.
+/// Outcome and errors of one engine at one impact. Lengths are in radii of the ball.
 struct CEngineContact {
   eOutcome m_eOutcome = eOutcome::Missed;
 

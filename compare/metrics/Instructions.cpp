@@ -32,7 +32,7 @@ std::vector<double> ReadTotals(const std::filesystem::path& file) {
   return totals;
 }
 
-// What a program said of itself, without what valgrind says around it.
+// The program's own first line among those of valgrind.
 std::string ReadFirstLine(const std::filesystem::path& errors) {
   std::ifstream in(errors);
   for (std::string line; std::getline(in, line);)
@@ -45,8 +45,8 @@ std::string Count(const std::string& valgrind, const CScene& scene, const std::v
                   const std::function<void()>& check, std::vector<double>& totals) {
   const CTemporaryFolder folder;
   const std::filesystem::path out = folder.GetPath() / "out", errors = folder.GetPath() / "errors";
-  // Functions of shared libraries are found at the start and not when they are first called: whoever comes
-  // first would pay for all.
+  // Functions of shared libraries are found at the start and not when they are first called: the first
+  // world would pay for all.
   std::vector<std::string> words{"/usr/bin/env",
                                  "LD_BIND_NOW=1",
                                  valgrind,

@@ -14,7 +14,7 @@ namespace Shapes::Compare {
 
 struct CInstructions {
   std::vector<double> m_stdPerBallStep; ///< Of each world.
-  std::string m_sWhyNot;                ///< What prevents the count; empty if nothing does.
+  std::string m_sWhyNot;                ///< Reason for a missing count; empty if there is one.
 };
 
 /// Counts the instructions of `steps` steps of each world, those that change the balls and what they meet and
@@ -34,7 +34,7 @@ std::string ToWord(const CEngine& world);
 /// @throws std::invalid_argument if it is none
 CEngine FromWord(const std::string& word);
 
-/// Plays the steps of each world, for somebody who counts; those of the first one once more before.
+/// Plays the steps of each world, to be counted; those of the first one once more before.
 void PlayStepCost(const CScene& scene, std::span<const std::string> words, std::uint64_t seed,
                   std::size_t steps);
 /// One of them. Callgrind knows its end by its name.

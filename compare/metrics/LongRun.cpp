@@ -125,7 +125,7 @@ private:
   std::vector<CSample> m_stdSamples;
 };
 
-// What was flown, and how often something was hit.
+// Length of the path, and number of hits.
 struct CFlight {
   double m_fWay = 0.0;
   std::size_t m_nBounces = 0;
@@ -150,7 +150,7 @@ void FlyExactly(const CScene& scene, const CStart& start, std::size_t bounces, s
     try {
       reference.Step(dt, events);
     } catch (const std::runtime_error&) {
-      return; // what would have happened cannot be told: the flight ends before
+      return; // the flight ends where the reference gave up
     }
     hits += events.size();
     flight.m_nBounces += events.size();

@@ -11,7 +11,8 @@
 
 namespace Shapes::Compare {
 
-/// What an engine did to what is kept. Absent where the scene does not keep it, or too little happened.
+/// Drift of conserved quantities on an engine. Absent where the scene does not conserve them, or after too
+/// few bounces.
 struct CLongRun {
   std::size_t m_nBounces = 0; ///< responses in the long trial
   double m_fSeconds = 0.0;    ///< simulated in it
@@ -26,7 +27,7 @@ struct CLongRun {
   std::optional<double> m_fAngularMomentumDrift;
 };
 
-/// What a scene keeps, so that an engine can be held to it.
+/// Conserved quantities of a scene.
 struct CKept {
   bool m_bEnergy = false;
   bool m_bFreePath = false;         ///< one ball at a constant speed

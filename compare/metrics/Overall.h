@@ -31,7 +31,7 @@ bool AreTimesApart(const CCost& a, const CCost& b);
 inline constexpr double g_fSameDirection = 0.001;
 
 /// The engine to take in a scene: of those that lose no more than Box2D and whose directions are no worse,
-/// the fastest that has the best grade; the world by default where another one is no faster than can be told.
+/// the fastest that has the best grade; the world by default where another one is not measurably faster.
 /// Without Box2D, none may be worse than the engine that loses least. None where nothing was judged.
 std::optional<std::size_t> FindTake(const CRunReport& report, const CSceneReport& scene);
 

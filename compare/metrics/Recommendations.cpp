@@ -57,7 +57,7 @@ CRecommendation Recommend(const std::vector<CSetting>& settings, std::string dem
   }
   std::sort(choices.begin(), choices.end(),
             [&](std::size_t a, std::size_t b) { return GetCost(settings[a]) < GetCost(settings[b]); });
-  // The world by default comes first where none is faster than can be told.
+  // The world by default comes first where none is measurably faster.
   for (auto choice = choices.begin(); choice != choices.end(); ++choice)
     if (settings[*choice].m_cEngine.m_sName == g_sNative &&
         Overlap(settings[*choice].m_cNsPerBallSecond.m_cInterval,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the contacts of a scene amount to for one engine: counts, summaries, and the same by bins.
+// Totals of one engine over the contacts of a scene: counts, summaries, and the same by bins.
 #pragma once
 
 #include "Figures.h"

@@ -5,8 +5,8 @@
 // (Sweeper.h).
 //
 // A crossing is made from clear of the circle or line, or by a ball that touches or overlaps without
-// approaching, and begins to approach. What approaches already at the start of the path is the business of
-// Sweeper.h.
+// approaching, and begins to approach. Sweeper.h handles balls that approach already at the start of the
+// path.
 #pragma once
 
 #include "Vec2.h"
@@ -65,7 +65,7 @@ struct CPathDesc {
 /// A crossing of a path with a circle or a line.
 template <class T>
 struct CCrossing {
-  /// When. What is passed in is the time after which to search; negative: from the start, included.
+  /// Time of the crossing. Input: the time after which to search; negative: from the start, included.
   T m_fTime = T(-1);
   /// The way is tangent within g_fGraze, whether it crosses or not; where it does not, the time is that of
   /// the closest approach (of a step after it, where the shape turns).

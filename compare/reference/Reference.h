@@ -6,8 +6,8 @@
 // that rests or slides on something moves along it: its way is a Taylor series whose forces are solved for
 // order by order, and which is begun anew as often as rounding asks for.
 //
-// What is solid is told in Sweeper.h; in particular the ends of segments and arcs are round and solid here,
-// which they are not in the native engine's approximate mode.
+// Sweeper.h says which parts are solid; in particular the ends of segments and arcs are round and solid here,
+// unlike in the native engine's approximate mode.
 #pragma once
 
 #include "Complementarity.h"
@@ -59,7 +59,7 @@ struct CExactEvent {
   bool m_bGraze;        ///< Ambiguous, see CHit.
   bool m_bOverlapped;   ///< They overlapped already: no impact has been seen.
   bool m_bSimultaneous; ///< One of the balls has another impact at this moment: the order decides.
-  ePart m_ePart;        ///< What was met of the shape.
+  ePart m_ePart;        ///< The part of the shape that was hit.
   CVec<T> m_vCenter;    ///< of the ball at the impact, user units
   CVec<T> m_vPOI;       ///< on the shape
   CVec<T> m_vNorm;      ///< unit, from the shape to the ball
@@ -121,7 +121,7 @@ public:
   void SetOffset(std::size_t shape, const CVec<T>& way);
   void SetVel(std::size_t shape, const CVec<T>& v);
 
-  /// One step of dt seconds. Events are answered in the order of their times, and appended in that order:
+  /// One step of dt seconds. Events are resolved in the order of their times, and appended in that order:
   /// with e the product of the elasticities and V the velocity of the surface along n, v_n becomes V + e (V -
   /// v_n); two balls exchange the impulse. Simultaneous events come in any order (m_bSimultaneous). A sensor
   /// is reported when it is first touched in the step, a ball that is in it already at time 0.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an impact does to the balls of the reference. Included by Reference.cpp, and for 50 digits by the
+// The response of the reference's balls to an impact. Included by Reference.cpp, and for 50 digits by the
 // tests.
 #pragma once
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What each ball of the reference meets next. Included by Reference.cpp, and for 50 digits by the tests.
+// Finds the next impact of each ball of the reference. Included by Reference.cpp, and for 50 digits by the
+// tests.
 #pragma once
 
 #include "Reference.h"
@@ -135,7 +136,7 @@ void CReference<T>::Offer(CNext& next, bool found, bool isBall, std::size_t i, s
                           abs(hit.m_fTime - old.m_fTime) <= T(g_fSimultaneous) * m_fStep;
     // Where a ball comes to lie on a joint it lies on the side, not on an end.
     if (together && hit.m_bBegins && old.m_bBegins && isFace(hit) != isFace(old)) earlier = isFace(hit);
-    // Two that answer alike, as the sides of a joint do, are one.
+    // Two hits with the same response, as at the sides of a shared end, are one.
     const bool ties =
         together && (next.m_bTies || AreApart(i, next.m_bIsBall, next.m_nOther, old, isBall, other, hit));
     if (!next.m_bFound || earlier) next = {true, isBall, other, hit};

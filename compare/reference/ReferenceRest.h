@@ -115,8 +115,8 @@ CMatrix<T> CReference<T>::GetMasses() const {
   return masses;
 }
 
-// A contact has become permanent: what it takes from a ball others may have to give back. All lasting
-// contacts of these balls get the impulses with which nobody approaches any more.
+// A contact has become permanent: its impulse on a ball may need impulses of others. All lasting
+// contacts of these balls get the impulses after which none approaches any more.
 template <class T>
 void CReference<T>::Settle() {
   GatherHeld();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a ball may hit, as the exact reference sees it.
+// The geometry of a shape in the exact reference.
 #pragma once
 
 #include "Vec2.h"
@@ -8,8 +8,8 @@
 
 namespace Shapes::Compare {
 
-/// What a ball may hit. Points use m_vCenter, segments the ends, circles centre and radius, arcs all. An arc
-/// runs counterclockwise from end 0 to end 1, both on its circle.
+/// The geometry of a shape. Points use m_vCenter, segments the ends, circles centre and radius, arcs all. An
+/// arc runs counterclockwise from end 0 to end 1, both on its circle.
 template <class T>
 struct CShapeGeometry {
   eShape m_eShapeType = eShape::Unknown;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Exact time of impact of a ball that moves on a straight line, on a parabola or along a curve, against every
-// kind of shape (Sweeper.h tells what is solid). All results are in the world. Templates on the scalar, so
-// that double is checked by 50 digits.
+// kind of shape (Sweeper.h says which parts are solid). All results are in the world. Templates on the
+// scalar, so that double is checked by 50 digits.
 #pragma once
 
 #include "Sweeper.h"
@@ -38,7 +38,7 @@ template <class T>
 bool Sweep(const CShapeGeometry<T>& f, const CTurning<T>& turning, const CSweptBall<T>& mover, const T& tMax,
            CHit<T>& hit, eMeet meet = eMeet::Approaching) {
   using std::abs;
-  // As somebody sees it who moves with the figure.
+  // In the frame that moves with the figure.
   const CSweptBall<T> ball{mover.m_vPos, mover.m_vVel - turning.m_vVel, mover.m_fRadius, mover.m_vAcc,
                            mover.m_stdMore};
   const T size = GetExtent(f, ball, turning), w = turning.m_fSpeed;
@@ -46,7 +46,7 @@ bool Sweep(const CShapeGeometry<T>& f, const CTurning<T>& turning, const CSweptB
   const auto run = [&](const auto& path) {
     return CSweeper<std::decay_t<decltype(path)>>(path, ball.m_fRadius, meet, hit).Run(f);
   };
-  // What turns about its own centre and has no ends stays where it is.
+  // A shape without ends that turns about its own centre stays where it is.
   const bool isRound = f.m_eShapeType == eShape::Point || f.m_eShapeType == eShape::Circle || f.m_bFull;
   const bool turns = w != T(0) && !(isRound && f.m_vCenter == turning.m_vCenter);
   if (turns || !ball.m_stdMore.empty()) {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What a ball meets on its path. A hit is the first time at which the ball touches the shape AND approaches
+// Finds the first hit on the path of a ball: the first time at which the ball touches a shape AND approaches
 // it. The normal n is a unit vector from the shape to the ball.
 //
-// What is solid: points; both faces and the round ends of segments; the ring of a circle, met from outside,
+// Solid are points; both faces and the round ends of segments; the ring of a circle, met from outside,
 // and from inside by a ball that fits in (r < R; one that does not is always outside); arcs like rings in
 // their sector (one that does not fit meets only the ends from inside), and their round ends. A one-sided
 // segment or arc is met only by a centre on its solid side; one that comes from the open side passes, ends
 // included.
 //
-// A ball that overlaps at time 0 is hit at once if it approaches (m_bOverlapped). Otherwise it is let go, and
-// hit when it begins to approach, if its centre is on the solid side. The ends of one-sided shapes let a ball
-// that overlaps go in any case. Overlap is looked at in the beginning only.
+// A ball that overlaps at time 0 is hit at once if it approaches (m_bOverlapped). Otherwise it is ignored,
+// and hit when it begins to approach, if its centre is on the solid side. The ends of one-sided shapes ignore
+// a ball that overlaps in any case. Overlap is tested at the beginning only.
 #pragma once
 
 #include "ParabolicPath.h"
@@ -162,7 +162,7 @@ private:
     m_cHit.m_ePart = part;
     m_cHit.m_bGraze = x.m_bGraze;
     m_cHit.m_bBegins = x.m_bBegins;
-    // One that comes from clear of the shape does not overlap, whatever rounding says.
+    // One that comes from clear of the shape does not overlap, also after rounding.
     Overlap(x.m_bBegins ? T((m_cPath.GetPos(x.m_fTime) - poi).dot(n) - m_fRadius) : T(0));
   }
 
@@ -216,7 +216,7 @@ private:
     if (l0 >= T(0) && l0 <= L && side * s0 >= T(0)) {
       const T gap = side * s0 - m_fRadius;
       if (Start(gap, side * nhat, a + l0 * that, face(side), f.m_eSides)) return;
-      // Whoever leaves on a straight line never comes closer again: the segment is convex.
+      // A ball that leaves on a straight line never comes closer again, as the segment is convex.
       if (gap <= Touch() && !TPath::g_bCurves) return;
     }
 

@@ -23,7 +23,7 @@ CVec<T> Perp(const CVec<T>& v) {
   return {-v.y(), v.x()};
 }
 
-/// Length. Squares do not over- or underflow: whatever the library accepts is a float, and T has at least the
+/// Length. Squares do not over- or underflow: accepted values are floats, and T has at least the
 /// exponents of a double.
 template <class T>
 T Norm(const CVec<T>& v) {

@@ -43,8 +43,8 @@ std::string Rows(const CSceneReport& scene) {
   return text;
 }
 
-// What the balls do otherwise in the world with the effect toggled than in that which the scene calls for. Of
-// one that is forbidden it is said only what becomes worse.
+// Differences of the balls in the world with the effect toggled from that which the scene calls for. Of a
+// forbidden effect only those for the worse.
 class CChanges {
 public:
   CChanges(const CEffectCost& cost, std::size_t touches)

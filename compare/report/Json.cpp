@@ -75,7 +75,7 @@ ordered_json Settings(const CEngine& engine, const CScene& scene) {
   return settings;
 }
 
-// What of a scene an engine has to do something for.
+// The effects that a scene calls for, but Events and Continuous.
 ordered_json Features(const CScene& scene) {
   bool moves = false, senses = false;
   for (const CSceneShape& shape : scene.m_stdShapes) {

@@ -9,10 +9,10 @@
 namespace Shapes::Compare {
 namespace {
 
-// What a percentage shows at least.
+// The least percentage that is shown.
 constexpr double g_fLeastPercent = 0.0001;
 
-// Degrees that are told at least: a ball has to fly 57 metres until it is a millimetre aside.
+// The least degrees that are shown: a ball is a millimetre aside after 57 metres.
 constexpr double g_fLeastDegrees = 0.001;
 
 // Decimals with which a percentage shows two digits that matter; one from 1 on, four below 0.01.

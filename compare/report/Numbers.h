@@ -9,7 +9,7 @@
 
 namespace Shapes::Compare {
 
-/// What floats of about 1 do not show: errors of directions below it are rounding.
+/// Rounding of floats of about 1: errors of directions below it are noise.
 inline constexpr double g_fRounding = 1e-7;
 
 /// A length in radii, an angle, any size from 0 up: three decimals, one from 10 on, "2e-5" below what they
@@ -26,7 +26,7 @@ std::string RateText(std::size_t hits, std::size_t n);
 /// The same with half the width of its interval: "20.3% +-0.3".
 std::string RateTextWithError(std::size_t hits, std::size_t n);
 
-/// A time in five characters, whatever its size: "12345", "123k", "1e+07".
+/// A time of any size in five characters: "12345", "123k", "1e+07".
 std::string TimeText(double ns);
 
 /// 12.3456 as "12", 0.123 as "0.12": two digits that matter, never an exponent from 1e-4 to 1e15.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run found, and the forms in which it is handed out.
+// The results of a run, and their forms of output.
 #pragma once
 
 #include "Replay.h"
@@ -64,12 +64,11 @@ std::string MakeSummary(const CRunReport& report);
 /// Everything else as tables for a terminal, ASCII, at most 80 columns; MakeEffectTable is part of it.
 std::string MakeTable(const CRunReport& report);
 
-/// What each effect costs in each scene, and what changes in the result where it is forced or forbidden.
+/// The cost of each effect in each scene, and the changes of the result where it is forced or forbidden.
 /// Empty if none was measured.
 std::string MakeEffectTable(const CRunReport& report);
 
-/// What changes for the balls of a scene where an effect is forced or forbidden, a sentence each; of what can
-/// be told.
+/// Sentences about significant changes for the balls of a scene where an effect is forced or forbidden.
 std::vector<std::string> MakeEffectChanges(const CSceneReport& scene);
 
 /// The first things to know of one scene: which engine to take, and what it does; a sentence each,
@@ -83,12 +82,18 @@ std::string MakeResult(const CRunReport& report, const COverall& overall);
 /// Of run.json: it grows when a field changes its meaning or goes away.
 inline constexpr int g_nRunVersion = 5;
 
-/// run.json. docs/run_json.md describes it, compare/run.schema.json is its schema.
+/// run.json, as compare/run.schema.json describes it.
 std::string MakeJson(const CRunReport& report);
 /// The same for the page: in one line, and figures with six digits.
 std::string MakePageJson(const CRunReport& report);
 
-/// The shapes and trajectories of all scenes, for the replay in the report.
+/// The shapes and trajectories of all scenes, for the replay in the report: `engines` (names, the last is
+/// "exact") and `scenes`, each with name, time_step, bounds, radii of the balls, shapes, clips, unit and
+/// tracks. Points of a shape are its place, its two ends or its centre at angle 0; it has a center if it
+/// turns. A clip has for each engine the index of a track, which engines that fly alike share, a list of
+/// angles for each turning shape, and the frame of the worst contact, or 0. A track holds x and y of each
+/// ball, frame by frame, as second differences in units, with 0 before the first frame; where a ball has no
+/// place they are null, and it goes on from its last one.
 std::string MakeReplayJson(const CRunReport& report);
 
 /// contacts.csv: a row for each impact.

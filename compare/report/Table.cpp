@@ -37,7 +37,7 @@ std::string Rows(const CRunReport& report, const CSceneReport& scene) {
   return text;
 }
 
-// What the names of the engines stand for.
+// The meanings of the names of the engines.
 std::string Engines(const CRunReport& report) {
   std::string text = "Engines:";
   for (const CEngine& engine : report.m_stdEngines) {

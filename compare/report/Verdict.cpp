@@ -17,10 +17,11 @@ namespace {
 // The upper end of the interval of a time against the lower one, above which something else was running.
 constexpr double g_fDisturbed = 1.5;
 
-// What is too little to speak of: a rate of ghosts, of late responses, a relative change of the energy.
+// Least values that a sentence mentions: a rate of ghosts, of late responses, a relative change of the
+// energy.
 constexpr double g_fGhostsToTell = 0.001, g_fLateToTell = 0.02, g_fChangeToTell = 0.001;
 
-// What a sentence needs of an engine, of one scene or over all of them.
+// Figures of an engine for a sentence, of one scene or over all of them.
 struct CCase {
   const CEngineRow* m_pRow;
   std::size_t m_nLost;
@@ -96,7 +97,7 @@ public:
     return {Use(*take) + '.', Figures(*take) + '.'};
   }
 
-  // What else there is to tell.
+  // Sentences about further weaknesses.
   std::vector<std::string> Remarks() const {
     std::vector<std::string> parts;
     const auto& engines = m_cScene.m_stdEngines;
@@ -174,7 +175,7 @@ private:
                        price);
   }
 
-  // What it does, beside Box2D.
+  // Its figures, beside those of Box2D.
   std::string Figures(std::size_t e) const {
     const CCase& take = m_stdCases[e];
     const CCase* pBox2D = FindBox2D(m_stdCases);

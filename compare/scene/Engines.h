@@ -30,8 +30,7 @@ struct CEngine {
 
   /// The scene's world with these settings.
   CWorldDesc MakeWorldDesc(const CScene& scene) const;
-  /// What differs from the engine as it comes, to tell settings apart: "4 substeps, 10x scale";
-  /// "as it comes" if nothing does.
+  /// The differences from the engine as it comes: "4 substeps, 10x scale"; "as it comes" without any.
   std::string GetLabel() const;
 };
 
@@ -70,8 +69,8 @@ std::vector<CEngine> GetEngines();
 void RequireHeld(const CScene& scene, const std::vector<CEngine>& engines);
 
 /// The first engine that has another backend than the first of all; none if there is no such. Settings of one
-/// backend share their CollisionDetected, whatever effects and profile they have, so these two are held
-/// against each other.
+/// backend share their CollisionDetected, with any effects and profile, so these two are compared
+/// with each other.
 std::optional<std::size_t> FindOther(const std::vector<CEngine>& engines);
 
 std::optional<std::size_t> FindEngine(const std::vector<CEngine>& engines, std::string_view name);

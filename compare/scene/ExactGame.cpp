@@ -17,7 +17,7 @@ void CExactGame::Step() {
   CheckInterrupt();
   const double dt = static_cast<double>(m_cScene.m_cWorld.m_fTimeStep);
   m_fTime = m_fNextTime;
-  // What drained in the last step starts again now, so that its end could still be looked at.
+  // Balls that drained in the last step start again only now, so that callers see where it ended.
   for (const CExactEvent<double>& event : m_stdEvents)
     if (!event.m_bIsBall && m_cScene.m_stdShapes[event.m_nShape].m_bIsDrain)
       m_cReference.SetBall(event.m_nBall, ToDouble(m_cStart.m_stdBalls[event.m_nBall].m_vPos),

@@ -26,7 +26,7 @@ public:
   /// The balls at the beginning of the last step, and the scene time then.
   const std::vector<CDynamicCircleDesc>& GetBalls() const { return m_stdBalls; }
   double GetTime() const { return m_fTime; }
-  /// What happened in the last step.
+  /// The events of the last step.
   const std::vector<CExactEvent<double>>& GetEvents() const { return m_stdEvents; }
   /// The state at the end of the last step.
   const CReference<double>& GetReference() const { return m_cReference; }

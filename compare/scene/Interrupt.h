@@ -4,7 +4,7 @@
 
 namespace Shapes::Compare {
 
-/// Thrown where a run is to end. Not a std::exception, so that nobody takes it for an error.
+/// Thrown where a run is to end. Not a std::exception, so that no handler takes it for an error.
 struct CInterrupted {};
 
 /// From now on the first SIGINT is remembered and gives the signal its default action back. Where the caller

@@ -70,7 +70,7 @@ struct CScene {
   std::vector<CSceneBall> m_stdBalls;
 };
 
-/// What all descriptors have.
+/// The base of any descriptor.
 const CShapeDesc& GetBase(const CAnyShapeDesc& any);
 
 /// Whether a shape turns, by its rotation speed or by a flip.

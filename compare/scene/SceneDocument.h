@@ -21,7 +21,7 @@ CJson ParseSceneDocument(const std::string& file, const std::string& text);
 [[noreturn]] void RefuseField(const std::string& file, const CJsonPath& path, const std::string& expected,
                               const std::string& got);
 
-/// What stands at a path, for a message: the value, shortened if it is long, or "nothing".
+/// The value at a path for a message, shortened if it is long, or "nothing".
 std::string Got(const CJson& doc, const CJsonPath& path);
 
 } // namespace Shapes::Compare

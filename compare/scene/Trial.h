@@ -66,7 +66,7 @@ public:
         std::span<const CDynamicCircleDesc> balls, double time);
 
   void Step();
-  /// Whether balls that left the bounds start again (they do unless told otherwise) or fly on.
+  /// Whether balls that left the bounds start again (they do by default) or fly on.
   void SetPutBack(bool b) { m_bPutBack = b; }
 
   const CWorld& GetWorld() const { return *m_cWorld.m_pWorld; }

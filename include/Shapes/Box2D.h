@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For games that have a b2World of Box2D 2.4 of their own. Not part of Shapes.h: what is declared here is
-// there only where the library was built with Box2D (Shapes_WITH_BOX2D, component box2d).
+// For games that have a b2World of Box2D 2.4 of their own. Not part of Shapes.h, because it needs a library
+// that was built with Box2D (Shapes_WITH_BOX2D, component box2d).
 #pragma once
 
 #include <Shapes/SceneDesc.h>
@@ -19,27 +19,26 @@ namespace Shapes {
 ///     pWorld->PostStep();
 ///
 /// dt may differ from step to step. After PostStep contacts, events, positions and velocities are those of
-/// the step. A ball that met a body of the game has a contact event with no shape. What is different from
-/// other worlds:
+/// the step. The contact of a ball with a body of the game has no shape. Differences from other worlds:
 /// - Step, SaveState and LoadState of its world throw std::logic_error. The time step, the substeps, the
 ///   iterations and the gravity of the description are not used; the b2World has the gravity.
 /// - Gravity and Continuous run as the b2World has them (SetGravity, SetContinuousPhysics), and can be
 ///   neither forced nor forbidden. Events always runs unless forbidden: a ball may meet the game's bodies.
-/// - Changes throw std::logic_error between PreStep and PostStep, and in callbacks of Box2D. (What cannot be
-///   seen is a b2DestructionListener at work on a body that the game destroys: change nothing from there.)
+/// - Changes throw std::logic_error between PreStep and PostStep, and in callbacks of Box2D. (A
+///   b2DestructionListener for a body that the game destroys cannot be detected: change nothing from there.)
 /// - Tuned worlds leave the scale of the b2World as it is and cut no steps: m_nMovesClamped and
-///   m_nTurnsClamped count what Box2D slows down. The fixtures of tuned balls are larger than the balls by
-///   .00625 metres, by which they keep away from the game's bodies; from each other and from shapes they do
-///   not.
+///   m_nTurnsClamped count moves that Box2D slows down. The fixtures of tuned balls are larger than the balls
+///   by .00625 metres, by which they keep away from the game's bodies; from each other and from shapes they
+///   do not.
 ///
-/// What it has to do with the game:
+/// Effects on the game:
 /// - Fixtures have no friction and no restitution threshold; those of balls have the elasticity of the ball
-///   as their restitution, those of other shapes 0. This is mixed with the game's fixtures as the game does
-///   it. Two of Shapes' own meet by the product of their elasticities.
+///   as their restitution, those of other shapes 0. The game's rule mixes these with the game's fixtures. Two
+///   of Shapes' own collide by the product of their elasticities.
 /// - Where BallPairs is forbidden, the fixtures of balls have the group index -32768.
 /// - The user data of a fixture is the user pointer of its shape, that of a body 0.
 /// - It listens to contacts before the game's listener and passes all of them on, those of Shapes' bodies
-///   included. A listener that the game installs later is noticed in PreStep, and passed on to from then on.
+///   included. PreStep notices a listener that the game has installed since, and includes it.
 /// - A contact between two of Shapes' own that the game's listener disables is reported all the same.
 ///
 /// Life and death:
@@ -74,7 +73,7 @@ public:
   /// To be called after b2World::Step.
   /// @throws std::logic_error without PreStep, in a callback of Box2D, or if the b2World is gone
   void PostStep();
-  /// Whether the b2World is still there, as far as can be told from the bodies in it.
+  /// Whether the b2World is still there, judged by the bodies in it.
   bool IsAlive() const;
 
 private:
@@ -109,10 +108,10 @@ struct CImportOptions {
 ///   Box2D, within 4 ulp, where there are such elasticities. Else those of balls and shapes come first, and
 ///   what remains is fitted (least squares of logarithms).
 ///
-/// Whatever has no counterpart, or another effect, is in the notes, one sentence each that names the bodies:
+/// The notes have a sentence for everything without a counterpart or with another effect, naming the bodies:
 /// other dynamic bodies, joints, friction, damping, filters, thresholds, pairs of another restitution, and
 /// code of the game that takes part in collisions.
-/// docs/box2d_import.md has an example and the list of them.
+/// docs/box2d_import.md has an example and the list.
 ///
 /// @throws std::invalid_argument naming the option, or the body, the field and the value, that no shape can
 /// have

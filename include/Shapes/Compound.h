@@ -7,8 +7,8 @@
 
 namespace Shapes {
 
-/// Kinematic shapes that move and turn as one. The shapes belong to whoever made them and must live as long
-/// as the compound; it only points to them.
+/// Kinematic shapes that move and turn as one. The compound points to the shapes and does not own them;
+/// they must live as long as it does.
 class CCompoundShape : public CShapeCommon {
 public:
   /// Adds a shape. It gets the velocity, the rotation speed and the centre of the compound and is turned to

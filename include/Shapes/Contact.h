@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is known of one collision between a shape and a ball.
+// The contact of a shape and a ball.
 #pragma once
 
 #include <Shapes/ShapeMath.h>
@@ -9,7 +9,7 @@ namespace Shapes {
 class CShape;
 class CDynamicCircle;
 
-/// Made with the two shapes in question; the rest is filled in by CollisionDetected when it answers true.
+/// Made with two shapes; CollisionDetected fills in the rest when it returns true.
 class CContactDesc {
 public:
   CContactDesc(CShape* pShape, CDynamicCircle* pCircle) : m_pShape(pShape), m_pCircle(pCircle) {}

@@ -20,7 +20,7 @@ public:
   float m_fMass = 1.0f;
 };
 
-/// A ball. Solid: another ball meets it from outside only.
+/// A ball. It is solid: other balls collide with it from outside only.
 class CDynamicCircle : public CCircle {
 public:
   /// @throws std::invalid_argument naming the field that is not finite, negative or too large, or a mass of 0
@@ -28,7 +28,7 @@ public:
   std::unique_ptr<CShape> Clone() const override;
 
   float GetMass() const { return m_fMass; }
-  /// Where the ball was before the last move; its position if it was placed by SetPos since.
+  /// The position before the last move; the present one if the ball was placed by SetPos since.
   const Vector2& GetPrevPos() const { return m_vPrevPos; }
   /// Whether a response had to cut the speed of the ball to g_fMaxSpeed since it was made.
   bool GetSpeedCapped() const { return m_bSpeedCapped; }
@@ -36,7 +36,7 @@ public:
   /// One step: v += g dt, then p += v dt (semi-implicit Euler, which does not gain energy in a drop).
   void move() override;
 
-  /// Answers a collision that CollisionDetected has found with c.m_pCircle == this.
+  /// Responds to a collision that CollisionDetected has found with c.m_pCircle == this.
   /// Static shape: v -= (1+e)(v.n)n if approaching; p += setback n. Kinematic shape: the same in the frame of
   /// its surface at the POI. Ball: impulse (1+e) m1 m2/(m1+m2) of the approach speed along n, the setback
   /// shared by m_other/(m1+m2). e is the product of both elasticities. Nothing happens if either is a sensor.

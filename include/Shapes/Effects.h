@@ -8,25 +8,25 @@
 
 namespace Shapes {
 
-/// What runs only where it is called for. docs/effects.md has what each costs, on both engines.
+/// A part of the simulation. docs/effects.md has the costs.
 enum class eEffect {
   /// Balls fall. Called for by a gravity other than 0, where there is a ball.
   Gravity,
-  /// Shapes rotate, and the balls that they hit take on the velocity of their surface. Called for by a
-  /// kinematic shape with a rotation speed other
-  /// than 0; one that stands still is as cheap as a static one.
+  /// Shapes move and rotate, and the velocity of their surfaces counts in responses. Called for by a
+  /// kinematic shape with a velocity or a rotation speed other than 0; one that stands still is as cheap as a
+  /// static one.
   Kinematics,
   /// Balls meet balls. Called for by two balls that are solid: neither sensors nor turned off.
   BallPairs,
   /// CWorld::GetSensorEvents, and sensors in CWorld::GetContacts. Called for by a shape or a ball that is a
-  /// sensor, and by a ball that is still to be told that it has left one.
+  /// sensor, and by a touch whose end is not reported yet.
   Sensors,
-  /// CWorld::GetContacts. Called for wherever a ball can meet anything; forbid it where nobody reads them.
+  /// CWorld::GetContacts. Called for wherever a ball can collide; forbid it if the contacts are not read.
   Events,
-  /// Balls meet what is on their way when they are there, instead of what they overlap at the end of a
-  /// substep: none gets through a wall. On the native engine balls that fall fly on parabolas then, and only
-  /// those that something may be near to cost more than their flight. Called for wherever a ball can meet
-  /// anything. On Box2D this is its continuous physics; in a game's b2World the game decides.
+  /// Balls are swept: they collide where they first touch, instead of where they overlap at the end of a
+  /// substep, and do not push each other through shapes. On native balls fall on parabolas then, and only
+  /// those that something may be near to cost more than their flight. Called for wherever a ball can collide.
+  /// On Box2D this is its continuous physics; in a game's b2World the game decides.
   Continuous,
   /// CWorld::GetTouchEvents. Called for by nothing: force it where somebody reads them. It needs Events.
   Touches,
@@ -63,19 +63,19 @@ private:
   std::uint32_t m_nBits = 0;
 };
 
-/// What a description says of effects. An effect that is in neither set runs where it is called for.
+/// The forced and forbidden effects of a world. An effect in neither set runs where it is called for.
 struct CEffectChoice {
   CEffects m_cForced;    ///< They run in any case.
-  CEffects m_cForbidden; ///< They never run. What the world does not do then is the user's decision.
+  CEffects m_cForbidden; ///< They never run, also where the content calls for them.
   friend constexpr bool operator==(const CEffectChoice&, const CEffectChoice&) = default;
 };
 
-/// Whatever is called for: the default.
+/// The default: effects run where they are called for.
 inline constexpr CEffectChoice g_cAutomatic{};
-/// The cheapest way, that of the plain loop of a game: what balls overlap at the end of a substep is met.
-/// Fast ones get through walls.
+/// The cheapest: balls collide with shapes that they overlap at the end of a substep. Fast ones pass through
+/// walls.
 inline constexpr CEffectChoice g_cApproximate{{}, {eEffect::Continuous}};
-/// Balls always meet what is on their way.
+/// Balls are always swept.
 inline constexpr CEffectChoice g_cContinuous{{eEffect::Continuous}, {}};
 
 } // namespace Shapes

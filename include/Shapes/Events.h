@@ -18,13 +18,13 @@ struct CShapeId {
 /// A contact of a ball during the last Step. A sensor gives one for each ball that touched it at any time of
 /// a substep, with POI and normal at the end if they touch then, and else where they were closest.
 struct CContactEvent {
-  /// The shape that was met; of two balls the one that was added later. Null (the default) if the ball hit a
+  /// The shape; of two balls the one that was added later. Null (the default) if the ball hit a
   /// body that the game created in its b2World.
   CShapeId m_cShape;
   CShapeId m_cBall; ///< The ball; of two balls the one that was added first.
   Vector2 m_vPOI;   ///< Point of impact, user units.
   Vector2 m_vNorm;  ///< Unit normal from the shape to the ball.
-  /// Native: how far along the normal the ball was set back. Box2D worlds do not, sensors do not: 0.
+  /// Native: distance along the normal by which the ball was set back. 0 on Box2D and of sensors.
   float m_fSetback = 0.0f;
   /// Approach speed before the response, units per second, at least 0. Of sensors by the path of the ball,
   /// whose places are rounded.

@@ -8,13 +8,13 @@ namespace Shapes {
 /// such points (at most 8e36) stays finite in float. Anything larger is refused.
 inline constexpr float g_fMaxLength = 1e18f;
 
-/// Smallest length unit of Box2D, in user units per metre: a metre divided by it stays finite, and what Box2D
-/// holds does not become 0 in user units. Anything smaller is refused.
+/// Smallest length unit of Box2D, in user units per metre: a metre divided by it stays finite, and lengths in
+/// Box2D do not become 0 in user units. Anything smaller is refused.
 inline constexpr float g_fMinLengthUnit = 1e-18f;
 
 /// Largest speed, in units per second. A response that would exceed it (elasticity above 1 between two walls
 /// doubles the speed at each hit) is cut to it and flagged: CDynamicCircle::GetSpeedCapped, CWorldStats. So
-/// is what gravity gives in a world.
+/// is a speed from gravity in a world.
 inline constexpr float g_fMaxSpeed = 1e18f;
 
 /// Range of masses. The sum of two and the inverse of each stay finite.
@@ -35,10 +35,9 @@ inline constexpr float g_fMaxRotSpeed = 1e9f;
 /// Most substeps in one step: 64 times the most that shapes-compare tries.
 inline constexpr unsigned g_nMaxSubsteps = 4096;
 
-/// Most impacts of a ball in a substep where Continuous runs: bounds time. A ball that has had as many stays
-/// where it is for the rest of the substep, or goes along with the turning shape that it has met last, and is
-/// counted: CWorldStats::m_nBallsHalted. In a pile of balls under gravity a sixteenth of these impacts is
-/// enough.
+/// Most impacts of a ball in a substep where Continuous runs: bounds time. After as many a ball stays for the
+/// rest of the substep, or goes along with the moving shape that it touched last, and
+/// CWorldStats::m_nBallsHalted counts it. In a pile of balls under gravity the limit is a sixteenth of this.
 inline constexpr unsigned g_nMaxImpacts = 256;
 
 /// A ball and what it has touched touch on as long as they are no farther apart than this, in radii of the

@@ -9,13 +9,13 @@
 
 namespace Shapes {
 
-/// A world, its shapes and its balls, and what is known of where they came from.
+/// A world, its shapes and its balls, with notes on their origin.
 class CSceneDesc {
 public:
   CWorldDesc m_cWorld;
   std::vector<CAnyShapeDesc> m_stdShapes; ///< Static and kinematic shapes.
   std::vector<CDynamicCircleDesc> m_stdBalls;
-  std::vector<std::string> m_stdNotes; ///< Whole sentences, such as what the scene does not reproduce.
+  std::vector<std::string> m_stdNotes; ///< Whole sentences, such as differences from an imported world.
 
   /// Adds everything, the shapes first, and gives the ids in this order. Gravity and time step stay those of
   /// the world: make it from m_cWorld.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all shapes have in common, and the descriptors from which they are made.
+// The base class of all shapes, and that of the descriptors from which they are made.
 #pragma once
 
 #include <Shapes/Aabb2D.h>
@@ -15,8 +15,8 @@ class CContactDesc;
 
 enum class eShape { Unknown, Point, Line, LineSeg, Circle, Arc };
 
-/// Static shapes stay, kinematic shapes move and turn as told, dynamic shapes (balls) move and respond. Size
-/// counts them.
+/// Static shapes stay, kinematic shapes move and turn at given speeds, dynamic shapes (balls) move and
+/// respond. Size counts them.
 enum class eMotion { Static, Kinematic, Dynamic, Size };
 
 /// Which faces of a segment or an arc are solid. Front is the side to which the normal points: to the left of
@@ -33,9 +33,8 @@ protected:
   static float m_fTimeStep; ///< Seconds per call of move. Default 1/60.
 };
 
-/// What every descriptor has. Values are checked where a shape is made from them, not here: NaN, infinite,
-/// negative or overflowing values are refused there with std::invalid_argument naming the field and the
-/// value.
+/// Base of all descriptors. Shapes check the values when they are made: NaN, infinite, negative or
+/// overflowing values are refused with std::invalid_argument naming the field and the value.
 class CShapeDesc {
 public:
   eShape m_eShapeType = eShape::Unknown; ///< Set by the constructors of the derived descriptors.
@@ -161,7 +160,7 @@ private:
   virtual Vector2 TurnFromStart(const Vector2& center, float angle);
   virtual void BackToStart();
   Vector2 Moved(const Vector2& start) const { return (start.cast<double>() + m_vMoved).cast<float>(); }
-  // Box and whatever else follows from the pose; ends every change of it.
+  // Recomputes the box and all that depends on the pose; ends every change of it.
   virtual void Update() = 0;
 
   eShape m_eShapeType;

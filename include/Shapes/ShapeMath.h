@@ -4,10 +4,9 @@
 //
 // Error bounds, here and beside every geometric function: n ulp of a length are n 2^-23 of that length, and
 // of a sum of lengths likewise. The error of a vector is the length of the difference. Arguments count as
-// exact;
-// "|p|" is the distance of p from the origin. The bounds are for lengths from 1e-18 to g_fMaxLength, where no
-// product underflows, unless it says more. Where the answer is yes or no, it is right for all arguments that
-// are farther than the bound from where it changes.
+// exact; "|p|" is the distance of p from the origin. The bounds are for lengths from 1e-18 to g_fMaxLength,
+// where no product underflows, unless it says more. Where the answer is yes or no, it is right for all
+// arguments that are farther than the bound from where it changes.
 #pragma once
 
 #include <Eigen/Core>
@@ -40,9 +39,8 @@ float Length(const Vector2& v);
 
 /// Unit vector along v: each component within 1 ulp of itself (2^-149 where it is denormal) and the length
 /// within 1 ulp of 1, for every finite v that is not zero, denormal or huge ones included.
-/// @param fallback  what the zero vector gives; a unit vector. Up by default, so that whatever is pushed
-/// along
-///                  it is not pushed into the floor.
+/// @param fallback  the result for the zero vector, a unit vector. Up by default, so that nothing is pushed
+///                  along it into the floor.
 Vector2 Normalize(const Vector2& v, const Vector2& fallback = Vector2(0.0f, 1.0f));
 
 /// Component of v parallel to w, that is (v.w / w.w) w; zero if w is zero. Error at most 3 ulp of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counters of a world, which show what ran and what did not.
+// Counters of a world: steps, effects that ran, and the work in them.
 #pragma once
 
 #include <Shapes/Effects.h>
@@ -22,7 +22,7 @@ struct CWorldStats {
   std::uint64_t m_nShapeTests = 0; ///< Native: pair kernels called for a ball and a shape that is not a ball.
   std::uint64_t m_nBallTests = 0;  ///< Native: pair kernels called for two balls.
   std::uint64_t m_nSweeps = 0;     ///< Native: times of impact looked for, of a ball with a shape or a ball.
-  std::uint64_t m_nBallsSwept = 0; ///< Native: balls that had something on their path, once for each substep.
+  std::uint64_t m_nBallsSwept = 0; ///< Native: balls with an obstacle on their path, once for each substep.
   std::uint64_t m_nBallsHalted =
       0; ///< Native: balls that had more than g_nMaxImpacts in a substep, and stayed where they were then.
   /// Native, where Continuous does not run: times that a ball with a velocity stayed where it was, because

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Worlds: descriptors go in, ids come out, Step moves everything, contacts come out as an array.
+// Worlds: they own shapes, move them by Step, and report contacts.
 #pragma once
 
 #include <Shapes/Backend.h>
@@ -56,18 +56,18 @@ public:
 
   /// Moves everything by the time step of the description.
   void Step();
-  /// The contacts of the last Step, in the order in which they were responded to; after those of each substep
-  /// what sensors saw in it, by ball and then by shape. Valid until the next change.
+  /// The contacts of the last Step, in the order of their responses; those of sensors follow at the end of
+  /// each substep, by ball and then by shape. Valid until the next change.
   std::span<const CContactEvent> GetContacts() const;
-  /// What sensors saw in the last Step, in the order in which it happened, substep by substep; within one by
-  /// ball and then by shape. A ball that crosses a sensor within a step is seen too: it begins and ends.
+  /// Begins and ends of touches of sensors in the last Step, substep by substep, within one in the order of
+  /// ball and then by shape. A ball that crosses a sensor within a step gives both.
   std::span<const CSensorEvent> GetSensorEvents() const;
   /// What solid shapes and balls began or ceased to touch in the last Step, substep by substep; within one by
   /// ball and then by shape. Empty unless the description forces eEffect::Touches.
   std::span<const CTouchEvent> GetTouchEvents() const;
   const CWorldStats& GetStats() const;
 
-  /// What the next substep will simulate, from what is in the world now.
+  /// The effects of the next substep, from the present content of the world.
   CEffects GetEffects() const;
   /// The same in words: a line for each effect with its name, whether it runs, and why. "Kinematics: runs; 2
   /// shapes move or rotate".
@@ -111,8 +111,8 @@ public:
   // Of balls and kinematic shapes.
   /// Units per second; (0, 0) of a static shape.
   const Vector2& GetVel(CShapeId id) const;
-  /// A kinematic shape moves by it with its rotation centre, through whatever is there, and pushes balls;
-  /// beyond the limits of the engine it goes no farther. Moved by SetPos instead it would have no speed.
+  /// A kinematic shape moves by it with its rotation centre, through other shapes, and pushes balls; it stops
+  /// at the limits of the engine. A shape that is moved by SetPos has no speed.
   /// @throws std::invalid_argument if v is not finite or faster than the engine can go
   void SetVel(CShapeId id, const Vector2& v);
 
@@ -131,8 +131,8 @@ public:
   CSavedState SaveState();
   /// The ids are those of the state from then on. Where another world has saved it, an id that this one has
   /// given before may name another shape in it.
-  /// @throws std::invalid_argument if the state was made by nobody (default constructed), or if this
-  /// world cannot hold what another one saved; nothing has changed then
+  /// @throws std::invalid_argument if the state is default constructed, or if this world cannot hold the
+  /// state of another one; nothing has changed then
   void LoadState(const CSavedState& state);
 
 private:

@@ -14,7 +14,7 @@
 
 namespace Shapes {
 
-/// How Box2D is used. docs/box2d_differences.md has the figures.
+/// Profiles of Box2D. docs/box2d_differences.md has the figures.
 enum class eProfile {
   Shipped, ///< As Box2D ships: only elasticity (the product of both), friction (none), spin of balls (none)
            ///< and sleep (never) are the library's; and an effect that is not called for is off.

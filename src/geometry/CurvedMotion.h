@@ -61,7 +61,7 @@ public:
       double step;
       if (gap > touch)
         step = SafeStep(Nearing(feature, gap, rate), end);
-      else if (armed) // let go: until it begins to approach
+      else if (armed) // ignored until it begins to approach
         step =
             std::max(SlowStep(Nearing(feature, gap, rate), end), bendStep(std::max(touch, -g_fDeeper * gap)));
       else
@@ -69,7 +69,7 @@ public:
 
       if (armed && rate < -slow && (gap <= touch || step <= tick)) {
         if (counts(ball.m_vPos)) {
-          // What is left of the gap.
+          // The time that the rest of the gap takes.
           t = std::min(now + std::min(Quotient(std::max(gap, 0.0), -rate, end), least), end);
           return eSweep::Impact;
         }

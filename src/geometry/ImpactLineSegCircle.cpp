@@ -18,8 +18,8 @@ void ImpactLineSegCircle(CImpactSearch<TMotion>& search) {
   const auto beyond1 = [&, t = whole.Along()](const Vector2d& p) { return t.dot(p - p1); };
   const auto between = [&](const Vector2d& p) { return beyond0(p) <= touch && beyond1(p) <= touch; };
   search.KeepEarliest(face, search.GetBallRadius(), between);
-  // ... and the ends elsewhere. These let go whatever overlaps them; what slides off the face is not beyond
-  // them where it would touch them.
+  // ... and the ends elsewhere. These ignore balls that overlap them; a ball that slides off the face is not
+  // beyond them where it would touch them.
   const auto solid = [&](const Vector2d& p) { return face.m_vNorm.dot(p - p0) >= -touch; };
   search.KeepEarliest(CDisk{p0, 0.0}, touch,
                       [&](const Vector2d& p) { return beyond0(p) >= -touch && solid(p); });

@@ -54,7 +54,7 @@ public:
   eSweep GetFound() const { return m_eFound; }
 
   /// Keeps the first. `counts` says where the centre has to be; a ball that overlaps by more than `deepest`
-  /// is let go until it is clear.
+  /// is ignored until it is clear.
   template <class TFeature, class F>
   void KeepEarliest(const TFeature& feature, double deepest, const F& counts) {
     double t = m_cImpact.m_fTime;

@@ -11,7 +11,7 @@
 
 namespace Shapes::Geometry {
 
-/// What counts as touching, and as no speed.
+/// The gap that counts as touching, and the speed that counts as none.
 struct CRoundings {
   double m_fTouch, m_fSlow;
 
@@ -33,7 +33,7 @@ eSweep MeetAt(const TMotion& motion, double above, double below, const F& counts
 
 /// TimeOfImpact(feature, deepest, counts, t): whether the ball touches and approaches the feature at some
 /// time up to t, and the first such time in t. Then `counts` says of the place of the centre whether the
-/// feature is solid there. A ball that overlaps by more than `deepest` is let go.
+/// feature is solid there. A ball that overlaps by more than `deepest` is ignored.
 class CLinearMotion {
 public:
   CLinearMotion(const CMotion& motion, const CRoundings& roundings)
@@ -81,7 +81,7 @@ public:
       aside = reach;
     }
     const double root = std::sqrt(reach - aside) * std::sqrt(reach + aside);
-    // What touches and rolls along it is there already: how fast it comes closer is rounding.
+    // A ball that touches and rolls along it is there already; its approach speed is rounding.
     if (b > 0.0) return MeetAt(*this, gap > GetTouch() ? gap * (R + dist) : 0.0, b + root, counts, t);
     return MeetAt(*this, root - b, speed * speed, counts, t);
   }

@@ -31,8 +31,8 @@ public:
     const CSpot spot = feature.At(ball);
     const double touch = GetTouch(), a = feature.m_vNorm.dot(GetMotion().m_vAcc), rate = spot.Rate(ball);
     const double gap = spot.m_fGap;
-    // One that touches is there at once, or when gravity has turned it round. One that began deeper is let go
-    // until it is clear, or begins to approach.
+    // One that touches is there at once, or when gravity has turned it round. One that began deeper is
+    // ignored until it is clear, or begins to approach.
     const bool isTouching = gap <= touch, isLetGo = gap < -std::max(deepest, touch);
     if (isTouching && !isLetGo) {
       if (rate < -m_cRoundings.m_fSlow) return MeetAt(*this, 0.0, 1.0, counts, t);

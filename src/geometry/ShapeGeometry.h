@@ -50,7 +50,7 @@ CShapeGeometry MakeShapeGeometry(const CShape& shape, double turnSpeed);
 CShapeGeometry RotatedFor(const CShapeGeometry& shape, double time);
 
 /// Whether p is surely farther than `distance` from where the shape is after it has moved for `time` seconds.
-/// Of what turns, and of places beside an arc but out of its sector, it does not tell: cheaper than to look.
+/// False for turning shapes, and for places beside an arc but out of its sector, to stay cheap.
 /// Roundings of the kernels are allowed for.
 bool IsFarFrom(const CShapeGeometry& shape, const Vector2d& p, double time, double distance);
 

@@ -31,14 +31,14 @@ eSweep Run(const CShapeGeometry& shape, const TMotion& motion, double end, CImpa
   return search.GetFound();
 }
 
-// As somebody sees it who moves with the shape.
+// In the frame that moves with the shape.
 CMotion Relative(CMotion motion, const CShapeGeometry& shape, double start) {
   motion.m_vPos -= start * shape.m_vVel;
   motion.m_vVel -= shape.m_vVel;
   return motion;
 }
 
-// The impact on a shape that has moved for `time` seconds, as seen by somebody who rests.
+// The impact on a shape that has moved for `time` seconds, in the frame at rest.
 void Complete(const CShapeGeometry& shape, double time, CImpact& impact) {
   impact.m_vPOI += time * shape.m_vVel;
   impact.m_vSurface = shape.GetSurfaceVelocity(impact.m_vPOI, time);

@@ -8,14 +8,14 @@
 // not fit meets only the ends from inside), and their round ends. A one-sided segment or arc is met only by a
 // centre on its solid side; one that comes from the open side passes, ends included.
 //
-// A ball that touches or overlaps at the beginning is met at once if it approaches. Otherwise it is let go,
+// A ball that touches or overlaps at the beginning is met at once if it approaches. Otherwise it is ignored,
 // and met when it begins to approach: never on a straight way from a convex feature; at a turning shape
-// before it is deeper by a ten-thousandth of the overlap. The ends of one-sided shapes let go whatever
-// overlaps them. Gaps up to g_nSweepRoundings roundings of the coordinates are touching, and approach speeds
-// up to as many roundings of the speeds are none.
+// before it is deeper by a ten-thousandth of the overlap. The ends of one-sided shapes ignore balls
+// that overlap them. Gaps up to g_nSweepRoundings roundings of the coordinates are touching, and approach
+// speeds up to as many roundings of the speeds are none.
 //
-// Coordinates and speeds may be whatever the library accepts and what follows from it (up to 1e28, durations
-// up to 1e6 seconds): nothing overflows or is NaN.
+// Coordinates and speeds may be as large as accepted values make them (up to 1e28, durations up to 1e6
+// seconds): nothing overflows or is NaN.
 #pragma once
 
 #include "ShapeGeometry.h"
@@ -54,8 +54,8 @@ struct CImpact {
 enum class eSweep {
   None,
   Impact,
-  /// Nothing is met before m_fTime, of the impact only this is set. What comes then was not looked at: the
-  /// shape turns so often that g_nMaxAdvancementSteps were not enough. A motion that begins there can go on.
+  /// No impact before m_fTime, of the impact only this is set. The time after it is not searched: the shape
+  /// turns so often that g_nMaxAdvancementSteps were not enough. A motion that begins there can go on.
   OutOfIterations
 };
 

@@ -158,7 +158,7 @@ void CNativeEngine::CollideWithShape(std::size_t i, const CShapeEntry& entry) {
   Count(CapSpeed(b.m_stdVel[i]));
 }
 
-// Where each is now, and a bit around it, so that not every response has to be told of.
+// A disc around each ball with some margin, so that not every response has to update the grid.
 void CNativeEngine::BuildDiscGrid() {
   const CBallArrays& b = m_cState.m_cBalls;
   m_stdDiscs.clear();

@@ -7,7 +7,7 @@
 namespace Shapes {
 namespace {
 
-// The edges of an empty box, turned inside out: whatever is added to it is all that it contains.
+// The edges of an empty box, turned inside out: after adding a point it contains that alone.
 constexpr float g_fEmptyEdge = std::numeric_limits<float>::infinity();
 
 } // namespace

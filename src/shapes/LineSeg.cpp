@@ -112,7 +112,7 @@ void CLineSeg::BackToStart() {
 void CLineSeg::Update() {
   m_vTangent = Tangent(m_vPt0, m_vPt1);
   // From the ends as they were rounded: a normal that is not across the segment would see balls that are far
-  // from it. What m_vNormal was says which of the two it is.
+  // from it. The former m_vNormal selects one of the two.
   const Vector2 left = perp(m_vTangent);
   m_vNormal = left.dot(m_vNormal) < 0.0f ? Vector2(-left) : left;
   SetLine(m_vPt0, m_vTangent);

@@ -4,8 +4,8 @@
 namespace Shapes {
 namespace {
 
-// What a response adds along n. Finite: the surface of a shape far from its centre may be faster than any
-// ball. CapSpeed does the rest.
+// The velocity that a response adds along n. It is cut to stay finite, as the surface of a shape far from its
+// centre may be faster than any ball; CapSpeed does the rest.
 template <class T>
 T NormalImpulse(T e, T vn) {
   return (T(1) + e) * std::max(vn, -T(g_fMaxApproach));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How balls move and answer collisions: one home for the shapes' level and the worlds, so that both have the
+// Motion and response of balls: one home for the shapes' level and the worlds, so that both have the
 // same bits. n is the unit normal from the shape to the ball, e the product of both elasticities.
 #pragma once
 

@@ -47,7 +47,7 @@ void MakeRotatedPath(CBallPath path, const Vector2d& center, double turn, const 
 /// p turned about center.
 Vector2d Turn(const Vector2d& p, const Vector2d& center, double angle);
 
-/// What a sensor watches: a point, a segment or an arc with their ends, or a disk.
+/// The zone of a sensor: a point, a segment or an arc with their ends, or a disk.
 class CZone {
 public:
   /// A circle is the disk in it; sides do not matter.

@@ -35,7 +35,7 @@ CEffects GetCalledFor(const CContent& content, const CWorldState& state);
 
 /// A line for each effect: its name, whether it runs, and why.
 /// @param engineNeeds  run in this engine wherever they are not forbidden
-/// @param byHost       are for the program around the world to decide
+/// @param byHost       set by the host, the owner of the b2World
 std::string Explain(CEffects running, const CEffectChoice& choice, CEffects engineNeeds, CEffects byHost,
                     const CContent& content, const CWorldState& state);
 

@@ -28,7 +28,7 @@ std::string Quoted(std::string_view text) {
   return json += '"';
 }
 
-// Who reads JSON goes through double, and so rounds twice. Of the shortest texts of all floats that changes
+// Readers of JSON go through double, and so round twice. Of the shortest texts of all floats that changes
 // 7.038531e-26 alone, which is written as the double that it is.
 std::string Number(float value) {
   std::string text = ToText(value);

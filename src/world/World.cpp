@@ -48,7 +48,7 @@ std::unique_ptr<CShape> MakeShape(const CDynamicCircleDesc&) {
 }
 
 void RequireExtent(const CWorldLimits& limits, const CAabb2D& box) {
-  // A world without limits of its own takes whatever a shape takes, a box that reaches twice as far included.
+  // A world without limits of its own takes every shape, also with a box that reaches twice as far.
   if (limits.m_fMaxLength == g_fMaxLength) return;
   for (const Vector2& corner : {box.GetTopLeft(), box.GetBottomRt()})
     RequireVector("m_vPos and extent (a corner of the box of the shape)", corner, limits.m_fMaxLength);
@@ -67,7 +67,7 @@ void RequireBall(const CWorldLimits& limits, const Vector2& p, float r, const Ve
 }
 
 void RequireState(const CWorldLimits& limits, const CWorldState& state) {
-  // A world of the same limits can go on with whatever another one has come to hold.
+  // A world can load any state of another one with the same limits.
   if (state.m_cLimits == limits) return;
   RequireVector("m_vGravity", state.m_vGravity, limits.m_fMaxSpeed);
   for (const CShapeEntry& entry : state.m_stdShapes)

@@ -68,7 +68,7 @@ public:
   /// @return false if there is none of that id
   bool Remove(CShapeId id);
   /// Applies `change` to a shape that is not a ball, or to a ball (the arrays and its index), counts what
-  /// effects depend on anew, and tells the engine. Where `change` throws nothing has changed.
+  /// effects depend on anew, and informs the engine. Where `change` throws nothing has changed.
   template <class F>
   void ChangeShape(CShapeEntry& entry, eChange what, const F& change);
   template <class F>

@@ -39,7 +39,7 @@ struct CBallArrays {
   bool IsSolid(std::size_t i) const { return m_stdCanCollide[i] && !m_stdSensor[i]; }
   void Add(CShapeId id, const CDynamicCircleDesc& desc);
   void Remove(std::size_t i);
-  /// As somebody else than the engine does.
+  /// As a user of the world does, not the engine.
   void SetPos(std::size_t i, const Vector2& p) {
     m_stdPos[i] = m_stdPrevPos[i] = p;
     m_stdPosTail[i] = Vector2::Zero();
@@ -96,7 +96,7 @@ struct CShapeEntry {
     m_pShape->SetVel(drive.m_vVel);
     m_pShape->SetRotSpeed(drive.m_fRotSpeed);
   }
-  /// Stands still whatever its speeds.
+  /// The shape stands still despite its speeds.
   void SetHeld(bool b) {
     m_bIsHeld = b;
     SetVel(m_vVel);

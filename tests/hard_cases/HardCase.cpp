@@ -23,7 +23,7 @@ CExpect RightWithin(double bound, const std::string& derivation) {
   return {CExpect::eKind::Right, 0.0, bound, "right: " + derivation};
 }
 CExpect Deviates(double least, double most, const std::string& figureAndReason) {
-  return {CExpect::eKind::Deviates, least, most, "**" + figureAndReason + "**"};
+  return {CExpect::eKind::Deviates, least, most, figureAndReason};
 }
 CExpect Refused(const std::string& words) { return {CExpect::eKind::Refused, 0.0, 0.0, words}; }
 CExpect NotAsked(const std::string& why) { return {CExpect::eKind::NotAsked, 0.0, 0.0, why}; }

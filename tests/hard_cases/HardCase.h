@@ -16,14 +16,14 @@
 
 namespace Shapes::HardCases {
 
-/// Who is asked. Native is its approximate mode, Continuous its continuous one; Box2D is as it ships, Tuned
+/// The engines. Native is its approximate mode, Continuous its continuous one; Box2D is as it ships, Tuned
 /// its tuned profile; Reference is the exact reference in double.
 enum class eColumn { Native, Continuous, Box2D, Tuned, Reference, Size };
 inline constexpr std::size_t g_nColumns = static_cast<std::size_t>(eColumn::Size);
 /// "native", "continuous", "box2d", "tuned", "reference".
 const char* GetName(eColumn column);
 
-/// What one of them is expected to make of a case.
+/// The expected result of an engine in a case.
 struct CExpect {
   enum class eKind {
     Right,    ///< Its error is at most the bound of the case, or m_fMost if that is not 0.
@@ -34,7 +34,8 @@ struct CExpect {
   eKind m_eKind;
   double m_fLeast;
   double m_fMost;
-  /// What the table says: of what deviates the figure and the reason, of a wider bound its derivation.
+  /// Of a deviation its figure and reason, for the table; of a wider bound its derivation, shown by a failing
+  /// test.
   std::string m_sText;
 };
 
@@ -54,7 +55,7 @@ struct CHardCase {
   /// numbers are floats. The right answer is that to the input rounded to float.
   double m_fBound;
   double m_fFloatBound;
-  std::string m_sBound; ///< Both bounds and where they come from, for the table: "8 roundings of t".
+  std::string m_sBound; ///< Both bounds and their origin, shown by a failing test: "8 roundings of t".
   std::array<CExpect, g_nColumns> m_stdExpect;
   /// The error of one of them, at least 0; infinity where nothing was found that had to be, or the other way
   /// round. Exceptions of the library pass through.
@@ -82,16 +83,16 @@ std::vector<CHardCase> SimultaneousCases();
 std::vector<CHardCase> JointCases();
 std::vector<CHardCase> LongRunCases();
 
-/// What a world of that column is made of; not for Reference.
+/// The description of a world of that column; not for Reference.
 CWorldDesc Desc(eColumn column, const Vector2& gravity = Vector2::Zero(), float dt = 1.0f / 60.0f);
 std::unique_ptr<CWorld> MakeWorld(eColumn column, const CWorldDesc& desc);
 
-/// The error of what did not happen.
+/// The error of an event that did not happen.
 inline constexpr double g_fNever = std::numeric_limits<double>::infinity();
 /// Of two points or vectors; g_fNever if either is not finite.
 double Distance(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
-/// docs/hard_cases.md, from the cases alone.
+/// The text of docs/hard_cases.md: the cases in which an engine deviates, and counts of the others.
 std::string MakeTable(const std::vector<CHardCase>& cases);
 
 } // namespace Shapes::HardCases

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every hard case, on everybody who can be asked.
+// Every hard case on every engine.
 #include "HardCase.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 class CEveryColumn : public testing::TestWithParam<std::tuple<CHardCase, eColumn>> {};
 
-TEST_P(CEveryColumn, MakesOfItWhatTheTableSays) {
+TEST_P(CEveryColumn, IsWithinItsBoundOrDeviatesAsExpected) {
   const auto& [hard, column] = GetParam();
   const CExpect& expect = hard.m_stdExpect[static_cast<std::size_t>(column)];
   const double bound = column == eColumn::Reference ? hard.m_fBound : hard.m_fFloatBound;
@@ -34,7 +34,8 @@ TEST_P(CEveryColumn, MakesOfItWhatTheTableSays) {
   const double error = hard.m_fnError(column);
   if (expect.m_eKind == CExpect::eKind::Right) {
     EXPECT_GE(expect.m_fMost == 0.0 ? bound : expect.m_fMost, bound) << "a wider bound is wider";
-    EXPECT_LE(error, expect.m_fMost == 0.0 ? bound : expect.m_fMost);
+    EXPECT_LE(error, expect.m_fMost == 0.0 ? bound : expect.m_fMost)
+        << hard.m_sBound << "; " << expect.m_sText;
   } else {
     EXPECT_GT(expect.m_fLeast, bound) << "what is within the bound does not deviate";
     EXPECT_GE(error, expect.m_fLeast);
@@ -42,7 +43,7 @@ TEST_P(CEveryColumn, MakesOfItWhatTheTableSays) {
   }
 }
 
-/// All but those who have no such question.
+/// Each case with each engine that it applies to.
 std::vector<std::tuple<CHardCase, eColumn>> Asked() {
   std::vector<std::tuple<CHardCase, eColumn>> asked;
   for (const CHardCase& hard : AllCases())
@@ -73,7 +74,7 @@ TEST(HardCasesTest, NamesAreUnique) {
 }
 
 // SHAPES_WRITE_TABLE=1 writes the file instead.
-TEST(HardCasesTest, DocumentIsWhatTheTestsSay) {
+TEST(HardCasesTest, DocumentIsMadeOfTheCases) {
   const std::string path = SHAPES_SOURCE_DIR "/docs/hard_cases.md", table = MakeTable(AllCases());
   if (std::getenv("SHAPES_WRITE_TABLE") != nullptr) {
     std::ofstream(path, std::ios::binary) << table;

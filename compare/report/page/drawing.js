@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Draws shapes, balls and their ways.
+// Draws shapes, balls and their paths.
 const Drawing = (() => {
-  // What coincides can be told apart: the exact way is broad and lies below, the others are broken over it,
-  // each in the gaps of the others: all have the same period.
+  // Paths that coincide stay visible: the exact one is broad and below, the others are dashed with the same
+  // period, each in the gaps of the others.
   const dash = 4.5, slot = 6;
   function lineOf(name) {
     const engines = Data.tracks.filter((track) => track !== 'exact'), i = engines.indexOf(name);
@@ -174,7 +174,7 @@ const Drawing = (() => {
     ctx.lineDashOffset = 0;
   }
 
-  /** What has to be in the picture: shapes and ways, as far as they are in the bounds. */
+  /** The box of the picture: shapes and paths, as far as they are in the bounds. */
   function boxOf(scene, clip) {
     const xs = [], ys = [];
     const add = (x, y, r) => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each effect costs in a scene, and what changes where it is forced or forbidden.
+// The cost of each effect in a scene, and the changes where it is forced or forbidden.
 const Effects = (() => {
   const {el, num, bothAngles, rate, percent, dash, isNumber} = Format;
   const {list} = Data;
@@ -31,7 +31,7 @@ const Effects = (() => {
     return [a === b ? 'none' : more(a / b), ' ', el('span', {class: 'interval'}, `(${num(a)} / ${num(b)})`)];
   }
 
-  /** What is said of a world; one value where both have the same. */
+  /** The text of a world's figures; one value where both have the same. */
   function figure(row, scene, of) {
     const [a, b] = [row.with, row.without].map((world) => (world ? of(world, scene) : dash));
     return el('td', {class: a === b ? null : 'differs'}, a === b ? a : `${a} / ${b}`);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers for people, and elements of the page. What is no number is a dash, never NaN.
+// Numbers for people, and elements of the page. A missing number is a dash, never NaN.
 const Format = (() => {
   const dash = '\u2013';
   const superscripts = {

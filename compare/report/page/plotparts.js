@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all plots share: colours of the page, logarithmic axes, and what Chart.js does not draw by itself.
+// Parts of all plots: colours of the page, logarithmic axes, and drawings that Chart.js does not have.
 const PlotParts = (() => {
   const {el, isNumber} = Format;
 
@@ -27,11 +27,11 @@ const PlotParts = (() => {
 
   // In pixels: a plot that is narrower has names for decades only, and a name needs so much room.
   const narrow = 420, nameWidth = 50;
-  /** What is labelled on an axis of times: each k times each `every`th power of ten. */
+  /** The labels of an axis of times: each k times each `every`th power of ten. */
   function leadsAcross(scale) {
     const decades = Math.log10(scale.max / scale.min), perDecade = (scale.chart.width - 70) / decades;
     const every = Math.max(1, Math.ceil(nameWidth / perDecade));
-    // Of one decade alone nobody reads how long the axis is.
+    // One decade alone does not show the length of the axis.
     const isTwo = Math.floor(Math.log10(scale.max) + 1e-9) > Math.ceil(Math.log10(scale.min) - 1e-9);
     if (scale.chart.width < narrow && isTwo) return {leads: [1], every};
     if (perDecade * Math.log10(2) > nameWidth) return {leads: [1, 2, 5], every};

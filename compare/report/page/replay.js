@@ -30,7 +30,7 @@ const Replay = (() => {
     }
     get element() { return this.#section; }
 
-    // What is asked of it -----------------------------------------------------------------------------
+    // Requests ----------------------------------------------------------------------------------------
 
     #selectClip(name) {
       this.#clip = this.#scene.clips.find((clip) => clip.name === name) ?? this.#scene.clips[0];
@@ -116,7 +116,7 @@ const Replay = (() => {
         requestAnimationFrame((time) => this.#tick(time));
     }
 
-    // What it knows -----------------------------------------------------------------------------------
+    // State ------------------------------------------------------------------------------------------
 
     get #shownFrame() { return Math.floor(this.#frame + 1e-9); }
     get #isContact() { return this.#clip.contact > 0 && this.#shownFrame === this.#clip.contact; }
@@ -275,7 +275,7 @@ const Replay = (() => {
     #listen() {
       const canvas = this.#canvas;
       canvas.addEventListener('pointerdown', (event) => this.#drag(event.clientX, event.clientY));
-      // Who scrolls down the page is not caught by the picture.
+      // The picture does not catch the wheel of a reader who scrolls down the page.
       canvas.addEventListener('wheel', (event) => {
         if (document.activeElement !== canvas && !event.ctrlKey) return;
         event.preventDefault();

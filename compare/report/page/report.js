@@ -12,8 +12,8 @@ const Report = (() => {
   }
 
   /**
-   * What is put together, and drawn, when it is first unfolded. `make` returns its elements and what draws
-   * them.
+   * A section that is made and drawn when it is first unfolded. `make` returns its elements and the function
+   * that draws them.
    */
   function fold(title, make) {
     const holder = el('div');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What happened in one scene: outcomes, heat maps, and by bins.
+// Tables of one scene: outcomes, heat maps, and bins.
 const Tables = (() => {
   const {el, num, plain, count, summary, angles, rate, rateWithInterval, dash, isNumber} = Format;
   const {list} = Data;

@@ -36,8 +36,8 @@ public:
   void BeginStep(const b2Vec2& g, float h, float weight);
 
   void PreSolve(b2Contact* pContact, const b2Manifold* pOld) override;
-  /// After PreSolve, in a game's b2World: one of our balls meets what is not ours. Box2D, or the game,
-  /// answers it.
+  /// After PreSolve, in a game's b2World: one of our balls hits a body of the game. Box2D, or the game,
+  /// resolves it.
   void CollideWithOther(b2Contact& contact);
   void PostSolve(b2Contact* pContact, const b2ContactImpulse* pImpulse) override;
 
@@ -48,7 +48,7 @@ public:
   /// How often Box2D has asked since the last call.
   std::uint64_t TakeAsked() { return std::exchange(m_nAsked, 0); }
 
-  /// Where a ball was answered on its way through the last step.
+  /// Where a ball bounced on its path through the last step.
   struct CPathVertex {
     CShapeId m_cBall;
     b2Vec2 m_vPos;

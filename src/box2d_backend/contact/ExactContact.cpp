@@ -143,9 +143,9 @@ CExactContact FindExactContact(const CContactGeometry& geometry, const Vector2d&
   CExactContact now = FindContact(geometry, q, Vector2d::Zero(), r);
   if (w == Vector2d::Zero()) return now;
   CExactContact contact = FindContact(geometry, q, w, r);
-  // What it came through and has left is over.
+  // A contact that the ball has passed through and left is over.
   if (contact.m_fTime < 0.0 && now.m_fGap > 0.0) return now;
-  // What it parts from is not traced; but one that came past an end may be on its way into a face by now.
+  // A parting contact is not traced; but a ball that came past an end may approach a face by now.
   const bool parts = !IsAhead(contact, w), partsNow = !(w.dot(now.m_vNorm) < 0.0);
   if (parts && (now.m_fGap < 0.0 || (partsNow && !contact.m_bMisses))) return now;
   contact.m_fGap = now.m_fGap;

@@ -36,8 +36,8 @@ struct CExactContact {
 
 /// The contact of a ball that is near a shape, if it goes straight on as it does now, or has come so.
 /// Where it does not approach, or its way misses the shape, the time is 0 and the normal is that of now;
-/// of a way that misses it the part across the way, so that nothing is answered. A ball that overlaps a face,
-/// but came past an end that it parts from, has the time 0 too, and is answered by the normal of now.
+/// of a way that misses it the part across the way, so that there is no response. A ball that overlaps a
+/// face, but came past an end that it parts from, has the time 0 too, and responds along the normal of now.
 ///
 /// Near is nearer than half of the smallest of these: the radius of the ball, of an arc and of what is left
 /// of it for a ball inside, the length of a segment. Farther ahead what is first is not looked for.

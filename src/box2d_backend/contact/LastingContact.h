@@ -16,7 +16,7 @@ namespace Shapes::Box2D {
 /// @return the weight of all balls in lasting contact, newtons
 float FindLastingContacts(CBodies& bodies, const b2Vec2& g, float h);
 
-/// After each b2World::Step: no ball in lasting contact remains in a shape, whatever others push it there.
+/// After each b2World::Step: no ball in lasting contact remains in a shape, even if others push it there.
 void PushOutOfShapes(CBodies& bodies);
 
 } // namespace Shapes::Box2D

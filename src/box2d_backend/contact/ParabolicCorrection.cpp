@@ -39,7 +39,7 @@ double CParabolicCorrection::PartAt(const b2Body& ball, const b2Vec2& start) con
 
 void CParabolicCorrection::GetDeviation(double part, Vector2d& p, Vector2d& v) const {
   const double t = (part - m_fPart) * m_fStep;
-  // What is too fast for Box2D, which moves nothing farther than that, is not thrown out of all bounds.
+  // Box2D moves nothing farther than that, so the correction of a faster ball is bounded, too.
   p = Bounded(m_vPos + t * m_vVel + 0.5 * t * t * m_vGravity, static_cast<double>(b2_maxTranslation));
   v = m_vVel + t * m_vGravity;
 }

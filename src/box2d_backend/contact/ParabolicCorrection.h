@@ -24,7 +24,7 @@ public:
   /// The part of the step that is over when the ball is at p on its way, in [0, 1].
   /// @param start  where it was at the beginning of the step
   double PartAt(const b2Body& ball, const b2Vec2& start) const;
-  /// An impact, as Box2D answers it at this part of the step.
+  /// An impact that Box2D resolves at this part of the step.
   struct CImpact {
     double m_fPart; ///< of the step that is over
     double m_fTime =
@@ -33,7 +33,7 @@ public:
     double m_fSpeed;  ///< relative velocity of the straight ways along the normal, below 0
     double m_fElasticity;
   };
-  /// What position and velocity on the parabola have more than those of Box2D at this part of the step.
+  /// The difference of position and velocity on the parabola to those of Box2D at this part of the step.
   void GetDeviation(double part, Vector2d& p, Vector2d& v) const;
   /// A ball and, if there is one, the other ball respond to an impact.
   /// @param share  of the other's mass in that of both; 1 against a shape
@@ -48,7 +48,7 @@ public:
   /// The ball lies on a surface of normal n: the part of the gravity step that would press it into the
   /// surface is not given.
   void Rest(const Vector2d& n) { m_stdRests.push_back(n); }
-  /// The last bounce of the ball has been answered.
+  /// The last bounce of the ball is resolved.
   void MotionEnds(const b2Body& ball);
   const b2Vec2& GetMotionEnd() const { return m_vMotionEnd; }
 

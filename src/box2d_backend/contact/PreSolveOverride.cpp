@@ -46,7 +46,7 @@ void Ignore(b2Contact& contact, const b2Vec2& n) {
   contact.GetManifold()->points[0].normalImpulse = 0.0f;
 }
 
-// Across the normal of what is answered, the response changes nothing.
+// The response changes nothing across the normal of the resolved contact.
 void IgnoreAcross(b2Contact& contact, const b2Vec2& answered, const CBody& ball) {
   b2Vec2 across = b2Cross(1.0f, answered);
   const b2Vec2 p = ball.m_pBody->GetPosition(); // what turns has another velocity everywhere
@@ -57,7 +57,7 @@ void IgnoreAcross(b2Contact& contact, const b2Vec2& answered, const CBody& ball)
   contact.GetManifold()->points[0].normalImpulse = 0.0f;
 }
 
-// What the ball takes of an impact: the share of the other's mass in that of both.
+// The ball's part of an impact: the share of the other's mass in that of both.
 double ShareOf(const CBody& shape, const CBody& ball) {
   const double m = static_cast<double>(ball.m_pBody->GetMass()),
                m1 = static_cast<double>(shape.m_pBody->GetMass());
@@ -183,7 +183,7 @@ void CPreSolveOverride::Land(CBody& ball) {
   const b2Vec2 from = ball.m_pBody->GetPosition();
   ball.m_cCorrection.Land(*ball.m_pBody);
   if (ball.m_pBouncedOff == nullptr) return;
-  // What gravity does after a bounce may be more than the bounce: at most to half of a ball.
+  // Gravity after a bounce may move the ball by more than the bounce: half a radius at most.
   const CBody& shape = *ball.m_pBouncedOff;
   const b2Transform& xf = shape.m_pBody->GetTransform();
   const CExactContact exact = FindExactContact(shape.m_cGeometry, ToDouble(b2MulT(xf, from)),
@@ -296,8 +296,8 @@ CPreSolveOverride::LeaveToSolver(b2Contact& contact, const CBody& shape, const C
   // At a time of impact Box2D would move a ball out of others at once and unswept, be it through a shape.
   const float kept = m_bIsContinuous && shape.m_bIsBall ? std::max(0.0f, gap) : gap;
   SetManifold(contact, contact.GetFixtureB()->GetBody() == ball.m_pBody ? n : -n, kept - b2_linearSlop);
-  // Box2D begins with the impulse of the last step. What lies presses by its weight at most; what walls have
-  // pressed together keeps any impulse, as it is balanced, and would be shot out with it.
+  // Box2D begins with the impulse of the last step. A resting ball presses by its weight at most; a row
+  // between walls keeps any impulse, as it is balanced, and would be shot out with it.
   float& impulse = contact.GetManifold()->points[0].normalImpulse;
   impulse = std::min(impulse, m_fStep * m_fLastingWeight);
   const float approach = -b2Dot(ball.m_pBody->GetLinearVelocity() - surface, n);
@@ -307,8 +307,8 @@ CPreSolveOverride::LeaveToSolver(b2Contact& contact, const CBody& shape, const C
     contact.SetRestitution(-1.0f); // no response
     return {};
   }
-  // The ball bounces off as it would have before the gravity step, and then gets that. What gravity presses
-  // together does not bounce, and may come as near as to touch: then the restitution is less than 0, the
+  // The ball bounces off as it would have before the gravity step, and then gets that. A contact that
+  // gravity presses together does not bounce, and may close its gap: then the restitution is less than 0, the
   // share of the approach that is left.
   const float press = m_bIsContinuous || shape.m_bIsBall ? 0.0f : -m_fStep * b2Dot(m_vGravity, n);
   const float before = approach - press;
@@ -319,22 +319,22 @@ CPreSolveOverride::LeaveToSolver(b2Contact& contact, const CBody& shape, const C
   return CResolution{p - ball.m_fRadius * n, n, before, 0.0f};
 }
 
-// Whether they are pressed rather than hit each other; done then.
+// Whether the two press on each other rather than collide; resolves the press then.
 bool CPreSolveOverride::ResolvePress(const CInspected& inspected, CBody& shape, CBody& ball,
                                      CResolution& resolution) {
-  // What moves by less than Box2D's slop is what its own solver is good at.
+  // Box2D's own solver handles moves below its slop best.
   const float move = static_cast<float>(inspected.m_fSpeed) * m_fStep;
   const float fall = m_fStep * m_fStep * m_vGravity.Length();
   const bool isPress =
       std::abs(move) <= g_fPressMove * std::max(b2_linearSlop, fall) && inspected.m_fGap <= move;
   const bool isSupport = IsSupport(inspected, shape, ball);
   FailIf(!isPress && !isSupport);
-  if (isSupport) { // the half of the gravity step that what lies is not given after the step
+  if (isSupport) { // the half of the gravity step that a resting ball is not given after the step
     const CBody& upper = b2Dot(m_vGravity, inspected.m_vNorm) < 0.0f ? ball : shape;
     resolution.m_fUnsolved =
         0.5f * m_fStep * std::abs(b2Dot(m_vGravity, inspected.m_vNorm)) * upper.m_pBody->GetMass();
   }
-  // What lies does not bounce off what it lies on, nor off what is beside it.
+  // A resting ball does not bounce off its support, nor off its neighbours.
   if (isSupport ||
       (inspected.m_cImpact.m_fElasticity < 1.0 && (ball.m_bWasSupported || shape.m_bWasSupported)))
     inspected.m_cContact.SetRestitution(0.0f);

@@ -12,16 +12,16 @@
 
 namespace Shapes::Box2D {
 
-/// Box2D makes two passes over a step. In its first look it updates all contacts where everything is at the
+/// Box2D makes two passes over a step. In the first it updates all contacts in the poses at the
 /// beginning, solves them, and moves everything. Then it goes from impact to impact: it moves two bodies to
-/// where they touch, updates the contact and then whatever else touches them, solves this island, and moves
-/// on. It asks about each contact before it is solved (PreSolve) and tells of it afterwards (PostSolve). What
-/// it is answered here:
-/// - an impact waits for the second pass, and gets the normal and the time that it really has;
-/// - what only touches the shape that is hit waits for its own impact;
-/// - what comes into the skins only, or goes past, is left alone;
-/// - what is pressed rather than hit is left to Box2D, without the skins;
-/// - so is all that a ball in lasting contact touches, in both passes.
+/// where they touch, updates the contact and then all others that touch them, solves this island, and moves
+/// on. It asks about each contact before it is solved (PreSolve) and reports it afterwards (PostSolve). The
+/// rules here:
+/// - an impact waits for the second pass, and gets its true normal and time;
+/// - a body that only touches the shape that is hit waits for its own impact;
+/// - a ball that comes into the skins only, or goes past, is ignored;
+/// - presses rather than hits are left to Box2D, without the skins;
+/// - so are all contacts of a ball in lasting contact, in both passes.
 class CPreSolveOverride {
 public:
   /// @param g  gravity, 0 if balls do not follow parabolas
@@ -39,14 +39,14 @@ public:
   };
   /// Prepares the contact for Box2D.
   /// @param contact  its restitution is that of the pair already
-  /// @param canWait  false if Box2D may throw the ball another way in its first look, as what is there of
-  /// somebody else is answered then: what waits the wrong way round would hold it
+  /// @param canWait  false if Box2D may throw the ball another way in its first pass, which resolves contacts
+  /// with the game's bodies: a contact that waits with the wrong normal would hold it
   std::optional<CResolution> Override(b2Contact& contact, CBody& shape, CBody& ball, bool canWait = true);
 
   /// After the step: puts a ball on its parabola, but not through a shape that it has bounced off.
   static void Land(CBody& ball);
 
-  /// A ball meets what is not ours, and Box2D answers that; its parabola bounces there, or ends.
+  /// A ball hits a body of the game, and Box2D resolves that; its parabola bounces there, or ends.
   void FollowOther(b2Contact& contact, CBody& other, CBody& ball);
 
   /// The part of the step that is over when Box2D is where these two are, by that one which goes farther.
@@ -65,9 +65,9 @@ private:
   float m_fStep = 0.0f;
   float m_fLastingWeight = 0.0f;
   bool m_bIsContinuous = false; // in the second pass
-  bool m_bIsIslandOpen = false; // the contact that was hit has been answered, what else touches comes now
+  bool m_bIsIslandOpen = false; // the contact that was hit is resolved, others that touch come now
   b2Vec2 m_vIslandNormal{0.0f, 0.0f};
-  /// Answered in the first look: impacts for which the second pass is of no use.
+  /// Resolved in the first pass: impacts for which the second one is of no use.
   struct CEarly {
     const CBody *m_pShape, *m_pBall;
     b2Vec2 m_vNorm;

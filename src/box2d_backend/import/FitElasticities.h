@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Box2D gives a pair the larger of two restitutions, this library the product of two elasticities. What the
-// elasticities have to be for the same bounces.
+// Box2D gives a pair the larger of two restitutions, this library the product of two elasticities. Finds
+// elasticities for the same bounces.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct CBouncePair {
   std::size_t m_nSecond = 0;
 };
 
-/// What Box2D gives the pair: the larger restitution.
+/// The restitution of the pair on Box2D: the larger one.
 float GetTarget(std::span<const CBounceKind> kinds, const CBouncePair& pair);
 
 /// Whether the product of the two elasticities is what Box2D gives the pair, within 4 ulp: two roundings to

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an imported scene does otherwise than the game's b2World, in sentences.
+// Differences of an imported scene from the game's b2World, in sentences.
 #pragma once
 
 #include <string>

@@ -68,7 +68,7 @@ private:
     return m_cScale.FromMetres(b2Mul(m_cSurvey.GetBody(part).GetTransform(), local));
   }
 
-  // What all descriptors have.
+  // Sets the fields that all descriptors have.
   void SetBase(const CPart& part, CShapeDesc& desc) const {
     desc.m_fElasticity = m_stdElasticities[part.m_nKind];
     desc.m_bIsSensor = part.m_pFixture->IsSensor();

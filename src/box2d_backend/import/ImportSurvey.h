@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is in a game's b2World: what becomes a shape or a ball, what does not, and who meets whom.
+// A survey of a game's b2World: the fixtures that become shapes or balls, the others, and the pairs that
+// collide.
 #pragma once
 
 #include <box2d/box2d.h>
@@ -65,7 +66,7 @@ public:
   std::vector<CPart> m_stdParts;
   std::vector<CKind> m_stdKinds;
   std::vector<CJointEnds> m_stdJoints;
-  std::vector<std::string> m_stdNotes; ///< What was left out.
+  std::vector<std::string> m_stdNotes; ///< Of bodies and fixtures that were left out.
 
 private:
   void TakeBody(int body);

@@ -166,7 +166,7 @@ void CBodies::Forget(CShapeId id) {
 }
 
 bool CBodies::IsNearOthers(const CBody& ball) {
-  FailIf(m_pWatch == nullptr); // nobody else is here
+  FailIf(m_pWatch == nullptr); // no bodies of a game
   for (const b2ContactEdge* p = ball.m_pBody->GetContactList(); p != nullptr; p = p->next)
     if (Find(*p->other) == nullptr) return true;
   return false;
@@ -199,8 +199,8 @@ void CBodies::SetProperties(const CWorldState& state, CShapeId id) {
   const bool changed = before.maskBits != filter.maskBits;
   for (b2Fixture* p = body.m_pBody->GetFixtureList(); p != nullptr; p = p->GetNext()) {
     p->GetUserData().pointer = reinterpret_cast<uintptr_t>(pUser);
-    // What is met is answered by the product of both elasticities; Box2D's own rule, the larger of both,
-    // remains for what is met of somebody else, and there a shape adds nothing.
+    // Shapes respond by the product of both elasticities; Box2D's own rule, the larger of both, remains for
+    // bodies of the game, and there a shape adds nothing.
     p->SetRestitution(body.m_bIsBall ? body.m_fElasticity : 0.0f);
     if (changed) p->SetFilterData(filter);
   }
@@ -217,7 +217,7 @@ void CBodies::SetMoving(const CWorldState& state, CShapeId id) {
   body.m_fTurnSpeed = shape.GetRotating() ? g_fTwoPi * shape.GetRotSpeed() : 0.0f;
   body.m_pBody->SetLinearVelocity(body.m_vVel);
   body.m_pBody->SetAngularVelocity(body.m_fTurnSpeed);
-  body.m_cStart = body.m_pBody->GetTransform(); // nobody looks there again as long as it does not move
+  body.m_cStart = body.m_pBody->GetTransform(); // not updated again as long as it does not move
   const auto at = FindIn(m_stdMoving, id);
   const bool isIn = at != m_stdMoving.end() && *at == &body;
   if (shape.GetMoving() && !isIn)

@@ -46,8 +46,8 @@ struct CBody {
   CSharedEnds m_cSharedEnds;            ///< of which the geometry of a shape knows
 };
 
-/// Makes one b2Body for each shape. What Box2D tells of a body leads back to its shape without the user data
-/// of Box2D, which belong to the user.
+/// Makes one b2Body for each shape. Finds the shape of a body without the user data of Box2D, which belong
+/// to the user.
 class CBodies {
 public:
   /// @param sagitta  in the metres of Box2D
@@ -75,18 +75,18 @@ public:
   void SetBullets(bool b);
   /// Anew after m_bIsLasting of any ball has changed.
   void SetBullets();
-  /// What Box2D mixes by itself: for worlds in which nobody sets the restitution of contacts.
+  /// Sets the restitutions that Box2D mixes itself, for worlds without a listener that sets them per contact.
   void SetRestitutions(const CMixing& mixing);
 
   CBody& Get(CShapeId id) { return m_stdBodies.at(id); }
-  /// The shape that a body is of; nullptr for a body of somebody else.
+  /// The shape of a body; nullptr for a body of the game.
   CBody* Find(const b2Body& body);
   /// Makes b2Body::GetContactList of all that has moved or was created since the last step what it will be in
   /// the next one.
   void FindContacts();
   /// In the order of their ids, as everywhere.
   const std::vector<CBody*>& GetBalls() const { return m_stdBalls; }
-  /// Whether the ball may be touching a body of somebody else.
+  /// Whether the ball may be touching a body of the game.
   bool IsNearOthers(const CBody& ball);
   /// Shapes that move or turn, sensors too.
   const std::vector<CBody*>& GetMoving() const { return m_stdMoving; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How to learn that somebody else has destroyed a body, or the b2World with all that is in it. Box2D tells
-// nobody of the latter, but it runs the destructors of the shapes of its fixtures in either case.
+// Detects that the game has destroyed a body, or the b2World with all its bodies. Box2D does not report the
+// latter, but it runs the destructors of the shapes of its fixtures in either case.
 #pragma once
 
 #include <Shapes/World.h>
@@ -18,8 +18,8 @@ namespace Shapes::Box2D {
 /// The shapes of fixtures that one world watches over.
 class CDestructionWatch {
 public:
-  /// @param onLost  told whose tie it was when a tied shape is destroyed; within a function of Box2D, so it
-  /// must not call any and must not throw
+  /// @param onLost  called with the owner of a watched shape that is destroyed; within a function of Box2D,
+  /// so it must not call any and must not throw
   explicit CDestructionWatch(std::function<void(CShapeId)> onLost) : m_stdOnLost(std::move(onLost)) {}
   ~CDestructionWatch();
   CDestructionWatch(const CDestructionWatch&) = delete;
@@ -30,7 +30,7 @@ public:
   /// While any is left, so is the b2World.
   bool IsAnyLeft() const { return !m_stdIds.empty(); }
 
-  /// Called by the destructor of any CWatched, most of which are tied to nobody.
+  /// Called by the destructor of any CWatched, most of which have no owner.
   static void OnDestroyed(const b2Shape& shape) noexcept;
 
 private:

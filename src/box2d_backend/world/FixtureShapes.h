@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands for a shape on Box2D.
+// Box2D's fixture shapes for a shape.
 #pragma once
 
 #include <Shapes/Arc.h>

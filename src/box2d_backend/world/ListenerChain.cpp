@@ -85,7 +85,7 @@ void CListenerChain::PreSolve(b2Contact* pContact, const b2Manifold* pOld) {
   if (m_bIsInside) return;
   if (m_pGatherer != nullptr) m_pGatherer->PreSolve(pContact, pOld);
   PassOn([&](b2ContactListener& next) { next.PreSolve(pContact, pOld); });
-  // What is not of Shapes is the game's to allow, which may have destroyed the gatherer, too.
+  // The game may disable contacts with other bodies, and may have destroyed the gatherer, too.
   if (m_pGatherer != nullptr && pContact->IsEnabled()) m_pGatherer->CollideWithOther(*pContact);
 }
 

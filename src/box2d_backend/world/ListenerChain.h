@@ -7,8 +7,8 @@
 
 namespace Shapes::Box2D {
 
-/// Stands before the contact listener of a game, and passes everything on to it. Whoever has got hold of its
-/// address, be it a b2World or another listener that passes on in turn, may call it at any time: it is never
+/// Stands before the contact listener of a game, and passes everything on to it. A b2World, or
+/// another listener that passes on in turn, may keep its address and call it at any time: it is never
 /// destroyed, but becomes a shell of a few bytes that only passes on.
 class CListenerChain final : public b2ContactListener {
 public:
@@ -21,7 +21,7 @@ public:
   /// Puts back the listener before which it came.
   void TakeOut(b2World& world);
 
-  /// Who hears of contacts before the game does; nullptr for nobody.
+  /// The gatherer gets contacts before the game's listener; may be nullptr.
   void SetGatherer(CContactGatherer* p) { m_pGatherer = p; }
   /// Whether the game's listener is at work.
   bool IsInside() const { return m_bIsInside; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where Box2D's own mixing of restitutions gives the product of elasticities, so that nobody has to listen.
+// Restitutions with which Box2D's own mixing gives the product of elasticities, so that no listener is
+// needed.
 #pragma once
 
 #include "../../world/WorldState.h"

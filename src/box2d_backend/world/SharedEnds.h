@@ -10,7 +10,7 @@
 
 namespace Shapes::Box2D {
 
-/// What goes on beyond an end of a segment or an arc.
+/// The neighbour beyond an end of a segment or an arc.
 struct CSharedEnd {
   CShapeId m_cNeighbour;
   Vector2 m_vTangent = Vector2::Zero(); ///< Unit vector from the end into the neighbour, as both are now.

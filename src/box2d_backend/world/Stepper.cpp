@@ -183,7 +183,7 @@ void CStepper::BeforeStep(float h) {
   const float weight = m_cTuning.m_bLastingContact ? FindLastingContacts(m_cBodies, g, h) : 0.0f;
   if (HasParabolas())
     for (CBody* pBall : m_cBodies.GetBalls()) {
-      // What lasts gets all of it before the step, so that Box2D's solver is left with nothing undone.
+      // A ball in lasting contact gets all of it before the step, so that Box2D's solver includes it.
       const float part = pBall->m_bIsLasting ? 1.0f : 0.5f;
       pBall->m_pBody->SetLinearVelocity(pBall->m_pBody->GetLinearVelocity() + part * h * g);
     }

@@ -15,18 +15,18 @@
 
 namespace Shapes::Box2D {
 
-/// The shapes of a world as bodies of a b2World, and what is to be done before and after each of its steps,
-/// whoever makes them.
+/// The shapes of a world as bodies of a b2World, and the work before and after each of its steps, by the
+/// library or by a game.
 class CStepper {
 public:
-  /// What a world with that description can hold.
+  /// The limits of a world with that description.
   static CWorldLimits GetLimits(const CWorldDesc& desc, const CTuning& tuning);
 
-  /// Makes a body for all that is in the state of the world, in the order of ids. The world and the watch
-  /// have to outlive it.
+  /// Makes a body for each shape and ball in the state of the world, in the order of ids. The world and the
+  /// watch have to outlive it.
   CStepper(b2World& b2, CWorldCore& world, const CTuning& tuning, CDestructionWatch* pWatch = nullptr);
 
-  /// To be told of what happens in the b2World.
+  /// The listener to install in the b2World.
   CContactGatherer& GetListener() { return m_cGatherer; }
   /// The skin of edges, above which balls hover, and what Box2D leaves of an overlap; user units.
   float GetTouchReach() const { return m_cScale.FromMetres(b2_polygonRadius + b2_linearSlop); }
@@ -46,11 +46,11 @@ public:
   void Removed(CShapeId id);
   void Changed(CShapeId id, eChange change);
   void RemoveAll() { m_cBodies.RemoveAll(); }
-  /// A fixture of that shape was destroyed by somebody else: what is left of its body is no concern of ours.
+  /// The game has destroyed a fixture of that shape: the rest of its body is the game's.
   /// @return false if that was known
   bool OnLost(CShapeId id);
 
-  /// To be told before the first substep, and whenever the content has changed.
+  /// To be called before the first substep, and whenever the content has changed.
   /// @param running  the effects that run
   void Plan(CEffects running);
   /// Makes Box2D's own mixing of restitutions give what the listener gives.
@@ -63,7 +63,7 @@ public:
   /// Before each b2World::Step of h seconds, and after it.
   void BeforeStep(float h);
   void AfterStep();
-  /// Where balls were answered on their way through the last step.
+  /// Where balls bounced on their paths through the last step.
   struct CPathVertex {
     std::size_t m_nBall;
     Vector2 m_vPos;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the two profiles do to Box2D, one switch each, so that each can be measured by itself.
+// The changes of the two profiles to Box2D, one switch each, so that each can be measured by itself.
 #pragma once
 
 #include <Shapes/World.h>

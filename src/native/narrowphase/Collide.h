@@ -26,7 +26,7 @@
 
 namespace Shapes::Native {
 
-/// What a kernel needs to know of a ball.
+/// The input of a kernel: a ball.
 struct CBall {
   Vector2 m_vPos;     ///< centre
   Vector2 m_vPrevPos; ///< centre at the beginning of the step
