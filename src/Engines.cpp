@@ -59,6 +59,7 @@ bool CBackend::CollisionDetected(CContactDesc& c) const {
   if (c.m_pCircle == nullptr) Refuse("c.m_pCircle", "null", "a ball");
   FailIf(c.m_pShape == c.m_pCircle);
   FailIf(!c.m_pShape->GetCanCollide() || !c.m_pCircle->GetCanCollide());
+  FailIf(!DoMeet(c.m_pShape->GetFilter(), c.m_pCircle->GetFilter()));
   FailIf(!m_cEntry.m_pCollide(c));
   const Vector2 surface = c.m_pShape->GetMotionType() == eMotion::Dynamic
                               ? static_cast<const CDynamicCircle&>(*c.m_pShape).GetVel()

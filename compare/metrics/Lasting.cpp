@@ -71,6 +71,7 @@ public:
 private:
   CVec2d GetPos(std::size_t i) const { return ToDouble(m_cGame.GetWorld().GetBallPositions()[i]); }
   CVec2d GetVel(std::size_t i) const { return ToDouble(m_cGame.GetWorld().GetBallVelocities()[i]); }
+  const CFilter& GetFilter(std::size_t i) const { return m_cStart.m_stdBalls[i].m_cFilter; }
   double GetRadius(std::size_t i) const { return static_cast<double>(m_cStart.m_stdBalls[i].m_fRadius); }
   bool IsLost(std::size_t i) const {
     return !(m_cScene.m_cBounds && m_cGame.GetWorld().GetBallPositions()[i]);
@@ -103,12 +104,12 @@ private:
       const CShapeGeometry<double> geometry = m_cShapes.GetGeometry(k);
       if (geometry.m_eSides != eSides::Both) continue; // a ball may be on its way through it
       for (std::size_t i = 0; i < m_stdTouched.size(); ++i)
-        if (!IsLost(i))
+        if (!IsLost(i) && DoMeet(base.m_cFilter, GetFilter(i)))
           deepest = std::max(deepest, (GetRadius(i) - Distance(geometry, GetPos(i))) / GetRadius(i));
     }
     for (std::size_t i = 0; i < m_stdTouched.size(); ++i)
       for (std::size_t j = i + 1; j < m_stdTouched.size(); ++j)
-        if (!IsLost(i) && !IsLost(j))
+        if (!IsLost(i) && !IsLost(j) && DoMeet(GetFilter(i), GetFilter(j)))
           deepest = std::max(deepest, (GetRadius(i) + GetRadius(j) - Norm(CVec2d(GetPos(i) - GetPos(j)))) /
                                           std::min(GetRadius(i), GetRadius(j)));
     return deepest;

@@ -77,6 +77,7 @@ struct CExactBall {
   T m_fMass;
   T m_fElasticity;
   bool m_bIsSensor;
+  CFilter m_cFilter;
   bool m_bCanCollide = true;
 
   /// The size of its coordinates, to which roundings are relative.
@@ -167,6 +168,7 @@ private:
     T m_fElasticity;
     bool m_bKinematic;
     bool m_bIsSensor;
+    CFilter m_cFilter;
     bool m_bCanCollide;
     CVec<T> m_vLow; // box, of all angles if it turns, where it is described
     CVec<T> m_vHigh;

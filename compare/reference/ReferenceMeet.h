@@ -52,7 +52,8 @@ void CReference<T>::MeetShapes(std::size_t i, CNext& next) {
                   to = solid.m_vMoved + m_stdUntil[i] * solid.m_vVel;
     const CVec<T> lower = low - from.cwiseMax(to), upper = high - from.cwiseMin(to);
     if (lower.x() > solid.m_vHigh.x() || upper.x() < solid.m_vLow.x() || lower.y() > solid.m_vHigh.y() ||
-        upper.y() < solid.m_vLow.y() || !solid.m_bCanCollide)
+        upper.y() < solid.m_vLow.y() || !solid.m_bCanCollide ||
+        !DoMeet(solid.m_cFilter, m_stdBalls[i].m_cFilter))
       continue;
     const bool sensor = solid.m_bIsSensor || m_stdBalls[i].m_bIsSensor;
     if (const CPair* pPair = FindPair(i, k, false);
@@ -70,7 +71,8 @@ void CReference<T>::MeetShapes(std::size_t i, CNext& next) {
 
 template <class T>
 void CReference<T>::MeetBall(std::size_t i, std::size_t j, CNext& next) {
-  if (i == j || !m_stdBalls[j].m_bCanCollide) return;
+  if (i == j || !m_stdBalls[j].m_bCanCollide || !DoMeet(m_stdBalls[i].m_cFilter, m_stdBalls[j].m_cFilter))
+    return;
   const std::size_t a = std::min(i, j), b = std::max(i, j);
   const CSweptBall<T> lower = GetSwept(a, m_fNow), upper = GetSwept(b, m_fNow);
   // Too far to come near each other in the time that is left.

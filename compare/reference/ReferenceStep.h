@@ -84,6 +84,7 @@ CReference<T>::CReference(std::span<const CAnyShapeDesc> shapes, std::span<const
           solid.m_fRevs = T(desc.m_fRotSpeed);
           solid.m_fElasticity = T(desc.m_fElasticity);
           solid.m_bIsSensor = desc.m_bIsSensor;
+          solid.m_cFilter = desc.m_cFilter;
           if (desc.m_bIsSensor) solid.m_cGeometry.m_eSides = eSides::Both; // sensors are seen from anywhere
         },
         any);
@@ -95,7 +96,7 @@ CReference<T>::CReference(std::span<const CAnyShapeDesc> shapes, std::span<const
   for (const CDynamicCircleDesc& desc : balls) {
     const CDynamicCircle ball(desc);
     m_stdBalls.push_back({ball.GetPos().cast<T>(), ball.GetVel().cast<T>(), T(ball.GetRadius()),
-                          T(ball.GetMass()), T(ball.GetElasticity()), ball.GetSensor()});
+                          T(ball.GetMass()), T(ball.GetElasticity()), ball.GetSensor(), ball.GetFilter()});
   }
 }
 

@@ -41,7 +41,9 @@ constexpr CNumberRule g_cNumber{"a number"}, g_cNotNegative{"a number of at leas
     g_cCount{"a whole number from 1 to 1000", 1.0, 1000.0};
 constexpr CPairRule g_cPoint{"a point [x, y]", g_cNumber}, g_cVector{"a vector [x, y]", g_cNumber},
     g_cAngles{"two angles [from, to] in radians, counterclockwise", g_cAngle},
-    g_cHalfWidths{"two lengths [x, y] of at least 0", g_cLength};
+    g_cHalfWidths{"two lengths [x, y] of at least 0", g_cLength},
+    g_cFilter{"two whole numbers [category, mask] from 0 to 65535",
+              {"a whole number from 0 to 65535", 0.0, 65535.0}};
 
 // A ball that stands for rows and columns of equal ones.
 struct CGrid {
@@ -265,6 +267,15 @@ private:
     return sides == "front" ? eSides::Front : sides == "back" ? eSides::Back : eSides::Both;
   }
 
+  CFilter ReadFilter(CSceneFields& fields) const {
+    std::array<double, 2> bits{CFilter().m_nCategory, CFilter().m_nMask};
+    fields.Read("filter", bits, g_cFilter);
+    for (std::size_t i = 0; i < 2; ++i)
+      if (bits[i] != std::floor(bits[i]))
+        Refuse(fields.GetPath() / "filter" / i, g_cFilter.m_cNumber.m_sExpected);
+    return {static_cast<std::uint16_t>(bits[0]), static_cast<std::uint16_t>(bits[1])};
+  }
+
   // An end by itself, so that it is named and not the midpoint.
   void RequireEnd(const CJsonPath& path, const Vector2& p) const {
     try {
@@ -300,6 +311,7 @@ private:
           fields.Read("elasticity", desc.m_fElasticity, g_cElasticity);
           desc.m_bIsSensor = shape.m_bIsDrain;
           fields.Read("sensor", desc.m_bIsSensor);
+          desc.m_cFilter = ReadFilter(fields);
           desc.m_eMotionType = turning.m_eMotion;
           desc.m_vVel = turning.m_vVel;
           desc.m_fRotSpeed = turning.m_fRotSpeed;
@@ -347,6 +359,7 @@ private:
     fields.Read("radius", ball.m_cDesc.m_fRadius, g_cLength, eNeed::Required);
     fields.Read("mass", ball.m_cDesc.m_fMass, g_cPositive);
     fields.Read("elasticity", ball.m_cDesc.m_fElasticity, g_cElasticity);
+    ball.m_cDesc.m_cFilter = ReadFilter(fields);
     if (fields.Has("spread")) ReadSpread(path / "spread", ball);
     CGrid grid;
     if (fields.Has("grid")) grid = ReadGrid(path / "grid");

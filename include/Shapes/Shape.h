@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Shapes/Aabb2D.h>
+#include <Shapes/Filter.h>
 #include <Shapes/Limits.h>
 #include <Shapes/MotionLimits.h>
 #include <Shapes/ShapeMath.h>
@@ -42,6 +43,7 @@ public:
   float m_fElasticity = 1.0f;            ///< 0 keeps no normal speed, 1 all of it, above 1 adds (bumpers).
   eMotion m_eMotionType = eMotion::Static; ///< Static or Kinematic; balls have a descriptor of their own.
   bool m_bIsSensor = false;                ///< Detects, but neither responds nor causes a response.
+  CFilter m_cFilter;                       ///< What it meets.
   /// Kinematic and dynamic: units per second. The rotation centre of a kinematic shape moves along.
   Vector2 m_vVel = Vector2::Zero();
   float m_fRotSpeed = 0.0f;               ///< Kinematic: revolutions per second, counterclockwise.
@@ -78,6 +80,8 @@ public:
   bool GetCanCollide() const { return m_bCanCollide; }
   /// Turns collisions off (a post that sinks into the table) and on again.
   void SetCanCollide(bool b = true) { m_bCanCollide = b; }
+  const CFilter& GetFilter() const { return m_cFilter; }
+  void SetFilter(const CFilter& filter) { m_cFilter = filter; }
   float GetElasticity() const { return m_fElasticity; }
   /// @throws std::invalid_argument unless 0 <= e <= g_fMaxElasticity
   void SetElasticity(float e);
@@ -167,6 +171,7 @@ private:
   eMotion m_eMotionType;
   bool m_bIsSensor;
   bool m_bCanCollide = true;
+  CFilter m_cFilter;
   float m_fElasticity;
   float m_fRotSpeed;
   float m_fOrientation = 0.0f;

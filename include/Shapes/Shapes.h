@@ -10,6 +10,7 @@
 #include <Shapes/Contact.h>
 #include <Shapes/DynamicCircle.h>
 #include <Shapes/Effects.h>
+#include <Shapes/Filter.h>
 #include <Shapes/Limits.h>
 #include <Shapes/Line.h>
 #include <Shapes/LineSeg.h>

@@ -86,6 +86,8 @@ public:
   void SetSensor(CShapeId id, bool b);
   bool GetCanCollide(CShapeId id) const;
   void SetCanCollide(CShapeId id, bool b = true);
+  const CFilter& GetFilter(CShapeId id) const;
+  void SetFilter(CShapeId id, const CFilter& filter);
   void* GetUserPtr(CShapeId id) const;
   void SetUserPtr(CShapeId id, void* p);
 

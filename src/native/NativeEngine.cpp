@@ -28,7 +28,10 @@ void CNativeEngine::Changed(CShapeId id, eChange change) {
   // Balls are found where they are in each step; only solid shapes have boxes that are kept.
   const std::size_t k = m_cState.FindShape(id);
   if (k == CWorldState::npos || change != eChange::Motion) m_cState.m_cBalls.m_bIsDisturbed = true;
-  if (k == CWorldState::npos || change == eChange::Properties || m_bShapesChanged) return;
+  if (change == eChange::Filter) m_bBallsChanged = true;
+  if (k == CWorldState::npos || change == eChange::Properties || change == eChange::Filter ||
+      m_bShapesChanged)
+    return;
   if (change == eChange::Sensor)
     m_bShapesChanged = true;
   else
@@ -70,10 +73,19 @@ void CNativeEngine::Substep(float dt) {
   if (std::exchange(m_bBallsChanged, false)) {
     const std::vector<float>& radius = m_cState.m_cBalls.m_stdRadius;
     m_fLargestRadius = radius.empty() ? 0.0f : *std::max_element(radius.begin(), radius.end());
+    m_bFilters = HasFilters();
+    m_cContinuous.SetFilters(m_bFilters);
   }
   m_cBroadPhase.SetRadius(m_fLargestRadius);
   for (const CStage stage : m_stdStages)
     (this->*stage)(dt);
+}
+
+bool CNativeEngine::HasFilters() const {
+  const auto isOther = [](const CFilter& filter) { return filter != CFilter(); };
+  return std::any_of(m_cState.m_cBalls.m_stdFilter.begin(), m_cState.m_cBalls.m_stdFilter.end(), isOther) ||
+         std::any_of(m_cState.m_stdShapes.begin(), m_cState.m_stdShapes.end(),
+                     [&](const CShapeEntry& entry) { return isOther(entry.m_pShape->GetFilter()); });
 }
 
 void CNativeEngine::Accelerate(float dt) {
@@ -117,12 +129,24 @@ void CNativeEngine::CollideWithShapes(float) {
       CollideWithShapesOf<TReports>(i);
 }
 
+void CNativeEngine::CollectShapes(std::size_t ball, float reach) {
+  m_cBroadPhase.FindNear(m_cState.m_cBalls.m_stdPos[ball], reach, m_stdCandidates);
+  if (m_bFilters) LeaveOutShapes(ball);
+}
+
+// Those that the ball does not meet.
+void CNativeEngine::LeaveOutShapes(std::size_t ball) {
+  std::erase_if(m_stdCandidates, [&](std::uint32_t order) {
+    return !DoMeet(m_cState.m_cBalls.m_stdFilter[ball], m_cBroadPhase.Get(order).m_pShape->GetFilter());
+  });
+}
+
 template <bool TReports>
 void CNativeEngine::CollideWithShapesOf(std::size_t ball) {
   const CBallArrays& b = m_cState.m_cBalls;
   const float slack = g_fCandidateSlack * b.m_stdRadius[ball], reach = b.m_stdRadius[ball] + slack;
   Vector2 collectedAt = b.m_stdPos[ball];
-  m_cBroadPhase.FindNear(collectedAt, reach, m_stdCandidates);
+  CollectShapes(ball, reach);
   for (std::size_t k = 0; k < m_stdCandidates.size(); ++k) {
     const std::uint32_t order = m_stdCandidates[k];
     CollideWithShape<TReports>(ball, m_cBroadPhase.Get(order));
@@ -130,7 +154,7 @@ void CNativeEngine::CollideWithShapesOf(std::size_t ball) {
     // A response has moved the ball out of the reach of what was collected: the rest again, from where it is
     // now.
     collectedAt = b.m_stdPos[ball];
-    m_cBroadPhase.FindNear(collectedAt, reach, m_stdCandidates);
+    CollectShapes(ball, reach);
     k = static_cast<std::size_t>(std::upper_bound(m_stdCandidates.begin(), m_stdCandidates.end(), order) -
                                  m_stdCandidates.begin()) -
         1;
@@ -186,6 +210,9 @@ void CNativeEngine::CollectBalls(std::uint32_t i, std::uint32_t first) {
       m_stdCandidates.push_back(j);
     return false;
   });
+  if (m_bFilters)
+    std::erase_if(m_stdCandidates,
+                  [&](std::uint32_t j) { return !DoMeet(b.m_stdFilter[i], b.m_stdFilter[j]); });
   std::sort(m_stdCandidates.begin(), m_stdCandidates.end());
   m_stdCandidates.erase(std::unique(m_stdCandidates.begin(), m_stdCandidates.end()), m_stdCandidates.end());
 }

@@ -61,6 +61,9 @@ private:
   CBall Ball(std::size_t i) const;
   void BuildDiscGrid();
   void MoveInDiscGrid(std::uint32_t i);
+  bool HasFilters() const;
+  void CollectShapes(std::size_t ball, float reach);
+  void LeaveOutShapes(std::size_t ball);
   void CollectBalls(std::uint32_t i, std::uint32_t first);
   void Count(bool capped) { Stats().m_nSpeedsCapped += capped; }
 
@@ -73,6 +76,7 @@ private:
   std::size_t m_nShapes = 0;    // when it was made
   bool m_bBallsChanged = true;  // added or removed
   float m_fLargestRadius = 0.0f;
+  bool m_bFilters = false; // some meet not all
   CStaticBroadPhase m_cBroadPhase;
   std::vector<CShape*> m_stdKinematic; // sensors too
   CContinuous m_cContinuous;

@@ -15,6 +15,7 @@ CShape::CShape(const CShapeDesc& desc, eShape type, eMotion motion)
     : m_eShapeType(type),
       m_eMotionType(motion),
       m_bIsSensor(desc.m_bIsSensor),
+      m_cFilter(desc.m_cFilter),
       m_fElasticity(desc.m_fElasticity),
       m_fRotSpeed(desc.m_fRotSpeed),
       m_vVel(motion == eMotion::Static ? Vector2(Vector2::Zero()) : desc.m_vVel),

@@ -28,6 +28,7 @@ enum class eChange {
   Pose,      ///< where it is, or its rotation centre
   Motion,    ///< velocity or rotation speed
   Sensor,    ///< it became a sensor, or ceases to be one
+  Filter,    ///< it meets others
   Properties ///< elasticity, can-collide, user pointer
 };
 

@@ -64,6 +64,11 @@ void AddGeometry(CObject& json, const CPointDesc& desc) {
   json.Add("type", Quoted("point")).Add("position", desc.m_vPos);
 }
 
+void AddFilter(CObject& json, const CFilter& filter) {
+  if (filter == CFilter()) return;
+  json.Add("filter", "[" + std::to_string(filter.m_nCategory) + ", " + std::to_string(filter.m_nMask) + "]");
+}
+
 void AddSides(CObject& json, eSides sides) {
   if (sides != eSides::Both) json.Add("sides", Quoted(sides == eSides::Front ? "front" : "back"));
 }
@@ -94,6 +99,7 @@ std::string Written(const TDesc& desc) {
   AddGeometry(json, desc);
   json.Add("elasticity", desc.m_fElasticity);
   if (desc.m_bIsSensor) json.Add("sensor", "true");
+  AddFilter(json, desc.m_cFilter);
   if (desc.m_eMotionType == eMotion::Kinematic)
     json.Add("motion", Quoted("kinematic"))
         .Add("velocity", desc.m_vVel)
@@ -104,13 +110,14 @@ std::string Written(const TDesc& desc) {
 
 std::string WrittenBall(const CDynamicCircleDesc& ball) {
   if (ball.m_bIsSensor) Refuse("m_bIsSensor", "true", "false: a scene file has no balls that are sensors");
-  return CObject()
-      .Add("position", ball.m_vPos)
+  CObject json;
+  json.Add("position", ball.m_vPos)
       .Add("velocity", ball.m_vVel)
       .Add("radius", ball.m_fRadius)
       .Add("mass", ball.m_fMass)
-      .Add("elasticity", ball.m_fElasticity)
-      .Text();
+      .Add("elasticity", ball.m_fElasticity);
+  AddFilter(json, ball.m_cFilter);
+  return json.Text();
 }
 
 // Made for their checks and their boxes.

@@ -16,11 +16,13 @@ bool IsPair(const CWorldState& state, const CTouchingPair& pair) {
   const std::size_t i = state.FindBall(pair.m_cBall);
   FailIf(i == CWorldState::npos || !b.m_stdCanCollide[i]);
   if (const std::size_t j = state.FindBall(pair.m_cShape); j != CWorldState::npos)
-    return b.m_stdCanCollide[j] && (b.m_stdSensor[i] || b.m_stdSensor[j]);
+    return b.m_stdCanCollide[j] && (b.m_stdSensor[i] || b.m_stdSensor[j]) &&
+           DoMeet(b.m_stdFilter[i], b.m_stdFilter[j]);
   const std::size_t k = state.FindShape(pair.m_cShape);
   FailIf(k == CWorldState::npos);
   const CShape& shape = *state.m_stdShapes[k].m_pShape;
-  return shape.GetCanCollide() && (b.m_stdSensor[i] || shape.GetSensor());
+  return shape.GetCanCollide() && (b.m_stdSensor[i] || shape.GetSensor()) &&
+         DoMeet(b.m_stdFilter[i], shape.GetFilter());
 }
 
 } // namespace
@@ -127,7 +129,9 @@ void CSensors::TakeShapes(const CWorldState& state) {
 }
 
 void CSensors::TouchShape(const CBallArrays& b, std::size_t i, const CSensed& sensed, double dt) {
-  if (!m_stdBoxes[i].intersects(sensed.m_cBox)) return;
+  if (!m_stdBoxes[i].intersects(sensed.m_cBox) ||
+      !DoMeet(b.m_stdFilter[i], sensed.m_pEntry->m_pShape->GetFilter()))
+    return;
   ++m_nTests;
   const CBallPath path = GetPath(i);
   const bool moves = sensed.m_fTurn != 0.0 || !sensed.m_vMove.isZero(0.0);
@@ -149,7 +153,7 @@ void CSensors::TouchShape(const CBallArrays& b, std::size_t i, const CSensed& se
 }
 
 void CSensors::TouchBall(const CBallArrays& b, std::size_t i, std::size_t j, double dt) {
-  if (!m_stdBoxes[i].intersects(m_stdBoxes[j])) return;
+  if (!m_stdBoxes[i].intersects(m_stdBoxes[j]) || !DoMeet(b.m_stdFilter[i], b.m_stdFilter[j])) return;
   ++m_nTests;
   MakeRelativePath(GetPath(i), GetPath(j), m_stdOtherPath);
   auto touch = CZone(Vector2d::Zero(), b.m_stdRadius[j]).Touch(m_stdOtherPath, b.m_stdRadius[i]);

@@ -20,11 +20,12 @@ bool IsSolidPair(const CWorldState& state, const CTouchingPair& pair) {
   FailIf(i == CWorldState::npos || !state.m_cBalls.IsSolid(i));
   if (pair.m_cShape == CShapeId()) return true;
   if (const std::size_t j = state.FindBall(pair.m_cShape); j != CWorldState::npos)
-    return state.m_cBalls.IsSolid(j);
+    return state.m_cBalls.IsSolid(j) && DoMeet(state.m_cBalls.m_stdFilter[i], state.m_cBalls.m_stdFilter[j]);
   const std::size_t k = state.FindShape(pair.m_cShape);
   FailIf(k == CWorldState::npos);
   const CShape& shape = *state.m_stdShapes[k].m_pShape;
-  return shape.GetCanCollide() && !shape.GetSensor();
+  return shape.GetCanCollide() && !shape.GetSensor() &&
+         DoMeet(state.m_cBalls.m_stdFilter[i], shape.GetFilter());
 }
 
 // Whether the two of a solid pair are hardly apart now.

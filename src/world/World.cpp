@@ -277,6 +277,18 @@ void CWorld::SetCanCollide(CShapeId id, bool can) {
       [&](CShape& shape) { shape.SetCanCollide(can); });
 }
 
+const CFilter& CWorld::GetFilter(CShapeId id) const {
+  const CWorldState& state = m_pImpl->ReadState();
+  const std::size_t i = state.FindBall(id);
+  return i != CWorldState::npos ? state.m_cBalls.m_stdFilter[i] : FindShape(state, id).GetFilter();
+}
+
+void CWorld::SetFilter(CShapeId id, const CFilter& filter) {
+  SetProperty(
+      *m_pImpl, id, eChange::Filter, [&](CBallArrays& b, std::size_t i) { b.m_stdFilter[i] = filter; },
+      [&](CShape& shape) { shape.SetFilter(filter); });
+}
+
 void* CWorld::GetUserPtr(CShapeId id) const {
   const CWorldState& state = m_pImpl->ReadState();
   const std::size_t i = state.FindBall(id);

@@ -10,8 +10,8 @@ namespace {
 template <class F>
 void ForEachArray(CBallArrays& b, F f) {
   f(b.m_stdId), f(b.m_stdPos), f(b.m_stdPrevPos), f(b.m_stdVel), f(b.m_stdRadius), f(b.m_stdMass);
-  f(b.m_stdPosTail), f(b.m_stdVelTail), f(b.m_stdCalm), f(b.m_stdElasticity), f(b.m_stdSensor),
-      f(b.m_stdCanCollide), f(b.m_stdUser);
+  f(b.m_stdPosTail), f(b.m_stdVelTail), f(b.m_stdCalm), f(b.m_stdElasticity), f(b.m_stdFilter),
+      f(b.m_stdSensor), f(b.m_stdCanCollide), f(b.m_stdUser);
 }
 
 } // namespace
@@ -27,6 +27,7 @@ void CBallArrays::Add(CShapeId id, const CDynamicCircleDesc& desc) {
   m_stdRadius.push_back(desc.m_fRadius);
   m_stdMass.push_back(desc.m_fMass);
   m_stdElasticity.push_back(desc.m_fElasticity);
+  m_stdFilter.push_back(desc.m_cFilter);
   m_stdSensor.push_back(desc.m_bIsSensor);
   m_stdCanCollide.push_back(true);
   m_stdUser.push_back(nullptr);

@@ -31,6 +31,7 @@ struct CBallArrays {
   std::vector<float> m_stdRadius;
   std::vector<float> m_stdMass;
   std::vector<float> m_stdElasticity;
+  std::vector<CFilter> m_stdFilter;
   std::vector<std::uint8_t> m_stdSensor;
   std::vector<std::uint8_t> m_stdCanCollide;
   std::vector<void*> m_stdUser;

@@ -141,13 +141,18 @@ TEST(ImportNotesTest, FiltersBetweenBallsAndShapes) {
   EXPECT_EQ(NotesOf(game), CNotes());
   SetFilter(pFloor, 4, 0xFFFF);
   SetFilter(pGhost, 1, 3); // the floor is not in its mask
-  EXPECT_EQ(NotesOf(game), CNotes{"The filters keep body 2 from body 0 in Box2D; here they meet."});
+  EXPECT_EQ(NotesOf(game), CNotes());
+  const CSceneDesc scene = ImportScene(game.m_cWorld);
+  EXPECT_EQ(std::get<CLineSegDesc>(scene.m_stdShapes.at(0)).m_cFilter, (Shapes::CFilter{4, 0xFFFF}));
+  EXPECT_EQ(scene.m_stdBalls.at(0).m_cFilter, Shapes::CFilter());
+  EXPECT_EQ(scene.m_stdBalls.at(1).m_cFilter, (Shapes::CFilter{1, 3}));
   SetFilter(pGhost, 1, 3, 7);
   SetFilter(pFloor, 4, 0xFFFF, 7); // a group above 0 wins
-  EXPECT_EQ(NotesOf(game), CNotes());
+  EXPECT_EQ(NotesOf(game), CNotes{"The groups let body 2 meet body 0 in Box2D; here categories and masks "
+                                  "keep them apart."});
   SetFilter(pGhost, 1, 0xFFFF, -7);
   SetFilter(pFloor, 4, 0xFFFF, -7);
-  EXPECT_EQ(NotesOf(game), CNotes{"The filters keep body 2 from body 0 in Box2D; here they meet."});
+  EXPECT_EQ(NotesOf(game), CNotes{"The groups keep body 2 from body 0 in Box2D; here they meet."});
 }
 
 TEST(ImportNotesTest, FiltersAmongBalls) {
@@ -155,7 +160,7 @@ TEST(ImportNotesTest, FiltersAmongBalls) {
   for (int i = 0; i < 4; ++i)
     SetFilter(game.AddBall({static_cast<float>(i), 0}), 1, 0xFFFF, -1);
   EXPECT_EQ(NotesOf(game),
-            CNotes{"The filters keep bodies 0 to 3 from bodies 0 to 3 in Box2D; here they meet."});
+            CNotes{"The groups keep bodies 0 to 3 from bodies 0 to 3 in Box2D; here they meet."});
   CGame one;
   SetFilter(one.AddBall({0, 0}), 1, 0xFFFF, -1);
   EXPECT_EQ(NotesOf(one), CNotes()); // it meets nobody anyway

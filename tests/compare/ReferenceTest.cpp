@@ -35,6 +35,20 @@ TEST(Reference, ResponseKeepsTheTangentialPart) { // and reverses e of the norma
   }
 }
 
+TEST(Reference, MeetsWhatTheFiltersLetMeet) {
+  for (const bool meet : {true, false}) {
+    CLineSegDesc wall = Wall({1, -1}, {1, 1});
+    CBalls balls = {CDynamicCircleDesc({-1, 0}, .1f, {4, 0}), CDynamicCircleDesc({0, 0}, .1f)};
+    wall.m_cFilter = {1, 2};
+    balls[0].m_cFilter = {4, 2};
+    balls[1].m_cFilter = {2, meet ? CFilter().m_nMask : std::uint16_t{2}};
+    CExact reference = Make({wall}, balls);
+    // The first one gives its speed to the second one, which comes back with it.
+    EXPECT_EQ(Carry(reference, 1).size(), meet ? 3u : 0u);
+    EXPECT_NEAR(reference.GetBall(0).m_vVel.x(), meet ? -4 : 4, 1e-12);
+  }
+}
+
 TEST(Reference, FastBallLosesNoTravel) { // .17, where a setback along the normal gives .10
   CExact reference = Make({Wall({-1, 0}, {1, 0})}, {CDynamicCircleDesc({0, 0}, .1f, {0, -6})});
   reference.SetBall(0, {0, .13}, {0, -6});

@@ -43,8 +43,10 @@ protected:
     circle.m_vRotCenter = {0.1f, 0.9f};
     CArcDesc arc({0, 1}, 3, 0.1f, 3.1f);
     arc.m_bIsSensor = true;
+    arc.m_cFilter = {2, 7};
     desc.m_stdShapes = {CPointDesc({0.1f, 0.2f}, 0.3f), seg, circle, arc, CArcDesc({0, 0}, 9, 1, 1)};
     desc.m_stdBalls = {CDynamicCircleDesc({0.1f, 2}, 0.1f, {0.3f, 0.7f}, 1.3f, 0.9f)};
+    desc.m_stdBalls[0].m_cFilter = {0x8000, 0xFFFF};
     return desc;
   }
 

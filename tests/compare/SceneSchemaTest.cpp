@@ -29,10 +29,11 @@ json OneOfEach() {
     "gravity": [1, -9.5], "time_step": 0.0078125, "duration": 3, "lasting": 4,
     "bounds": {"left": -5, "bottom": -6, "right": 7, "top": 8},
     "shapes": [
-      {"type": "point", "name": "post", "position": [1, 2], "elasticity": 0.5, "motion": "kinematic",
+      {"type": "point", "name": "post", "position": [1, 2], "elasticity": 0.5, "filter": [2, 3], "motion": "kinematic",
        "rotation_speed": 1, "rotation_center": [0, 4],
        "shuttle": {"way": [1, 0], "speed": 2, "period": 1, "phase": 0.5}},
-      {"type": "line_segment", "p0": [3, 0], "p1": [-3, 1], "sides": "back", "sensor": true, "motion": "static"},
+      {"type": "line_segment", "p0": [3, 0], "p1": [-3, 1], "sides": "back", "sensor": true, "motion": "static",
+       "filter": [0, 65535]},
       {"type": "circle", "position": [4, 4], "radius": 0.25, "drain": true, "motion": "kinematic",
        "flip": {"angle": 1, "speed": 1, "period": 2}},
       {"type": "arc", "position": [0, 5], "radius": 2, "angles": [3, 0.5], "sides": "front"}],
@@ -44,7 +45,7 @@ json OneOfEach() {
                   {"type": "arc", "position": [-1, -2], "radius": 0.5, "angles": [0, 1], "drain": false}]},
       {"rotation_center": [0, 0], "rotation_speed": 1, "shapes": [{"type": "point", "position": [-1, -2]}]}],
     "balls": [
-      {"position": [0, 0], "velocity": [3, 4], "radius": 0.5, "mass": 2, "elasticity": 0.25,
+      {"position": [0, 0], "velocity": [3, 4], "radius": 0.5, "mass": 2, "elasticity": 0.25, "filter": [4, 1],
        "spread": {"position": [0.5, 1], "direction": 0.125, "speed": 0.5},
        "grid": {"columns": 2, "rows": 3, "spacing": [0.5, 0.5]}}]})");
 }
@@ -52,11 +53,12 @@ json OneOfEach() {
 // Each field left out, each field with each of these values, and each of these fields in each object.
 std::vector<json> MakeChanges(const json& good) {
   const std::vector<json> values = {
-      nullptr,       true,           -1,  0.5,     7,         "",       "x",    "arc",
-      json::array(), json::object(), {0}, {1, -1}, {0, 0, 0}, {0, "x"}, {7, 0}, {{"speed", 1}}};
+      nullptr,        true, -1,      0.5,      7,          "",        "x",      "arc",  json::array(),
+      json::object(), {0},  {1, -1}, {1, 0.5}, {65536, 0}, {0, 0, 0}, {0, "x"}, {7, 0}, {{"speed", 1}}};
   const std::vector<std::pair<const char*, json>> fields = {
-      {"surplus", 1},    {"name", "n"},           {"radius", 1},         {"sides", "both"},
-      {"sensor", false}, {"motion", "kinematic"}, {"rotation_speed", 0}, {"phase", 0}};
+      {"surplus", 1},          {"name", "n"},         {"radius", 1},
+      {"sides", "both"},       {"sensor", false},     {"filter", {1, 2}},
+      {"motion", "kinematic"}, {"rotation_speed", 0}, {"phase", 0}};
   std::vector<json> changes;
   const auto change = [&](const CPath& path, const json& value) {
     changes.push_back(good);

@@ -215,18 +215,20 @@ TEST_F(SceneTest, AWrongFieldIsNamedWithWhatWasExpected) {
        },
        " /shapes/0/position: expected a point [x, y], got [1,2,3]"},
       {[](json& d) { d["shapes"][0]["radius"] = 1; },
-       " /shapes/0/radius: expected no such field (known are drain, elasticity, flip, motion, name, "
+       " /shapes/0/radius: expected no such field (known are drain, elasticity, filter, flip, motion, name, "
        "position, rotation_center, rotation_speed, sensor, shuttle, type, velocity), got 1"},
       // A misspelled field comes before what its absence leads to.
       {[](json& d) {
          d["shapes"][3].erase("motion");
          d["shapes"][3]["moton"] = "kinematic";
        },
-       " /shapes/3/moton: expected no such field (known are angles, drain, elasticity, flip, motion, name, "
+       " /shapes/3/moton: expected no such field (known are angles, drain, elasticity, filter, flip, motion, "
+       "name, "
        "position, radius, rotation_center, rotation_speed, sensor, shuttle, sides, type, velocity), got "
        "\"kinematic\""},
       {[](json& d) { d["shapes"][1]["a/b: 'c'"] = true; },
-       " /shapes/1/a~1b: 'c': expected no such field (known are drain, elasticity, flip, motion, name, p0, "
+       " /shapes/1/a~1b: 'c': expected no such field (known are drain, elasticity, filter, flip, motion, "
+       "name, p0, "
        "p1, rotation_center, rotation_speed, sensor, shuttle, sides, type, velocity), got true"},
       {[](json& d) { d["shapes"][1]["type"] = "square"; },
        " /shapes/1/type: expected one of \"point\", \"line_segment\", \"circle\", \"arc\", got \"square\""},
@@ -243,7 +245,8 @@ TEST_F(SceneTest, AWrongFieldIsNamedWithWhatWasExpected) {
        " /compounds/0/shapes/1/type: expected one of \"point\", \"line_segment\", \"circle\", \"arc\", got "
        "\"compound\""},
       {[](json& d) { d["compounds"][0]["shapes"][1]["motion"] = "static"; },
-       " /compounds/0/shapes/1/motion: expected no such field (known are drain, elasticity, name, position, "
+       " /compounds/0/shapes/1/motion: expected no such field (known are drain, elasticity, filter, name, "
+       "position, "
        "sensor, type), got \"static\""},
       {[](json& d) { d["compounds"][0]["flip"]["speed"] = 0; },
        " /compounds/0/flip/speed: expected a number above 0, got 0"},

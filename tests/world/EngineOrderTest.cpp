@@ -26,7 +26,7 @@ public:
   void Added(CShapeId id) override { Record("Added", id); }
   void Removed(CShapeId id) override { Record("Removed", id); }
   void Changed(CShapeId id, eChange change) override {
-    static constexpr const char* names[] = {"pose", "motion", "sensor", "properties"};
+    static constexpr const char* names[] = {"pose", "motion", "sensor", "filter", "properties"};
     Record(std::string("Changed ") + names[static_cast<int>(change)], id);
   }
   void Plan(CEffects running) override {

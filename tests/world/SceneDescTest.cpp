@@ -56,8 +56,10 @@ TEST(SceneDescTest, JsonIsThisText) {
   auto& seg = std::get<CLineSegDesc>(scene.m_stdShapes[1]);
   seg.m_eSides = eSides::Back;
   seg.m_bIsSensor = true;
+  seg.m_cFilter = {2, 0xFFFF};
   scene.m_stdShapes.pop_back();
   scene.m_stdBalls.pop_back();
+  scene.m_stdBalls[0].m_cFilter = {1, 6};
   EXPECT_EQ(scene.ToJson("a\\b", 2.5f), R"json({
   "name": "a\\b",
   "description": "One \"note\". And\u000aanother.",
@@ -68,10 +70,10 @@ TEST(SceneDescTest, JsonIsThisText) {
   "bounds": {"left": -2, "bottom": -2, "right": 6, "top": 4},
   "shapes": [
     {"type": "point", "position": [1, 2], "elasticity": 1},
-    {"type": "line_segment", "p0": [0, 0], "p1": [4, 0], "sides": "back", "elasticity": 1, "sensor": true}
+    {"type": "line_segment", "p0": [0, 0], "p1": [4, 0], "sides": "back", "elasticity": 1, "sensor": true, "filter": [2, 65535]}
   ],
   "balls": [
-    {"position": [1, 1], "velocity": [1, 0], "radius": 0.25, "mass": 1, "elasticity": 1}
+    {"position": [1, 1], "velocity": [1, 0], "radius": 0.25, "mass": 1, "elasticity": 1, "filter": [1, 6]}
   ]
 }
 )json");

@@ -117,7 +117,13 @@ private:
     }
   }
 
+  // The scene has categories and masks, but no groups.
   void WriteFilters() {
+    WriteFilters(true, "The groups keep ", " from ", " in Box2D; here they meet.");
+    WriteFilters(false, "The groups let ", " meet ", " in Box2D; here categories and masks keep them apart.");
+  }
+
+  void WriteFilters(bool areApart, const char* verb, const char* from, const char* end) {
     for (std::size_t ball = 0; ball < m_cSurvey.m_stdKinds.size(); ++ball) {
       if (!m_cSurvey.m_stdKinds[ball].m_bIsBall) continue;
       std::string others;
@@ -125,12 +131,12 @@ private:
         const CKind& kind = m_cSurvey.m_stdKinds[k];
         const bool isListed = kind.m_bIsBall && k < ball; // with the other one
         const bool isAlone = k == ball && kind.m_stdParts.size() == 1;
-        if (isListed || isAlone || !m_cSurvey.AreFiltered(ball, k)) continue;
+        const bool isSame = m_cSurvey.AreFiltered(ball, k) != areApart ||
+                            DoMeet(m_cSurvey.GetFilter(ball), m_cSurvey.GetFilter(k)) != areApart;
+        if (isListed || isAlone || isSame) continue;
         others.append(others.empty() ? "" : ", ").append(Name(k));
       }
-      if (!others.empty())
-        m_stdNotes.push_back("The filters keep " + Name(ball) + " from " + others +
-                             " in Box2D; here they meet.");
+      if (!others.empty()) m_stdNotes.push_back(verb + Name(ball) + from + others + end);
     }
   }
 

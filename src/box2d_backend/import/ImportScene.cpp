@@ -72,6 +72,7 @@ private:
   void SetBase(const CPart& part, CShapeDesc& desc) const {
     desc.m_fElasticity = m_stdElasticities[part.m_nKind];
     desc.m_bIsSensor = part.m_pFixture->IsSensor();
+    desc.m_cFilter = m_cSurvey.GetFilter(part.m_nKind);
     const b2Body& body = m_cSurvey.GetBody(part);
     if (body.GetType() != b2_kinematicBody) return;
     desc.m_eMotionType = eMotion::Kinematic;

@@ -147,7 +147,7 @@ void CSurvey::FindKinds() {
   }
 }
 
-// A shape that no ball meets would be met in a world of this library, which has no filters.
+// A shape that no ball meets would only cost time, and be met if it is its group that keeps balls from it.
 void CSurvey::DropWhatNoBallMeets() {
   const auto isBall = [](const CKind& kind) { return kind.m_bIsBall; };
   if (std::none_of(m_stdKinds.begin(), m_stdKinds.end(), isBall)) return;
@@ -173,6 +173,11 @@ bool CSurvey::AreFiltered(std::size_t kind0, std::size_t kind1) const {
   const b2Filter &a = m_stdKinds[kind0].m_cFilter, &b = m_stdKinds[kind1].m_cFilter;
   if (a.groupIndex == b.groupIndex && a.groupIndex != 0) return a.groupIndex < 0;
   return (a.maskBits & b.categoryBits) == 0 || (a.categoryBits & b.maskBits) == 0;
+}
+
+CFilter CSurvey::GetFilter(std::size_t kind) const {
+  const b2Filter& filter = m_stdKinds[kind].m_cFilter;
+  return m_bHasFilter ? CFilter{filter.categoryBits, filter.maskBits} : CFilter();
 }
 
 bool CSurvey::AreJoined(int body0, int body1) const {

@@ -52,6 +52,8 @@ public:
   }
   /// Whether the filters keep two kinds from each other.
   bool AreFiltered(std::size_t kind0, std::size_t kind1) const;
+  /// Category and mask, which are all that a scene has; the default where the b2World has no filter.
+  CFilter GetFilter(std::size_t kind) const;
   /// Whether the joints keep two bodies from each other.
   bool AreJoined(int body0, int body1) const;
   /// Whether balls of the one bounce off members of the other.

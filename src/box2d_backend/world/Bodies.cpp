@@ -180,23 +180,27 @@ CBody* CBodies::Find(const b2Body& body) {
 void CBodies::SetProperties(const CWorldState& state, CShapeId id) {
   CBody& body = Get(id);
   bool isSolid;
+  CFilter given;
   void* pUser;
   if (const std::size_t i = state.FindBall(id); i != CWorldState::npos) {
     const CBallArrays& b = state.m_cBalls;
     body.m_fElasticity = b.m_stdElasticity[i];
     isSolid = b.m_stdCanCollide[i] && !b.m_stdSensor[i];
+    given = b.m_stdFilter[i];
     pUser = b.m_stdUser[i];
   } else {
     const CShape& shape = *state.m_stdShapes[state.FindShape(id)].m_pShape;
     body.m_fElasticity = shape.GetElasticity();
     isSolid = shape.GetCanCollide() && !shape.GetSensor();
+    given = shape.GetFilter();
     pUser = shape.GetUserPtr();
   }
   b2Filter filter; // sensors are not Box2D's: its own do not see a ball that flies through within a step
-  if (!isSolid) filter.categoryBits = filter.maskBits = 0;
+  filter.categoryBits = isSolid ? given.m_nCategory : uint16(0);
+  filter.maskBits = isSolid ? given.m_nMask : uint16(0);
   const b2Filter before = body.m_pBody->GetFixtureList()->GetFilterData();
   filter.groupIndex = before.groupIndex;
-  const bool changed = before.maskBits != filter.maskBits;
+  const bool changed = before.maskBits != filter.maskBits || before.categoryBits != filter.categoryBits;
   for (b2Fixture* p = body.m_pBody->GetFixtureList(); p != nullptr; p = p->GetNext()) {
     p->GetUserData().pointer = reinterpret_cast<uintptr_t>(pUser);
     // Shapes respond by the product of both elasticities; Box2D's own rule, the larger of both, remains for

@@ -54,8 +54,9 @@ void AddEnds(const CShapeEntry& entry, std::vector<CEnd>& ends) {
                        }});
 }
 
-bool MoveTogether(const CShape& a, const CShape& b) {
-  FailIf(a.GetMotionType() != b.GetMotionType());
+// Whether what meets one of them meets the other one in the same place.
+bool AreAlike(const CShape& a, const CShape& b) {
+  FailIf(a.GetMotionType() != b.GetMotionType() || a.GetFilter() != b.GetFilter());
   return a.GetMotionType() == eMotion::Static ||
          (a.GetVel() == b.GetVel() && a.GetRotCenter() == b.GetRotCenter() &&
           a.GetRotSpeed() == b.GetRotSpeed());
@@ -74,7 +75,7 @@ std::map<CShapeId, CSharedEnds> FindSharedEnds(const CWorldState& state, float t
     for (std::size_t j = i + 1; j < ends.size(); ++j) {
       CEnd &a = ends[i], &b = ends[j];
       if (b.m_vPos.x() - a.m_vPos.x() > tolerance) break;
-      if (Length(b.m_vPos - a.m_vPos) > tolerance || !MoveTogether(*a.m_pShape, *b.m_pShape)) continue;
+      if (Length(b.m_vPos - a.m_vPos) > tolerance || !AreAlike(*a.m_pShape, *b.m_pShape)) continue;
       ++a.m_nMatches, ++b.m_nMatches;
       a.m_pMatch = &b, b.m_pMatch = &a;
     }

@@ -75,7 +75,7 @@ void CStepper::Removed(CShapeId id) {
 }
 
 void CStepper::Changed(CShapeId id, eChange what) {
-  if (what == eChange::Properties || what == eChange::Sensor) {
+  if (what == eChange::Properties || what == eChange::Sensor || what == eChange::Filter) {
     m_cBodies.SetProperties(m_cState, id);
     NoteSharedEnds(id);
   } else if (const std::size_t i = m_cState.FindBall(id); i != CWorldState::npos) {

@@ -108,6 +108,8 @@ void CContinuous::SetBackFromBalls(std::uint32_t i) {
 void CContinuous::FindShapes(std::uint32_t i, float reach) {
   const CDiscGrid::CDisc& disc = m_stdBalls[i].m_cDisc;
   m_pShapes->FindNear(disc.m_vCenter, disc.m_fRadius + reach, m_stdShapesFound);
+  if (m_bFilters)
+    std::erase_if(m_stdShapesFound, [&](std::uint32_t order) { return !MeetsShape(m_stdBalls[i], order); });
 }
 
 // By order, each from where those before it have put it. Whether any had to.
@@ -136,8 +138,9 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i) {
 
 // The share of a push of a ball from p by `way`, all at once, that no shape is in the way of, as they are at
 // `time`; those that move together with `along` are not.
-double CContinuous::GetFreeShare(const Vector2d& p, const Vector2d& way, double radius, double time,
+double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const Vector2d& way, double time,
                                  const CShapeGeometry* along) const {
+  const double radius = ball.m_fRadius;
   CAabb2D box(ToFloat(p), ToFloat(p));
   box += ToFloat(p + way);
   std::vector<std::uint32_t> orders;
@@ -147,7 +150,8 @@ double CContinuous::GetFreeShare(const Vector2d& p, const Vector2d& way, double 
     const CShapeGeometry& o = m_pShapes->GetGeometry(order);
     if (along != nullptr && o.MovesAs(*along)) continue;
     CImpact impact;
-    if (m_pShapes->Get(order).m_pShape->GetCanCollide() && Sweep(o, motion, time, impact) != eSweep::None)
+    if (MeetsShape(ball, order) && m_pShapes->Get(order).m_pShape->GetCanCollide() &&
+        Sweep(o, motion, time, impact) != eSweep::None)
       motion.m_fDuration = std::min(motion.m_fDuration, impact.m_fTime);
   }
   return motion.m_fDuration / g_fInstant;
@@ -158,7 +162,7 @@ void CContinuous::CorrectPosition(std::uint32_t i, const Vector2d& n, double dep
   CMoving& ball = m_stdBalls[i];
   if (depth > g_fFarCorrection * ball.m_fRadius) {
     const Vector2d from = ball.m_vPos + Clear(SizeOf(ball.m_vPos, ball.m_fRadius), depth) * n;
-    depth *= GetFreeShare(from, depth * n, ball.m_fRadius, 0.0, nullptr);
+    depth *= GetFreeShare(ball, from, depth * n, 0.0, nullptr);
   }
   ball.m_vPos += depth * n;
   ball.m_bIsMoved = true;

@@ -46,6 +46,9 @@ public:
   void Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravity, float dt,
             CWorldStats& stats);
 
+  /// Whether any ball or shape meets not all.
+  void SetFilters(bool b) { m_bFilters = b; }
+
   /// Forgets what the next substep would begin its search for forces with.
   void Forget() { m_cResting.Forget(); }
 
@@ -88,8 +91,11 @@ private:
   void FindFirst(std::uint32_t i);
   bool SetBackFromShapes(std::uint32_t i);
   void SetBackFromBalls(std::uint32_t i);
-  double GetFreeShare(const Vector2d& p, const Vector2d& way, double radius, double time,
+  double GetFreeShare(const CMoving& ball, const Vector2d& p, const Vector2d& way, double time,
                       const CShapeGeometry* along) const;
+  bool MeetsShape(const CMoving& ball, std::uint32_t order) const {
+    return DoMeet(m_pBalls->m_stdFilter[ball.m_nBall], m_pShapes->Get(order).m_pShape->GetFilter());
+  }
   void CorrectPosition(std::uint32_t i, const Vector2d& n, double depth);
   void FindNext(std::uint32_t i);
   void FindNextShape(CMoving& ball);
@@ -139,6 +145,7 @@ private:
   Vector2d m_vGravity = Vector2d::Zero();
   bool m_bCapsSpeeds = false; // gravity can take a ball beyond g_fMaxSpeed
   bool m_bPairs = false;
+  bool m_bFilters = false;
   std::vector<std::uint32_t> m_stdSolid;    // balls of the arrays, by k
   std::vector<CDiscGrid::CDisc> m_stdDiscs; // around their ways, as they would move alone
   CDiscGrid m_cDiscGrid;

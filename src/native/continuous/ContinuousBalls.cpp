@@ -133,6 +133,11 @@ void CContinuous::FindBalls(std::uint32_t i, float reach) {
     if (m_stdIndexOf[k] != i) m_stdBallsFound.push_back(m_stdIndexOf[k]);
     return false;
   });
+  if (m_bFilters)
+    std::erase_if(m_stdBallsFound, [&](std::uint32_t j) {
+      const std::vector<CFilter>& filters = m_pBalls->m_stdFilter;
+      return !DoMeet(filters[m_stdBalls[i].m_nBall], filters[m_stdBalls[j].m_nBall]);
+    });
   std::sort(m_stdBallsFound.begin(), m_stdBallsFound.end());
   m_stdBallsFound.erase(std::unique(m_stdBallsFound.begin(), m_stdBallsFound.end()), m_stdBallsFound.end());
 }

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// Filters: who meets whom, as solid ones and as sensors; the same on every engine, in every mode.
+#include "../Numbers.h"
+#include "Backends.h"
+
+namespace Shapes {
+namespace {
+
+constexpr CFilter g_cRed{1, 2}, g_cBlue{2, 1}, g_cDeaf{2, 0}, g_cAll{};
+// Pairs, and whether they meet.
+const struct {
+  CFilter m_cFirst, m_cSecond;
+  bool m_bMeet;
+} g_stdPairs[] = {{g_cRed, g_cBlue, true},
+                  {g_cRed, g_cRed, false},
+                  {g_cBlue, g_cDeaf, false},
+                  {g_cRed, g_cDeaf, false},
+                  {g_cAll, g_cAll, true},
+                  {g_cAll, g_cBlue, true},
+                  {{0x8000, 0x8000}, g_cAll, false},
+                  {{0x8000, 0x8000}, {0x8000, 0x8000}, true}};
+
+const CEffectChoice g_stdChoices[] = {g_cAutomatic, g_cApproximate, g_cContinuous};
+
+class CFilterContract : public CEveryBackend {
+protected:
+  std::unique_ptr<CWorld> Make(const CEffectChoice& choice, eProfile profile,
+                               const Vector2& gravity = {0, 0}) {
+    CWorldDesc desc;
+    desc.m_vGravity = gravity;
+    desc.m_fTimeStep = g_fDt;
+    desc.m_cEffects = choice;
+    desc.m_cBox2D.m_eProfile = profile;
+    return Backend().MakeWorld(desc);
+  }
+  template <class F>
+  void InEveryMode(const F& f) {
+    for (const auto& pair : g_stdPairs)
+      for (const CEffectChoice& choice : g_stdChoices)
+        for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned})
+          for (const bool swap : {false, true}) {
+            SCOPED_TRACE(testing::Message() << &pair - g_stdPairs << ' ' << &choice - g_stdChoices);
+            f(swap ? pair.m_cSecond : pair.m_cFirst, swap ? pair.m_cFirst : pair.m_cSecond, pair.m_bMeet,
+              choice, profile);
+          }
+  }
+};
+SHAPES_ON_EVERY_BACKEND(CFilterContract);
+
+TEST_P(CFilterContract, ShapesAndBallsMeetByIt) {
+  InEveryMode([&](CFilter first, CFilter second, bool meet, const CEffectChoice& choice, eProfile profile) {
+    const auto pWorld = Make(choice, profile);
+    CLineSegDesc wall({1, -1}, {1, 1});
+    wall.m_cFilter = first;
+    pWorld->Add(wall);
+    CDynamicCircleDesc desc({0, 0}, 0.1f, {2, 0});
+    desc.m_cFilter = second;
+    const CShapeId ball = pWorld->Add(desc);
+    for (int i = 0; i < 60; ++i)
+      pWorld->Step();
+    EXPECT_EQ(pWorld->GetVel(ball).x() < 0, meet);
+    EXPECT_EQ(pWorld->GetFilter(ball), second);
+  });
+}
+
+TEST_P(CFilterContract, BallsMeetEachOtherByIt) {
+  InEveryMode([&](CFilter first, CFilter second, bool meet, const CEffectChoice& choice, eProfile profile) {
+    const auto pWorld = Make(choice, profile);
+    CDynamicCircleDesc one({0, 0}, 0.1f, {2, 0}), other({1, 0}, 0.1f);
+    one.m_cFilter = first;
+    other.m_cFilter = second;
+    pWorld->Add(one);
+    const CShapeId hit = pWorld->Add(other);
+    for (int i = 0; i < 60; ++i)
+      pWorld->Step();
+    EXPECT_EQ(pWorld->GetVel(hit).x() > 1, meet);
+  });
+}
+
+TEST_P(CFilterContract, SensorsDetectByIt) {
+  InEveryMode([&](CFilter first, CFilter second, bool meet, const CEffectChoice& choice, eProfile profile) {
+    for (const bool ballIsSensor : {false, true}) {
+      const auto pWorld = Make(choice, profile);
+      CCircleDesc zone({1, 0}, 0.3f);
+      zone.m_cFilter = first;
+      zone.m_bIsSensor = !ballIsSensor;
+      pWorld->Add(zone);
+      CDynamicCircleDesc ball({0, 0}, 0.1f, {2, 0});
+      ball.m_cFilter = second;
+      ball.m_bIsSensor = ballIsSensor;
+      pWorld->Add(ball);
+      std::size_t told = 0;
+      for (int i = 0; i < 60; ++i) {
+        pWorld->Step();
+        told += pWorld->GetSensorEvents().size();
+      }
+      EXPECT_EQ(told, meet ? 2u : 0u);
+    }
+  });
+}
+
+// A ball that lies on a floor falls through it from the moment on when it does not meet it any more.
+TEST_P(CFilterContract, AChangeTakesEffectInTheNextStep) {
+  for (const CEffectChoice& choice : g_stdChoices)
+    for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned})
+      for (const bool ofBall : {false, true}) {
+        const auto pWorld = Make(choice, profile, {0, -10});
+        const CShapeId floor = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+        const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f, {0, 0}, 1, 0));
+        for (int i = 0; i < 60; ++i)
+          pWorld->Step();
+        EXPECT_GT(pWorld->GetPos(ball).y(), 0.05f);
+        pWorld->SetFilter(ofBall ? ball : floor, {4, 4});
+        const CSavedState saved = pWorld->SaveState();
+        for (int i = 0; i < 30; ++i)
+          pWorld->Step();
+        EXPECT_LT(pWorld->GetPos(ball).y(), -0.5f);
+        pWorld->LoadState(saved);
+        EXPECT_EQ(pWorld->GetFilter(ofBall ? ball : floor), (CFilter{4, 4}));
+        pWorld->SetFilter(ofBall ? ball : floor, {});
+        for (int i = 0; i < 30; ++i)
+          pWorld->Step();
+        EXPECT_GT(pWorld->GetPos(ball).y(), 0.05f);
+      }
+}
+
+// In a pile of two kinds that do not meet, each kind lies as if the other one were not there.
+TEST_P(CFilterContract, BallsOfTwoKindsLieInOnePlace) {
+  for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned}) {
+    const auto pWorld = Make(g_cAutomatic, profile, {0, -10});
+    pWorld->Add(CLineSegDesc({-0.11f, 0}, {0.11f, 0}));
+    for (const float x : {-0.11f, 0.11f})
+      pWorld->Add(CLineSegDesc({x, 0}, {x, 3}));
+    std::vector<CShapeId> ids;
+    for (int i = 0; i < 4; ++i) {
+      CDynamicCircleDesc desc({0, 0.15f + 0.25f * static_cast<float>(i / 2)}, 0.1f, {0, 0}, 1, 0);
+      desc.m_cFilter = i % 2 == 0 ? CFilter{1, 1 | 4} : CFilter{2, 2 | 4};
+      ids.push_back(pWorld->Add(desc));
+    }
+    for (const CShapeId id : pWorld->GetShapeIds())
+      pWorld->SetFilter(id, {4, 0xFFFF});
+    for (int i = 0; i < 240; ++i)
+      pWorld->Step();
+    for (int i = 0; i < 4; ++i)
+      EXPECT_NEAR(pWorld->GetPos(ids[static_cast<std::size_t>(i)]).y(), i < 2 ? 0.1f : 0.3f, 0.02f);
+  }
+}
+
+TEST_P(CFilterContract, ShapesWithoutAWorldMeetByIt) {
+  for (const auto& pair : g_stdPairs) {
+    CLineSeg wall(CLineSegDesc({0, -1}, {0, 1}));
+    CDynamicCircle ball(CDynamicCircleDesc({-0.05f, 0}, 0.1f, {1, 0}));
+    wall.SetFilter(pair.m_cFirst);
+    ball.SetFilter(pair.m_cSecond);
+    CContactDesc c(&wall, &ball);
+    EXPECT_EQ(Backend().CollisionDetected(c), pair.m_bMeet);
+  }
+}
+
+} // namespace
+} // namespace Shapes
