@@ -140,12 +140,12 @@ TEST(ImpactTrialRulesTest, ASlowImpactThatIsNotAnsweredIsMissed) {
   AddBall(scene, {{-0.102f, 0}, 0.1f, {0.1f, 20}, 1, 0.5f});
   AddBall(scene, {{0.102f, 0}, 0.1f, {0, 20}, 1, 0.5f});
   std::vector<CEngine> engines = GetEngines();
-  engines[g_nNative].m_cEffects.m_cForbidden = {eEffect::BallPairs};
+  engines[g_nApproximate].m_cEffects.m_cForbidden = {eEffect::BallPairs};
   const CImpactTrialResult result = RunImpactTrials(scene, engines, MakeOptions(20, 20));
   ASSERT_EQ(result.m_stdContacts.size(), 20u);
   for (const CContact& contact : result.m_stdContacts) {
     EXPECT_LT(contact.m_fApproach, 0.11f);
-    EXPECT_EQ(contact.m_stdEngines[g_nNative].m_eOutcome, eOutcome::Missed);
+    EXPECT_EQ(contact.m_stdEngines[g_nApproximate].m_eOutcome, eOutcome::Missed);
     EXPECT_TRUE(contact.m_stdEngines[g_nNative].HasTurnedBack());
   }
 }

@@ -37,12 +37,12 @@ TEST(Replay, AllTracksStartTogetherAndHaveTheSameLength) {
     SCOPED_TRACE(name);
     const CReplay replay = Make(name);
     const std::size_t balls = replay.m_cScene.m_stdBalls.size();
-    ASSERT_EQ(replay.m_stdClips.size(), 6u);
+    ASSERT_EQ(replay.m_stdClips.size(), 1 + GetEngineRows().size());
     EXPECT_EQ(replay.m_stdClips[0].m_sName, "start");
-    for (std::size_t e = 0; e < 5; ++e)
+    for (std::size_t e = 0; e < GetEngineRows().size(); ++e)
       EXPECT_EQ(replay.m_stdClips[e + 1].m_sName, std::string("worst ") + GetEngineRows()[e].m_sName);
     for (const CClip& clip : replay.m_stdClips) {
-      ASSERT_EQ(clip.m_stdTracks.size(), 6u);
+      ASSERT_EQ(clip.m_stdTracks.size(), GetEngineRows().size() + 1);
       for (const auto& track : clip.m_stdTracks) {
         EXPECT_EQ(track.size(), clip.m_stdTracks[0].size());
         EXPECT_TRUE(std::equal(track.begin(), track.begin() + static_cast<std::ptrdiff_t>(balls),

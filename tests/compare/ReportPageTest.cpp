@@ -202,8 +202,8 @@ protected:
     ExpectDrawn(scene.at("plots").at("tunneled"), GetNames(true));
     ExpectDrawn(scene.at("plots").at("setback_error_histogram"), GetNames());
     ExpectDrawn(scene.at("plots").at("penetration_histogram"), GetNames());
-    EXPECT_EQ(scene.at("heatMaps"), 5);
-    EXPECT_EQ(scene.at("outcomes"), 5);
+    EXPECT_EQ(scene.at("heatMaps"), 4);
+    EXPECT_EQ(scene.at("outcomes"), 4);
     EXPECT_EQ(scene.at("folds"), 6);
     EXPECT_TRUE(scene.at("chart").get<bool>());
     EXPECT_EQ(scene.at("answers").size(), 3u);
@@ -247,9 +247,9 @@ TEST_F(ReportPageTest, AFullReportInTheLight) {
   ExpectSound(result);
   EXPECT_FALSE(result.at("isDark").get<bool>());
   EXPECT_FALSE(result.at("isInterrupted").get<bool>());
-  EXPECT_EQ(result.at("tiles").size(), 5u);
+  EXPECT_EQ(result.at("tiles").size(), 4u);
   EXPECT_EQ(result.at("rows"), 3);
-  EXPECT_EQ(result.at("labels"), json({5})); // the chart that fits, and not the other one
+  EXPECT_EQ(result.at("labels"), json({4})); // the chart that fits, and not the other one
   EXPECT_LE(result.at("firstScreen").get<double>(), 800);
   EXPECT_TRUE(Contains(result.at("text"), "Take native: 7.1 times faster than Box2D"));
   EXPECT_TRUE(Contains(result.at("text"), "within 12\u00b0") ||
@@ -288,7 +288,7 @@ TEST_F(ReportPageTest, AFullReportOnAPhone) {
   const json result =
       Exercise(ToPage(MakePageDocuments({"bowl_that_has_a_rather_long_name"})), eScheme::Dark, 390);
   ExpectSound(result);
-  EXPECT_EQ(result.at("labels"), json({5}));
+  EXPECT_EQ(result.at("labels"), json({4}));
   EXPECT_LE(result.at("firstScreen").get<double>(), 844);
   EXPECT_EQ(result.at("scenes").at(0).at("folds"), 6);
 }
@@ -342,7 +342,7 @@ TEST_F(ReportPageTest, WhatTheProgramWrites) {
     SCOPED_TRACE(scene.at("name"));
     ExpectDrawn(scene.at("plots").at("error"), GetNames(true));
     ASSERT_TRUE(scene.contains("replay"));
-    EXPECT_EQ(scene.at("worst").size(), 5u);
+    EXPECT_EQ(scene.at("worst").size(), 4u);
     EXPECT_EQ(scene.at("effects").size(), 14u);
     for (const json& worst : scene.at("worst"))
       EXPECT_GT(worst.at("frame").get<int>(), 0);

@@ -45,8 +45,8 @@ TEST(RunTest, EverythingIsMeasuredOnEachScene) {
     EXPECT_EQ(scene.m_cWork.m_stdSettings.size(), GetParameterSweep().size() + 1);
     EXPECT_FALSE(scene.m_cWork.m_stdRecommendations.empty());
     EXPECT_EQ(scene.m_cHeatMap.m_stdCells.empty(), scene.m_cScene.m_stdBalls.size() != 1);
-    EXPECT_EQ(scene.m_stdClips.size(), 6u);
-    ASSERT_EQ(scene.m_stdEngines.size(), 5u);
+    EXPECT_EQ(scene.m_stdClips.size(), 1 + GetEngineRows().size());
+    ASSERT_EQ(scene.m_stdEngines.size(), GetEngineRows().size());
     for (const CEngineReport& engine : scene.m_stdEngines) {
       EXPECT_EQ(engine.m_cTotals.m_nContacts, g_nRunContacts);
       EXPECT_FALSE(engine.m_stdBins.empty());

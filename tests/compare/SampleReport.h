@@ -44,7 +44,7 @@ inline CContact MakeSampleContact() {
   CEngineContact late = right;
   late.m_eOutcome = eOutcome::Late;
   late.m_fDirectionError = 0.0f;
-  contact.m_stdEngines = {late, right, late, missed, late};
+  contact.m_stdEngines = {late, right, missed, late};
   return contact;
 }
 

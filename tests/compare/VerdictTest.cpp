@@ -75,17 +75,6 @@ TEST(VerdictTest, WorseBouncesAreAReasonToo) {
       "5.7 degrees off.");
 }
 
-TEST(VerdictTest, ARunThatNeedsNoSweepsIsSaidToBeTheSame) {
-  CRunReport report = MakeSampleReport();
-  auto& contact = report.m_stdScenes[0].m_cImpactTrials.m_stdContacts[0];
-  contact.m_stdEngines[g_nNative] = contact.m_stdEngines[g_nApproximate];
-  EXPECT_NE(Does(report).find("native need not sweep here, so native-approximate makes the same run"),
-            std::string::npos)
-      << Does(report);
-  contact.m_stdEngines[g_nNative].m_fPenetration = 0.125f; // the same of neither
-  EXPECT_EQ(Does(report).find("; native "), std::string::npos) << Does(report);
-}
-
 TEST(VerdictTest, OneEngineAloneIsNotCompared) {
   const CRunReport report = Of({g_nBox2D});
   EXPECT_EQ(Use(report), "Box2D is alone here.");
@@ -184,8 +173,8 @@ TEST(OverallTest, TimesAreGeometricMeansAndCountsAreSums) {
   EXPECT_EQ(native.m_cDirection.m_fValue, 0.0);
   EXPECT_EQ(overall.m_stdEngines[g_nApproximate].m_cDirection.m_fValue, 2.0);
   // On the line is what no other one beats in both.
-  const bool front[] = {true, true, true, false, false};
-  for (std::size_t e = 0; e < 5; ++e)
+  const bool front[] = {true, true, false, false};
+  for (std::size_t e = 0; e < 4; ++e)
     if (e != g_nBox2D) { // has no direction in the sample
       EXPECT_EQ(overall.m_stdEngines[e].m_bFront, front[e]) << e;
     }
@@ -195,13 +184,11 @@ TEST(OverallTest, TimesAreGeometricMeansAndCountsAreSums) {
 
 TEST(OverallTest, TheResultBeginsWithTheEngineToTake) {
   CRunReport report = Of({g_nNative, g_nApproximate, g_nBox2D});
-  for (const std::size_t e : {g_nNative})
-    report.m_stdScenes[0].m_stdEngines[e] = MakeSampleEngine(1, 70.0, 0.0002);
+  report.m_stdScenes[0].m_stdEngines[g_nNative] = MakeSampleEngine(1, 70.0, 0.0002);
   const std::string result = MakeResult(report, MakeOverall(report));
   EXPECT_EQ(result,
             "Take native: 7.1 times faster than Box2D. It loses 1 of 1,000 balls (Box2D 6), and 95% of its "
-            "bounces are "
-            "within 0.001 degrees; native-approximate is 1.4 times faster than native but loses 1 in 4.9.");
+            "bounces are within 0.001 degrees (Box2D 0.001 degrees); native-approximate is 1.4 times faster than native but loses 1 in 4.9.");
   CRunReport alone = Of({g_nNative, g_nApproximate});
   EXPECT_EQ(MakeResult(alone, MakeOverall(alone))
                 .rfind("Take native: it loses 12 of 1,000 balls, and 95% of its bounces are within ", 0),

@@ -118,10 +118,10 @@ TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
   };
   const CWorkPrecision work = MeasureWorkPrecision(scene, ladder, options);
   EXPECT_EQ(last, 1.0);
-  ASSERT_EQ(work.m_stdSettings.size(), 7u);
+  ASSERT_EQ(work.m_stdSettings.size(), 6u);
   const CSetting &one = work.m_stdSettings[Tests::g_nApproximate],
                  &box2d = work.m_stdSettings[Tests::g_nBox2D];
-  const CSetting &eight = work.m_stdSettings[5], &exact = work.m_stdSettings[6];
+  const CSetting &eight = work.m_stdSettings[4], &exact = work.m_stdSettings[5];
   EXPECT_GT(one.m_nTunneled, one.m_nContacts / 3);
   EXPECT_EQ(eight.m_nTunneled, 0u);
   EXPECT_EQ(box2d.m_nTunneled, 0u);

@@ -91,7 +91,8 @@ TEST_P(CEffectBits, BallsAreSweptByDefaultHoweverSlowTheyAre) {
   for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned}) {
     const auto path = Run(slow, g_cAutomatic, profile);
     EXPECT_EQ(path, Run(slow, g_cContinuous, profile));
-    EXPECT_NE(path, Run(slow, g_cApproximate, profile)); // the control
+    // The control; Box2D as it ships solves contacts of slow balls in the same way with and without it.
+    if (Backend().GetName() == "native") EXPECT_NE(path, Run(slow, g_cApproximate, profile));
   }
 }
 
