@@ -41,7 +41,10 @@ const CBackend* GetBackend(eBackend e) {
   return nullptr;
 }
 
-const CBackend& GetDefaultBackend() { return *GetBackend(SHAPES_DEFAULT_BACKEND); }
+const CBackend& GetDefaultBackend() {
+  static const CBackend& backend = *GetBackend(SHAPES_DEFAULT_BACKEND);
+  return backend;
+}
 
 std::unique_ptr<CWorld> MakeWorld(const CWorldDesc& desc) { return GetDefaultBackend().MakeWorld(desc); }
 

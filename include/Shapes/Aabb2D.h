@@ -4,6 +4,8 @@
 
 #include <Shapes/ShapeMath.h>
 
+#include <utility>
+
 namespace Shapes {
 
 /// A box given by its top left and bottom right corner, in the user's length unit. Its edges belong to it.
@@ -13,10 +15,17 @@ public:
   /// The empty box: intersects nothing, has no width; `+=` makes it the box of one point.
   CAabb2D();
   /// The box with these opposite corners; corners given in another order are put in order.
-  CAabb2D(const Vector2& topleft, const Vector2& bottomright);
+  CAabb2D(const Vector2& topleft, const Vector2& bottomright)
+      : m_vTopLeft(topleft), m_vBottomRt(bottomright) {
+    if (m_vTopLeft.x() > m_vBottomRt.x()) std::swap(m_vTopLeft.x(), m_vBottomRt.x());
+    if (m_vTopLeft.y() < m_vBottomRt.y()) std::swap(m_vTopLeft.y(), m_vBottomRt.y());
+  }
 
   /// Shrinks the box to the point p.
-  CAabb2D& operator=(const Vector2& p);
+  CAabb2D& operator=(const Vector2& p) {
+    m_vTopLeft = m_vBottomRt = p;
+    return *this;
+  }
   /// Grows the box just enough to contain the point p.
   CAabb2D& operator+=(const Vector2& p);
 

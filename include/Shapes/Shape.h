@@ -149,7 +149,7 @@ private:
   friend class CDynamicCircle;
 
   // Each class of shapes keeps its own points beside m_vPos.
-  virtual void Translate(const Vector2&) {} // moves them by d, after m_vPos
+  virtual void Translate(const Vector2&) { Update(); } // moves them by d, after m_vPos
   // Puts them where a turn of the pose at construction, moved by m_vMoved, leaves them. Returns the position.
   virtual Vector2 TurnFromStart(const Vector2& center, float angle);
   virtual void BackToStart();

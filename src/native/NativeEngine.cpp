@@ -241,7 +241,16 @@ CBall ToBall(const CDynamicCircle& circle) {
   return {circle.GetPos(), circle.GetPrevPos(), circle.GetVel(), circle.GetRadius()};
 }
 
+// A box that is larger by more than the kernels round says so for most pairs of a game.
+bool IsFarFrom(const CAabb2D& box, const Vector2& p, float r) {
+  const Vector2 &tl = box.GetTopLeft(), &br = box.GetBottomRt();
+  const float size = std::max(tl.cwiseAbs().maxCoeff(), br.cwiseAbs().maxCoeff());
+  const float reach = r + g_fBoxPadding * (size + r);
+  return p.x() < tl.x() - reach || p.x() > br.x() + reach || p.y() > tl.y() + reach || p.y() < br.y() - reach;
+}
+
 bool CollidePair(CContactDesc& c) {
+  FailIf(IsFarFrom(c.m_pShape->GetAABB(), c.m_pCircle->GetPos(), c.m_pCircle->GetRadius()));
   const CBall ball = ToBall(*c.m_pCircle);
   CHit hit;
   FailIf(!(c.m_pShape->GetMotionType() == eMotion::Dynamic

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace Shapes {
 namespace {
@@ -14,17 +13,6 @@ constexpr float g_fEmptyEdge = std::numeric_limits<float>::infinity();
 } // namespace
 
 CAabb2D::CAabb2D() : m_vTopLeft(g_fEmptyEdge, -g_fEmptyEdge), m_vBottomRt(-g_fEmptyEdge, g_fEmptyEdge) {}
-
-CAabb2D::CAabb2D(const Vector2& topleft, const Vector2& bottomright)
-    : m_vTopLeft(topleft), m_vBottomRt(bottomright) {
-  if (m_vTopLeft.x() > m_vBottomRt.x()) std::swap(m_vTopLeft.x(), m_vBottomRt.x());
-  if (m_vTopLeft.y() < m_vBottomRt.y()) std::swap(m_vTopLeft.y(), m_vBottomRt.y());
-}
-
-CAabb2D& CAabb2D::operator=(const Vector2& p) {
-  m_vTopLeft = m_vBottomRt = p;
-  return *this;
-}
 
 bool operator&&(const CAabb2D& a, const Vector2& p) {
   return a.m_vTopLeft.x() <= p.x() && p.x() <= a.m_vBottomRt.x() && a.m_vBottomRt.y() <= p.y() &&

@@ -93,6 +93,7 @@ Vector2 CArc::ClosestPt(const Vector2& p) const {
 void CArc::Translate(const Vector2& d) {
   m_vPt0 += d;
   m_vPt1 += d;
+  CArc::Update();
 }
 
 Vector2 CArc::TurnFromStart(const Vector2& center, float angle) {

@@ -68,9 +68,8 @@ bool CCircle::Tangent(const CCircle* pCircle, CLineSegDesc& t) const {
 }
 
 void CCircle::Update() {
-  const Vector2 r(m_fRadius, m_fRadius);
-  m_cAabb = m_vPos - r;
-  m_cAabb += m_vPos + r;
+  const Vector2 r(-m_fRadius, m_fRadius); // to the top left
+  m_cAabb = CAabb2D(m_vPos + r, m_vPos - r);
 }
 
 std::unique_ptr<CShape> CKinematicCircle::Clone() const { return std::make_unique<CKinematicCircle>(*this); }

@@ -24,7 +24,10 @@ CDynamicCircle::CDynamicCircle(const CDynamicCircleDesc& desc)
 
 std::unique_ptr<CShape> CDynamicCircle::Clone() const { return std::make_unique<CDynamicCircle>(*this); }
 
-void CDynamicCircle::Translate(const Vector2&) { m_vPrevPos = m_vPos; }
+void CDynamicCircle::Translate(const Vector2&) {
+  m_vPrevPos = m_vPos;
+  CCircle::Update();
+}
 
 void CDynamicCircle::move() {
   m_vPrevPos = m_vPos;

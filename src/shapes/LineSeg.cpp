@@ -91,6 +91,7 @@ Vector2 CLineSeg::ClosestPt(const Vector2& q) const {
 void CLineSeg::Translate(const Vector2& d) {
   m_vPt0 += d;
   m_vPt1 += d;
+  CLineSeg::Update();
 }
 
 Vector2 CLineSeg::TurnFromStart(const Vector2& center, float angle) {

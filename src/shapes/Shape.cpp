@@ -36,7 +36,6 @@ void CShape::SetPos(const Vector2& p) {
   m_fLastTurn = 0.0f;
   m_vLastMove.setZero();
   Translate(d);
-  Update();
 }
 
 void CShape::Relocate(const Vector2& p) {

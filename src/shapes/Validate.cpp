@@ -23,10 +23,12 @@ void Refuse(const std::string& field, const std::string& value, const std::strin
   throw std::invalid_argument(field + " is " + value + ": expected " + expected);
 }
 
-// The quiet comparisons, here and below: what is not a number is to be refused, not to trap.
-void RequireRange(const char* field, float value, float least, float most) {
-  if (!(std::isgreaterequal(value, least) && std::islessequal(value, most)))
-    Refuse(field, ToText(value), "a number from " + ToText(least) + " to " + ToText(most));
+void RefuseRange(const char* field, float value, float least, float most) {
+  Refuse(field, ToText(value), "a number from " + ToText(least) + " to " + ToText(most));
+}
+
+void RefuseVector(const char* field, const Vector2& v, float most) {
+  Refuse(field, ToText(v), "finite coordinates of at most " + ToText(most) + " in size");
 }
 
 void RequirePositive(const char* field, float value, float most) {
@@ -36,11 +38,6 @@ void RequirePositive(const char* field, float value, float most) {
 
 void RequireFinite(const char* field, float value) {
   if (!std::isfinite(value)) Refuse(field, ToText(value), "a finite number");
-}
-
-void RequireVector(const char* field, const Vector2& v, float most) {
-  if (!(std::islessequal(std::abs(v.x()), most) && std::islessequal(std::abs(v.y()), most)))
-    Refuse(field, ToText(v), "finite coordinates of at most " + ToText(most) + " in size");
 }
 
 void RequireSides(eSides sides) {

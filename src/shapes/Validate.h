@@ -5,6 +5,7 @@
 
 #include <Shapes/Shape.h>
 
+#include <cmath>
 #include <string>
 
 namespace Shapes {
@@ -17,11 +18,22 @@ std::string ToText(const Vector2& v);
 /// @throws std::invalid_argument "<field> is <value>: expected <what>"
 [[noreturn]] void Refuse(const std::string& field, const std::string& value, const std::string& expected);
 
-void RequireRange(const char* field, float value, float least, float most);
+[[noreturn]] void RefuseRange(const char* field, float value, float least, float most);
+[[noreturn]] void RefuseVector(const char* field, const Vector2& v, float most);
+
+// The quiet comparisons, here and in Validate.cpp: what is not a number is to be refused, not to trap.
+
+inline void RequireRange(const char* field, float value, float least, float most) {
+  if (!(std::isgreaterequal(value, least) && std::islessequal(value, most)))
+    RefuseRange(field, value, least, most);
+}
 void RequirePositive(const char* field, float value, float most);
 void RequireFinite(const char* field, float value);
 /// Each component finite and at most `most` in size.
-void RequireVector(const char* field, const Vector2& v, float most);
+inline void RequireVector(const char* field, const Vector2& v, float most) {
+  if (!(std::islessequal(std::abs(v.x()), most) && std::islessequal(std::abs(v.y()), most)))
+    RefuseVector(field, v, most);
+}
 /// One of the three.
 void RequireSides(eSides sides);
 

@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
 
   CWorldDesc desc;
   if (calls(eEffect::Gravity)) desc.m_vGravity = {0, -0.1f};
-  for (const eEffect e : {eEffect::Events, eEffect::BallPairs})
+  for (const eEffect e : {eEffect::Events, eEffect::BallPairs, eEffect::Continuous})
     if (!calls(e)) desc.m_cEffects.m_cForbidden.Set(e);
   const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
 

@@ -3,6 +3,7 @@
 """Breaks the library on purpose, one fault at a time, and sees whether the tests of that unit notice.
 
 tests/mutations/run.py [WORDS...]   only those whose name contains one of WORDS: "sleep: no ball" scenes:
+tests/mutations/run.py --check [FILE]   makes none of them, and only sees whether each text is still in its file
 
 The faults are in mutations.txt. They are made in a copy of the sources in build/mutations, which is built once;
 each fault then costs one file or a few. Lists what was killed and what survived; fails if anything survived, if a
@@ -21,9 +22,9 @@ SOURCES, BUILD = WORK / "sources", WORK / "sources/build/dev"  # where a clone h
 TIMEOUT = 300  # seconds for the tests of a unit; a fault that makes them run forever is noticed too
 
 
-def read_mutations():
+def read_mutations(path=ROOT / "tests/mutations/mutations.txt"):
     mutations = []
-    for line in (ROOT / "tests/mutations/mutations.txt").read_text().splitlines():
+    for line in path.read_text().splitlines():
         if not line or line.startswith("#"):
             continue
         if line.startswith("["):
@@ -37,6 +38,21 @@ def read_mutations():
         else:
             mutations[-1]["file"] = line
     return mutations
+
+
+def find_stale(mutation, root):
+    """Why the fault cannot be made in the sources at root, or None."""
+    path = root / mutation["file"]
+    if not path.is_file():
+        return f"there is no {mutation['file']}"
+    count = path.read_text().count("\n".join(mutation["old"]))
+    return f"its text is {count} times in {mutation['file']}, expected once" if count != 1 else None
+
+
+def check(mutations):
+    stale = [f"{m['name']}: {why}" for m in mutations if (why := find_stale(m, ROOT)) is not None]
+    print("\n".join([*stale, f"{len(mutations)} mutations, {len(stale)} cannot be made"]))
+    return 1 if stale or not mutations else 0
 
 
 def build(program):
@@ -75,6 +91,8 @@ def prepare():
 
 
 def main():
+    if sys.argv[1:2] == ["--check"]:
+        return check(read_mutations(*map(pathlib.Path, sys.argv[2:])))
     words = sys.argv[1:] or [""]
     mutations = [m for m in read_mutations() if any(word in m["name"] for word in words)]
     os.environ["CCACHE_NOHASHDIR"] = "1"
@@ -89,13 +107,13 @@ def main():
 
     survived, errors = [], []
     for m in mutations:
-        path = SOURCES / m["file"]
-        text, old = path.read_text(), "\n".join(m["old"])
-        if text.count(old) != 1:
+        if (why := find_stale(m, SOURCES)) is not None:
             errors.append(m["name"])
-            print(f"error     {m['name']}: its text is {text.count(old)} times in {m['file']}, expected once", flush=True)
+            print(f"error     {m['name']}: {why}", flush=True)
             continue
-        path.write_text(text.replace(old, "\n".join(m["new"])))
+        path = SOURCES / m["file"]
+        text = path.read_text()
+        path.write_text(text.replace("\n".join(m["old"]), "\n".join(m["new"])))
         try:
             if (error := build(m["program"])) is not None:
                 errors.append(m["name"])
