@@ -4,10 +4,13 @@
 
 #include <Shapes/Backend.h>
 #include <Shapes/Events.h>
+#include <Shapes/Questions.h>
 #include <Shapes/Stats.h>
 #include <Shapes/WorldDesc.h>
 
+#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -126,6 +129,29 @@ public:
   std::span<const CShapeId> GetBallIds() const;
   std::span<const Vector2> GetBallPositions() const;
   std::span<const Vector2> GetBallVelocities() const;
+
+  // Questions to the world as it is now, the same on every engine. They take in what is solid, at its present
+  // place, and meets `filter`; sensors and what is turned off are left out. Computed in double, and rounded
+  // once. The first one after a change or a step makes a tree of all shapes and balls, which is why two
+  // threads must not ask at the same time. They throw std::invalid_argument for what is not finite.
+
+  /// What a circle of this radius meets first on its way, a ray with radius 0, as a ball would: circles are
+  /// rings from inside, one-sided shapes let through what comes from their open side, and what overlaps at
+  /// the beginning is met at once if the circle approaches, else not. Of several at the same time the first
+  /// id.
+  std::optional<CCastHit> Cast(const Vector2& from, const Vector2& to, float radius = 0.0f,
+                               const CFilter& filter = {}) const;
+  /// All that it would meet if it went through, each shape and ball once, in the order in which it does.
+  std::vector<CCastHit> CastAll(const Vector2& from, const Vector2& to, float radius = 0.0f,
+                                const CFilter& filter = {}) const;
+  /// The closest shape or ball that is closer than `reach`: circles and arcs are curves, balls are disks.
+  std::optional<CClosestHit> FindClosest(const Vector2& p,
+                                         float reach = std::numeric_limits<float>::infinity(),
+                                         const CFilter& filter = {}) const;
+  /// All shapes and balls that a ball there would overlap, or that have a point in the box, by id. A ring
+  /// around a smaller ball, or around the box, is none; sides do not matter.
+  std::vector<CShapeId> FindInCircle(const Vector2& center, float radius, const CFilter& filter = {}) const;
+  std::vector<CShapeId> FindInBox(const CAabb2D& box, const CFilter& filter = {}) const;
 
   /// All shapes, their poses and properties, and the gravity; not the statistics or the contacts. A world
   /// that goes on after SaveState, and one that goes on after LoadState of it, have the same bits on the same

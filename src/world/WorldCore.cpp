@@ -84,6 +84,15 @@ void CWorld::CImpl::PlanSubsteps() {
   m_cRunning = running;
 }
 
+const CQuestions& CWorld::CImpl::Ask() {
+  Access(eAccess::Read);
+  const bool isOld = m_nAskedSubsteps != m_cStats.m_nSubsteps || m_nAskedChanges != m_nChanges;
+  if (!m_cQuestions || isOld) m_cQuestions.emplace(m_cState);
+  m_nAskedSubsteps = m_cStats.m_nSubsteps;
+  m_nAskedChanges = m_nChanges;
+  return *m_cQuestions;
+}
+
 void CWorld::CImpl::UpdateContent(const CContent& before, const CContent& after) {
   if (before != after) InvalidatePlan();
   m_cContent -= before;
@@ -121,6 +130,7 @@ CShapeId CWorld::CImpl::Add(std::unique_ptr<CShape> pShape, const CMotionLimits&
   const CShapeId id{m_cState.m_nNextId++};
   CShapeEntry entry(id, std::move(pShape));
   entry.m_cLimits = limits;
+  NoteChange();
   entry.SetHeld(IsForbidden(eEffect::Kinematics));
   m_cState.m_stdShapes.push_back(std::move(entry));
   UpdateContent({}, CContent::Of(m_cState.m_stdShapes.back()));
@@ -133,6 +143,7 @@ CShapeId CWorld::CImpl::Add(const CDynamicCircleDesc& desc) {
   const CShapeId id{m_cState.m_nNextId++};
   CBallArrays& b = m_cState.m_cBalls;
   b.Add(id, desc);
+  NoteChange();
   UpdateContent({}, CContent::Of(b, b.Size() - 1));
   m_cSensors.Invalidate();
   m_pEngine->Added(id);
@@ -140,6 +151,7 @@ CShapeId CWorld::CImpl::Add(const CDynamicCircleDesc& desc) {
 }
 
 bool CWorld::CImpl::Erase(CShapeId id) {
+  NoteChange();
   if (const std::size_t i = m_cState.FindBall(id); i != CWorldState::npos) {
     UpdateContent(CContent::Of(m_cState.m_cBalls, i), {});
     m_cState.m_cBalls.Remove(i);
@@ -276,6 +288,7 @@ void CWorld::CImpl::LoadState(const CWorldState& state) {
   const std::uint32_t nextId = std::max(m_cState.m_nNextId, state.m_nNextId);
   CWorldState loaded = state;
   m_cState = std::move(loaded);
+  NoteChange();
   m_cState.m_nNextId = nextId;
   m_cState.m_cLimits = m_cLimits;
   for (CShapeEntry& entry : m_cState.m_stdShapes)

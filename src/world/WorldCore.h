@@ -4,6 +4,7 @@
 
 #include "Effects.h"
 #include "Engine.h"
+#include "Questions.h"
 #include "Sensors.h"
 #include "Touches.h"
 #include "WorldState.h"
@@ -47,6 +48,8 @@ public:
   void SetContinuousByHost(bool runs);
   /// Effects and the plan of the engine are found anew before the next substep.
   void InvalidatePlan() { m_bPlanIsOld = true; }
+  /// Something is elsewhere, came, went, or is another one: by anything but a step.
+  void NoteChange() { ++m_nChanges; }
   /// Erases a shape or a ball from the state.
   /// @return false if there is none of that id
   bool Erase(CShapeId id);
@@ -61,6 +64,8 @@ public:
   std::string ExplainEffects();
   std::span<const CContactEvent> GetContacts() const { return m_stdContacts; }
   std::span<const CSensorEvent> GetSensorEvents() const { return m_stdSensorEvents; }
+  /// Of the state as it is now.
+  const CQuestions& Ask();
   std::span<const CTouchEvent> GetTouchEvents() const { return m_stdTouchEvents; }
   void SetGravity(const Vector2& g);
   CShapeId Add(std::unique_ptr<CShape> pShape, const CMotionLimits& limits);
@@ -107,11 +112,16 @@ private:
   std::vector<CTouchEvent> m_stdTouchEvents;
   std::size_t m_nFollowed = 0; // contacts of this step that Touches knows of
   CWorldStats m_cStats;
+  std::uint64_t m_nChanges = 0;
+  // Until the next step or change.
+  std::optional<CQuestions> m_cQuestions;
+  std::uint64_t m_nAskedSubsteps = 0, m_nAskedChanges = 0;
   std::unique_ptr<CEngine> m_pEngine; // last: it is made from the rest, and goes before it
 };
 
 template <class F>
 void CWorld::CImpl::ChangeShape(CShapeEntry& entry, eChange what, const F& change) {
+  NoteChange();
   const CContent before = CContent::Of(entry);
   change(entry);
   UpdateContent(before, CContent::Of(entry));
@@ -122,6 +132,7 @@ void CWorld::CImpl::ChangeShape(CShapeEntry& entry, eChange what, const F& chang
 template <class F>
 void CWorld::CImpl::ChangeBall(std::size_t i, eChange what, const F& change) {
   CBallArrays& b = m_cState.m_cBalls;
+  NoteChange();
   const CContent before = CContent::Of(b, i);
   change(b, i);
   UpdateContent(before, CContent::Of(b, i));

@@ -77,6 +77,7 @@ void CGuestEngine::PreStep(float dt) {
   m_cWorld.BeginSubstep(dt);
   m_fStep = dt;
   m_pStepper->TakeBalls(); // the game may have moved or kicked them
+  m_cWorld.NoteChange();
   m_pStepper->BeginSubstep();
   m_pStepper->BeforeStep(dt);
   m_pChain->SetGatherer(&m_pStepper->GetListener());

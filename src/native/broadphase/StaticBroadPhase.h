@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../../geometry/AabbTree.h"
 #include "../../geometry/ShapeGeometry.h"
 #include "../../world/WorldState.h"
 
 #include <cstdint>
 #include <vector>
 
-#include "AabbTree.h"
 #include "ShapeGrid.h"
 
 namespace Shapes::Native {

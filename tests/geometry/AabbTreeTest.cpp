@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "native/broadphase/AabbTree.h"
+#include "geometry/AabbTree.h"
 
 #include "../Random.h"
 
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace Shapes::Native {
+namespace Shapes::Geometry {
 namespace {
 
 using Tests::CRandom;
@@ -161,4 +161,4 @@ TEST(Padded, LeavesRoomForTheRoundingOfAKernel) {
 }
 
 } // namespace
-} // namespace Shapes::Native
+} // namespace Shapes::Geometry

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace Shapes::Native {
+namespace Shapes::Geometry {
 
 /// A box that is surely larger than the rounding of any kernel against a shape with this box.
 CAabb2D Padded(const CAabb2D& box, float margin = 0.0f);
@@ -25,6 +25,19 @@ public:
   void Grow(std::uint32_t item, const CAabb2D& box);
   /// Appends to found every item whose box meets this one, in no order.
   void Query(const CAabb2D& box, std::vector<std::uint32_t>& found) const;
+  /// Calls take(item) for every item of which the box, and all boxes around it, are as `meets` wants them.
+  template <class TMeets, class TTake>
+  void Visit(const TMeets& meets, const TTake& take) const {
+    for (std::uint32_t i = 0; i < m_stdNodes.size();) {
+      const CNode& node = m_stdNodes[i];
+      if (!meets(node.m_cBox)) {
+        i = node.m_nEnd;
+        continue;
+      }
+      if (IsLeaf(i)) take(node.m_nItem);
+      ++i;
+    }
+  }
 
 private:
   // Depth first: the left child of a node is the next one, the right one comes where the left one ends.
@@ -41,4 +54,4 @@ private:
   std::vector<std::uint32_t> m_stdLeaves;  // of each item
 };
 
-} // namespace Shapes::Native
+} // namespace Shapes::Geometry

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "AabbTree.h"
 
-#include "../../Tolerances.h"
+#include "../Tolerances.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace Shapes::Native {
+namespace Shapes::Geometry {
 namespace {
 
 CAabb2D Union(CAabb2D a, const CAabb2D& b) {
@@ -79,15 +79,8 @@ void CAabbTree::Grow(std::uint32_t item, const CAabb2D& box) {
 }
 
 void CAabbTree::Query(const CAabb2D& box, std::vector<std::uint32_t>& found) const {
-  for (std::uint32_t i = 0; i < m_stdNodes.size();) {
-    const CNode& node = m_stdNodes[i];
-    if (!(node.m_cBox && box)) {
-      i = node.m_nEnd;
-      continue;
-    }
-    if (IsLeaf(i)) found.push_back(node.m_nItem);
-    ++i;
-  }
+  Visit([&](const CAabb2D& around) { return around && box; },
+        [&](std::uint32_t item) { found.push_back(item); });
 }
 
-} // namespace Shapes::Native
+} // namespace Shapes::Geometry

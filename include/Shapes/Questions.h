@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What a world tells where it is asked: casts and closest points.
+#pragma once
+
+#include <Shapes/Events.h>
+#include <Shapes/ShapeMath.h>
+
+namespace Shapes {
+
+/// What a point or a circle on a straight way meets.
+struct CCastHit {
+  CShapeId m_cShape;
+  float m_fShare = 0.0f; ///< The part of the way that is over then, 0 .. 1.
+  Vector2 m_vPOI;        ///< On the shape, user units.
+  Vector2 m_vNorm;       ///< Unit, from the shape to what comes.
+};
+
+/// The point of a shape or a ball that is closest to a place.
+struct CClosestHit {
+  CShapeId m_cShape;
+  float m_fDistance = 0.0f; ///< User units; in a ball as far below 0 as its rim is away.
+  Vector2 m_vPOI;           ///< On the shape.
+  Vector2 m_vNorm;          ///< Unit, from the shape to the place, in a ball from its centre.
+};
+
+} // namespace Shapes
