@@ -16,6 +16,7 @@
 #include <Shapes/LineSeg.h>
 #include <Shapes/MotionLimits.h>
 #include <Shapes/Point.h>
+#include <Shapes/Polyline.h>
 #include <Shapes/Questions.h>
 #include <Shapes/SceneDesc.h>
 #include <Shapes/Shape.h>

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Boxes and polylines as segments, with points that guard corners and ends where these are open.
+#pragma once
+
+#include <Shapes/WorldDesc.h>
+
+#include <span>
+#include <vector>
+
+namespace Shapes {
+
+/// Segments from each vertex to the next one, and a point on each end and on each corner that is no smooth
+/// joint: without it balls would fly past the open ends of segments where Continuous does not run. Add them
+/// one by one, or as a compound.
+/// @param closed  whether the last vertex is joined with the first one
+/// @param like    what all have in common: elasticity, motion, filter, ...; its front is to the left of the
+///                way. Sensors need no guards, and get none.
+/// @throws std::invalid_argument if a vertex is not finite, or if fewer than two differ from the one before
+std::vector<CAnyShapeDesc> MakePolyline(std::span<const Vector2> vertices, bool closed = false,
+                                        const CLineSegDesc& like = {});
+
+/// The outline of a box, counterclockwise: its front is inside, two-sided unless `like` says otherwise.
+/// @param size   width and height, user units, above 0
+/// @param angle  radians by which it is turned about its centre
+std::vector<CAnyShapeDesc> MakeBox(const Vector2& center, const Vector2& size, float angle = 0.0f,
+                                   const CLineSegDesc& like = {});
+
+} // namespace Shapes
