@@ -8,6 +8,7 @@
 #include <Shapes/Circle.h>
 #include <Shapes/Compound.h>
 #include <Shapes/Contact.h>
+#include <Shapes/DebugDraw.h>
 #include <Shapes/DynamicCircle.h>
 #include <Shapes/Effects.h>
 #include <Shapes/Filter.h>
