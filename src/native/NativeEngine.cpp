@@ -210,6 +210,7 @@ void CNativeEngine::CollectBalls(std::uint32_t i, std::uint32_t first) {
       m_stdCandidates.push_back(j);
     return false;
   });
+  if (m_stdCandidates.empty()) return;
   if (m_bFilters)
     std::erase_if(m_stdCandidates,
                   [&](std::uint32_t j) { return !DoMeet(b.m_stdFilter[i], b.m_stdFilter[j]); });

@@ -129,9 +129,7 @@ void CSensors::TakeShapes(const CWorldState& state) {
 }
 
 void CSensors::TouchShape(const CBallArrays& b, std::size_t i, const CSensed& sensed, double dt) {
-  if (!m_stdBoxes[i].intersects(sensed.m_cBox) ||
-      !DoMeet(b.m_stdFilter[i], sensed.m_pEntry->m_pShape->GetFilter()))
-    return;
+  if (!m_stdBoxes[i].intersects(sensed.m_cBox)) return;
   ++m_nTests;
   const CBallPath path = GetPath(i);
   const bool moves = sensed.m_fTurn != 0.0 || !sensed.m_vMove.isZero(0.0);
@@ -139,7 +137,7 @@ void CSensors::TouchShape(const CBallArrays& b, std::size_t i, const CSensed& se
     MakeRotatedPath(path, sensed.m_vRotCenter, sensed.m_fTurn, sensed.m_vMove, b.m_stdRadius[i],
                     m_stdOtherPath);
   auto touch = sensed.m_cZone.Touch(moves ? CBallPath(m_stdOtherPath) : path, b.m_stdRadius[i]);
-  if (!touch) return;
+  if (!touch || !DoMeet(b.m_stdFilter[i], sensed.m_pEntry->m_pShape->GetFilter())) return;
   Vector2d velocity = GetVelocity(path, touch->m_fTime) / dt;
   if (moves) { // back to the pose at that time
     const double left = 1.0 - touch->m_fTime, back = -left * sensed.m_fTurn;
@@ -153,11 +151,11 @@ void CSensors::TouchShape(const CBallArrays& b, std::size_t i, const CSensed& se
 }
 
 void CSensors::TouchBall(const CBallArrays& b, std::size_t i, std::size_t j, double dt) {
-  if (!m_stdBoxes[i].intersects(m_stdBoxes[j]) || !DoMeet(b.m_stdFilter[i], b.m_stdFilter[j])) return;
+  if (!m_stdBoxes[i].intersects(m_stdBoxes[j])) return;
   ++m_nTests;
   MakeRelativePath(GetPath(i), GetPath(j), m_stdOtherPath);
   auto touch = CZone(Vector2d::Zero(), b.m_stdRadius[j]).Touch(m_stdOtherPath, b.m_stdRadius[i]);
-  if (!touch) return;
+  if (!touch || !DoMeet(b.m_stdFilter[i], b.m_stdFilter[j])) return;
   touch->m_vPOI += GetPos(GetPath(j), touch->m_fTime);
   Add(b.m_stdId[i], b.m_stdId[j], *touch, GetVelocity(m_stdOtherPath, touch->m_fTime) / dt);
 }

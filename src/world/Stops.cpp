@@ -61,14 +61,17 @@ CAxis CoordinateOf(const CShapeEntry& entry, int axis) {
 
 } // namespace
 
+// The quiet comparisons: what is not a number is to be refused, not to trap.
 void RequireLimits(const CMotionLimits& limits, eMotion motion) {
   const float least = limits.m_fLeastAngle, most = limits.m_fMostAngle;
   const bool isFree = least == -std::numeric_limits<float>::infinity() && most == -least;
-  if (!isFree && !(std::isfinite(least) && std::isfinite(most) && least <= most && most - least < g_fTwoPi))
+  const bool isPair = std::isfinite(least) && std::isfinite(most) && least <= most &&
+                      static_cast<double>(most) - static_cast<double>(least) < g_fWholeTurn;
+  if (!isFree && !isPair)
     Refuse("m_cLimits", "from " + ToText(least) + " to " + ToText(most) + " radians",
            "two angles in ascending order, less than a whole turn apart");
   for (const int axis : {0, 1})
-    if (!(limits.m_vLeastCenter[axis] <= limits.m_vMostCenter[axis]))
+    if (!std::islessequal(limits.m_vLeastCenter[axis], limits.m_vMostCenter[axis]))
       Refuse("m_cLimits", "from " + ToText(limits.m_vLeastCenter) + " to " + ToText(limits.m_vMostCenter),
              "two places");
   if (motion != eMotion::Kinematic && limits != CMotionLimits())

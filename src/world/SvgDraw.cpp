@@ -48,7 +48,8 @@ CSvgDraw::CSvgDraw(const CAabb2D& view, float scale) : m_vTopLeft(view.GetTopLef
 
 // Hundredths are enough.
 std::string CSvgDraw::ToPixels(float length) const {
-  return ToText(std::round(length * m_fScale * 100.0f) / 100.0f + 0.0f); // no -0
+  const double hundredths = std::round(static_cast<double>(length) * static_cast<double>(m_fScale) * 100.0);
+  return ToText(static_cast<float>(hundredths / 100.0 + 0.0)); // no -0
 }
 
 // As two attributes. y is down there.

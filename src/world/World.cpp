@@ -344,6 +344,7 @@ void CWorld::SetLimits(CShapeId id, const CMotionLimits& limits) {
   m_pImpl->Access(eAccess::Change);
   CShapeEntry& entry = FindEntry(m_pImpl->GetState(), id);
   RequireLimits(limits, entry.m_pShape->GetMotionType());
+  m_pImpl->NoteStops();
   m_pImpl->ChangeShape(entry, eChange::Motion, [&](CShapeEntry& changed) {
     changed.m_cLimits = limits;
     changed.SetHeld(changed.m_bIsHeld); // it moves again if a stop is gone

@@ -131,6 +131,7 @@ CShapeId CWorld::CImpl::Add(std::unique_ptr<CShape> pShape, const CMotionLimits&
   CShapeEntry entry(id, std::move(pShape));
   entry.m_cLimits = limits;
   NoteChange();
+  NoteStops();
   entry.SetHeld(IsForbidden(eEffect::Kinematics));
   m_cState.m_stdShapes.push_back(std::move(entry));
   UpdateContent({}, CContent::Of(m_cState.m_stdShapes.back()));
@@ -152,6 +153,7 @@ CShapeId CWorld::CImpl::Add(const CDynamicCircleDesc& desc) {
 
 bool CWorld::CImpl::Erase(CShapeId id) {
   NoteChange();
+  NoteStops();
   if (const std::size_t i = m_cState.FindBall(id); i != CWorldState::npos) {
     UpdateContent(CContent::Of(m_cState.m_cBalls, i), {});
     m_cState.m_cBalls.Remove(i);
@@ -172,37 +174,59 @@ bool CWorld::CImpl::Remove(CShapeId id) {
   return true;
 }
 
+template <class F>
+void CWorld::CImpl::ForEachWithStops(const F& f) {
+  if (!HaveStops()) return;
+  if (std::exchange(m_bStopsChanged, false)) {
+    m_stdWithStops.clear();
+    for (std::size_t k = 0; k < m_cState.m_stdShapes.size(); ++k)
+      if (m_cState.m_stdShapes[k].HasStops()) m_stdWithStops.push_back(k);
+  }
+  for (const std::size_t k : m_stdWithStops)
+    f(m_cState.m_stdShapes[k]);
+}
+
 // Of what is left of a substep, up to where the first shape comes to its stop.
-float CWorld::CImpl::FindPart(float left) const {
+float CWorld::CImpl::FindPart(float left) {
   const float least = g_fLeastPart * GetSubstep(m_cDesc);
   double part = left;
-  for (const CShapeEntry& entry : m_cState.m_stdShapes)
-    if (entry.HasStops()) {
-      const double time = GetTimeToStop(entry);
-      if (time > least && time < left - least) part = std::min(part, time);
-    }
+  ForEachWithStops([&](const CShapeEntry& entry) {
+    const double time = GetTimeToStop(entry);
+    if (time > least && time < left - least) part = std::min(part, time);
+  });
   return static_cast<float>(part);
+}
+
+void CWorld::CImpl::SubstepInParts(float dt) {
+  for (float left = dt; left > 0.0f;) {
+    const float part = FindPart(left);
+    DriveShapes(part);
+    BeginSubstep();
+    m_pEngine->Substep(part);
+    EndSubstep(part);
+    StopShapes(part);
+    left -= part;
+  }
 }
 
 // For the next dt seconds: what is at a stop rests.
 void CWorld::CImpl::DriveShapes(float dt) {
-  for (CShapeEntry& entry : m_cState.m_stdShapes)
-    if (entry.HasStops()) {
-      const CDrive drive = GetDrive(entry, dt), before = entry.GetDrive();
-      if (drive.m_vVel != before.m_vVel || drive.m_fRotSpeed != before.m_fRotSpeed)
-        ChangeShape(entry, eChange::Motion, [&](CShapeEntry& changed) { changed.SetDrive(drive); });
-    }
+  ForEachWithStops([&](CShapeEntry& entry) {
+    const CDrive drive = GetDrive(entry, dt), before = entry.GetDrive();
+    if (drive.m_vVel != before.m_vVel || drive.m_fRotSpeed != before.m_fRotSpeed)
+      ChangeShape(entry, eChange::Motion, [&](CShapeEntry& changed) { changed.SetDrive(drive); });
+  });
   if (m_bPlanIsOld) PlanSubsteps();
 }
 
 void CWorld::CImpl::StopShapes(float dt) {
-  for (CShapeEntry& entry : m_cState.m_stdShapes)
-    if (entry.HasStops() && HasCome(entry, dt))
+  ForEachWithStops([&](CShapeEntry& entry) {
+    if (HasCome(entry, dt))
       ChangeShape(entry, eChange::Motion, [&](CShapeEntry& changed) { SnapToStops(changed, dt); });
+  });
 }
 
-void CWorld::CImpl::BeginSubstep(float dt) {
-  if (HaveStops()) DriveShapes(dt);
+void CWorld::CImpl::BeginSubstep() {
   if (!m_bEngineIsPlanned) m_pEngine->Plan(m_cRunning);
   m_bEngineIsPlanned = true;
 }
@@ -211,7 +235,10 @@ void CWorld::CImpl::BeginStep() {
   if (m_bPlanIsOld) PlanSubsteps();
   m_stdContacts.clear();
   m_stdSensorEvents.clear();
-  if (!Watches()) return;
+  if (Watches()) BeginToWatch();
+}
+
+void CWorld::CImpl::BeginToWatch() {
   m_stdTouchEvents.clear();
   m_nFollowed = 0;
   if (Runs(eEffect::Sensors)) m_cSensors.Begin(m_cState, m_stdSensorEvents);
@@ -221,7 +248,6 @@ void CWorld::CImpl::BeginStep() {
 void CWorld::CImpl::EndSubstep(float dt) {
   ++m_cStats.m_nSubsteps;
   if (Watches()) Watch(dt);
-  if (HaveStops()) StopShapes(dt);
 }
 
 void CWorld::CImpl::Watch(float dt) {
@@ -256,13 +282,13 @@ void CWorld::CImpl::Step() {
   BeginStep();
   const float dt = GetSubstep(m_cDesc);
   for (unsigned i = 0; i < m_cDesc.m_nSubsteps; ++i) {
-    for (float left = dt; left > 0.0f;) {
-      const float part = HaveStops() ? FindPart(left) : left;
-      BeginSubstep(part);
-      m_pEngine->Substep(part);
-      EndSubstep(part);
-      left -= part;
+    if (HaveStops()) {
+      SubstepInParts(dt);
+      continue;
     }
+    BeginSubstep();
+    m_pEngine->Substep(dt);
+    EndSubstep(dt);
   }
   EndStep();
 }
@@ -289,6 +315,7 @@ void CWorld::CImpl::LoadState(const CWorldState& state) {
   CWorldState loaded = state;
   m_cState = std::move(loaded);
   NoteChange();
+  NoteStops();
   m_cState.m_nNextId = nextId;
   m_cState.m_cLimits = m_cLimits;
   for (CShapeEntry& entry : m_cState.m_stdShapes)

@@ -41,13 +41,18 @@ public:
 
   // For an engine that is stepped by the host, who owns the b2World: the parts of Step.
   void BeginStep();
-  void BeginSubstep(float dt);
+  void BeginSubstep();
   void EndSubstep(float dt);
   void EndStep();
+  /// Before and after a substep of dt seconds, for shapes that have stops.
+  void DriveShapes(float dt);
+  void StopShapes(float dt);
   /// Called when the owner of the b2World decides whether continuous physics is on.
   void SetContinuousByHost(bool runs);
   /// Effects and the plan of the engine are found anew before the next substep.
   void InvalidatePlan() { m_bPlanIsOld = true; }
+  /// The indices of shapes are others, or their stops.
+  void NoteStops() { m_bStopsChanged = true; }
   /// Something is elsewhere, came, went, or is another one: by anything but a step.
   void NoteChange() { ++m_nChanges; }
   /// Erases a shape or a ball from the state.
@@ -88,11 +93,13 @@ private:
   void PlanSubsteps();
   void CountEffects();
   bool HaveStops() const { return m_cContent.m_nWithStops > 0 && !IsForbidden(eEffect::Kinematics); }
-  float FindPart(float left) const;
-  void DriveShapes(float dt);
-  void StopShapes(float dt);
+  template <class F>
+  void ForEachWithStops(const F& f);
+  float FindPart(float left);
+  void SubstepInParts(float dt);
   /// Whether Sensors or Touches runs.
   bool Watches() const;
+  void BeginToWatch();
   void Watch(float dt);
   void Sense(float dt);
 
@@ -113,6 +120,8 @@ private:
   std::size_t m_nFollowed = 0; // contacts of this step that Touches knows of
   CWorldStats m_cStats;
   std::uint64_t m_nChanges = 0;
+  bool m_bStopsChanged = true;
+  std::vector<std::size_t> m_stdWithStops; // indices of shapes
   // Until the next step or change.
   std::optional<CQuestions> m_cQuestions;
   std::uint64_t m_nAskedSubsteps = 0, m_nAskedChanges = 0;

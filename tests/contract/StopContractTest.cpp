@@ -209,9 +209,11 @@ TEST_P(CStopContract, WhatCannotBeIsRefused) {
     }
   };
   const float inf = std::numeric_limits<float>::infinity();
+  CMotionLimits nowhere;
+  nowhere.m_vLeastCenter = {g_fNan, 0};
   for (const CMotionLimits& limits :
        {CMotionLimits::OfAngle(1, 0), CMotionLimits::OfAngle(0, 7), CMotionLimits::OfAngle(0, inf),
-        CMotionLimits::OfAngle(g_fNan, 1), CMotionLimits::OfCenter({g_fNan, 0}, {1, 1})}) {
+        CMotionLimits::OfAngle(g_fNan, 1), nowhere}) {
     EXPECT_NE(refused([&] { pWorld->SetLimits(id, limits); }).find("m_cLimits"), std::string::npos);
     EXPECT_NE(refused([&] { pWorld->Add(StoppedFlipper(1, limits)); }).find("m_cLimits"), std::string::npos);
   }

@@ -74,7 +74,8 @@ void CGuestEngine::PreStep(float dt) {
   }
   ReadHostSettings();
   m_cWorld.BeginStep();
-  m_cWorld.BeginSubstep(dt);
+  m_cWorld.DriveShapes(dt);
+  m_cWorld.BeginSubstep();
   m_fStep = dt;
   m_pStepper->TakeBalls(); // the game may have moved or kicked them
   m_cWorld.NoteChange();
@@ -94,7 +95,9 @@ void CGuestEngine::PostStep() {
   for (const CStepper::CPathVertex& vertex : m_pStepper->GetPathVertices())
     m_cWorld.AddPathVertex(vertex.m_nBall, vertex.m_vPos, vertex.m_fPart);
   m_pStepper->EndSubstep(m_fStep);
-  m_cWorld.EndSubstep(std::exchange(m_fStep, 0.0f));
+  const float dt = std::exchange(m_fStep, 0.0f);
+  m_cWorld.EndSubstep(dt);
+  m_cWorld.StopShapes(dt);
   m_cWorld.EndStep();
 }
 
