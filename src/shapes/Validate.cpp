@@ -4,14 +4,25 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
 #include <stdexcept>
 
 namespace Shapes {
 
 std::string ToText(float value) {
   std::array<char, 32> text;
+#ifdef __cpp_lib_to_chars
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   return {text.data(), end};
+#else // libc++ before 14: the same digits, with other exponents
+  for (int digits = 1; digits <= std::numeric_limits<float>::max_digits10; ++digits) {
+    std::snprintf(text.data(), text.size(), "%.*g", digits, static_cast<double>(value));
+    if (std::strtof(text.data(), nullptr) == value) break;
+  }
+  return text.data();
+#endif
 }
 
 std::string ToText(const Vector2& v) {

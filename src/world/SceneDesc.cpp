@@ -4,8 +4,6 @@
 #include "../shapes/Validate.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -31,14 +29,8 @@ std::string Quoted(std::string_view text) {
 // Readers of JSON go through double, and so round twice. Of the shortest texts of all floats that changes
 // 7.038531e-26 alone, which is written as the double that it is.
 std::string Number(float value) {
-  std::string text = ToText(value);
-  double read = 0.0;
-  std::from_chars(text.data(), text.data() + text.size(), read);
-  if (static_cast<float>(read) == value) return text;
-  std::array<char, 32> digits;
-  const auto end =
-      std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<double>(value)).ptr;
-  return {digits.data(), end};
+  if (std::abs(value) != 7.038531e-26f) return ToText(value);
+  return value < 0.0f ? "-7.038530691851209e-26" : "7.038530691851209e-26";
 }
 
 std::string ToJson(const Vector2& v) {

@@ -121,9 +121,10 @@ bool CRestingContacts::Has(std::uint32_t ball, std::uint32_t other) const {
 }
 
 std::span<const CRestingContacts::CPair> CRestingContacts::GetNeighbours(std::uint32_t ball) const {
-  const auto begin = std::lower_bound(m_stdPairs.begin(), m_stdPairs.end(), CPair(ball, 0));
-  const auto end = std::find_if(begin, m_stdPairs.end(), [=](const CPair& p) { return p.first != ball; });
-  return {begin, end};
+  // Pointers: not every standard library makes a span of iterators of a vector.
+  const CPair* const pLast = m_stdPairs.data() + m_stdPairs.size();
+  const CPair* const pBegin = std::lower_bound(m_stdPairs.data(), pLast, CPair(ball, 0));
+  return {pBegin, std::find_if(pBegin, pLast, [=](const CPair& p) { return p.first != ball; })};
 }
 
 // Along the normal, of the velocities at the beginning, the surface's subtracted.
