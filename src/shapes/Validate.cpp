@@ -16,12 +16,15 @@ std::string ToText(float value) {
 #ifdef __cpp_lib_to_chars
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   return {text.data(), end};
-#else // libc++ before 14: the same digits, with other exponents
-  for (int digits = 1; digits <= std::numeric_limits<float>::max_digits10; ++digits) {
+#else // libc++ before 14: the shortest of the texts that read back as the value
+  std::string shortest;
+  for (int digits = std::numeric_limits<float>::max_digits10; digits > 0; --digits) {
     std::snprintf(text.data(), text.size(), "%.*g", digits, static_cast<double>(value));
-    if (std::strtof(text.data(), nullptr) == value) break;
+    const std::string read = text.data();
+    if (shortest.empty() || (read.size() < shortest.size() && std::strtof(read.c_str(), nullptr) == value))
+      shortest = read;
   }
-  return text.data();
+  return shortest;
 #endif
 }
 

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// A world as it is now, as descriptors: to go on in another one, or as a scene file.
+#pragma once
+
+#include <Shapes/Shapes.h>
+
+namespace Shapes::Games {
+
+/// Everything that can collide or sense, at its present pose and speed.
+CSceneDesc Describe(const CWorld& world);
+
+} // namespace Shapes::Games

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// A flipper: two circles and their common tangents, which turn as one between two stops.
+#pragma once
+
+#include "Mode.h"
+
+#include <vector>
+
+namespace Shapes::Games {
+
+class CFlipper {
+public:
+  /// Adds the flipper at its lower stop.
+  /// @param pivot  the rotation centre
+  /// @param angle  from the pivot to the tip at the lower stop, radians
+  /// @param swing  from there to the upper stop, radians; negative is clockwise
+  CFlipper(CWorld& world, const Vector2& pivot, float angle, float swing);
+
+  /// Before each step: turns towards a stop, and exactly onto it.
+  void Move(CWorld& world, bool up);
+  const std::vector<CShapeId>& GetIds() const { return m_stdIds; }
+
+private:
+  std::vector<CShapeId> m_stdIds;
+  float m_fSwing;
+  float m_fAngle = 0.0f; ///< From the lower stop.
+};
+
+} // namespace Shapes::Games

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: MIT
+# Writes OUTPUT: page.html of the folder PAGE with each {{file}} replaced by that file, and {{engine}} by ENGINE.
+file(READ ${PAGE}/page.html page)
+file(GLOB parts ${PAGE}/*.css ${PAGE}/*.js)
+foreach(part ${parts} ${ENGINE})
+  get_filename_component(name ${part} NAME)
+  if(part STREQUAL ENGINE)
+    set(name engine)
+  endif()
+  string(FIND "${page}" "{{${name}}}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "page.html has no {{${name}}}, which is a part of the page")
+  endif()
+  file(READ ${part} text)
+  string(REPLACE "{{${name}}}" "${text}" page "${page}")
+endforeach()
+file(WRITE ${OUTPUT} "${page}")

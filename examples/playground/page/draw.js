@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Draws the rows of the game that runs: what each number means is said in Drawing.h.
+const roles = ['wall', 'kicker', 'flipper', 'sensor', 'lit', 'gate', 'ball'];
+const rowLength = 9;
+const canvas = document.getElementById('canvas');
+const brush = canvas.getContext('2d');
+
+let colours = {};
+function readColours() {
+  const style = getComputedStyle(document.documentElement);
+  colours = Object.fromEntries([...roles, 'surface', 'bg'].map((role) => [role, style.getPropertyValue(`--${role}`).trim()]));
+}
+readColours();
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', readColours);
+
+/** From places of the game to those of the canvas: the whole table, as large as it can be. */
+function camera() {
+  const [left, bottom, right, top] = new Float32Array(engine.HEAPF32.buffer, engine._GetBounds(), 4);
+  const {width, height} = canvas;
+  const scale = Math.min(width / (right - left), height / (top - bottom));
+  const x = (width - scale * (right - left)) / 2 - scale * left, y = (height + scale * (top - bottom)) / 2 + scale * bottom;
+  return {scale, x, y, left, bottom, right, top};
+}
+
+function fitCanvas() {
+  const ratio = devicePixelRatio || 1, box = canvas.getBoundingClientRect();
+  const width = Math.round(box.width * ratio), height = Math.round(box.height * ratio);
+  if (canvas.width === width && canvas.height === height) return;
+  canvas.width = width;
+  canvas.height = height;
+}
+
+function drawGame() {
+  fitCanvas();
+  const view = camera();
+  brush.setTransform(1, 0, 0, 1, 0, 0);
+  brush.clearRect(0, 0, canvas.width, canvas.height);
+  // One unit is one unit of the game, y is up.
+  brush.setTransform(view.scale, 0, 0, -view.scale, view.x, view.y);
+  brush.fillStyle = colours.surface;
+  brush.fillRect(view.left, view.bottom, view.right - view.left, view.top - view.bottom);
+  brush.lineCap = brush.lineJoin = 'round';
+  const pointer = engine._Draw(), count = engine._GetRowCount();
+  const rows = new Float32Array(engine.HEAPF32.buffer, pointer, count * rowLength);
+  const pixel = (devicePixelRatio || 1) / view.scale;
+  const thick = Math.min(3, 0.12 / pixel);
+  for (let i = 0; i < rows.length; i += rowLength) {
+    const [kind, role, x, y, x1, y1, r, a0, a1] = rows.subarray(i, i + rowLength);
+    const name = roles[role];
+    if (kind === 0 && name === 'kicker') continue; // the corners of a brick
+    brush.beginPath();
+    brush.strokeStyle = brush.fillStyle = colours[name];
+    brush.lineWidth = (name === 'sensor' ? 1.5 : thick) * pixel;
+    if (kind === 0) brush.arc(x, y, 1.5 * pixel, 0, 2 * Math.PI);
+    else if (kind === 1) brush.moveTo(x, y), brush.lineTo(x1, y1);
+    else if (kind === 2) brush.arc(x, y, r, 0, 2 * Math.PI);
+    else brush.arc(x, y, r, a0, a1);
+    if (name === 'ball') {
+      brush.fill();
+      continue;
+    }
+    if (kind === 2) {
+      brush.globalAlpha = 0.18;
+      brush.fill();
+      brush.globalAlpha = 1;
+    }
+    brush.stroke();
+  }
+}
