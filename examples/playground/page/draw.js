@@ -38,23 +38,26 @@ function drawGame() {
   // One unit is one unit of the game, y is up.
   brush.setTransform(view.scale, 0, 0, -view.scale, view.x, view.y);
   brush.fillStyle = colours.surface;
-  brush.fillRect(view.left, view.bottom, view.right - view.left, view.top - view.bottom);
+  brush.save();
+  brush.beginPath();
+  brush.rect(view.left, view.bottom, view.right - view.left, view.top - view.bottom);
+  brush.fill();
+  brush.clip();
   brush.lineCap = brush.lineJoin = 'round';
   const pointer = engine._Draw(), count = engine._GetRowCount();
   const rows = new Float32Array(engine.HEAPF32.buffer, pointer, count * rowLength);
   const pixel = (devicePixelRatio || 1) / view.scale;
   const thick = Math.min(3, 0.12 / pixel);
   for (let i = 0; i < rows.length; i += rowLength) {
-    const [kind, role, x, y, x1, y1, r, a0, a1] = rows.subarray(i, i + rowLength);
-    const name = roles[role];
+    const kind = rows[i], name = roles[rows[i + 1]], x = rows[i + 2], y = rows[i + 3], r = rows[i + 6];
     if (kind === 0 && name === 'kicker') continue; // the corners of a brick
     brush.beginPath();
     brush.strokeStyle = brush.fillStyle = colours[name];
     brush.lineWidth = (name === 'sensor' ? 1.5 : thick) * pixel;
     if (kind === 0) brush.arc(x, y, 1.5 * pixel, 0, 2 * Math.PI);
-    else if (kind === 1) brush.moveTo(x, y), brush.lineTo(x1, y1);
+    else if (kind === 1) brush.moveTo(x, y), brush.lineTo(rows[i + 4], rows[i + 5]);
     else if (kind === 2) brush.arc(x, y, r, 0, 2 * Math.PI);
-    else brush.arc(x, y, r, a0, a1);
+    else brush.arc(x, y, r, rows[i + 7], rows[i + 8]);
     if (name === 'ball') {
       brush.fill();
       continue;
@@ -66,4 +69,5 @@ function drawGame() {
     }
     brush.stroke();
   }
+  brush.restore();
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The page runs: which game, which engine, the clock, and the buttons.
-const state = {game: 0, mode: 0, seed: 1, keys: 0, isPaused: false, isSlow: false, isWatched: false, record: null, replay: null};
+const state = {game: 0, mode: 0, seed: 1, keys: 0, best: null, isPaused: false, isSlow: false, isWatched: false, record: null, replay: null};
 
 function start(game, mode, seed) {
-  Object.assign(state, {game, mode, seed, keys: 0, replay: null, record: newRecord(game, mode, seed)});
+  Object.assign(state, {game, mode, seed, keys: 0, best: null, replay: null, record: newRecord(game, mode, seed)});
   engine._Start(game, mode, seed);
   costs.fill(null);
   explained = '';
@@ -80,7 +80,7 @@ function setWatched(isWatched) {
 }
 
 // Frames of the game are of 1/60 s, whatever the screen does; a page that was hidden does not catch up.
-let clock = 0, due = 0;
+let clock = 0, due = 0, shown = 0;
 function tick(now) {
   const passed = Math.min((now - clock) / 1000, 3 / framesPerSecond) * (state.isSlow ? 0.2 : 1);
   clock = now;
@@ -89,7 +89,10 @@ function tick(now) {
     playFrame();
   drawGame();
   showScore();
-  if (now - lastMeasured > 100) showEffects();
+  if (now - shown > 100) {
+    shown = now;
+    showEffects();
+  }
   measureNext(now);
   requestAnimationFrame(tick);
 }

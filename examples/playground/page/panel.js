@@ -41,18 +41,30 @@ function showEffects() {
   $('effects').replaceChildren(...rows.flat());
 }
 
+// Only what has changed is written: the page lays itself out anew each time.
+function write(id, text) {
+  if ($(id).textContent !== text) $(id).textContent = text;
+}
+
+/** The best score of this game that this browser knows. */
+function best(score) {
+  const key = `shapes ${games[state.game]}`;
+  if (state.best === null) {
+    try { // a browser may keep nothing for files
+      state.best = Number(localStorage.getItem(key));
+    } catch { state.best = 0; }
+  }
+  if (score <= state.best) return state.best;
+  state.best = score;
+  try { localStorage.setItem(key, score); } catch { /* it is known until the page is closed */ }
+  return score;
+}
+
 function showScore() {
-  const score = engine._GetScore(), key = `shapes ${games[state.game]}`;
-  let best = 0;
-  try { // a browser may keep nothing for files
-    best = Math.max(score, Number(localStorage.getItem(key)));
-    localStorage.setItem(key, best);
-  } catch { best = score; }
-  $('score').textContent = score.toLocaleString('en');
-  const unit = units[games[state.game]];
-  $('unit').textContent = unit === 'points' ? `points, best ${best.toLocaleString('en')}` : unit;
-  $('status').textContent = textAt(engine._GetStatus());
-  const lost = engine._GetLost();
-  $('lost').textContent = lost === 0 ? 'No ball got through a wall.' :
-      `Balls that got through a wall, and were put back: ${lost.toLocaleString('en')}`;
+  const score = engine._GetScore(), unit = units[games[state.game]], lost = engine._GetLost();
+  write('score', score.toLocaleString('en'));
+  write('unit', unit === 'points' ? `points, best ${best(score).toLocaleString('en')}` : unit);
+  write('status', textAt(engine._GetStatus()));
+  write('lost', lost === 0 ? 'No ball got through a wall.' :
+      `Balls that got through a wall, and were put back: ${lost.toLocaleString('en')}`);
 }

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// The last part of the page, in the scope of its own: plays every game, switches engines, replays, and leaves what it saw as
+// JSON. Traces are left as a hash of all their lines.
+const seen = {errors: window.noted, games: {}, isDone: false};
+
+/** FNV-1a of 32 bits, over the lines as a file of them. */
+function hashOf(line, hash) {
+  for (let i = 0; i <= line.length; ++i)
+    hash = Math.imul(hash ^ (i < line.length ? line.charCodeAt(i) : 10), 16777619) >>> 0;
+  return hash;
+}
+
+/** Frames of the scripted player, by the page's own way to play one. */
+function playTraced(frames) {
+  let hash = 2166136261;
+  for (let i = 0; i < frames; ++i) {
+    playFrame();
+    hash = hashOf(textAt(engine._GetTrace()), hash);
+  }
+  return hash;
+}
+
+const placesOf = () => textAt(engine._GetTrace());
+
+/** How many pixels of the canvas differ from those of an empty one. */
+function inked() {
+  drawGame();
+  const data = new Uint32Array(brush.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+  const ground = data[Math.floor(data.length / 2)];
+  return data.reduce((sum, pixel) => sum + (pixel !== ground), 0);
+}
+
+/** Pictures and frames of the game a second while the page runs by itself. */
+async function measureFrames(seconds) {
+  const begin = performance.now(), frame = engine._GetFrame();
+  let pictures = 0;
+  await new Promise((resolve) => {
+    const count = () => {
+      ++pictures;
+      performance.now() - begin > 1000 * seconds ? resolve() : requestAnimationFrame(count);
+    };
+    requestAnimationFrame(count);
+  });
+  const passed = (performance.now() - begin) / 1000;
+  return {pictures: pictures / passed, frames: (engine._GetFrame() - frame) / passed};
+}
+
+async function exercise() {
+  setPaused(true);
+  setWatched(true);
+  for (const [game, name] of games.entries()) {
+    const result = seen.games[name] = {modes: {}};
+    for (const [mode, modeName] of modes.entries()) {
+      start(game, mode, 1);
+      const hash = playTraced(window.framesOf[name]);
+      showScore();
+      result.modes[modeName] = {hash, score: engine._GetScore(), lost: engine._GetLost(), told: $('lost').textContent};
+    }
+    // Switching: nothing moves, and the game goes on.
+    start(game, 0, 1);
+    for (let i = 0; i < 120; ++i) playFrame();
+    result.jumps = [];
+    for (const mode of [1, 2, 3, 4, 0]) {
+      const before = placesOf();
+      $('modes').children[mode].click();
+      if (placesOf() !== before || state.mode !== mode) result.jumps.push(modes[mode]);
+      for (let i = 0; i < 30; ++i) playFrame();
+    }
+    // A replay of that, engines and all, from its link.
+    const end = placesOf(), link = toLink(state.record, engine._GetFrame());
+    startReplay(fromLink(link));
+    setPaused(true);
+    setWatched(false);
+    for (const frame = Number(end.split(' ')[0]); engine._GetFrame() < frame;) playFrame();
+    result.replay = placesOf() === end ? 'same' : `${placesOf().slice(0, 200)} instead of ${end.slice(0, 200)}`;
+    setWatched(true);
+    result.ink = inked();
+    result.scene = textAt(engine._GetScene(10)).length;
+    show();
+    result.width = document.documentElement.scrollWidth - document.documentElement.clientWidth;
+  }
+  // Keys reach the game, a step is one frame, and links that are none are refused in words.
+  start(0, 0, 1);
+  setWatched(false);
+  dispatchEvent(new KeyboardEvent('keydown', {code: 'ArrowLeft'}));
+  const frame = engine._GetFrame();
+  $('step').click();
+  seen.step = engine._GetFrame() - frame;
+  seen.keys = state.keys;
+  dispatchEvent(new KeyboardEvent('keyup', {code: 'ArrowLeft'}));
+  seen.refused = [];
+  for (const link of ['#chess=1.0.5E', '#pinball=1.9.5E', '#pinball=1.0.5Q'])
+    try { fromLink(link); seen.refused.push(`${link} was taken`); } catch (error) { seen.refused.push(error.message); }
+  setWatched(true);
+  for (const name of ['pinball', 'pile']) {
+    start(games.indexOf(name), 0, 1);
+    setPaused(false);
+    await measureFrames(1); // until the engine is compiled to the end
+    seen.games[name].speed = await measureFrames(5);
+  }
+}
+
+try {
+  await exercise();
+  seen.isDone = true;
+} catch (error) {
+  seen.errors.push(`exercise: ${error.stack}`);
+}
+seen.resources = performance.getEntriesByType('resource').map((entry) => entry.name).filter((name) => !name.startsWith('data:'));
+const result = document.createElement('pre');
+result.id = 'test-result';
+result.textContent = JSON.stringify(seen).replace(/[<>&]/g, (c) => `\\u00${c.charCodeAt(0).toString(16)}`);
+document.body.append(result);
+window.holder.contentDocument.close();

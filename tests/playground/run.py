@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Plays the playground in a browser without a window and without a network, and holds it against the terminal.
+
+tests/playground/run.py PAGE TERMINAL
+tests/playground/run.py PAGE --pictures FOLDER   draws the pictures of the games that are in docs
+  PAGE      playground.html, from examples/run.sh playground
+  TERMINAL  shapes-pinball, built with any compiler
+"""
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).parent
+# A minute of each game. Of the pile the five seconds before its bar turns: sine and cosine of the C library of emscripten
+# differ in the last bit from those of glibc, and 500 balls that press on each other make much of that.
+FRAMES = {"pinball": 3600, "billiard": 3600, "breakout": 3600, "pile": 300}
+# Software rendering and a shared machine: a picture may be late now and then.
+LEAST_PICTURES = 57
+
+
+def hash_of(text):
+    value = 2166136261
+    for byte in text:
+        value = (value ^ byte) * 16777619 & 0xFFFFFFFF
+    return value
+
+
+def exercised(page, script):
+    text = page.read_text()
+    watch = f"<script>window.framesOf = {json.dumps(FRAMES)};\n{(HERE / 'watch.js').read_text()}</script>\n"
+    first, last = text.index("<script>"), text.rindex("</script>")
+    return text[:first] + watch + text[first:last] + script + text[last:]
+
+
+def run_browser(page, folder, script, *arguments):
+    file = folder / "page.html"
+    file.write_text(exercised(page, script))
+    browser = next((path for name in ("chromium-headless-shell", "chromium", "google-chrome") if (path := shutil.which(name))), None)
+    if browser is None:
+        sys.exit("There is no Chromium: install chromium-headless-shell")
+    offline = ["unshare", "-rn"] if subprocess.run(["unshare", "-rn", "true"], capture_output=True).returncode == 0 else []
+    return subprocess.run(offline + [
+        browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--host-resolver-rules=MAP * ~NOTFOUND",
+        "--hide-scrollbars", "--blink-settings=preferredColorScheme=1", f"--user-data-dir={folder / 'profile'}", "--timeout=600000", *arguments,
+        f"file://{file}"], capture_output=True, text=True, timeout=900, check=True)
+
+
+def exercise(page, folder):
+    done = run_browser(page, folder, (HERE / "exercise.js").read_text(), "--window-size=1280,720", "--dump-dom")
+    found = re.search(r'<pre id="test-result">(.*?)</pre>', done.stdout, re.S)
+    if not found:
+        sys.exit(f"The page left no result; the browser says: {done.stderr[-2000:]}")
+    return json.loads(found[1])
+
+
+def draw_pictures(page, folder, pictures):
+    for game, frames in {"pinball": 700, "pile": 240, "billiard": 600, "breakout": 1500}.items():
+        script = f"""start(games.indexOf('{game}'), 0, 1); setPaused(true); setWatched(true);
+            for (let i = 0; i < {frames}; ++i) playFrame();
+            show(); window.holder.contentDocument.close();"""
+        run_browser(page, folder, script, "--window-size=320,600", f"--screenshot={pictures / f'{game}.png'}")
+
+
+def run_terminal(terminal, folder, game, mode):
+    trace = folder / "trace"
+    subprocess.run([terminal, "--game", game, "--engine", mode, "--seed", "1", "--frames", str(FRAMES[game]), "--trace", trace],
+                   check=True, capture_output=True)
+    return hash_of(trace.read_bytes())
+
+
+def faults_of(seen, hashes):
+    faults = []
+
+    def expect(holds, what):
+        if not holds:
+            faults.append(what)
+
+    expect(seen["isDone"], "the exercise did not get to its end")
+    expect(not seen["errors"], f"errors: {seen['errors']}")
+    expect(not seen.get("resources"), f"fetched: {seen.get('resources')}")
+    if not seen["isDone"]:
+        return faults
+    expect(seen["step"] == 1 and seen["keys"] == 1, f"a step was {seen['step']} frames with the keys {seen['keys']}")
+    expect(all("expected" in words for words in seen["refused"]), f"links: {seen['refused']}")
+    for game, result in seen["games"].items():
+        expect(result["jumps"] == [], f"{game}: balls moved when the engine was switched to {result['jumps']}")
+        expect(result["replay"] == "same", f"{game}: the replay ended differently: {result['replay']}")
+        expect(result["ink"] > 2000, f"{game}: {result['ink']} pixels are drawn")
+        expect(result["width"] == 0, f"{game}: the page is {result['width']} pixels too wide")
+        for mode, played in result["modes"].items():
+            expect(played["score"] > 0, f"{game} on {mode}: no points")
+            expect(played["hash"] == hashes[game][mode], f"{game} on {mode}: not the trace of the terminal")
+            expect((played["lost"] == 0) == ("No ball" in played["told"]), f"{game} on {mode}: {played['lost']} lost, told: {played['told']}")
+            expect(mode == "native-approximate" or played["lost"] == 0, f"{game} on {mode}: {played['lost']} balls lost")
+        if "speed" in result:
+            expect(result["speed"]["pictures"] > LEAST_PICTURES, f"{game}: {result['speed']}")
+    return faults
+
+
+def main():
+    if len(sys.argv) not in (3, 4):
+        sys.exit(__doc__)
+    page, last = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[-1]).resolve()
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        if sys.argv[2] == "--pictures":
+            draw_pictures(page, folder, last)
+            return
+        seen, terminal = exercise(page, folder), last
+        hashes = {game: {mode: run_terminal(terminal, folder, game, mode) for mode in result["modes"]}
+                  for game, result in seen["games"].items()}
+    faults = faults_of(seen, hashes)
+    for game, result in seen["games"].items():
+        print(game, {mode: (played["score"], played["lost"]) for mode, played in result["modes"].items()}, result.get("speed", ""))
+    if faults:
+        sys.exit("\n".join(faults))
+    print("The page plays as the terminal does.")
+
+
+if __name__ == "__main__":
+    main()
