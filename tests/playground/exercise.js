@@ -22,6 +22,10 @@ function playTraced(frames) {
 
 const placesOf = () => textAt(engine._GetTrace());
 
+/** Pixels by which anything is wider than its place. */
+const stickingOut = () =>
+    Math.max(...[document.documentElement, ...document.querySelectorAll('aside')].map((part) => part.scrollWidth - part.clientWidth));
+
 /** How many pixels of the canvas differ from those of an empty one. */
 function inked() {
   drawGame();
@@ -43,6 +47,41 @@ async function measureFrames(seconds) {
   });
   const passed = (performance.now() - begin) / 1000;
   return {pictures: pictures / passed, frames: (engine._GetFrame() - frame) / passed};
+}
+
+/** Presses on the canvas at a place of the game, moves to another, and lets go. */
+function dragTo(from, to) {
+  const {scale, x, y} = camera(), box = canvas.getBoundingClientRect(), ratio = canvas.width / box.width;
+  const event = (kind, p) => new PointerEvent(kind, {
+    bubbles: true, pointerId: 1, clientX: box.left + (p[0] * scale + x) / ratio, clientY: box.top + (y - p[1] * scale) / ratio});
+  canvas.dispatchEvent(event('pointerdown', from));
+  canvas.dispatchEvent(event('pointermove', to));
+  canvas.dispatchEvent(event('pointerup', to));
+}
+
+function exerciseToy() {
+  startToy();
+  const result = {swept: {}}, ball = chosenBall();
+  for (const [mode, name] of modes.entries()) result.swept[name] = askSweep(mode, chosenShape(), ball).isMet;
+  dragTo(ball.position, [1, 3]);
+  result.dragged = ball.position;
+  // A level segment below the ball: the closest point, the setback and the normal are known.
+  toy.scene.shapes[0] = {type: 'line_segment', p0: [-1, 2.5], p1: [3, 2.5]};
+  ball.position = [1, 3];
+  result.contacts = ['native', 'box2d'].map((name) => askContact(modes.indexOf(name), chosenShape(), ball));
+  result.tangents = askShape({type: 'circle', position: [-3, 3], radius: ball.radius}, ball).tangents;
+  result.isInSector = [[0, 1], [1, 6]].map((angles) => askShape({type: 'arc', position: [0, 2.5], radius: 1, angles}, ball).isInSector);
+  showToy();
+  result.text = $('toy-answers').innerText;
+  result.scene = JSON.stringify(readToyScene(JSON.stringify(toy.scene)));
+  result.refused = [];
+  for (const shape of [{type: 'box'}, {type: 'circle', position: [0, 0], radius: -1}, {type: 'point', position: [0]}])
+    try { readToyScene(JSON.stringify({shapes: [shape], balls: toy.scene.balls})); } catch (error) { result.refused.push(error.message); }
+  const count = toy.scene.shapes.length;
+  $('toy-delete').click();
+  result.deleted = count - toy.scene.shapes.length;
+  result.width = stickingOut();
+  return result;
 }
 
 async function exercise() {
@@ -77,8 +116,9 @@ async function exercise() {
     result.ink = inked();
     result.scene = textAt(engine._GetScene(10)).length;
     show();
-    result.width = document.documentElement.scrollWidth - document.documentElement.clientWidth;
+    result.width = stickingOut();
   }
+  seen.toy = exerciseToy();
   // Keys reach the game, a step is one frame, and links that are none are refused in words.
   start(0, 0, 1);
   setWatched(false);

@@ -66,11 +66,30 @@ def draw_pictures(page, folder, pictures):
         run_browser(page, folder, script, "--window-size=320,600", f"--screenshot={pictures / f'{game}.png'}")
 
 
-def run_terminal(terminal, folder, game, mode):
+def run_terminal(terminal, folder, game, mode, seed="1"):
     trace = folder / "trace"
-    subprocess.run([terminal, "--game", game, "--engine", mode, "--seed", "1", "--frames", str(FRAMES[game]), "--trace", trace],
+    subprocess.run([terminal, "--game", game, "--engine", mode, "--seed", seed, "--frames", str(FRAMES[game]), "--trace", trace],
                    check=True, capture_output=True)
     return hash_of(trace.read_bytes())
+
+
+def faults_of_toy(toy):
+    native, box2d = toy["contacts"]
+    near = lambda a, b: all(abs(x - y) < 1e-5 for x, y in zip(a, b, strict=True))
+    checks = {
+        "only the sweeps meet what is on the way": toy["swept"] == {name: name != "native-approximate" for name in toy["swept"]},
+        "the ball is where it was dragged": near(toy["dragged"], [1, 3]),
+        "native meets at the closest point": native["isMet"] and near(native["poi"], [1, 2.5]) and near(native["normal"], [0, 1]),
+        "native is set back by what it overlaps": near([native["setback"]], [0.3]),
+        "Box2D meets within its slop": box2d["isMet"] and near(box2d["normal"], [0, 1]) and abs(box2d["setback"] - 0.3) < 0.02,
+        "common tangents of equal circles are level": sorted(round(end, 4) for t in toy["tangents"] for end in t[1::2]) == [2.2, 2.2, 3.8, 3.8],
+        "the centre is in one sector, and not in the other": toy["isInSector"] == [True, False],
+        "both engines are named": "native" in toy["text"] and "box2d" in toy["text"],
+        "odd scenes are refused in words": len(toy["refused"]) == 3 and all("expected" in words for words in toy["refused"]),
+        "a shape is deleted": toy["deleted"] == 1,
+        "nothing sticks out": toy["width"] == 0,
+    }
+    return [f"toy: not so: {what}: {toy}" for what, holds in checks.items() if not holds]
 
 
 def faults_of(seen, hashes):
@@ -87,6 +106,8 @@ def faults_of(seen, hashes):
         return faults
     expect(seen["step"] == 1 and seen["keys"] == 1, f"a step was {seen['step']} frames with the keys {seen['keys']}")
     expect(all("expected" in words for words in seen["refused"]), f"links: {seen['refused']}")
+    faults += faults_of_toy(seen["toy"])
+    expect(hashes["pinball"]["native"] != hashes["control"], "a pinball of another seed has the same trace")
     for game, result in seen["games"].items():
         expect(result["jumps"] == [], f"{game}: balls moved when the engine was switched to {result['jumps']}")
         expect(result["replay"] == "same", f"{game}: the replay ended differently: {result['replay']}")
@@ -114,6 +135,7 @@ def main():
         seen, terminal = exercise(page, folder), last
         hashes = {game: {mode: run_terminal(terminal, folder, game, mode) for mode in result["modes"]}
                   for game, result in seen["games"].items()}
+        hashes["control"] = run_terminal(terminal, folder, "pinball", "native", seed="2")
     faults = faults_of(seen, hashes)
     for game, result in seen["games"].items():
         print(game, {mode: (played["score"], played["lost"]) for mode, played in result["modes"].items()}, result.get("speed", ""))

@@ -15,19 +15,22 @@ matchMedia('(prefers-color-scheme: dark)').addEventListener('change', readColour
 
 /** From places of the game to those of the canvas: the whole table, as large as it can be. */
 function camera() {
-  const [left, bottom, right, top] = new Float32Array(engine.HEAPF32.buffer, engine._GetBounds(), 4);
+  const [left, bottom, right, top] =
+      state.isToy ? Object.values(toyBounds) : new Float32Array(engine.HEAPF32.buffer, engine._GetBounds(), 4);
   const {width, height} = canvas;
   const scale = Math.min(width / (right - left), height / (top - bottom));
   const x = (width - scale * (right - left)) / 2 - scale * left, y = (height + scale * (top - bottom)) / 2 + scale * bottom;
   return {scale, x, y, left, bottom, right, top};
 }
 
+/** Gives the canvas as many pixels as it covers. @return whether that changed */
 function fitCanvas() {
   const ratio = devicePixelRatio || 1, box = canvas.getBoundingClientRect();
   const width = Math.round(box.width * ratio), height = Math.round(box.height * ratio);
-  if (canvas.width === width && canvas.height === height) return;
+  if (canvas.width === width && canvas.height === height) return false;
   canvas.width = width;
   canvas.height = height;
+  return true;
 }
 
 function drawGame() {

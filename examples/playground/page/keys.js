@@ -24,6 +24,7 @@ function pointed(event) {
   return {x, share: (x - view.left) / (view.right - view.left)};
 }
 canvas.addEventListener('pointerdown', (event) => {
+  if (state.isToy) return;
   canvas.setPointerCapture(event.pointerId);
   const {x, share} = pointed(event), game = games[state.game];
   if (game === 'breakout') wish = x;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The page runs: which game, which engine, the clock, and the buttons.
-const state = {game: 0, mode: 0, seed: 1, keys: 0, best: null, isPaused: false, isSlow: false, isWatched: false, record: null, replay: null};
+const state = {isToy: false, game: 0, mode: 0, seed: 1, keys: 0, best: null, isPaused: false, isSlow: false, isWatched: false, record: null, replay: null};
 
 function start(game, mode, seed) {
   Object.assign(state, {game, mode, seed, keys: 0, best: null, replay: null, record: newRecord(game, mode, seed)});
+  state.isToy = false;
+  delete document.body.dataset.toy;
   engine._Start(game, mode, seed);
   costs.fill(null);
   explained = '';
@@ -84,6 +86,8 @@ let clock = 0, due = 0, shown = 0;
 function tick(now) {
   const passed = Math.min((now - clock) / 1000, 3 / framesPerSecond) * (state.isSlow ? 0.2 : 1);
   clock = now;
+  requestAnimationFrame(tick);
+  if (state.isToy) return fitCanvas() && drawToy();
   if (!state.isPaused) due += passed * framesPerSecond;
   for (; due >= 0.75; --due) // a screen of 60 Hz is not always on time
     playFrame();
@@ -94,7 +98,6 @@ function tick(now) {
     showEffects();
   }
   measureNext(now);
-  requestAnimationFrame(tick);
 }
 
 const newSeed = () => Math.floor(Math.random() * 0xffffffff);
@@ -104,6 +107,10 @@ games.forEach((name, i) => {
   button.addEventListener('click', () => { start(i, state.mode, newSeed()); canvas.focus(); });
   $('games').append(button);
 });
+const toyButton = document.createElement('button');
+toyButton.textContent = 'Toy';
+toyButton.addEventListener('click', startToy);
+$('games').append(toyButton);
 modes.forEach((name, i) => {
   const button = document.createElement('button');
   button.setAttribute('role', 'radio');
@@ -149,7 +156,8 @@ $('file').addEventListener('change', async () => {
 });
 
 try {
-  if (location.hash.length > 1) startReplay(fromLink(location.hash));
+  if (location.hash.includes('=')) startReplay(fromLink(location.hash));
+  else if (location.hash === '#toy') startToy();
   else start(0, 0, newSeed());
 } catch (error) {
   start(0, 0, newSeed());
