@@ -37,7 +37,8 @@ CSceneDesc Describe(const CWorld& world) {
           desc.m_fElasticity = world.GetElasticity(id);
           desc.m_bIsSensor = world.GetSensor(id);
           desc.m_eMotionType = world.GetMotionType(id);
-          if (desc.m_eMotionType != eMotion::Kinematic) return;
+          // Scene files have no stops: what has some stands still.
+          if (desc.m_eMotionType != eMotion::Kinematic || world.GetLimits(id) != CMotionLimits()) return;
           desc.m_vVel = world.GetVel(id);
           desc.m_fRotSpeed = world.GetRotSpeed(id);
           desc.m_vRotCenter = world.GetRotCenter(id);

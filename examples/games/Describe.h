@@ -6,7 +6,7 @@
 
 namespace Shapes::Games {
 
-/// Everything that can collide or sense, at its present pose and speed.
+/// Everything that can collide or sense, at its present pose and speed; what has stops stands still.
 CSceneDesc Describe(const CWorld& world);
 
 } // namespace Shapes::Games

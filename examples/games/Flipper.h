@@ -16,14 +16,13 @@ public:
   /// @param swing  from there to the upper stop, radians; negative is clockwise
   CFlipper(CWorld& world, const Vector2& pivot, float angle, float swing);
 
-  /// Before each step: turns towards a stop, and exactly onto it.
+  /// Turns towards a stop, where it rests.
   void Move(CWorld& world, bool up);
   const std::vector<CShapeId>& GetIds() const { return m_stdIds; }
 
 private:
   std::vector<CShapeId> m_stdIds;
-  float m_fSwing;
-  float m_fAngle = 0.0f; ///< From the lower stop.
+  float m_fUpwards; ///< 1 if up is counterclockwise, else -1.
 };
 
 } // namespace Shapes::Games

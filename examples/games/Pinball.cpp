@@ -9,15 +9,20 @@ namespace {
 
 constexpr float g_fBallRadius = 0.25f;
 constexpr float g_fServeX = 9.55f, g_fServeY = 1.9f;
-constexpr float g_fPullSpeed = 1.0f, g_fMostPull = 0.9f; // units per second, units
+constexpr float g_fPullSpeed = 1.0f;  // units per second
 constexpr float g_fPushSpeed = 30.0f; // units per second, of a plunger that was pulled all the way
-constexpr float g_fHit = 0.5f;        // approach speed from which a bumper gives points
 constexpr int g_nMostNudges = 3;
 
 } // namespace
 
+CWorldDesc CPinball::MakeDesc() {
+  CWorldDesc desc = CGame::MakeDesc({0, -10}, 2);
+  desc.m_cEffects.m_cForced.Set(eEffect::Touches); // a bumper gives points when it is touched, once
+  return desc;
+}
+
 CPinball::CPinball(const CMode& mode, std::uint32_t seed)
-    : CGame(MakeDesc({0, -10}, 2), CAabb2D({-0.5f, 19.5f}, {10.5f, -0.5f}), mode, seed) {
+    : CGame(MakeDesc(), CAabb2D({-0.5f, 19.5f}, {10.5f, -0.5f}), mode, seed) {
   AddWalls();
   AddKickers();
   AddSensors();
@@ -54,15 +59,12 @@ void CPinball::Before(unsigned keys) {
   if (pressed & g_nNudge) Nudge();
 }
 
-// Down while it is pulled, then up at a speed by how far it was pulled, and exactly to where it was.
+// Down while it is pulled, then up at a speed by how far it was pulled; its stops hold it.
 void CPinball::MovePlunger(bool pull) {
-  const float speed = pull ? -g_fPullSpeed : g_fPushSpeed * std::max(m_fPushFrom, 0.2f) / g_fMostPull;
-  const float next = std::clamp(m_fPull - speed * GetTimeStep(), 0.0f, g_fMostPull);
-  const Vector2 v(0, (m_fPull - next) / GetTimeStep());
-  if (pull) m_fPushFrom = next;
-  m_fPull = next;
+  const float pulled = -m_pWorld->GetRotCenter(m_stdPlunger[0]).y();
+  if (pull) m_fPush = g_fPushSpeed * std::max(pulled / g_fMostPull, 0.2f);
   for (const CShapeId id : m_stdPlunger)
-    m_pWorld->SetVel(id, v);
+    m_pWorld->SetVel(id, {0, pull ? -g_fPullSpeed : m_fPush});
 }
 
 // A push against the table: every ball gets some speed.
@@ -74,9 +76,9 @@ void CPinball::Nudge() {
 }
 
 void CPinball::After() {
-  for (const CContactEvent& contact : m_pWorld->GetContacts())
-    if (!contact.m_bIsSensor && contact.m_fSpeed > g_fHit && GetRole(contact.m_cShape) == eRole::Kicker)
-      m_nScore += m_pWorld->GetShapeType(contact.m_cShape) == eShape::Circle ? 100 : 50;
+  for (const CTouchEvent& event : m_pWorld->GetTouchEvents())
+    if (event.m_bBegin && GetRole(event.m_cShape) == eRole::Kicker)
+      m_nScore += m_pWorld->GetShapeType(event.m_cShape) == eShape::Circle ? 100 : 50;
   std::vector<CShapeId> drained;
   for (const CSensorEvent& event : m_pWorld->GetSensorEvents()) {
     if (!event.m_bBegin) continue;

@@ -8,8 +8,11 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace Shapes::Games {
+
+inline constexpr float g_fMostPull = 0.9f; ///< Of the plunger, units.
 
 class CPinball final : public CGame {
 public:
@@ -19,6 +22,7 @@ public:
   std::string GetStatus() const override;
 
 private:
+  static CWorldDesc MakeDesc();
   void Before(unsigned keys) override;
   void After() override;
   void PutBack(CShapeId ball) override;
@@ -38,8 +42,8 @@ private:
   bool IsNear(float side) const; ///< Whether a ball is where the flipper of that side would hit it.
 
   std::optional<CFlipper> m_cLeft, m_cRight;
-  std::array<CShapeId, 4> m_stdPlunger;
-  float m_fPull = 0.0f, m_fPushFrom = 0.0f; ///< How far the plunger is pulled, and was when it was let go.
+  std::vector<CShapeId> m_stdPlunger;
+  float m_fPush = 0.0f; ///< Speed of the plunger when it is let go.
   std::array<CShapeId, 3> m_stdSlots;
   CShapeId m_cDrain, m_cOrbit, m_cInlane;
   int m_nBallsLeft = 3;

@@ -71,13 +71,15 @@ void CPinball::AddSensors() {
 }
 
 void CPinball::AddPlunger() {
-  // A bar that fills the chute but for a gap on each side.
+  // A bar that fills the chute but for a gap on each side. It is pulled down as far as its stop.
   const Vector2 corners[] = {{9.15f, 1.6f}, {9.95f, 1.6f}, {9.95f, 1.3f}, {9.15f, 1.3f}};
-  for (std::size_t i = 0; i < m_stdPlunger.size(); ++i) {
-    CLineSegDesc side(corners[i], corners[(i + 1) % 4], 0.0f);
-    side.m_eMotionType = eMotion::Kinematic;
-    m_stdPlunger[i] = Add(side, eRole::Flipper);
-  }
+  std::vector<CAnyShapeDesc> sides;
+  for (std::size_t i = 0; i < 4; ++i)
+    sides.emplace_back(CLineSegDesc(corners[i], corners[(i + 1) % 4], 0.0f));
+  const auto stops = CMotionLimits::OfCenter({0, 0}, {0, -g_fMostPull});
+  m_stdPlunger = m_pWorld->AddCompound(sides, {0, 0}, 0.0f, Vector2::Zero(), stops);
+  for (const CShapeId id : m_stdPlunger)
+    SetRole(id, eRole::Flipper);
 }
 
 } // namespace Shapes::Games

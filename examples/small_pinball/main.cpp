@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   CWorldDesc desc;
   desc.m_vGravity = {0, -10};
   desc.m_fTimeStep = 1.0f / 120;
+  desc.m_cEffects.m_cForced.Set(eEffect::Touches);
   const auto pWorld = pEngine->MakeWorld(desc);
 
   // A bowl upside down on two walls, and two ramps to the flippers.
@@ -31,6 +32,7 @@ int main(int argc, char** argv) {
     CLineSegDesc flipper({1.6f * side, 1.8f}, {0.35f * side, 1.2f}, 0.5f);
     flipper.m_eMotionType = eMotion::Kinematic;
     flipper.m_vRotCenter = {1.6f * side, 1.8f};
+    flipper.m_cLimits = i == 0 ? CMotionLimits::OfAngle(0, 1) : CMotionLimits::OfAngle(-1, 0);
     flippers[i] = pWorld->Add(flipper);
   }
   CLineSegDesc drainDesc({-4, 0.3f}, {4, 0.3f});
@@ -40,18 +42,15 @@ int main(int argc, char** argv) {
   const Vector2 start(0.3f, 11), push(2, 0);
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc(start, 0.2f, push, 1, 0.9f));
   int score = 0, step = 0;
-  float turned[2] = {0, 0}; // how far each flipper is up, in revolutions
   for (int balls = 3; balls > 0 && step < 120 * 600; ++step) {
     const Vector2 p = pWorld->GetPos(ball);
     for (int i = 0; i < 2; ++i) {
       const bool isUp = p.y() < 1.9f && (i == 0) == (p.x() < 0);
-      const float turn = std::clamp((isUp ? 0.15f : 0.0f) - turned[i], -0.01f, 0.015f);
-      turned[i] += turn;
-      pWorld->SetRotSpeed(flippers[i], (i == 0 ? turn : -turn) / desc.m_fTimeStep);
+      pWorld->SetRotSpeed(flippers[i], (i == 0) == isUp ? 1.8f : -1.8f); // as far as its stop
     }
     pWorld->Step();
-    for (const CContactEvent& contact : pWorld->GetContacts())
-      if (std::find(bumpers, bumpers + 3, contact.m_cShape) != bumpers + 3) score += 100;
+    for (const CTouchEvent& event : pWorld->GetTouchEvents())
+      if (event.m_bBegin && std::find(bumpers, bumpers + 3, event.m_cShape) != bumpers + 3) score += 100;
     for (const CSensorEvent& event : pWorld->GetSensorEvents())
       if (event.m_bBegin && event.m_cShape == drain)
         pWorld->SetPos(ball, start), pWorld->SetVel(ball, push), --balls;
