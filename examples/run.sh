@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # Builds an example and says where it is, or runs it, on a fresh Debian 12 too. What is missing is installed, as root or
 # with sudo.
-# examples/run.sh playground [--open]      one HTML file with games on both engines; --open shows it in the browser
-# examples/run.sh pinball [ARGUMENTS]      the games in the terminal, played by a script; --help says more
+# examples/run.sh playground [--open]   one HTML file with games on both engines; --open shows it in the browser
+# examples/run.sh pinball [ARGUMENTS]   the games in the terminal, played by a script; --help says more
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -43,7 +43,10 @@ case "${1:-}" in
   playground)
     if [[ $# -gt 2 || ($# -eq 2 && $2 != --open) ]]; then usage >&2; exit 2; fi
     build_playground
-    if [[ "${2:-}" == --open ]]; then xdg-open "$root/build/playground/playground.html"; fi
+    if [[ "${2:-}" == --open ]]; then
+      command -v xdg-open >/dev/null || { echo "There is no xdg-open here: please open the file yourself" >&2; exit 1; }
+      xdg-open "$root/build/playground/playground.html"
+    fi
     ;;
   pinball)
     shift

@@ -104,7 +104,7 @@ const newSeed = () => Math.floor(Math.random() * 0xffffffff);
 games.forEach((name, i) => {
   const button = document.createElement('button');
   button.textContent = name;
-  button.addEventListener('click', () => { start(i, state.mode, newSeed()); canvas.focus(); });
+  button.addEventListener('click', () => start(i, state.mode, newSeed()));
   $('games').append(button);
 });
 const toyButton = document.createElement('button');
@@ -116,7 +116,7 @@ modes.forEach((name, i) => {
   button.setAttribute('role', 'radio');
   button.append(document.createElement('b'), document.createElement('span'));
   button.firstChild.textContent = name;
-  button.addEventListener('click', () => { setMode(i); canvas.focus(); });
+  button.addEventListener('click', () => setMode(i));
   $('modes').append(button);
 });
 $('pause').addEventListener('click', () => setPaused(!state.isPaused));
@@ -126,7 +126,12 @@ $('slow').addEventListener('click', () => {
   $('slow').setAttribute('aria-pressed', state.isSlow);
 });
 $('watch').addEventListener('click', () => setWatched(!state.isWatched));
-$('again').addEventListener('click', () => { start(state.game, state.mode, newSeed()); canvas.focus(); });
+$('again').addEventListener('click', () => start(state.game, state.mode, newSeed()));
+
+// After a click the keys belong to the game again; who comes to a button by the keyboard stays there.
+addEventListener('click', (event) => {
+  if (event.detail > 0 && event.target.closest('button')) canvas.focus({preventScroll: true});
+});
 
 function saveFile(name, text) {
   const link = document.createElement('a');
