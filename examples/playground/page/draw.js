@@ -6,12 +6,28 @@ const canvas = document.getElementById('canvas');
 const brush = canvas.getContext('2d');
 
 let colours = {};
+const stamps = new Map(); // pictures of balls, by their diameter in half pixels: half the time of circles, where they are many
 function readColours() {
+  stamps.clear();
   const style = getComputedStyle(document.documentElement);
   colours = Object.fromEntries([...roles, 'surface', 'bg'].map((role) => [role, style.getPropertyValue(`--${role}`).trim()]));
 }
 readColours();
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', readColours);
+
+function stampOf(radius) {
+  const size = Math.round(4 * radius);
+  if (!stamps.has(size)) {
+    const stamp = document.createElement('canvas');
+    stamp.width = stamp.height = Math.ceil(size / 2) + 2;
+    const ink = stamp.getContext('2d'), centre = stamp.width / 2;
+    ink.fillStyle = colours.ball;
+    ink.arc(centre, centre, size / 4, 0, 2 * Math.PI);
+    ink.fill();
+    stamps.set(size, stamp);
+  }
+  return stamps.get(size);
+}
 
 /** From places of the game to those of the canvas: the whole table, as large as it can be. */
 function camera() {
@@ -53,6 +69,12 @@ function drawGame() {
   const thick = Math.min(3, 0.12 / pixel);
   for (let i = 0; i < rows.length; i += rowLength) {
     const kind = rows[i], name = roles[rows[i + 1]], x = rows[i + 2], y = rows[i + 3], r = rows[i + 6];
+    if (name === 'ball') { // the last rows
+      const stamp = stampOf(r * view.scale);
+      brush.setTransform(1, 0, 0, 1, view.x + x * view.scale - stamp.width / 2, view.y - y * view.scale - stamp.width / 2);
+      brush.drawImage(stamp, 0, 0);
+      continue;
+    }
     if (kind === 0 && name === 'kicker') continue; // the corners of a brick
     brush.beginPath();
     brush.strokeStyle = brush.fillStyle = colours[name];
@@ -61,10 +83,6 @@ function drawGame() {
     else if (kind === 1) brush.moveTo(x, y), brush.lineTo(rows[i + 4], rows[i + 5]);
     else if (kind === 2) brush.arc(x, y, r, 0, 2 * Math.PI);
     else brush.arc(x, y, r, rows[i + 7], rows[i + 8]);
-    if (name === 'ball') {
-      brush.fill();
-      continue;
-    }
     if (kind === 2) {
       brush.globalAlpha = 0.18;
       brush.fill();
