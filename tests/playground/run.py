@@ -3,6 +3,7 @@
 """Plays the playground in a browser without a window and without a network, and holds it against the terminal.
 
 tests/playground/run.py PAGE TERMINAL
+tests/playground/run.py PAGE --control TERMINAL  the same with faults planted in the page, which have to be found
 tests/playground/run.py PAGE --pictures FOLDER   draws the pictures of the games that are in docs
   PAGE      playground.html, from examples/run.sh playground
   TERMINAL  shapes-pinball, built with any compiler
@@ -22,6 +23,16 @@ FRAMES = {"pinball": 3600, "billiard": 3600, "breakout": 3600, "pile": 300}
 # that shows within a minute, only the first frames have to be the same.
 FIRST_FRAMES = 300
 ROUNDED_OTHERWISE = {("pinball", "box2d-tuned")}
+
+# Faults as they are planted in the page, and a word of what has to be found.
+PLANTED = [
+    ("engine._SetMode(mode);", "engine._SetMode(mode); engine._Frame(0);", "balls moved"),
+    ("const keys = nextKeys();", "const keys = nextKeys() & 3;", "no points"),
+    ("if (kind === 'm') setMode(value);", "", "replay ended differently"),
+    ("normal: [nx, ny], setback,", "normal: [nx, ny], setback: 2 * setback,", "native is set back"),
+    ("  makePads();\n", "  makePads();\n  console.error('planted');\n", "planted"),
+    ("  makePads();\n", "  makePads();\n  fetch('https://example.org').catch(() => {});\n", "https://example.org"),
+]
 
 
 def hash_of(text):
@@ -74,6 +85,16 @@ def run_terminal(terminal, folder, game, mode, seed="1"):
     text = trace.read_bytes()
     first = b"".join(text.splitlines(keepends=True)[:FIRST_FRAMES])
     return {"begin": hash_of(first), "all": hash_of(text)}
+
+
+def plant(page, folder):
+    text = page.read_text()
+    for good, bad, _ in PLANTED:
+        assert good in text, good
+        text = text.replace(good, bad)
+    planted = folder / "planted.html"
+    planted.write_text(text)
+    return planted
 
 
 def faults_of_toy(toy):
@@ -134,7 +155,8 @@ def main():
         if sys.argv[2] == "--pictures":
             draw_pictures(page, folder, last)
             return
-        seen, terminal = exercise(page, folder), last
+        is_control, terminal = sys.argv[2] == "--control", last
+        seen = exercise(plant(page, folder) if is_control else page, folder)
         hashes = {game: {mode: run_terminal(terminal, folder, game, mode) for mode in result["modes"]}
                   for game, result in seen["games"].items()}
         hashes["control"] = run_terminal(terminal, folder, "pinball", "native", seed="2")
@@ -142,6 +164,12 @@ def main():
     for game, result in seen["games"].items():
         # Frames a second depend on who else uses the machine: they are shown, not judged.
         print(game, {mode: (played["score"], played["lost"]) for mode, played in result["modes"].items()}, result.get("speed", ""))
+    if is_control:
+        missed = [word for _, _, word in PLANTED if not any(word in fault for fault in faults)]
+        if missed:
+            sys.exit(f"Planted, and not found: {missed}")
+        print("All that was planted is found.")
+        return
     if faults:
         sys.exit("\n".join(faults))
     print("The page plays as the terminal does.")
