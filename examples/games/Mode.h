@@ -16,10 +16,9 @@ struct CMode {
   eProfile m_eProfile;
 };
 
-inline constexpr std::array<CMode, 5> g_stdModes{{
+inline constexpr std::array<CMode, 4> g_stdModes{{
     {"native", eBackend::Native, g_cAutomatic, eProfile::Shipped},
     {"native-approximate", eBackend::Native, g_cApproximate, eProfile::Shipped},
-    {"native-continuous", eBackend::Native, g_cContinuous, eProfile::Shipped},
     {"box2d", eBackend::Box2D, g_cAutomatic, eProfile::Shipped},
     {"box2d-tuned", eBackend::Box2D, g_cAutomatic, eProfile::Tuned},
 }};

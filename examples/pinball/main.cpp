@@ -18,7 +18,7 @@ const char* const g_pHelp = R"(shapes-pinball [OPTION VALUE]...
   --frames N       frames of 1/60 s to play (3600)
   --seed S         of the scripted player and of what is random (1)
   --game NAME      pinball, pile, billiard or breakout (pinball)
-  --engine NAME    native, native-approximate, native-continuous, box2d or box2d-tuned (native)
+  --engine NAME    native, native-approximate, box2d or box2d-tuned (native)
   --trace FILE     a line for each frame: frame, score, and the bits of the positions and velocities of the balls
   --svg FILE       the last frame as a picture
 )";

@@ -25,6 +25,12 @@ bool IsPair(const CWorldState& state, const CTouchingPair& pair) {
          DoMeet(b.m_stdFilter[i], shape.GetFilter());
 }
 
+// Not smaller, whatever the rounding.
+CAabb2D ToFloatBox(const CBox2d& box) {
+  const auto low = box.min().cast<float>().eval(), high = box.max().cast<float>().eval();
+  return Geometry::Padded({{low.x(), high.y()}, {high.x(), low.y()}});
+}
+
 } // namespace
 
 bool CSensors::Begin(CWorldState& state, std::vector<CSensorEvent>& events) {
@@ -43,10 +49,9 @@ void CSensors::FindSensors(const CWorldState& state) {
   m_stdShapes.clear();
   for (std::uint32_t i = 0; i < state.m_cBalls.Size(); ++i)
     if (state.m_cBalls.m_stdSensor[i]) m_stdBalls.push_back(i);
-  for (const bool sensors : {true, false})
-    for (std::uint32_t i = 0; i < state.m_stdShapes.size(); ++i)
-      if (state.m_stdShapes[i].m_pShape->GetSensor() == sensors && (sensors || !m_stdBalls.empty()))
-        m_stdShapes.push_back(i);
+  for (std::uint32_t i = 0; i < state.m_stdShapes.size(); ++i)
+    if (state.m_stdShapes[i].m_pShape->GetSensor() || !m_stdBalls.empty()) m_stdShapes.push_back(i);
+  m_bShapesChanged = true;
   m_bAny = !m_stdBalls.empty() || !m_stdShapes.empty();
   m_bIsInvalid = false;
 }
@@ -59,9 +64,12 @@ std::span<const CContactEvent> CSensors::Sense(CWorldState& state, float dt,
   TakeShapes(state);
   for (std::size_t i = 0; i < b.Size(); ++i) {
     if (!b.m_stdCanCollide[i]) continue;
-    const std::size_t n = b.m_stdSensor[i] ? m_stdSensed.size() : m_nSensors;
-    for (std::size_t k = 0; k < n; ++k)
-      TouchShape(b, i, m_stdSensed[k], dt);
+    m_stdFound.clear();
+    m_cTree.Query(ToFloatBox(m_stdBoxes[i]), m_stdFound);
+    for (const std::uint32_t k : m_stdFound)
+      TouchShape(b, i, m_stdStatic[k], dt);
+    for (const CSensed& sensed : m_stdKinematic)
+      TouchShape(b, i, sensed, dt);
   }
   for (const std::size_t i : m_stdBalls) {
     if (!b.m_stdCanCollide[i]) continue;
@@ -103,29 +111,38 @@ CBallPath CSensors::GetPath(std::size_t i) const {
 }
 
 void CSensors::TakeShapes(const CWorldState& state) {
-  m_stdSensed.clear();
-  m_nSensors = 0;
+  m_stdKinematic.clear();
+  if (m_bShapesChanged) m_stdStatic.clear();
   for (const std::uint32_t k : m_stdShapes) {
-    const CShape& shape = *state.m_stdShapes[k].m_pShape;
-    if (!shape.GetCanCollide()) continue;
-    CSensed sensed{&state.m_stdShapes[k], CZone(shape), CBox2d(), shape.GetRotCenter().cast<double>(),
-                   Vector2d::Zero(),      0.0};
-    if (shape.GetMoving()) { // else these are of an earlier step
-      sensed.m_vMove = shape.GetLastMove().cast<double>();
-      sensed.m_fTurn = static_cast<double>(shape.GetLastTurn());
-    }
-    sensed.m_cBox = sensed.m_cZone.GetBox();
-    if (sensed.m_fTurn != 0.0) { // wherever it is within reach of its centre
-      const Vector2d low = (sensed.m_cBox.min() - sensed.m_vRotCenter).cwiseAbs();
-      const Vector2d high = (sensed.m_cBox.max() - sensed.m_vRotCenter).cwiseAbs();
-      const Vector2d reach = Vector2d::Constant(low.cwiseMax(high).norm());
-      sensed.m_cBox = CBox2d(sensed.m_vRotCenter - reach, sensed.m_vRotCenter + reach);
-    }
-    const CBox2d before(sensed.m_cBox.min() - sensed.m_vMove, sensed.m_cBox.max() - sensed.m_vMove);
-    sensed.m_cBox.extend(before);
-    m_stdSensed.push_back(sensed);
-    m_nSensors += shape.GetSensor();
+    const CShapeEntry& entry = state.m_stdShapes[k];
+    const bool isKinematic = entry.m_pShape->GetMotionType() == eMotion::Kinematic;
+    if (entry.m_pShape->GetCanCollide() && (isKinematic || m_bShapesChanged))
+      (isKinematic ? m_stdKinematic : m_stdStatic).push_back(Take(entry));
   }
+  if (!std::exchange(m_bShapesChanged, false)) return;
+  std::vector<CAabb2D> boxes;
+  for (const CSensed& sensed : m_stdStatic)
+    boxes.push_back(ToFloatBox(sensed.m_cBox));
+  m_cTree.Build(boxes);
+}
+
+CSensors::CSensed CSensors::Take(const CShapeEntry& entry) {
+  const CShape& shape = *entry.m_pShape;
+  CSensed sensed{&entry, CZone(shape), CBox2d(), shape.GetRotCenter().cast<double>(), Vector2d::Zero(), 0.0};
+  if (shape.GetMoving()) { // else these are of an earlier step
+    sensed.m_vMove = shape.GetLastMove().cast<double>();
+    sensed.m_fTurn = static_cast<double>(shape.GetLastTurn());
+  }
+  sensed.m_cBox = sensed.m_cZone.GetBox();
+  if (sensed.m_fTurn != 0.0) { // wherever it is within reach of its centre
+    const Vector2d low = (sensed.m_cBox.min() - sensed.m_vRotCenter).cwiseAbs();
+    const Vector2d high = (sensed.m_cBox.max() - sensed.m_vRotCenter).cwiseAbs();
+    const Vector2d reach = Vector2d::Constant(low.cwiseMax(high).norm());
+    sensed.m_cBox = CBox2d(sensed.m_vRotCenter - reach, sensed.m_vRotCenter + reach);
+  }
+  const CBox2d before(sensed.m_cBox.min() - sensed.m_vMove, sensed.m_cBox.max() - sensed.m_vMove);
+  sensed.m_cBox.extend(before);
+  return sensed;
 }
 
 void CSensors::TouchShape(const CBallArrays& b, std::size_t i, const CSensed& sensed, double dt) {

@@ -3,6 +3,7 @@
 
 #include <Shapes/World.h>
 
+#include "../geometry/AabbTree.h"
 #include "BallPath.h"
 #include "WorldState.h"
 
@@ -20,6 +21,11 @@ class CSensors {
 public:
   /// A shape or a ball came, went or changed: what is known of the indices of sensors is void.
   void Invalidate() { m_bIsInvalid = true; }
+  /// A shape is elsewhere, or is another one: what is known of it is void.
+  void InvalidateShape(const CShape& shape) {
+    m_bShapesChanged |=
+        shape.GetMotionType() == eMotion::Static && (shape.GetSensor() || !m_stdBalls.empty());
+  }
 
   /// Before the substeps of a step: ends the pairs of which one is gone, or is turned off, or of which
   /// neither is a sensor any more.
@@ -58,6 +64,7 @@ private:
   void FindSensors(const CWorldState& state);
   void TakePaths(const CBallArrays& balls);
   void TakeShapes(const CWorldState& state);
+  static CSensed Take(const CShapeEntry& entry);
   CBallPath GetPath(std::size_t ball) const;
   void TouchShape(const CBallArrays& balls, std::size_t i, const CSensed& sensed, double dt);
   void TouchBall(const CBallArrays& balls, std::size_t i, std::size_t j, double dt);
@@ -67,16 +74,19 @@ private:
   bool m_bIsInvalid = true;
   bool m_bAny = false;
   std::uint64_t m_nTests = 0;
-  std::vector<std::uint32_t> m_stdShapes; // sensors; then the others, if a ball is a sensor
+  std::vector<std::uint32_t> m_stdShapes; // sensors; all, if a ball is a sensor
   std::vector<std::uint32_t> m_stdBalls;  // sensors
+  bool m_bShapesChanged = true;
+  std::vector<CSensed> m_stdStatic; // until one of them changes
+  Geometry::CAabbTree m_cTree;      // of their boxes
 
   // Of the substep.
   std::vector<CBallVertex> m_stdVertices;
   std::vector<CPathVertex> m_stdPoints; // the paths of all balls, one after the other
   std::vector<std::size_t> m_stdFirst;  // where in them that of each ball begins, and where the last one ends
   std::vector<CBox2d> m_stdBoxes;       // around all places of each ball
-  std::vector<CSensed> m_stdSensed;     // in the order of m_stdShapes
-  std::size_t m_nSensors = 0;           // of them
+  std::vector<CSensed> m_stdKinematic;
+  std::vector<std::uint32_t> m_stdFound;
   std::vector<CPathVertex> m_stdOtherPath; // a path in another frame
   std::vector<CSeen> m_stdSeen;
   std::vector<CContactEvent> m_stdContacts;

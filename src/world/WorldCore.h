@@ -135,6 +135,7 @@ void CWorld::CImpl::ChangeShape(CShapeEntry& entry, eChange what, const F& chang
   change(entry);
   UpdateContent(before, CContent::Of(entry));
   if (what == eChange::Sensor) m_cSensors.Invalidate();
+  m_cSensors.InvalidateShape(*entry.m_pShape);
   m_pEngine->Changed(entry.m_cId, what);
 }
 

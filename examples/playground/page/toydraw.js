@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws the collision toy: the chosen shape and ball with their boxes, closest point, tangents, sector, and where each engine
 // says that the ball goes.
-const sweptColours = {'native-continuous': 'flipper', 'native-approximate': 'kicker', box2d: 'gate'};
+const sweptColours = {native: 'flipper', 'native-approximate': 'kicker', box2d: 'gate'};
 
 function drawToy() {
   fitCanvas();
@@ -53,7 +53,7 @@ function drawToy() {
   if (shape)
     for (const [name, colour] of Object.entries(sweptColours)) {
       const {isMet, poi, end} = askSweep(modes.indexOf(name), shape, ball);
-      stroke(colour, 2, circle(end, ball.radius), name === 'native-continuous' ? [] : [5, 4]);
+      stroke(colour, 2, circle(end, ball.radius), name === native ? [] : [5, 4]);
       if (isMet) dot(poi, colour, 4);
     }
   stroke('ball', 2, line(ball.position, plus(ball.position, ball.velocity)));
