@@ -92,7 +92,9 @@ TEST_P(CEffectBits, BallsAreSweptByDefaultHoweverSlowTheyAre) {
     const auto path = Run(slow, g_cAutomatic, profile);
     EXPECT_EQ(path, Run(slow, g_cContinuous, profile));
     // The control; Box2D as it ships solves contacts of slow balls in the same way with and without it.
-    if (Backend().GetName() == "native") EXPECT_NE(path, Run(slow, g_cApproximate, profile));
+    if (Backend().GetName() == "native") {
+      EXPECT_NE(path, Run(slow, g_cApproximate, profile));
+    }
   }
 }
 
