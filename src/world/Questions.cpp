@@ -79,6 +79,10 @@ CQuestions::CQuestions(const CWorldState& state) : m_cState(state) {
     boxes.push_back(BoxOfBall(b.m_stdPos[i], b.m_stdRadius[i]));
   }
   m_cTree.Build(boxes);
+  CBox all;
+  for (const CAabb2D& box : boxes)
+    all.extend(Widened(box, 0.0));
+  if (!boxes.empty()) m_fSpacing = std::sqrt(all.volume() / static_cast<double>(boxes.size()));
 }
 
 std::optional<CCastHit> CQuestions::CastAt(const CItem& item, const CWay& way) const {
@@ -143,20 +147,27 @@ std::optional<CClosestHit> CQuestions::FindClosest(const Vector2& p, float reach
                                                    const CFilter& filter) const {
   const Vector2d place = p.cast<double>();
   std::optional<CClosestHit> closest;
-  double least = reach;
-  m_cTree.Visit(
-      [&](const CAabb2D& box) { return Widened(box, 0.0).exteriorDistance(place) <= std::max(least, 0.0); },
-      [&](std::uint32_t k) {
-        CClosestHit hit;
-        if (!DoMeet(m_stdItems[k].m_cFilter, filter) ||
-            !FindAt(m_stdItems[k], place, 0.0, std::nextafter(least, reach), hit))
-          return;
-        const bool isCloser = !closest || std::tie(hit.m_fDistance, hit.m_cShape) <
-                                              std::tie(closest->m_fDistance, closest->m_cShape);
-        if (!isCloser) return;
-        closest = hit;
-        least = static_cast<double>(hit.m_fDistance);
-      });
+  // Nearby first: what is found there spares a look at most of the others.
+  double least = std::min(static_cast<double>(reach), m_fSpacing);
+  const auto search = [&] {
+    m_cTree.Visit(
+        [&](const CAabb2D& box) { return Widened(box, 0.0).exteriorDistance(place) <= std::max(least, 0.0); },
+        [&](std::uint32_t k) {
+          CClosestHit hit;
+          if (!DoMeet(m_stdItems[k].m_cFilter, filter) ||
+              !FindAt(m_stdItems[k], place, 0.0, std::nextafter(least, reach), hit))
+            return;
+          const bool isCloser = !closest || std::tie(hit.m_fDistance, hit.m_cShape) <
+                                                std::tie(closest->m_fDistance, closest->m_cShape);
+          if (!isCloser) return;
+          closest = hit;
+          least = static_cast<double>(hit.m_fDistance);
+        });
+  };
+  search();
+  if (closest || least == static_cast<double>(reach)) return closest;
+  least = reach;
+  search();
   return closest;
 }
 

@@ -45,6 +45,7 @@ private:
   const CWorldState& m_cState;
   std::vector<CItem> m_stdItems;
   Geometry::CAabbTree m_cTree;
+  double m_fSpacing = 0.0; // side of the square that each would have if they were spread evenly
 };
 
 } // namespace Shapes

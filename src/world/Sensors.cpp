@@ -145,6 +145,7 @@ CSensors::CSensed CSensors::Take(const CShapeEntry& entry) {
   return sensed;
 }
 
+// Of those whose boxes meet.
 void CSensors::TouchShape(const CBallArrays& b, std::size_t i, const CSensed& sensed, double dt) {
   if (!b.m_stdSensor[i] && !sensed.m_pEntry->m_pShape->GetSensor()) return;
   if (!m_stdBoxes[i].intersects(sensed.m_cBox)) return;

@@ -99,7 +99,7 @@ TEST(DebugDraw, TheFigureOfAnArcIsThatOfTheDocument) {
   const CArc arc(CArcDesc({0, 0}, 1, 0, 0.5f * g_fPi));
   Vector2 t0, t1;
   arc.GetTangents(t0, t1);
-  CSvgDraw svg(CAabb2D({-0.3f, 1.35f}, {1.6f, -0.2f}), 160);
+  CSvgDraw svg(CAabb2D({-0.3f, 1.35f}, {1.75f, -0.2f}), 160);
   svg.DrawArc(arc.GetPos(), arc.GetRadius(), arc.GetAngle0(), arc.GetSpan(), eRole::Static);
   for (const Vector2& end : {arc.GetEndPt0(), arc.GetEndPt1()}) {
     svg.DrawSegment(arc.GetPos(), end, eRole::Off);

@@ -133,6 +133,7 @@ void CContinuous::FindBalls(std::uint32_t i, float reach) {
     if (m_stdIndexOf[k] != i) m_stdBallsFound.push_back(m_stdIndexOf[k]);
     return false;
   });
+  if (m_stdBallsFound.empty()) return;
   if (m_bFilters)
     std::erase_if(m_stdBallsFound, [&](std::uint32_t j) {
       const std::vector<CFilter>& filters = m_pBalls->m_stdFilter;
