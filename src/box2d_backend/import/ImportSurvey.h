@@ -3,6 +3,8 @@
 // collide.
 #pragma once
 
+#include <Shapes/Filter.h>
+
 #include <box2d/box2d.h>
 
 #include <cstddef>
