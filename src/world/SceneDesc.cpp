@@ -58,7 +58,9 @@ void AddGeometry(CObject& json, const CPointDesc& desc) {
 
 void AddFilter(CObject& json, const CFilter& filter) {
   if (filter == CFilter()) return;
-  json.Add("filter", "[" + std::to_string(filter.m_nCategory) + ", " + std::to_string(filter.m_nMask) + "]");
+  std::string text = "["; // g++ 12 warns of the sum
+  text.append(std::to_string(filter.m_nCategory)).append(", ").append(std::to_string(filter.m_nMask));
+  json.Add("filter", text.append("]"));
 }
 
 void AddSides(CObject& json, eSides sides) {

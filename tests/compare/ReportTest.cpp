@@ -343,7 +343,7 @@ TEST(ReplayJsonTest, SmallBallsKeepTwoDigits) {
   report.m_stdScenes[0].m_cScene.m_stdBalls[0].m_cDesc.m_fRadius = 0.0005f;
   const auto s = nlohmann::json::parse(MakeReplayJson(report)).at("scenes").at(0);
   EXPECT_EQ(s.at("unit"), 0.00001);
-  EXPECT_EQ(UnpackTrack(s, s.at("/clips/0/tracks/5"_json_pointer)).at(2), 112346);
+  EXPECT_EQ(UnpackTrack(s, s.at("/clips/0/tracks/4"_json_pointer)).at(2), 112346);
 }
 
 TEST(ReplayJsonTest, EnginesThatFlyAlikeShareATrackInAllClips) {

@@ -188,7 +188,7 @@ TEST(OverallTest, TheResultBeginsWithTheEngineToTake) {
   const std::string result = MakeResult(report, MakeOverall(report));
   EXPECT_EQ(result,
             "Take native: 7.1 times faster than Box2D. It loses 1 of 1,000 balls (Box2D 6), and 95% of its "
-            "bounces are within 0.001 degrees (Box2D 0.001 degrees); native-approximate is 1.4 times faster "
+            "bounces are within 0.001 degrees; native-approximate is 1.4 times faster "
             "than native but loses 1 in 4.9.");
   CRunReport alone = Of({g_nNative, g_nApproximate});
   EXPECT_EQ(MakeResult(alone, MakeOverall(alone))
