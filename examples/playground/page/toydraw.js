@@ -53,7 +53,7 @@ function drawToy() {
   if (shape)
     for (const [name, colour] of Object.entries(sweptColours)) {
       const {isMet, poi, end} = askSweep(modes.indexOf(name), shape, ball);
-      stroke(colour, 2, circle(end, ball.radius), name === native ? [] : [5, 4]);
+      stroke(colour, 2, circle(end, ball.radius), name === 'native' ? [] : [5, 4]);
       if (isMet) dot(poi, colour, 4);
     }
   stroke('ball', 2, line(ball.position, plus(ball.position, ball.velocity)));
