@@ -25,7 +25,8 @@ TEST(TrapsDeathTest, WhatIsNotANumberStopsTheProgram) {
   EXPECT_EXIT(Quotient(1, 0), g_cDies, "");
   EXPECT_EXIT(Product(g_fMax, 2), g_cDies, "");
   EXPECT_EXIT(IsLess(g_fNan, 1), g_cDies, "");
-  EXPECT_EXIT((CAabb2D(Vector2(0, g_fNan), Vector2(1, 0))), g_cDies, ""); // in the library
+  const CAabb2D box(Vector2(0, 1), Vector2(1, 0));
+  EXPECT_EXIT(static_cast<void>(box && Vector2(g_fNan, 0)), g_cDies, ""); // in the library
 }
 
 TEST(TrapsTest, WhatIsANumberDoesNot) {

@@ -34,7 +34,7 @@ private:
 std::string RolesAre(eRole role) { return " " + std::to_string(static_cast<int>(role)) + "\n"; }
 
 TEST(DebugDraw, AWorldIsItsShapesItsBallsAndItsContacts) {
-  const auto pWorld = MakeWorld(CWorldDesc());
+  const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(CWorldDesc());
   pWorld->Add(CPointDesc(Vector2(1, 1)));
   CLineSegDesc bar({2, 0}, {2, 1});
   bar.m_eMotionType = eMotion::Kinematic;

@@ -33,7 +33,8 @@ const Summary = (() => {
                       el('span', {class: 'brief'}, Data.rowOf(engine.name).short)
                     ]),
            el('small', null, Data.rowOf(engine.name).meaning),
-           isTaken ? el('span', {class: 'chosen'}, 'take this') : null),
+           isTaken ? el('span', {class: 'chosen'}, 'take this')
+                   : el('span', {class: 'grade'}, engine.grade)),
         el('dl', null,
            part('balls lost', lossText(engine.tunneled, n).replace(/ of .*/, ''),
                 `${count(engine.tunneled?.count)} of ${count(n)} impacts`),
