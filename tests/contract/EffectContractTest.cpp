@@ -95,12 +95,13 @@ TEST_P(CEffectContract, ContentCallsForEffects) {
       });
   ExpectFollows(
       *pWorld, eEffect::Kinematics, [&] { id = pWorld->Add(Flipper(1)); }, take);
-  ExpectFollows(
-      *pWorld, eEffect::BallPairs,
-      [&] {
-        id = AddBall(*pWorld, {3, 3});
-      },
-      take);
+  for (const eEffect e : {eEffect::BallPairs, eEffect::Continuous})
+    ExpectFollows(
+        *pWorld, e,
+        [&] {
+          id = AddBall(*pWorld, {3, 3});
+        },
+        take);
   ExpectFollows(
       *pWorld, eEffect::Sensors,
       [&] {
