@@ -54,6 +54,11 @@ inline bool operator&&(const CAabb2D& a, const CAabb2D& b) {
          a.m_vBottomRt.y() <= b.m_vTopLeft.y() && a.m_vTopLeft.y() >= b.m_vBottomRt.y();
 }
 
+inline bool operator&&(const CAabb2D& a, const Vector2& p) {
+  return a.m_vTopLeft.x() <= p.x() && p.x() <= a.m_vBottomRt.x() && a.m_vBottomRt.y() <= p.y() &&
+         p.y() <= a.m_vTopLeft.y();
+}
+
 inline CAabb2D& CAabb2D::operator+=(const Vector2& p) {
   // Least and greatest of two, except that a NaN stays a NaN whichever side it came in on.
   const auto least = [](float a, float b) { return b < a || b != b ? b : a; };

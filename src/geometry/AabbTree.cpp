@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "AabbTree.h"
 
-#include "../Tolerances.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -17,13 +15,6 @@ CAabb2D Union(CAabb2D a, const CAabb2D& b) {
 }
 
 } // namespace
-
-CAabb2D Padded(const CAabb2D& box, float margin) {
-  const Vector2 &tl = box.GetTopLeft(), &br = box.GetBottomRt();
-  const float size = std::max({std::abs(tl.x()), std::abs(tl.y()), std::abs(br.x()), std::abs(br.y())});
-  const float pad = margin + g_fBoxPadding * (size + margin);
-  return {tl + Vector2(-pad, pad), br + Vector2(pad, -pad)};
-}
 
 void CAabbTree::Build(std::span<const CAabb2D> boxes) {
   m_stdNodes.clear();

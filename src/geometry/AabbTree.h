@@ -3,6 +3,9 @@
 
 #include <Shapes/Aabb2D.h>
 
+#include "../Tolerances.h"
+
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,7 +13,12 @@
 namespace Shapes::Geometry {
 
 /// A box that is surely larger than the rounding of any kernel against a shape with this box.
-CAabb2D Padded(const CAabb2D& box, float margin = 0.0f);
+inline CAabb2D Padded(const CAabb2D& box, float margin = 0.0f) {
+  const Vector2 &tl = box.GetTopLeft(), &br = box.GetBottomRt();
+  const float size = std::max(tl.cwiseAbs().maxCoeff(), br.cwiseAbs().maxCoeff());
+  const float pad = margin + g_fBoxPadding * (size + margin);
+  return {tl + Vector2(-pad, pad), br + Vector2(pad, -pad)};
+}
 
 /// A tree of boxes over items 0 .. n-1: finds the items whose box meets a box in O(log n + found).
 class CAabbTree {

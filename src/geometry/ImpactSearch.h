@@ -42,7 +42,7 @@ private:
 template <class TMotion>
 class CImpactSearch {
 public:
-  /// Up to the time `end`. The shape and the impact are in the frame of the motion.
+  /// Up to the time `end`. The shape and the impact are in the frame of the motion. All three have to stay.
   CImpactSearch(const CShapeGeometry& shape, const TMotion& motion, double end, CImpact& impact)
       : m_cShape(shape), m_cMotion(motion), m_cImpact(impact) {
     impact.m_fTime = end;
@@ -78,7 +78,7 @@ public:
 
 private:
   const CShapeGeometry& m_cShape;
-  TMotion m_cMotion;
+  const TMotion& m_cMotion;
   CImpact& m_cImpact;
   eSweep m_eFound = eSweep::None;
 };

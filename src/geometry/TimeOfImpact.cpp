@@ -72,10 +72,13 @@ bool Near(const CShapeGeometry& shape, const CMotion& moving, double start, doub
   const CMotion ball = Relative(moving, shape, start);
   const CRoundings roundings = Roundings(shape, ball);
   const CMotion motion = Seen(ball, roundings);
-  const CShapeGeometry now = RotatedFor(shape, start);
-  const eSweep found = shape.m_fTurnSpeed == 0.0
-                           ? Run(now, CStandingMotion(CLinearMotion(motion, roundings)), reach, impact)
-                           : Run(now, CStandingMotion(CCurvedMotion(now, motion, roundings)), reach, impact);
+  eSweep found;
+  if (shape.m_fTurnSpeed == 0.0) {
+    found = Run(shape, CStandingMotion(CLinearMotion(motion, roundings)), reach, impact);
+  } else {
+    const CShapeGeometry now = RotatedFor(shape, start);
+    found = Run(now, CStandingMotion(CCurvedMotion(now, motion, roundings)), reach, impact);
+  }
   FailIf(found != eSweep::Impact);
   // Subtract the radius inflation.
   gap = impact.m_fTime + (motion.m_fRadius - ball.m_fRadius);

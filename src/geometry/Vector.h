@@ -35,9 +35,10 @@ inline Vector2d Perp(const Vector2d& v) { return Perp<double>(v); }
 
 /// Length, also where the squares underflow. Coordinates up to 1e150.
 inline double Norm(const Vector2d& v) {
-  const bool tiny = v.squaredNorm() < 0x1p-900;
-  const double scale = tiny ? 0x1p500 : 1.0, back = tiny ? 0x1p-500 : 1.0;
-  return back * std::sqrt((scale * v).squaredNorm());
+  const double square = v.squaredNorm();
+  if (square < 0x1p-900) [[unlikely]]
+    return 0x1p-500 * std::sqrt((0x1p500 * v).squaredNorm());
+  return std::sqrt(square);
 }
 /// Unit vector along v; `fallback` for the zero vector.
 inline Vector2d Unit(const Vector2d& v, const Vector2d& fallback) {

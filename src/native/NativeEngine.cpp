@@ -274,16 +274,9 @@ CBall ToBall(const CDynamicCircle& circle) {
   return {circle.GetPos(), circle.GetPrevPos(), circle.GetVel(), circle.GetRadius()};
 }
 
-// A box that is larger by more than the kernels round says so for most pairs of a game.
-bool IsFarFrom(const CAabb2D& box, const Vector2& p, float r) {
-  const Vector2 &tl = box.GetTopLeft(), &br = box.GetBottomRt();
-  const float size = std::max(tl.cwiseAbs().maxCoeff(), br.cwiseAbs().maxCoeff());
-  const float reach = r + g_fBoxPadding * (size + r);
-  return p.x() < tl.x() - reach || p.x() > br.x() + reach || p.y() > tl.y() + reach || p.y() < br.y() - reach;
-}
-
 bool CollidePair(CContactDesc& c) {
-  FailIf(IsFarFrom(c.m_pShape->GetAABB(), c.m_pCircle->GetPos(), c.m_pCircle->GetRadius()));
+  // Most pairs of a game are far from each other, and their boxes say so.
+  FailIf(!(Geometry::Padded(c.m_pShape->GetAABB(), c.m_pCircle->GetRadius()) && c.m_pCircle->GetPos()));
   const CBall ball = ToBall(*c.m_pCircle);
   CHit hit;
   FailIf(!(c.m_pShape->GetMotionType() == eMotion::Dynamic

@@ -14,11 +14,6 @@ constexpr float g_fEmptyEdge = std::numeric_limits<float>::infinity();
 
 CAabb2D::CAabb2D() : m_vTopLeft(g_fEmptyEdge, -g_fEmptyEdge), m_vBottomRt(-g_fEmptyEdge, g_fEmptyEdge) {}
 
-bool operator&&(const CAabb2D& a, const Vector2& p) {
-  return a.m_vTopLeft.x() <= p.x() && p.x() <= a.m_vBottomRt.x() && a.m_vBottomRt.y() <= p.y() &&
-         p.y() <= a.m_vTopLeft.y();
-}
-
 void CAabb2D::Translate(const Vector2& v) {
   m_vTopLeft += v;
   m_vBottomRt += v;

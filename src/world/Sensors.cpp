@@ -46,13 +46,17 @@ bool CSensors::Begin(CWorldState& state, std::vector<CSensorEvent>& events) {
 void CSensors::FindSensors(const CWorldState& state) {
   m_stdVertices.clear(); // their balls may have other indices now
   m_stdBalls.clear();
-  m_stdShapes.clear();
+  m_stdStaticShapes.clear();
+  m_stdKinematicShapes.clear();
   for (std::uint32_t i = 0; i < state.m_cBalls.Size(); ++i)
     if (state.m_cBalls.m_stdSensor[i]) m_stdBalls.push_back(i);
-  for (std::uint32_t i = 0; i < state.m_stdShapes.size(); ++i)
-    if (state.m_stdShapes[i].m_pShape->GetSensor() || !m_stdBalls.empty()) m_stdShapes.push_back(i);
+  for (std::uint32_t i = 0; i < state.m_stdShapes.size(); ++i) {
+    const CShape& shape = *state.m_stdShapes[i].m_pShape;
+    if (!shape.GetSensor() && m_stdBalls.empty()) continue;
+    (shape.GetMotionType() == eMotion::Kinematic ? m_stdKinematicShapes : m_stdStaticShapes).push_back(i);
+  }
   m_bShapesChanged = true;
-  m_bAny = !m_stdBalls.empty() || !m_stdShapes.empty();
+  m_bAny = !m_stdBalls.empty() || !m_stdStaticShapes.empty() || !m_stdKinematicShapes.empty();
   m_bIsInvalid = false;
 }
 
@@ -111,15 +115,14 @@ CBallPath CSensors::GetPath(std::size_t i) const {
 }
 
 void CSensors::TakeShapes(const CWorldState& state) {
-  m_stdKinematic.clear();
-  if (m_bShapesChanged) m_stdStatic.clear();
-  for (const std::uint32_t k : m_stdShapes) {
-    const CShapeEntry& entry = state.m_stdShapes[k];
-    const bool isKinematic = entry.m_pShape->GetMotionType() == eMotion::Kinematic;
-    if (entry.m_pShape->GetCanCollide() && (isKinematic || m_bShapesChanged))
-      (isKinematic ? m_stdKinematic : m_stdStatic).push_back(Take(entry));
-  }
+  const auto take = [&](const std::vector<std::uint32_t>& shapes, std::vector<CSensed>& sensed) {
+    sensed.clear();
+    for (const std::uint32_t k : shapes)
+      if (state.m_stdShapes[k].m_pShape->GetCanCollide()) sensed.push_back(Take(state.m_stdShapes[k]));
+  };
+  take(m_stdKinematicShapes, m_stdKinematic);
   if (!std::exchange(m_bShapesChanged, false)) return;
+  take(m_stdStaticShapes, m_stdStatic);
   std::vector<CAabb2D> boxes;
   for (const CSensed& sensed : m_stdStatic)
     boxes.push_back(ToFloatBox(sensed.m_cBox));

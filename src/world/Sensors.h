@@ -74,8 +74,8 @@ private:
   bool m_bIsInvalid = true;
   bool m_bAny = false;
   std::uint64_t m_nTests = 0;
-  std::vector<std::uint32_t> m_stdShapes; // sensors; all, if a ball is a sensor
-  std::vector<std::uint32_t> m_stdBalls;  // sensors
+  std::vector<std::uint32_t> m_stdStaticShapes, m_stdKinematicShapes; // sensors; all, if a ball is a sensor
+  std::vector<std::uint32_t> m_stdBalls;                              // sensors
   bool m_bShapesChanged = true;
   std::vector<CSensed> m_stdStatic; // until one of them changes
   Geometry::CAabbTree m_cTree;      // of their boxes

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
 #include <vector>
 
 namespace Shapes {
@@ -59,6 +60,25 @@ TEST(InvolvedBallsTest, ABallThatIsHitMeetsOneInTheOpenInTheSameStep) {
     pWorld->Step();
     EXPECT_EQ(pWorld->GetVel(inTheOpen).x() > 0.0f, place < 10.0f);
   }
+}
+
+// Balls that meet shapes only are moved one after the other.
+TEST(InvolvedBallsTest, ContactsOfBallsThatMoveAloneAreToldInTheOrderOfTime) {
+  CWorldDesc desc;
+  desc.m_fTimeStep = g_fDt;
+  desc.m_cEffects = {{}, CEffects{eEffect::BallPairs}};
+  auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+  pWorld->Add(CLineSegDesc({-10, 0}, {10, 0}));
+  pWorld->Add(CLineSegDesc({-10, 1}, {10, 1}));
+  // The first one meets the floor late, the second one both in between, the third one at the same time as it.
+  for (const auto& [x, y, v] : {std::tuple(-5.0f, 0.95f, -60.0f), {0.0f, 0.2f, -90.0f}, {5.0f, 0.2f, -90.0f}})
+    pWorld->Add(CDynamicCircleDesc({x, y}, 0.1f, {0, v}));
+  pWorld->Step();
+  std::vector<CShapeId> balls;
+  for (const CContactEvent& contact : pWorld->GetContacts())
+    balls.push_back(contact.m_cBall);
+  const auto ids = pWorld->GetBallIds();
+  EXPECT_EQ(balls, (std::vector<CShapeId>{ids[1], ids[2], ids[1], ids[2], ids[0]}));
 }
 
 TEST(InvolvedBallsTest, AWorldThatGoesOnAndOneThatIsLoadedHaveTheSameBitsWhateverFindsTheShapes) {

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <numeric>
+#include <utility>
 
 namespace Shapes::Native {
 namespace {
@@ -41,21 +41,37 @@ public:
   CShapes(CRandom& random, std::size_t n, const Vector2& centre, float spread) {
     for (std::size_t i = 0; i < n; ++i)
       m_stdOwned.push_back(RandomShape(random, centre, spread));
-    for (const auto& pShape : m_stdOwned)
-      m_stdShapes.push_back(pShape.get());
-    m_stdOrders.resize(n);
-    std::iota(m_stdOrders.begin(), m_stdOrders.end(), 0u);
+    Place();
   }
+  explicit CShapes(std::vector<std::unique_ptr<CShape>> owned) : m_stdOwned(std::move(owned)) { Place(); }
+  bool Build(CShapeGrid& grid, float reach) const { return grid.Build(m_stdShapes, m_cTree, reach); }
   CShapeGrid MakeGrid(float reach) const {
     CShapeGrid grid;
-    EXPECT_TRUE(grid.Build(m_stdShapes, m_stdOrders, reach));
+    EXPECT_TRUE(Build(grid, reach));
     return grid;
   }
 
   std::vector<std::unique_ptr<CShape>> m_stdOwned;
-  std::vector<const CShape*> m_stdShapes;
-  std::vector<std::uint32_t> m_stdOrders;
+  std::vector<CShapeGrid::CPlaced> m_stdShapes;
+  Geometry::CAabbTree m_cTree;
+
+private:
+  void Place() {
+    std::vector<CAabb2D> boxes;
+    for (const auto& pShape : m_stdOwned) {
+      m_stdShapes.push_back({pShape.get(), static_cast<std::uint32_t>(m_stdShapes.size())});
+      boxes.push_back(Geometry::Padded(pShape->GetAABB()));
+    }
+    m_cTree.Build(boxes);
+  }
 };
+
+std::vector<std::unique_ptr<CShape>> MakePoints(const std::vector<Vector2>& places) {
+  std::vector<std::unique_ptr<CShape>> points;
+  for (const Vector2& p : places)
+    points.push_back(std::make_unique<CPoint>(CPointDesc(p)));
+  return points;
+}
 
 // Whether the shape comes within r of p, by its own closest point.
 bool IsNear(const CShape& shape, const Vector2& p, float r) {
@@ -68,7 +84,7 @@ bool IsNear(const CShape& shape, const Vector2& p, float r) {
   }
 }
 
-std::vector<std::uint32_t> Ask(const CShapeGrid& grid, const Vector2& p, float r) {
+std::vector<std::uint32_t> Ask(CShapeGrid& grid, const Vector2& p, float r) {
   std::vector<std::uint32_t> found;
   grid.ForEachNear(p, r, [&found](std::uint32_t order) { found.push_back(order); });
   return found;
@@ -79,7 +95,7 @@ void Check(std::uint64_t seed, const Vector2& centre, float spread, float reach)
   std::size_t near = 0, answers = 0, clear = 0, asked = 0;
   for (int trial = 0; trial < 5; ++trial) {
     const CShapes shapes(random, 1 + random.Below(200), centre, spread);
-    const CShapeGrid grid = shapes.MakeGrid(reach);
+    CShapeGrid grid = shapes.MakeGrid(reach);
     for (int q = 0; q < 400; ++q, ++asked) {
       const Vector2 p = centre + random.InSquare(2.5f * spread);
       const float r = reach * random.Uniform(0.0f, 1.0f);
@@ -92,8 +108,8 @@ void Check(std::uint64_t seed, const Vector2& centre, float spread, float reach)
       const float more = reach * random.Uniform(1.0f, 4.0f);
       const bool isMoreClear = grid.IsClear(p, more);
       for (std::uint32_t order = 0; order < shapes.m_stdShapes.size(); ++order) {
-        ASSERT_FALSE(isMoreClear && IsNear(*shapes.m_stdShapes[order], p, more)) << order << " seed " << seed;
-        if (!IsNear(*shapes.m_stdShapes[order], p, r)) continue;
+        ASSERT_FALSE(isMoreClear && IsNear(*shapes.m_stdOwned[order], p, more)) << order << " seed " << seed;
+        if (!IsNear(*shapes.m_stdOwned[order], p, r)) continue;
         ++near;
         ASSERT_TRUE(std::binary_search(found.begin(), found.end(), order)) << order << " seed " << seed;
         ASSERT_FALSE(isClear) << order << " seed " << seed;
@@ -112,38 +128,30 @@ TEST(ShapeGrid, FindsAllThatIsNearInPixels) { Check(263, {500.0f, 500.0f}, 1000.
 TEST(ShapeGrid, FindsAllThatIsNearALargeBall) { Check(264, {0.0f, 0.0f}, 10.0f, 3.0f); }
 
 TEST(ShapeGrid, ALineOfShapesHasNoCellForEachUnitOfItsSquare) {
-  std::vector<std::unique_ptr<CShape>> owned;
-  std::vector<const CShape*> shapes;
-  std::vector<std::uint32_t> orders;
-  for (std::uint32_t i = 0; i < 100; ++i) {
-    owned.push_back(std::make_unique<CPoint>(CPointDesc({1000.0f * static_cast<float>(i), 0.0f})));
-    shapes.push_back(owned.back().get());
-    orders.push_back(i);
-  }
-  CShapeGrid grid;
-  ASSERT_TRUE(grid.Build(shapes, orders, 0.5f));
+  std::vector<Vector2> places;
+  for (int i = 0; i < 100; ++i)
+    places.emplace_back(1000.0f * static_cast<float>(i), 0.0f);
+  const CShapes shapes(MakePoints(places));
+  CShapeGrid grid = shapes.MakeGrid(0.5f);
   for (std::uint32_t i = 0; i < 100; ++i)
     EXPECT_EQ(Ask(grid, {1000.0f * static_cast<float>(i) + 0.3f, 0.1f}, 0.5f), std::vector<std::uint32_t>{i});
 }
 
 TEST(ShapeGrid, WhereFloatsWouldOverflowThereIsNone) {
+  CShapeGrid grid;
   for (const float at : {1e13f, 1e18f}) {
-    const CPoint p(CPointDesc({at, 0.0f})), q(CPointDesc({-at, 0.0f}));
-    const std::vector<const CShape*> shapes{&p, &q};
-    CShapeGrid grid;
-    EXPECT_FALSE(grid.Build(shapes, std::vector<std::uint32_t>{0, 1}, 0.5f));
+    EXPECT_FALSE(CShapes(MakePoints({{at, 0.0f}, {-at, 0.0f}})).Build(grid, 0.5f));
     EXPECT_FALSE(grid.IsBuilt());
   }
-  const CPoint p(CPointDesc({0.0f, 0.0f}));
-  CShapeGrid grid;
-  EXPECT_FALSE(grid.Build(std::vector<const CShape*>{&p}, std::vector<std::uint32_t>{0}, 0.0f));
-  EXPECT_FALSE(grid.Build({}, {}, 1.0f));
+  EXPECT_FALSE(CShapes(MakePoints({{0.0f, 0.0f}})).Build(grid, 0.0f));
+  EXPECT_FALSE(CShapes(MakePoints({})).Build(grid, 1.0f));
 }
 
 TEST(ShapeGrid, APositionThatIsNoNumberIsNearNothing) {
   const CWithoutTraps onPurpose;
   CRandom random(265);
-  const CShapeGrid grid = CShapes(random, 10, {0.0f, 0.0f}, 1.0f).MakeGrid(0.5f);
+  const CShapes shapes(random, 10, {0.0f, 0.0f}, 1.0f);
+  CShapeGrid grid = shapes.MakeGrid(0.5f);
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   for (const Vector2& p : {Vector2(nan, 0.0f), Vector2(0.0f, inf), Vector2(-inf, nan)})
     EXPECT_TRUE(Ask(grid, p, 0.3f).empty());

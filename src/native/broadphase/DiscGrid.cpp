@@ -7,12 +7,18 @@
 namespace Shapes::Native {
 
 void CDiscGrid::Build(std::span<const CDisc> discs) {
+  m_stdEntries.resize(discs.size());
+  m_bIsFew = discs.size() <= g_nFewDiscs;
+  if (m_bIsFew) {
+    for (std::size_t i = 0; i < discs.size(); ++i)
+      m_stdEntries[i] = {discs[i], static_cast<std::uint32_t>(i), g_nNone};
+    return;
+  }
   m_stdLevels.fill(CLevel());
-  m_stdAdded.assign(std::bit_ceil(discs.size() + 1), g_nNone);
+  m_stdAdded.assign(std::bit_ceil(2 * discs.size() + 1), g_nNone);
   m_stdBegins.assign(m_stdAdded.size() + 1, 0);
   m_stdBucketOf.resize(discs.size());
   m_stdEntryOf.resize(discs.size());
-  m_stdEntries.resize(discs.size());
   float largest = 0.0f;
   for (const CDisc& disc : discs)
     largest = std::max(largest, disc.m_fRadius);
@@ -32,6 +38,10 @@ void CDiscGrid::Build(std::span<const CDisc> discs) {
 }
 
 void CDiscGrid::Move(std::uint32_t index, const CDisc& disc) {
+  if (m_bIsFew) {
+    m_stdEntries[index].m_cDisc = disc;
+    return;
+  }
   const std::uint32_t bucket = Enter(disc);
   CDisc& old = m_stdEntries[m_stdEntryOf[index]].m_cDisc;
   if (bucket == m_stdBucketOf[index]) {

@@ -48,10 +48,10 @@ private:
   std::uint32_t Enter(const CDisc& disc);
   static std::int64_t CellAt(double x, const CLevel& level);
   std::uint32_t GetBucket(std::size_t level, std::int64_t x, std::int64_t y) const;
-  static bool Overlaps(const CDisc& disc, const Vector2& p, float r);
 
   static constexpr double g_fRounded = 1.0 + static_cast<double>(g_fBoxPadding); // as kernels round it
   static constexpr std::uint32_t g_nNone = 0xFFFFFFFFu;
+  bool m_bIsFew = false; // no cells: the entries are the discs in their order
   std::array<CLevel, g_nMostLevels> m_stdLevels;
   int m_nTop = 0;                         // exponent of the widest cells
   std::vector<std::uint32_t> m_stdBegins; // of each bucket in the entries; the next one begins where it ends
@@ -77,41 +77,44 @@ inline std::uint32_t CDiscGrid::GetBucket(std::size_t level, std::int64_t x, std
   return static_cast<std::uint32_t>(((row >> 32) + static_cast<std::uint64_t>(x)) & (m_stdAdded.size() - 1));
 }
 
-// In double, where no square overflows.
-inline bool CDiscGrid::Overlaps(const CDisc& disc, const Vector2& p, float r) {
-  const double x = static_cast<double>(disc.m_vCenter.x()) - static_cast<double>(p.x());
-  const double y = static_cast<double>(disc.m_vCenter.y()) - static_cast<double>(p.y());
-  const double reach = g_fRounded * (static_cast<double>(r) + static_cast<double>(disc.m_fRadius));
-  return x * x + y * y <= reach * reach;
-}
-
 template <class F>
 bool CDiscGrid::FindNear(const Vector2& p, float r, const F& f) const {
-  const auto visit = [&](std::size_t k) {
-    return Overlaps(m_stdEntries[k].m_cDisc, p, r) && f(m_stdEntries[k].m_nIndex);
+  const auto px = static_cast<double>(p.x()), py = static_cast<double>(p.y()), pr = static_cast<double>(r);
+  const CEntry* const pEntries = m_stdEntries.data();
+  // In double, where no square overflows.
+  const auto visit = [=, &f](std::size_t k) {
+    const CDisc& disc = pEntries[k].m_cDisc;
+    const double x = static_cast<double>(disc.m_vCenter.x()) - px;
+    const double y = static_cast<double>(disc.m_vCenter.y()) - py;
+    const double reach = g_fRounded * (pr + static_cast<double>(disc.m_fRadius));
+    return x * x + y * y <= reach * reach && f(pEntries[k].m_nIndex);
   };
-  const auto visitAll = [&] {
-    for (std::size_t e = 0, n = m_stdEntries.size(); e < n; ++e)
+  const auto visitRange = [&visit](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e)
       if (visit(e)) return true;
     return false;
   };
-  if (m_stdEntries.size() <= g_nFewDiscs) return visitAll();
+  const auto visitAll = [&] { return visitRange(0, m_stdEntries.size()); };
+  if (m_bIsFew) return visitAll();
+  const bool hasAdded = m_stdEntries.size() > m_stdEntryOf.size();
   for (std::size_t k = 0; k < m_stdLevels.size(); ++k) {
     const CLevel& level = m_stdLevels[k];
     if (level.m_nDiscs == 0) continue;
-    const double px = p.x(), py = p.y(), reach = g_fRounded * (static_cast<double>(r) + level.m_fLargest);
+    const double reach = g_fRounded * (pr + level.m_fLargest);
     const std::int64_t x0 = CellAt(px - reach, level), x1 = CellAt(px + reach, level);
     const std::int64_t y0 = CellAt(py - reach, level), y1 = CellAt(py + reach, level);
     const auto cells = static_cast<double>(x1 - x0 + 1) * static_cast<double>(y1 - y0 + 1);
     if (cells > static_cast<double>(m_stdEntries.size())) return visitAll();
-    for (std::int64_t y = y0; y <= y1; ++y)
-      for (std::int64_t x = x0; x <= x1; ++x) {
-        const std::uint32_t bucket = GetBucket(k, x, y);
-        for (std::size_t e = m_stdBegins[bucket]; e < m_stdBegins[bucket + 1]; ++e)
+    for (std::int64_t y = y0; y <= y1; ++y) {
+      // The buckets of a row follow each other, maybe round the end.
+      const std::uint32_t first = GetBucket(k, x0, y), last = GetBucket(k, x1, y);
+      const bool isRound = last < first;
+      if (visitRange(m_stdBegins[first], m_stdBegins[isRound ? m_stdAdded.size() : last + 1])) return true;
+      if (isRound && visitRange(0, m_stdBegins[last + 1])) return true;
+      for (std::int64_t x = x0; hasAdded && x <= x1; ++x)
+        for (std::uint32_t e = m_stdAdded[GetBucket(k, x, y)]; e != g_nNone; e = m_stdEntries[e].m_nNext)
           if (visit(e)) return true;
-        for (std::uint32_t e = m_stdAdded[bucket]; e != g_nNone; e = m_stdEntries[e].m_nNext)
-          if (visit(e)) return true;
-      }
+    }
   }
   return false;
 }

@@ -5,8 +5,8 @@
 #include "../../geometry/VisitShape.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <tuple>
 
 namespace Shapes::Native {
 namespace {
@@ -29,20 +29,15 @@ float SizeOf(const CShape& shape) {
 
 } // namespace
 
-std::size_t CShapeGrid::CountCells(std::size_t shapes) {
-  return std::clamp<std::size_t>(g_nCellsPerShape * shapes, g_nLeastCells, g_nMostCells);
-}
-
-bool CShapeGrid::Build(std::span<const CShape* const> shapes, std::span<const std::uint32_t> orders,
-                       float reach) {
+bool CShapeGrid::Build(std::span<const CPlaced> shapes, const Geometry::CAabbTree& tree, float reach) {
   Clear();
-  FailIf(orders.empty());
-  CAabb2D box = shapes[orders.front()]->GetAABB();
+  FailIf(shapes.empty());
+  CAabb2D box = shapes.front().m_pShape->GetAABB();
   float size = 0.0f;
-  for (const std::uint32_t order : orders) {
-    box += shapes[order]->GetAABB().GetTopLeft();
-    box += shapes[order]->GetAABB().GetBottomRt();
-    size = std::max(size, SizeOf(*shapes[order]));
+  for (const CPlaced& placed : shapes) {
+    box += placed.m_pShape->GetAABB().GetTopLeft();
+    box += placed.m_pShape->GetAABB().GetBottomRt();
+    size = std::max(size, SizeOf(*placed.m_pShape));
   }
   const Vector2 low(box.GetTopLeft().x(), box.GetBottomRt().y()),
       high(box.GetBottomRt().x(), box.GetTopLeft().y());
@@ -54,7 +49,8 @@ bool CShapeGrid::Build(std::span<const CShape* const> shapes, std::span<const st
   m_vOrigin = low - Vector2::Constant(reach + 2.0f * m_fPad);
   m_vExtent = high + Vector2::Constant(reach + 2.0f * m_fPad) - m_vOrigin;
   // Where it is long and thin, its length decides.
-  const auto cells = static_cast<float>(CountCells(orders.size()));
+  const auto cells = static_cast<float>(
+      std::clamp<std::size_t>(g_nCellsPerShape * shapes.size(), g_nLeastCells, g_nMostCells));
   m_fCellSize = std::max(std::sqrt(m_vExtent.x() * (m_vExtent.y() / cells)),
                          m_vExtent.maxCoeff() / static_cast<float>(g_nMostColumns));
   FailIf(!(m_fCellSize > 1.0f / g_fLargestGrid));
@@ -63,58 +59,53 @@ bool CShapeGrid::Build(std::span<const CShape* const> shapes, std::span<const st
   m_nColumns = static_cast<std::uint32_t>(m_vExtent.x() * m_fCellsPerUnit) + 1;
   m_nRows = static_cast<std::uint32_t>(m_vExtent.y() * m_fCellsPerUnit) + 1;
 
-  std::vector<CNear> found;
-  for (const std::uint32_t order : orders) {
-    // From the four squares of cells, or fewer, that hold all within reach of it.
-    const CAabb2D& around = shapes[order]->GetAABB();
-    const Vector2 first(around.GetTopLeft().x(), around.GetBottomRt().y());
-    const Vector2 end(around.GetBottomRt().x(), around.GetTopLeft().y());
-    const Vector2 margin = Vector2::Constant(reach + m_fPad + m_fCellSize);
-    const float width = (end - first + 2.0f * margin).maxCoeff() * m_fCellsPerUnit;
-    const std::uint32_t square = std::bit_ceil(static_cast<std::uint32_t>(width) + 1);
-    const Vector2 from = (first - margin - m_vOrigin).cwiseMax(0.0f) * m_fCellsPerUnit;
-    const auto column = static_cast<std::uint32_t>(from.x()) / square * square;
-    const auto row = static_cast<std::uint32_t>(from.y()) / square * square;
-    for (const std::uint32_t r : {row, row + square})
-      for (const std::uint32_t c : {column, column + square})
-        Enter(*shapes[order], order, c, r, square, found);
-  }
-
-  // Sorted by cell; those of a cell stay in the order in which they have come.
-  m_stdCells.assign(std::size_t{m_nColumns} * m_nRows + 1, CCell());
-  for (CCell& cell : m_stdCells)
-    cell.m_fClearance = m_fReach + m_fCellSize * g_fHalfDiagonal;
-  for (const CNear& near : found) {
-    ++m_stdCells[near.m_nCell].m_nBegin;
-    float& clearance = m_stdCells[near.m_nCell].m_fClearance;
-    clearance = std::min(clearance, near.m_cEntry.m_fDistance);
-  }
-  std::uint32_t end = 0;
-  for (CCell& cell : m_stdCells)
-    cell.m_nBegin = end += cell.m_nBegin;
-  m_stdEntries.resize(found.size());
-  for (std::size_t k = found.size(); k-- > 0;)
-    m_stdEntries[--m_stdCells[found[k].m_nCell].m_nBegin] = found[k].m_cEntry;
+  m_stdShapes.assign(shapes.begin(), shapes.end());
+  m_pTree = &tree;
+  m_stdCells.resize(std::size_t{m_nColumns} * m_nRows);
   return true;
 }
 
+// All cells of the block in which this one is.
+void CShapeGrid::Fill(std::uint32_t column, std::uint32_t row) {
+  column -= column % g_nBlock;
+  row -= row % g_nBlock;
+  const Vector2 center = m_vOrigin + GetCenter(column, row, g_nBlock);
+  m_stdFound.clear();
+  m_pTree->Query(Geometry::Padded(CAabb2D(center, center), GetReach(g_nBlock) + m_fPad), m_stdFound);
+  m_stdNear.clear();
+  for (const std::uint32_t item : m_stdFound)
+    Enter(m_stdShapes[item], column, row, g_nBlock);
+  std::sort(m_stdNear.begin(), m_stdNear.end(), [](const CNear& a, const CNear& b) {
+    return std::tie(a.m_nCell, a.m_cEntry.m_nOrder) < std::tie(b.m_nCell, b.m_cEntry.m_nOrder);
+  });
+  auto near = m_stdNear.begin();
+  for (std::uint32_t r = row; r < std::min(row + g_nBlock, m_nRows); ++r)
+    for (std::uint32_t c = column; c < std::min(column + g_nBlock, m_nColumns); ++c) {
+      const std::uint32_t index = r * m_nColumns + c;
+      CCell& cell = m_stdCells[index];
+      cell.m_nBegin = static_cast<std::uint32_t>(m_stdEntries.size());
+      cell.m_fClearance = GetReach(1);
+      for (; near != m_stdNear.end() && near->m_nCell == index; ++near) {
+        m_stdEntries.push_back(near->m_cEntry);
+        cell.m_fClearance = std::min(cell.m_fClearance, near->m_cEntry.m_fDistance);
+      }
+      cell.m_nSize = static_cast<std::uint32_t>(m_stdEntries.size()) - cell.m_nBegin;
+    }
+}
+
 // Enters a shape in those cells of a square of cells from which it is within reach.
-void CShapeGrid::Enter(const CShape& shape, std::uint32_t order, std::uint32_t column, std::uint32_t row,
-                       std::uint32_t size, std::vector<CNear>& found) const {
+void CShapeGrid::Enter(const CPlaced& placed, std::uint32_t column, std::uint32_t row, std::uint32_t size) {
   if (column >= m_nColumns || row >= m_nRows) return;
-  const auto columns = static_cast<float>(column), rows = static_cast<float>(row),
-             side = static_cast<float>(size);
-  const Vector2 center = m_vOrigin + GetCenter(columns, rows, side);
-  const float distance = GetDistance(shape, center) - m_fPad;
-  if (distance > m_fReach + g_fHalfDiagonal * side * m_fCellSize) return;
+  const float distance = GetDistance(*placed.m_pShape, m_vOrigin + GetCenter(column, row, size)) - m_fPad;
+  if (distance > GetReach(size)) return;
   if (size == 1) {
-    found.push_back({row * m_nColumns + column, {order, distance}});
+    m_stdNear.push_back({row * m_nColumns + column, {placed.m_nOrder, distance}});
     return;
   }
   const std::uint32_t half = size / 2;
   for (const std::uint32_t r : {row, row + half})
     for (const std::uint32_t c : {column, column + half})
-      Enter(shape, order, c, r, half, found);
+      Enter(placed, c, r, half);
 }
 
 } // namespace Shapes::Native

@@ -137,12 +137,12 @@ void CStaticBroadPhase::SetRadius(float radius) {
   if (m_cGrid.IsBuilt() && !(radius <= m_cGrid.GetReach() && m_cGrid.GetReach() <= g_fGridReach * reach))
     DropGrid();
   if (m_cGrid.IsBuilt() && m_stdLoose.empty()) return;
-  if (g_nAskedPerCell * m_nAsked < CShapeGrid::CountCells(m_cStatic.m_stdOrder.size())) return;
+  if (m_nAsked < g_nAskedBeforeGrid) return;
   DropGrid();
-  std::vector<const CShape*> shapes;
-  for (const CShapeEntry* pEntry : m_stdByOrder)
-    shapes.push_back(pEntry->m_pShape.get());
-  m_bIsGridComplete = m_cGrid.Build(shapes, m_cStatic.m_stdOrder, reach) && m_cKinematic.m_stdOrder.empty();
+  std::vector<CShapeGrid::CPlaced> shapes;
+  for (const std::uint32_t order : m_cStatic.m_stdOrder)
+    shapes.push_back({&GetShape(order), order});
+  m_bIsGridComplete = m_cGrid.Build(shapes, m_cStatic.m_cTree, reach) && m_cKinematic.m_stdOrder.empty();
 }
 
 // Of those that are not in the grid, if they are few.

@@ -43,7 +43,7 @@ public:
   /// The orders of all shapes that come within r of p, and maybe some others, ascending.
   void FindNear(const Vector2& p, float r, std::vector<std::uint32_t>& orders);
   /// Whether surely none of them does: quicker.
-  bool IsClear(const Vector2& p, float r) const {
+  bool IsClear(const Vector2& p, float r) {
     if (m_cGrid.IsBuilt() ? !m_cGrid.IsClear(p, r) : !m_cStatic.m_stdOrder.empty()) return false;
     return m_bIsGridComplete || IsClearOfOthers(p, r);
   }
@@ -67,8 +67,8 @@ private:
 
   std::vector<const CShapeEntry*> m_stdByOrder;
   CGroup m_cStatic, m_cKinematic;
-  // The static shapes once more. Making it costs as much as asking the tree very often: it is made once that
-  // was asked so often since a shape has changed.
+  // The static shapes once more. It is made once the tree was asked so often since a shape has changed that
+  // it pays.
   CShapeGrid m_cGrid;
   std::vector<std::uint32_t> m_stdLoose; // static shapes that have changed since it was made
   bool m_bIsGridComplete = false;        // all shapes are in it

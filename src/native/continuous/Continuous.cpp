@@ -23,23 +23,55 @@ void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs
   m_bPairs = pairs;
   m_fStep = static_cast<double>(dt);
   m_vGravity = gravity.cast<double>();
+  m_bIsFalling = !gravity.isZero(0.0f);
   m_bCapsSpeeds = CanExceedMaxSpeed(gravity * dt);
   m_stdContacts.clear();
+  m_stdTimes.clear();
   m_stdPathVertices.clear();
-  m_stdQueue.clear();
-  m_cResting.Begin(m_vGravity, m_fStep);
   if (!IsFalling())
     balls.m_bIsDisturbed = true;
   else if (std::exchange(balls.m_bIsDisturbed, false))
     std::fill(balls.m_stdCalm.begin(), balls.m_stdCalm.end(), 0.0f);
-  if (IsFalling() && AllSleep(balls) && !shapes.IsAnyMoving()) {
-    balls.m_stdPrevPos = balls.m_stdPos;
-    return;
-  }
+  balls.m_stdPrevPos = balls.m_stdPos;
+  if (IsFalling() && AllSleep(balls) && !shapes.IsAnyMoving()) return;
+  m_cResting.Begin(m_vGravity, m_fStep);
   shapes.BoxKinematic(dt);
   shapes.MakeGeometries(dt);
+  if (m_bPairs)
+    MoveTogether();
+  else
+    for (std::size_t i = 0; i < balls.Size(); ++i)
+      MoveAlone(i);
+}
 
-  TakeBalls(balls);
+void CContinuous::MoveTogether() {
+  TakeBalls();
+  FollowBalls();
+  PutBalls();
+}
+
+// A ball that does not meet others: they need not move at the same time.
+void CContinuous::MoveAlone(std::size_t i) {
+  if (!m_pBalls->IsSolid(i)) return MoveFreely(i);
+  const CMotion motion = GetFreeMotion(i);
+  const CDiscGrid::CDisc disc = GetDisc(motion, motion.GetSagitta());
+  if (IsAsleep(i)) {
+    if (!MovesNear(disc)) return;
+    m_pBalls->m_stdCalm[i] = 0.0f;
+  }
+  if (m_pShapes->IsClear(disc.m_vCenter, disc.m_fRadius)) {
+    m_pBalls->m_stdCalm[i] = 0.0f;
+    return MoveFreely(i);
+  }
+  m_stdBalls.clear();
+  Take(i, disc);
+  FollowBalls();
+  PutTaken();
+}
+
+// Those that were taken, from impact to impact until the substep ends.
+void CContinuous::FollowBalls() {
+  m_stdQueue.clear();
   if (IsFalling())
     FindRestingContacts();
   else
@@ -76,8 +108,20 @@ void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs
     else
       Resolve(event.m_nBall);
   }
-  PutBalls(balls);
-  if (IsFalling()) FallAsleep(balls);
+}
+
+const std::vector<CContactEvent>& CContinuous::GetContacts() {
+  // Balls that move alone report theirs one after the other.
+  if (m_bPairs || std::is_sorted(m_stdTimes.begin(), m_stdTimes.end())) return m_stdContacts;
+  std::vector<std::pair<double, std::uint32_t>> order;
+  for (std::uint32_t k = 0; k < m_stdTimes.size(); ++k)
+    order.emplace_back(m_stdTimes[k], k);
+  std::sort(order.begin(), order.end());
+  const std::vector<CContactEvent> contacts = std::exchange(m_stdContacts, {});
+  for (const auto& [time, k] : order)
+    m_stdContacts.push_back(contacts[k]);
+  std::sort(m_stdTimes.begin(), m_stdTimes.end());
+  return m_stdContacts;
 }
 
 // The first impact of a ball with the shapes that were found.

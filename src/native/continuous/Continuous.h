@@ -53,7 +53,7 @@ public:
   void Forget() { m_cResting.Forget(); }
 
   /// The impacts of the last call in the order of time.
-  const std::vector<CContactEvent>& GetContacts() const { return m_stdContacts; }
+  const std::vector<CContactEvent>& GetContacts();
   /// Where balls were at the share m_fPart of the substep when they were answered.
   struct CPathVertex {
     std::size_t m_nBall;
@@ -71,20 +71,27 @@ private:
     bool operator<(const CEvent& other) const; // comes later: for a heap whose top is the first
   };
 
-  void TakeBalls(CBallArrays& balls);
+  void MoveTogether();
+  void MoveAlone(std::size_t i);
+  void MoveFreely(std::size_t i);
+  void FollowBalls();
+  void TakeBalls();
   void FindDiscs();
-  void FindInvolved(CBallArrays& balls);
-  void Take(std::uint32_t k);
+  void FindInvolved();
+  bool MovesNear(const CDiscGrid::CDisc& disc) const;
+  void TakeSolid(std::uint32_t k);
+  void Take(std::size_t i, const CDiscGrid::CDisc& disc);
   void FindBalls(std::uint32_t i, float reach = 0.0f);
-  void PutBalls(CBallArrays& balls);
+  void PutBalls();
+  void PutTaken();
   bool AllSleep(const CBallArrays& balls) const;
   bool AnySleeps() const;
-  bool IsAsleep(std::uint32_t k) const;
-  bool IsOnWay(std::uint32_t sleeper, std::uint32_t ball) const;
-  void FallAsleep(CBallArrays& balls);
-  void Put(const Vector2d& p, Vector2d v, std::size_t i, CBallArrays& b) const;
+  bool IsAsleep(std::size_t i) const;
+  bool IsOnWay(std::size_t sleeper, std::size_t ball) const;
+  void FallAsleep();
+  void Put(const Vector2d& p, Vector2d v, std::size_t i);
   CMotion GetMotion(const CMoving& ball) const;
-  CMotion GetFreeMotion(std::uint32_t k) const;
+  CMotion GetFreeMotion(std::size_t i) const;
   static CDiscGrid::CDisc GetDisc(const CMotion& motion, double sagitta);
   void MoveDisc(std::uint32_t i);
   void FindShapes(std::uint32_t i, float reach = 0.0f);
@@ -102,7 +109,7 @@ private:
   void FindRestingContacts();
   void SolveRestingContacts();
   void FindShapeImpacts(CMoving& ball);
-  bool IsFalling() const { return !m_vGravity.isZero(0.0); }
+  bool IsFalling() const { return m_bIsFalling; }
   bool IsHop(double out, double closing, double speed) const;
   bool CanFollow(const CMoving& ball, std::uint32_t order, const CImpact& impact) const;
   void Hold(CMoving& ball, const CHold& hold);
@@ -133,6 +140,7 @@ private:
   void Halt(CMoving& ball);
 
   std::vector<CContactEvent> m_stdContacts;
+  std::vector<double> m_stdTimes; // of each of them, in the substep
   std::vector<CPathVertex> m_stdPathVertices;
 
   // Of the substep.
@@ -143,6 +151,7 @@ private:
   double m_fFastest =
       0.0; // ball at the beginning, or surface that was met, of it g_fSqueezed times the speed
   Vector2d m_vGravity = Vector2d::Zero();
+  bool m_bIsFalling = false;
   bool m_bCapsSpeeds = false; // gravity can take a ball beyond g_fMaxSpeed
   bool m_bPairs = false;
   bool m_bFilters = false;
@@ -155,7 +164,7 @@ private:
   std::vector<std::uint32_t> m_stdIndexOf;   // by k
   std::vector<CMoving> m_stdBalls;
   std::vector<CEvent> m_stdQueue; // a heap
-  std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound;
+  std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound, m_stdLate;
   CRestingContacts m_cResting;
   std::vector<std::uint32_t> m_stdHit, m_stdPassing;
   std::vector<std::uint32_t> m_stdWoken;

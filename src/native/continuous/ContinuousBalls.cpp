@@ -11,23 +11,23 @@
 namespace Shapes::Native {
 
 // Those that may meet something.
-void CContinuous::TakeBalls(CBallArrays& b) {
+void CContinuous::TakeBalls() {
+  const CBallArrays& b = *m_pBalls;
   m_stdSolid.clear();
   for (std::uint32_t i = 0; i < b.Size(); ++i)
     if (b.IsSolid(i)) m_stdSolid.push_back(i);
   FindDiscs();
-  if (m_bPairs) m_cDiscGrid.Build(m_stdDiscs);
-  FindInvolved(b);
+  m_cDiscGrid.Build(m_stdDiscs);
+  FindInvolved();
 
   m_stdBalls.clear();
   m_stdIndexOf.assign(m_stdSolid.size(), g_nNobody);
   for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k)
-    if (m_stdIsInvolved[k]) Take(k);
+    if (m_stdIsInvolved[k]) TakeSolid(k);
 }
 
-CMotion CContinuous::GetFreeMotion(std::uint32_t k) const {
+CMotion CContinuous::GetFreeMotion(std::size_t i) const {
   const CBallArrays& b = *m_pBalls;
-  const std::size_t i = m_stdSolid[k];
   return {Join(b.m_stdPos[i], b.m_stdPosTail[i]), Join(b.m_stdVel[i], b.m_stdVelTail[i]),
           static_cast<double>(b.m_stdRadius[i]), m_fStep, m_vGravity};
 }
@@ -46,7 +46,7 @@ void CContinuous::FindDiscs() {
   const double sagitta = CMotion{Vector2d::Zero(), Vector2d::Zero(), 0.0, m_fStep, m_vGravity}.GetSagitta();
   double fastest = 0.0; // squared
   for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k) {
-    const CMotion motion = GetFreeMotion(k);
+    const CMotion motion = GetFreeMotion(m_stdSolid[k]);
     fastest = std::max(fastest, motion.m_vVel.squaredNorm());
     m_stdDiscs[k] = GetDisc(motion, sagitta);
   }
@@ -55,7 +55,8 @@ void CContinuous::FindDiscs() {
 
 // Balls that are awake and near a shape or another ball, and those that sleep near them; and wakes those near
 // which something moves, and with each all that touch it.
-void CContinuous::FindInvolved(CBallArrays& b) {
+void CContinuous::FindInvolved() {
+  CBallArrays& b = *m_pBalls;
   m_stdIsInvolved.assign(m_stdSolid.size(), 0);
   m_stdWoken.clear();
   const bool anySleeps = AnySleeps();
@@ -68,32 +69,41 @@ void CContinuous::FindInvolved(CBallArrays& b) {
     const CDiscGrid::CDisc& disc = m_stdDiscs[k];
     bool isInvolved = !m_pShapes->IsClear(disc.m_vCenter, disc.m_fRadius);
     // Each of two that are awake finds the other one.
-    if (m_bPairs && (anySleeps || !isInvolved))
+    if (anySleeps || !isInvolved)
       m_cDiscGrid.FindNear(disc.m_vCenter, disc.m_fRadius + reach, [&](std::uint32_t other) {
         if (other == k) return false;
         isInvolved = true;
         if (!anySleeps) return true;
         m_stdIsInvolved[other] = 1;
-        if (IsAsleep(other) && IsOnWay(other, k)) wake(other);
+        if (IsAsleep(m_stdSolid[other]) && IsOnWay(m_stdSolid[other], m_stdSolid[k])) wake(other);
         return false;
       });
     if (isInvolved) m_stdIsInvolved[k] = 1;
   };
   for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k)
-    if (!anySleeps || !IsAsleep(k))
+    if (!anySleeps || !IsAsleep(m_stdSolid[k]))
       look(k);
-    else if (m_pShapes->MovesNear(Padded(CAabb2D(m_stdDiscs[k].m_vCenter, m_stdDiscs[k].m_vCenter),
-                                         m_stdDiscs[k].m_fRadius + reach)))
+    else if (MovesNear(m_stdDiscs[k]))
       wake(k);
   for (std::size_t w = 0; w < m_stdWoken.size(); ++w)
     look(m_stdWoken[w]);
 }
 
-void CContinuous::Take(std::uint32_t k) {
-  const CBallArrays& b = *m_pBalls;
-  const std::size_t i = m_stdSolid[k];
-  const CMotion motion = GetFreeMotion(k);
+// Whether a shape moves near a ball that sleeps, with this disc.
+bool CContinuous::MovesNear(const CDiscGrid::CDisc& disc) const {
+  const auto reach = static_cast<float>(m_cResting.GetSlow() * m_fStep);
+  return m_pShapes->MovesNear(Padded(CAabb2D(disc.m_vCenter, disc.m_vCenter), disc.m_fRadius + reach));
+}
+
+void CContinuous::TakeSolid(std::uint32_t k) {
   m_stdIndexOf[k] = static_cast<std::uint32_t>(m_stdBalls.size());
+  Take(m_stdSolid[k], m_stdDiscs[k]);
+  m_stdBalls.back().m_nSolid = k;
+}
+
+void CContinuous::Take(std::size_t i, const CDiscGrid::CDisc& disc) {
+  const CBallArrays& b = *m_pBalls;
+  const CMotion motion = GetFreeMotion(i);
   CMoving& ball = m_stdBalls.emplace_back();
   ball.m_nBall = i;
   ball.m_vPos = motion.m_vPos;
@@ -102,10 +112,9 @@ void CContinuous::Take(std::uint32_t k) {
   ball.m_fRadius = motion.m_fRadius;
   ball.m_fMass = static_cast<double>(b.m_stdMass[i]);
   ball.m_fElasticity = static_cast<double>(b.m_stdElasticity[i]);
-  ball.m_bIsAsleep = IsAsleep(k);
+  ball.m_bIsAsleep = IsAsleep(i);
   ball.m_vAcc = ball.m_bIsAsleep ? Vector2d(Vector2d::Zero()) : m_vGravity;
-  ball.m_cDisc = m_stdDiscs[k];
-  ball.m_nSolid = k;
+  ball.m_cDisc = disc;
 }
 
 // Its motion is another one.
@@ -129,10 +138,19 @@ void CContinuous::FindBalls(std::uint32_t i, float reach) {
   if (!m_bPairs) return;
   const CDiscGrid::CDisc disc = m_stdBalls[i].m_cDisc;
   m_cDiscGrid.FindNear(disc.m_vCenter, disc.m_fRadius + reach, [&](std::uint32_t k) {
-    if (m_stdIndexOf[k] == g_nNobody) Take(k);
-    if (m_stdIndexOf[k] != i) m_stdBallsFound.push_back(m_stdIndexOf[k]);
+    if (m_stdIndexOf[k] == g_nNobody)
+      m_stdLate.push_back(k);
+    else if (m_stdIndexOf[k] != i)
+      m_stdBallsFound.push_back(m_stdIndexOf[k]);
     return false;
   });
+  // In their order, whatever that of the grid is.
+  std::sort(m_stdLate.begin(), m_stdLate.end());
+  for (const std::uint32_t k : m_stdLate) {
+    if (m_stdIndexOf[k] == g_nNobody) TakeSolid(k);
+    m_stdBallsFound.push_back(m_stdIndexOf[k]);
+  }
+  m_stdLate.clear();
   if (m_stdBallsFound.empty()) return;
   if (m_bFilters)
     std::erase_if(m_stdBallsFound, [&](std::uint32_t j) {
@@ -144,36 +162,46 @@ void CContinuous::FindBalls(std::uint32_t i, float reach) {
 }
 
 // The floats of a place and a velocity, and under gravity what they lack.
-void CContinuous::Put(const Vector2d& p, Vector2d v, std::size_t i, CBallArrays& b) const {
+void CContinuous::Put(const Vector2d& p, Vector2d v, std::size_t i) {
+  CBallArrays& b = *m_pBalls;
   if (m_bCapsSpeeds) m_pStats->m_nSpeedsCapped += CapSpeed(v);
-  b.m_stdPos[i] = ToFloat(p);
-  b.m_stdVel[i] = ToFloat(v);
+  const Vector2 pos = ToFloat(p), vel = ToFloat(v);
+  b.m_stdPos[i] = pos;
+  b.m_stdVel[i] = vel;
   if (!IsFalling()) return;
-  b.m_stdPosTail[i] = ToFloat(p - b.m_stdPos[i].cast<double>());
-  b.m_stdVelTail[i] = ToFloat(v - b.m_stdVel[i].cast<double>());
+  b.m_stdPosTail[i] = ToFloat(p - pos.cast<double>());
+  b.m_stdVelTail[i] = ToFloat(v - vel.cast<double>());
 }
 
-void CContinuous::PutBalls(CBallArrays& b) {
-  const auto dt = static_cast<float>(m_fStep);
-  b.m_stdPrevPos = b.m_stdPos;
+// A ball that nothing comes near.
+void CContinuous::MoveFreely(std::size_t i) {
+  if (!IsFalling()) return Move(m_pBalls->m_stdPos[i], m_pBalls->m_stdVel[i], static_cast<float>(m_fStep));
+  const CMotion motion = GetFreeMotion(i);
+  Put(motion.PosAt(m_fStep), motion.VelAt(m_fStep), i);
+}
+
+void CContinuous::PutBalls() {
   std::uint32_t k = 0;
-  for (std::size_t i = 0; i < b.Size(); ++i) {
-    const bool isSolid = k < m_stdSolid.size() && m_stdSolid[k] == i;
-    const std::uint32_t index = isSolid ? m_stdIndexOf[k] : g_nNobody;
-    const bool isAsleep = index != g_nNobody ? m_stdBalls[index].m_bIsAsleep : isSolid && IsAsleep(k);
-    k += isSolid;
-    if (index != g_nNobody && m_stdBalls[index].m_bIsMoved) {
-      CMoving& ball = m_stdBalls[index];
-      Advance(ball, m_fStep - ball.m_fTime);
-      Put(ball.m_vPos, ball.m_vVel, i, b);
-    } else if (!IsFalling()) {
-      Move(b.m_stdPos[i], b.m_stdVel[i], dt);
-    } else if (!isAsleep) {
-      const CMotion motion{Join(b.m_stdPos[i], b.m_stdPosTail[i]), Join(b.m_stdVel[i], b.m_stdVelTail[i]),
-                           0.0, m_fStep, m_vGravity};
-      Put(motion.PosAt(m_fStep), motion.VelAt(m_fStep), i, b);
+  for (std::uint32_t i = 0; i < m_pBalls->Size(); ++i) {
+    if (k == m_stdSolid.size() || m_stdSolid[k] != i) {
+      MoveFreely(i);
+    } else if (m_stdIndexOf[k++] == g_nNobody && !IsAsleep(i)) {
+      m_pBalls->m_stdCalm[i] = 0.0f;
+      MoveFreely(i);
     }
   }
+  PutTaken();
+}
+
+void CContinuous::PutTaken() {
+  for (CMoving& ball : m_stdBalls)
+    if (ball.m_bIsMoved) {
+      Advance(ball, m_fStep - ball.m_fTime);
+      Put(ball.m_vPos, ball.m_vVel, ball.m_nBall);
+    } else if (!ball.m_bIsAsleep) {
+      MoveFreely(ball.m_nBall);
+    }
+  if (IsFalling()) FallAsleep();
 }
 
 } // namespace Shapes::Native

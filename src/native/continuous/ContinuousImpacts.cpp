@@ -292,6 +292,7 @@ void CContinuous::Report(CShapeId shape, const CMoving& ball, const Vector2d& po
   event.m_fSpeed = static_cast<float>(speed);
   event.m_fImpulse = impulse;
   m_stdContacts.push_back(event);
+  m_stdTimes.push_back(ball.m_fTime);
 }
 
 void CContinuous::EndMotion(CMoving& ball) {

@@ -14,6 +14,7 @@ namespace Shapes::Native {
 // Pairs of balls that touch or could by the end of the substep, and the shapes around these balls. They are
 // separated where they overlap.
 void CContinuous::FindRestingContacts() {
+  if (!m_bPairs) return;
   const double reach = m_cResting.GetSlow() * m_fStep;
   const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
   for (std::uint32_t i = 0; i < n; ++i) {

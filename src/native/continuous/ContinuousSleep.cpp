@@ -13,8 +13,8 @@ bool CContinuous::AllSleep(const CBallArrays& b) const {
   return std::all_of(b.m_stdCalm.begin(), b.m_stdCalm.end(), [](float calm) { return calm >= g_fCalmTime; });
 }
 
-bool CContinuous::IsAsleep(std::uint32_t k) const {
-  return IsFalling() && m_pBalls->m_stdCalm[m_stdSolid[k]] >= g_fCalmTime;
+bool CContinuous::IsAsleep(std::size_t i) const {
+  return IsFalling() && m_pBalls->m_stdCalm[i] >= g_fCalmTime;
 }
 
 bool CContinuous::AnySleeps() const {
@@ -24,7 +24,7 @@ bool CContinuous::AnySleeps() const {
 }
 
 // Whether a ball that is awake may come within reach of a sleeping one.
-bool CContinuous::IsOnWay(std::uint32_t sleeper, std::uint32_t ball) const {
+bool CContinuous::IsOnWay(std::size_t sleeper, std::size_t ball) const {
   const CMotion motion = GetFreeMotion(ball), sleeping = GetFreeMotion(sleeper);
   const Vector2d d = motion.PosAt(motion.m_fDuration) - motion.m_vPos, q = sleeping.m_vPos - motion.m_vPos;
   const double dd = d.squaredNorm();
@@ -34,7 +34,9 @@ bool CContinuous::IsOnWay(std::uint32_t sleeper, std::uint32_t ball) const {
                                     Rounding(SizeOf(motion.m_vPos, motion.m_fRadius));
 }
 
-void CContinuous::FallAsleep(CBallArrays& b) {
+// Of those that were taken.
+void CContinuous::FallAsleep() {
+  CBallArrays& b = *m_pBalls;
   const auto slow = static_cast<float>(g_fCalmSpeed * Norm(m_vGravity) * m_fStep);
   const auto dt = static_cast<float>(m_fStep);
   const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
@@ -53,8 +55,6 @@ void CContinuous::FallAsleep(CBallArrays& b) {
     float& least = m_stdLeastCalm[m_cResting.GetPile(i)];
     least = std::min(least, calm);
   }
-  for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k)
-    if (m_stdIndexOf[k] == g_nNobody && !IsAsleep(k)) b.m_stdCalm[m_stdSolid[k]] = 0.0f;
   for (std::uint32_t i = 0; i < n; ++i) {
     // Where one of a pile moves the others may have lost what they lean on: all begin anew.
     const std::size_t k = m_stdBalls[i].m_nBall;

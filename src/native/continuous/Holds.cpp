@@ -27,6 +27,7 @@ Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound
       best = p, bestExcess = excess, bestSquare = square;
   };
   offer(x);
+  if (bestExcess == 0.0) return x;
   for (std::size_t i = 0; i < holds.size(); ++i) {
     const Vector2d& n = holds[i].m_vNorm;
     offer(x + (bound(holds[i]) - n.dot(x)) * n);

@@ -12,13 +12,13 @@ namespace Shapes::Native {
 
 /// A contact that lasts: the ball touches a shape or another ball, and neither goes into it nor leaves it.
 struct CHold {
-  std::uint32_t m_nOther = 0; ///< order of the shape, or index of the ball
-  bool m_bIsBall = false;
-  Vector2d m_vNorm = Vector2d::Zero(); ///< unit, from the other one
-  double m_fSpeed = 0.0;               ///< of the surface along the normal
-  double m_fAcc = 0.0;                 ///< along the normal, with which the ball follows the surface
+  std::uint32_t m_nOther; ///< order of the shape, or index of the ball
+  bool m_bIsBall;
+  Vector2d m_vNorm; ///< unit, from the other one
+  double m_fSpeed;  ///< of the surface along the normal
+  double m_fAcc;    ///< along the normal, with which the ball follows the surface
   /// Of curvature of the way of the centre along the surface; infinite where it is flat, or not looked at.
-  double m_fRadius = 0.0;
+  double m_fRadius;
   std::uint32_t m_nVersion = 0; ///< of the motion of the other ball
 };
 
@@ -42,7 +42,7 @@ public:
   void DropPulling(const Vector2d& acc, const Vector2d& free);
 
 private:
-  std::array<CHold, 4> m_stdHolds;
+  std::array<CHold, 4> m_stdHolds; // of which only the first m_nSize are set
   std::size_t m_nSize = 0;
 };
 

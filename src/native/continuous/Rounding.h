@@ -7,6 +7,8 @@
 
 #include <Shapes/ShapeMath.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Shapes::Native {
@@ -32,6 +34,8 @@ inline double Clear(double size, double way) {
 inline Vector2 ToFloat(const Vector2d& p) {
   // Beyond it boxes are all alike, and nothing is there.
   const double most = 1e37;
+  if (std::max(std::abs(p.x()), std::abs(p.y())) < most) [[likely]]
+    return {static_cast<float>(p.x()), static_cast<float>(p.y())};
   return p.cwiseMax(-most).cwiseMin(most).cast<float>();
 }
 
