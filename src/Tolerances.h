@@ -224,8 +224,8 @@ inline constexpr float g_fGridPadding = 64.0f * 1.1920929e-7f;
 inline constexpr float g_fLargestGrid = 1e12f;
 /// How far the grid of shapes reaches, in radii of the largest ball: what is farther is asked of the tree.
 inline constexpr float g_fGridReach = 4.5f;
-/// Questions to the tree before the grid is made. Among few shapes they cost little, and for a few trials of a
-/// ball it would not pay.
+/// Questions to the tree before the grid is made. Among few shapes they cost little, and for a few trials of
+/// a ball it would not pay.
 inline constexpr std::size_t g_nAskedBeforeGrid = 1024;
 /// Shapes that have moved since the grid was made, and are looked at one by one; beyond it the tree is asked.
 inline constexpr std::size_t g_nMostLoose = 16;

@@ -5,6 +5,7 @@
 #include "../../world/WorldState.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "../broadphase/DiscGrid.h"
@@ -81,7 +82,9 @@ private:
   bool MovesNear(const CDiscGrid::CDisc& disc) const;
   void TakeSolid(std::uint32_t k);
   void Take(std::size_t i, const CDiscGrid::CDisc& disc);
-  void FindBalls(std::uint32_t i, float reach = 0.0f);
+  void FindBalls(std::uint32_t i);
+  void FindBallsAtBegin(std::uint32_t i);
+  void SearchBalls(std::uint32_t i);
   void PutBalls();
   void PutTaken();
   bool AllSleep(const CBallArrays& balls) const;
@@ -158,6 +161,9 @@ private:
   std::vector<std::uint32_t> m_stdSolid;    // balls of the arrays, by k
   std::vector<CDiscGrid::CDisc> m_stdDiscs; // around their ways, as they would move alone
   CDiscGrid m_cDiscGrid;
+  bool m_bAreDiscsMoved = false; // since they were found near each other
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>
+      m_stdNear; // of which the first is awake, by k, both ways
   // Those in the open move as if they were alone. All the rest, and they only, are taken: in the order of the
   // arrays, and behind them those upon which another one has come meanwhile.
   std::vector<std::uint8_t> m_stdIsInvolved; // by k

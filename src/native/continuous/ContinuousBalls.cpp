@@ -59,6 +59,8 @@ void CContinuous::FindInvolved() {
   CBallArrays& b = *m_pBalls;
   m_stdIsInvolved.assign(m_stdSolid.size(), 0);
   m_stdWoken.clear();
+  m_stdNear.clear();
+  m_bAreDiscsMoved = false;
   const bool anySleeps = AnySleeps();
   const auto reach = static_cast<float>(m_cResting.GetSlow() * m_fStep);
   const auto wake = [&](std::uint32_t k) {
@@ -67,18 +69,14 @@ void CContinuous::FindInvolved() {
   };
   const auto look = [&](std::uint32_t k) {
     const CDiscGrid::CDisc& disc = m_stdDiscs[k];
-    bool isInvolved = !m_pShapes->IsClear(disc.m_vCenter, disc.m_fRadius);
-    // Each of two that are awake finds the other one.
-    if (anySleeps || !isInvolved)
-      m_cDiscGrid.FindNear(disc.m_vCenter, disc.m_fRadius + reach, [&](std::uint32_t other) {
-        if (other == k) return false;
-        isInvolved = true;
-        if (!anySleeps) return true;
-        m_stdIsInvolved[other] = 1;
-        if (IsAsleep(m_stdSolid[other]) && IsOnWay(m_stdSolid[other], m_stdSolid[k])) wake(other);
-        return false;
-      });
-    if (isInvolved) m_stdIsInvolved[k] = 1;
+    if (!m_pShapes->IsClear(disc.m_vCenter, disc.m_fRadius)) m_stdIsInvolved[k] = 1;
+    m_cDiscGrid.FindNear(disc.m_vCenter, disc.m_fRadius + reach, [&](std::uint32_t other) {
+      if (other == k) return false;
+      m_stdIsInvolved[k] = m_stdIsInvolved[other] = 1;
+      m_stdNear.emplace_back(k, other);
+      if (anySleeps && IsAsleep(m_stdSolid[other]) && IsOnWay(m_stdSolid[other], m_stdSolid[k])) wake(other);
+      return false;
+    });
   };
   for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k)
     if (!anySleeps || !IsAsleep(m_stdSolid[k]))
@@ -87,6 +85,8 @@ void CContinuous::FindInvolved() {
       wake(k);
   for (std::size_t w = 0; w < m_stdWoken.size(); ++w)
     look(m_stdWoken[w]);
+  std::sort(m_stdNear.begin(), m_stdNear.end());
+  m_stdNear.erase(std::unique(m_stdNear.begin(), m_stdNear.end()), m_stdNear.end());
 }
 
 // Whether a shape moves near a ball that sleeps, with this disc.
@@ -121,7 +121,10 @@ void CContinuous::Take(std::size_t i, const CDiscGrid::CDisc& disc) {
 void CContinuous::MoveDisc(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   const CMotion motion = GetMotion(ball);
-  ball.m_cDisc = GetDisc(motion, motion.GetSagitta());
+  const CDiscGrid::CDisc disc = GetDisc(motion, motion.GetSagitta());
+  if (disc.m_vCenter == ball.m_cDisc.m_vCenter && disc.m_fRadius == ball.m_cDisc.m_fRadius) return;
+  ball.m_cDisc = disc;
+  m_bAreDiscsMoved = true;
   if (!m_bPairs) return;
   m_stdDiscs[ball.m_nSolid] = ball.m_cDisc;
   // Those of the ways that it does not take any more have to be forgotten now and then.
@@ -131,13 +134,33 @@ void CContinuous::MoveDisc(std::uint32_t i) {
     m_cDiscGrid.Move(ball.m_nSolid, ball.m_cDisc);
 }
 
-// The balls whose ways come near that of this one, each once, in the order in which they were taken. Where it
-// was not expected it may come upon those in the open.
-void CContinuous::FindBalls(std::uint32_t i, float reach) {
+// The balls whose ways come near that of this one, each once, in the order in which they were taken.
+void CContinuous::FindBalls(std::uint32_t i) {
   m_stdBallsFound.clear();
   if (!m_bPairs) return;
+  if (m_bAreDiscsMoved)
+    SearchBalls(i);
+  else
+    FindBallsAtBegin(i);
+  if (m_bFilters)
+    std::erase_if(m_stdBallsFound, [&](std::uint32_t j) {
+      const std::vector<CFilter>& filters = m_pBalls->m_stdFilter;
+      return !DoMeet(filters[m_stdBalls[i].m_nBall], filters[m_stdBalls[j].m_nBall]);
+    });
+}
+
+// As they were near each other when the substep began.
+void CContinuous::FindBallsAtBegin(std::uint32_t i) {
+  const std::uint32_t k = m_stdBalls[i].m_nSolid;
+  for (auto it = std::lower_bound(m_stdNear.begin(), m_stdNear.end(), std::pair(k, 0u));
+       it != m_stdNear.end() && it->first == k; ++it)
+    m_stdBallsFound.push_back(m_stdIndexOf[it->second]);
+}
+
+// Where it was not expected a ball may come upon those in the open.
+void CContinuous::SearchBalls(std::uint32_t i) {
   const CDiscGrid::CDisc disc = m_stdBalls[i].m_cDisc;
-  m_cDiscGrid.FindNear(disc.m_vCenter, disc.m_fRadius + reach, [&](std::uint32_t k) {
+  m_cDiscGrid.FindNear(disc.m_vCenter, disc.m_fRadius, [&](std::uint32_t k) {
     if (m_stdIndexOf[k] == g_nNobody)
       m_stdLate.push_back(k);
     else if (m_stdIndexOf[k] != i)
@@ -151,12 +174,6 @@ void CContinuous::FindBalls(std::uint32_t i, float reach) {
     m_stdBallsFound.push_back(m_stdIndexOf[k]);
   }
   m_stdLate.clear();
-  if (m_stdBallsFound.empty()) return;
-  if (m_bFilters)
-    std::erase_if(m_stdBallsFound, [&](std::uint32_t j) {
-      const std::vector<CFilter>& filters = m_pBalls->m_stdFilter;
-      return !DoMeet(filters[m_stdBalls[i].m_nBall], filters[m_stdBalls[j].m_nBall]);
-    });
   std::sort(m_stdBallsFound.begin(), m_stdBallsFound.end());
   m_stdBallsFound.erase(std::unique(m_stdBallsFound.begin(), m_stdBallsFound.end()), m_stdBallsFound.end());
 }

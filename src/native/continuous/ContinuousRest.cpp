@@ -19,7 +19,7 @@ void CContinuous::FindRestingContacts() {
   const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
   for (std::uint32_t i = 0; i < n; ++i) {
     if (m_stdBalls[i].m_bIsAsleep) continue;
-    FindBalls(i, static_cast<float>(reach));
+    FindBalls(i);
     for (const std::uint32_t j : m_stdBallsFound) {
       CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
       CImpact impact;

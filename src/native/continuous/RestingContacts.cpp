@@ -76,7 +76,9 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
     }
     CMoving& other = balls[c.m_nOther];
     const Vector2d d = ball.m_vPos - other.m_vPos;
-    const double depth = ball.m_fRadius + other.m_fRadius - Norm(d);
+    const double touching = ball.m_fRadius + other.m_fRadius;
+    if (d.squaredNorm() >= touching * touching) return false;
+    const double depth = touching - Norm(d);
     if (!(depth > 0.0)) return false;
     const Vector2d n = Unit(d, c.m_vNorm);
     const double share = isLowerFixed ? 1.0 : other.m_fMass / (ball.m_fMass + other.m_fMass);
