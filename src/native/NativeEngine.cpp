@@ -61,6 +61,7 @@ void CNativeEngine::Plan(CEffects running) {
   }
   add(Runs(eEffect::Gravity), &CNativeEngine::Accelerate);
   add(Runs(eEffect::Kinematics), &CNativeEngine::MoveShapes);
+  add(Runs(eEffect::Kinematics), &CNativeEngine::BoxShapes);
   add(true, &CNativeEngine::MoveBalls);
   add(true, reports ? &CNativeEngine::CollideWithShapes<true> : &CNativeEngine::CollideWithShapes<false>);
   add(Runs(eEffect::BallPairs),
@@ -103,8 +104,9 @@ void CNativeEngine::MoveShapes(float dt) {
     Stats().m_nShapesTurned += pShape->GetMoving();
     pShape->Advance(dt, m_cWorld.GetLimits().m_fMaxLength);
   }
-  m_cBroadPhase.BoxKinematic();
 }
+
+void CNativeEngine::BoxShapes(float) { m_cBroadPhase.BoxKinematic(); }
 
 void CNativeEngine::MoveBalls(float dt) {
   CBallArrays& b = m_cState.m_cBalls;

@@ -44,6 +44,7 @@ private:
   // Stages.
   void Accelerate(float dt);
   void MoveShapes(float dt);
+  void BoxShapes(float dt);
   void MoveBalls(float dt);
   template <bool TReports>
   void CollideWithShapes(float dt);

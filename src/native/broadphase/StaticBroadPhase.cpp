@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Shapes::Native {
 namespace {
@@ -54,6 +55,7 @@ void CStaticBroadPhase::Build(const std::vector<CShapeEntry>& shapes) {
   }
   m_stdIsOld.assign(Size(), 1);
   m_bIsAnyOld = true;
+  m_bIsBoxedAtRest = false;
   m_cStatic.m_cTree.Build(m_cStatic.m_stdBoxes);
   m_cKinematic.m_cTree.Build(m_cKinematic.m_stdBoxes);
   m_stdGeometries.resize(Size());
@@ -74,6 +76,7 @@ void CStaticBroadPhase::Update(const CShapeEntry& entry) {
   const auto item = std::lower_bound(group.m_stdOrder.begin(), group.m_stdOrder.end(), order);
   const auto i = static_cast<std::uint32_t>(item - group.m_stdOrder.begin());
   m_stdIsOld[order] = m_bIsAnyOld = true;
+  m_bIsBoxedAtRest = false;
   group.m_stdBoxes[i] = BoxOf(shape);
   if (m_cGrid.IsBuilt() && &group == &m_cStatic) {
     m_nAsked = 0;
@@ -89,12 +92,15 @@ void CStaticBroadPhase::Update(const CShapeEntry& entry) {
 }
 
 void CStaticBroadPhase::BoxKinematic() {
+  m_bIsBoxedAtRest = false;
   for (std::size_t i = 0; i < m_cKinematic.m_stdOrder.size(); ++i)
     m_cKinematic.m_stdBoxes[i] = BoxOf(GetShape(m_cKinematic.m_stdOrder[i]));
   m_cKinematic.m_cTree.Refit(m_cKinematic.m_stdBoxes);
 }
 
 void CStaticBroadPhase::BoxKinematic(float dt) {
+  const bool wasBoxedAtRest = std::exchange(m_bIsBoxedAtRest, !IsAnyMoving());
+  if (wasBoxedAtRest && m_bIsBoxedAtRest) return;
   for (std::size_t i = 0; i < m_cKinematic.m_stdOrder.size(); ++i)
     m_cKinematic.m_stdBoxes[i] = BoxOfMove(GetShape(m_cKinematic.m_stdOrder[i]), dt);
   m_cKinematic.m_cTree.Refit(m_cKinematic.m_stdBoxes);

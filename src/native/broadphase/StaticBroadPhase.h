@@ -67,6 +67,7 @@ private:
 
   std::vector<const CShapeEntry*> m_stdByOrder;
   CGroup m_cStatic, m_cKinematic;
+  bool m_bIsBoxedAtRest = false; // no kinematic shape moved when they were boxed, or was moved since
   // The static shapes once more. It is made once the tree was asked so often since a shape has changed that
   // it pays.
   CShapeGrid m_cGrid;

@@ -84,9 +84,7 @@ void CContinuous::FollowBalls() {
     for (int turn = 0; turn < g_nSetBackRounds && SetBackFromShapes(i); ++turn)
       FindShapes(i);
     if (m_stdBalls[i].m_bIsInPile) continue;
-    if (IsFalling())
-      for (const std::uint32_t order : m_stdShapesFound)
-        if (HoldIfTouching(m_stdBalls[i], order)) ReportHold(m_stdBalls[i]);
+    HoldTouching(m_stdBalls[i]);
     FindFirst(i);
   }
   if (!m_cResting.IsEmpty()) SolveRestingContacts();
@@ -156,23 +154,31 @@ void CContinuous::FindShapes(std::uint32_t i, float reach) {
     std::erase_if(m_stdShapesFound, [&](std::uint32_t order) { return !MeetsShape(m_stdBalls[i], order); });
 }
 
-// By order, each from where those before it have put it. Whether any had to.
+// By order, each from where those before it have put it. Whether any had to. Under gravity those that it
+// touches are kept: it is held on them, or put onto them where it meets them.
 bool CContinuous::SetBackFromShapes(std::uint32_t i) {
   bool had = false;
+  m_stdTouching.clear();
   for (std::size_t k = 0; k < m_stdShapesFound.size(); ++k) {
     const std::uint32_t order = m_stdShapesFound[k];
     if (!m_pShapes->Get(order).m_pShape->GetCanCollide()) continue;
     const CMoving& ball = m_stdBalls[i];
     const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
-    CImpact impact;
-    double depth;
-    if (IsFarFrom(geometry, ball.m_vPos, 0.0, ball.m_fRadius) ||
-        !Overlap(geometry, GetMotion(ball), 0.0, impact, depth))
+    const double rounding = Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + geometry.m_fSize);
+    const double reach = IsFalling() ? rounding : 0.0;
+    CTouching touching{order, 0.0, {}};
+    if (IsFarFrom(geometry, ball.m_vPos, 0.0, ball.m_fRadius + reach) ||
+        !Near(geometry, GetMotion(ball), 0.0, reach, touching.m_cImpact, touching.m_fGap))
       continue;
-    const bool isRounding = depth <= Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + geometry.m_fSize);
+    const bool isRounding = touching.m_fGap >= -rounding;
+    if (isRounding && IsFalling()) {
+      m_stdTouching.push_back(touching);
+      continue;
+    }
     if (!isRounding && geometry.m_eSides != eSides::Both) continue;
-    CorrectPosition(i, impact.m_vNorm, depth);
+    CorrectPosition(i, touching.m_cImpact.m_vNorm, -touching.m_fGap);
     had = true;
+    m_stdTouching.clear();
     FindShapes(i);
     const auto next = std::upper_bound(m_stdShapesFound.begin(), m_stdShapesFound.end(), order);
     k = static_cast<std::size_t>(next - m_stdShapesFound.begin()) - 1;

@@ -76,6 +76,13 @@ private:
   void MoveAlone(std::size_t i);
   void MoveFreely(std::size_t i);
   void FollowBalls();
+  // A shape that a ball touches at the beginning of its motion.
+  struct CTouching {
+    std::uint32_t m_nOrder;
+    double m_fGap;
+    CImpact m_cImpact;
+  };
+
   void TakeBalls();
   void FindDiscs();
   void FindInvolved();
@@ -117,7 +124,9 @@ private:
   bool CanFollow(const CMoving& ball, std::uint32_t order, const CImpact& impact) const;
   void Hold(CMoving& ball, const CHold& hold);
   CHold MakeHold(const CMoving& ball, std::uint32_t order, const CImpact& impact) const;
+  void HoldTouching(CMoving& ball);
   bool HoldIfTouching(CMoving& ball, std::uint32_t order);
+  bool HoldIfStaying(CMoving& ball, std::uint32_t order, const CImpact& impact, double gap);
   void ReportHold(const CMoving& ball);
   bool IsSlow(const CMoving& ball, const CMoving& other, double approach) const;
   void Rest(CMoving& ball, CMoving& other, const Vector2d& n);
@@ -171,6 +180,7 @@ private:
   std::vector<CMoving> m_stdBalls;
   std::vector<CEvent> m_stdQueue; // a heap
   std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound, m_stdLate;
+  std::vector<CTouching> m_stdTouching;
   CRestingContacts m_cResting;
   std::vector<std::uint32_t> m_stdHit, m_stdPassing;
   std::vector<std::uint32_t> m_stdWoken;

@@ -119,22 +119,31 @@ void CContinuous::Hold(CMoving& ball, const CHold& hold) {
   ball.m_bIsMoved = true;
 }
 
-// A ball that lies on a shape where its motion begins, or slides along it.
+// On the shapes that were found to touch it. The first that holds it changes its motion.
+void CContinuous::HoldTouching(CMoving& ball) {
+  for (const auto& [order, gap, impact] : m_stdTouching)
+    if (ball.m_cHolds.IsEmpty() ? HoldIfStaying(ball, order, impact, gap) : HoldIfTouching(ball, order))
+      ReportHold(ball);
+}
+
 bool CContinuous::HoldIfTouching(CMoving& ball, std::uint32_t order) {
-  const CShapeEntry& entry = m_pShapes->Get(order);
   const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
-  FailIf(!entry.m_pShape->GetCanCollide());
+  FailIf(!m_pShapes->Get(order).m_pShape->GetCanCollide());
   const double reach = Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + geometry.m_fSize);
   FailIf(IsFarFrom(geometry, ball.m_vPos, ball.m_fTime, ball.m_fRadius + reach));
   CImpact impact;
   double gap;
-  if (!Near(geometry, GetMotion(ball), ball.m_fTime, reach, impact, gap) || gap < -reach) return false;
+  return Near(geometry, GetMotion(ball), ball.m_fTime, reach, impact, gap) && gap >= -reach &&
+         HoldIfStaying(ball, order, impact, gap);
+}
+
+// A ball that lies on a shape where its motion begins, or slides along it.
+bool CContinuous::HoldIfStaying(CMoving& ball, std::uint32_t order, const CImpact& impact, double gap) {
   const Vector2d& n = impact.m_vNorm;
   const double apart = n.dot(ball.m_vVel - impact.m_vSurface);
   const double speed = Norm(ball.m_vVel) + Norm(impact.m_vSurface);
-  const double e = ball.m_fElasticity * static_cast<double>(entry.m_pShape->GetElasticity());
-  if (!IsHop(std::max(apart, -e * apart), impact.m_fClosing, speed) || !CanFollow(ball, order, impact))
-    return false;
+  const double e = ball.m_fElasticity * static_cast<double>(m_pShapes->Get(order).m_pShape->GetElasticity());
+  FailIf(!IsHop(std::max(apart, -e * apart), impact.m_fClosing, speed) || !CanFollow(ball, order, impact));
   ball.m_vPos -= gap * n;
   Hold(ball, MakeHold(ball, order, impact));
   return true;
