@@ -33,9 +33,9 @@ public:
   CBallAt At(double t) const {
     const Vector2d d = FromCenter(t), v = m_cMotion.VelAt(t);
     if (m_fTurn == 0.0) return {m_vRotCenter + d, v, m_cMotion.m_fRadius};
-    const double c = std::cos(m_fTurn * t), s = std::sin(m_fTurn * t);
-    const auto inFrame = [&](const Vector2d& x) -> Vector2d {
-      return {c * x.x() + s * x.y(), c * x.y() - s * x.x()};
+    const CTurn turn = GetTurn(m_fTurn * t);
+    const auto inFrame = [&turn](const Vector2d& x) -> Vector2d {
+      return {turn.m_fCos * x.x() + turn.m_fSin * x.y(), turn.m_fCos * x.y() - turn.m_fSin * x.x()};
     };
     return {m_vRotCenter + inFrame(d), inFrame(v - m_fTurn * Perp(d)), m_cMotion.m_fRadius};
   }

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "Turn.h"
+
 #include <cmath>
 #include <limits>
 
@@ -53,7 +55,7 @@ inline double Quotient(double above, double below, double most) {
 }
 /// v turned counterclockwise by `angle` radians.
 inline Vector2d Turned(const Vector2d& v, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
+  const auto [c, s] = GetTurn(angle);
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
 

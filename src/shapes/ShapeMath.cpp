@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/ShapeMath.h>
 
+#include "../geometry/Turn.h"
+
 #include <cmath>
 
 namespace Shapes {
@@ -24,7 +26,7 @@ Vector2 ParallelComponent(const Vector2& v, const Vector2& w) {
 }
 
 Vector2 RotatePt(const Vector2& p, const Vector2& center, float angle) {
-  const double c = std::cos(static_cast<double>(angle)), s = std::sin(static_cast<double>(angle));
+  const auto [c, s] = Geometry::GetTurn(static_cast<double>(angle));
   const double x = static_cast<double>(p.x()) - static_cast<double>(center.x());
   const double y = static_cast<double>(p.y()) - static_cast<double>(center.y());
   return {static_cast<float>(static_cast<double>(center.x()) + (c * x - s * y)),
@@ -44,8 +46,8 @@ float NormalizeAngle(float angle) {
 }
 
 Vector2 AngleToVector(float angle) {
-  return {static_cast<float>(std::cos(static_cast<double>(angle))),
-          static_cast<float>(std::sin(static_cast<double>(angle)))};
+  const auto [c, s] = Geometry::GetTurn(static_cast<double>(angle));
+  return {static_cast<float>(c), static_cast<float>(s)};
 }
 
 } // namespace Shapes

@@ -140,7 +140,7 @@ void MakeRotatedPath(CBallPath path, const Vector2d& center, double turn, const 
 
 Vector2d Turn(const Vector2d& p, const Vector2d& center, double angle) {
   if (angle == 0.0) return p;
-  const double c = std::cos(angle), s = std::sin(angle);
+  const auto [c, s] = Geometry::GetTurn(angle);
   const Vector2d d = p - center;
   return center + c * d + s * Perp(d);
 }

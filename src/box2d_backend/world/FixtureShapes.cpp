@@ -2,6 +2,7 @@
 #include "FixtureShapes.h"
 
 #include "../../Tolerances.h"
+#include "../../geometry/Turn.h"
 #include "../../geometry/VisitShape.h"
 
 #include <algorithm>
@@ -92,13 +93,14 @@ void MakeArc(const CArc& arc, const Vector2& origin, const CScale& scale, float 
   if (skin) {
     // The chords are as far outside of the arc as inside, but for its ends.
     const float half = 0.5f * arc.GetSpan() / static_cast<float>(n);
-    const float out = 2.0f / (1.0f + std::cos(half));
+    const auto cosine = static_cast<float>(Geometry::GetTurn(static_cast<double>(half)).m_fCos);
+    const float out = 2.0f / (1.0f + cosine);
     std::vector<b2Vec2> vertices = outside.m_stdVertices;
     const bool closed = arc.IsFullCircle();
     for (std::size_t i = closed ? 0 : 1; i < vertices.size() - (closed ? 0 : 1); ++i)
       vertices[i] = centre + out * (vertices[i] - centre);
     if (closed) vertices.push_back(vertices.front());
-    MakeArcEdges(arc, vertices, *skin + R * (1.0f - std::cos(half)), fixtures);
+    MakeArcEdges(arc, vertices, *skin + R * (1.0f - cosine), fixtures);
     return;
   }
   // Counterclockwise, the right side is the outside.

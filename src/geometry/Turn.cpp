@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "Turn.h"
+
+#include <cmath>
+#include <initializer_list>
+
+namespace Shapes::Geometry {
+namespace {
+
+// 1 / n!, with the sign of the term.
+constexpr double Term(int n) {
+  double product = n % 4 < 2 ? 1.0 : -1.0;
+  for (int k = 2; k <= n; ++k)
+    product *= k;
+  return 1.0 / product;
+}
+
+// Of -pi/4 to pi/4: the first term that is left out is below a thousandth of an ulp.
+double SumOfSine(double z) {
+  double sum = Term(17);
+  for (const double term : {Term(15), Term(13), Term(11), Term(9), Term(7), Term(5), Term(3)})
+    sum = term + z * sum;
+  return sum;
+}
+
+double SumOfCosine(double z) {
+  double sum = Term(18);
+  for (const double term : {Term(16), Term(14), Term(12), Term(10), Term(8), Term(6), Term(4)})
+    sum = term + z * sum;
+  return sum;
+}
+
+} // namespace
+
+CTurn GetTurn(double angle) {
+  constexpr double many = 0x1p20, wholeTurn = 6.28318530717958647692;
+  if (!(std::abs(angle) < many)) angle = std::fmod(angle, wholeTurn);
+  // The nearest integer: numbers as large as this have no fractions.
+  constexpr double large = 0x1.8p52, quartersPerRadian = 0x1.45f306dc9c883p-1;
+  const double quarters = (angle * quartersPerRadian + large) - large;
+  // The first two parts of pi/2 have 33 bits, so that their multiples are exact; so is the first difference,
+  // and the rounding of the second one is a number, too.
+  constexpr double first = 0x1.921fb544p+0, second = 0x1.0b4611a6p-34, third = 0x1.3198a2e037073p-69;
+  const double rest = angle - quarters * first, next = quarters * second;
+  const double x = rest - next, back = x - rest;
+  const double tail = (rest - (x - back)) - (next + back) - quarters * third;
+
+  const double z = x * x, half = 0.5 * z, most = 1.0 - half;
+  const double s = x + (x * z * SumOfSine(z) + tail * most);
+  const double c = most + (((1.0 - most) - half) + (z * z * SumOfCosine(z) - x * tail));
+  switch (static_cast<int>(quarters) & 3) {
+  case 0: return {c, s};
+  case 1: return {-s, c};
+  case 2: return {-c, -s};
+  default: return {s, -c};
+  }
+}
+
+} // namespace Shapes::Geometry
