@@ -45,7 +45,7 @@ int main() {
   joint.Initialize(pPost, pPlank, {-4, 1.1f});
   world.CreateJoint(&joint);
 
-  // What Shapes adds to it.
+  // The balls and flippers of Shapes in it.
   Shapes::CWorldDesc desc;
   desc.m_cBox2D.m_eProfile = Shapes::eProfile::Tuned;
   const auto pShapes = Shapes::MakeWorld(world, desc);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What there is to be drawn of a game, as rows of numbers: for the page, and as a picture.
+// A game as rows of numbers that are drawn: by the page, and as a picture.
 #pragma once
 
 #include "Game.h"

@@ -9,6 +9,9 @@
 
 namespace Shapes::Games {
 
+float GetSine(float angle) { return AngleToVector(angle).y(); }
+float GetCosine(float angle) { return AngleToVector(angle).x(); }
+
 CWorldDesc CGame::MakeDesc(const Vector2& gravity, unsigned stepsPerFrame) {
   CWorldDesc desc;
   desc.m_vGravity = gravity;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all games have in common: a world that can change its engine while it runs, keys, a score, and a
+// The base of all games: a world that can change its engine while it runs, keys, a score, and a
 // player who plays by a script. The terminal and the page run the same games.
 #pragma once
 
@@ -13,10 +13,14 @@
 
 namespace Shapes::Games {
 
+/// Of an angle in radians, with the same bits on every machine: for Sine.cpp.
+float GetSine(float angle);
+float GetCosine(float angle);
+
 /// Keys that are held in a frame, as bits.
 enum eKey : unsigned { g_nLeft = 1, g_nRight = 2, g_nAction = 4, g_nNudge = 8 };
 
-/// What a shape is to the player: decides how it is drawn.
+/// The part of a shape in the game: it decides how the shape is drawn.
 enum class eRole { Wall, Kicker, Flipper, Sensor, Lit, Gate, Ball };
 
 inline constexpr unsigned g_nFramesPerSecond = 60;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the page calls: one game at a time, as plain functions of numbers. A pointer that is returned is valid
+// The functions that the page calls: one game at a time, plain numbers. A pointer that is returned is valid
 // until the next call.
 #include "../games/Describe.h"
 #include "../games/Drawing.h"

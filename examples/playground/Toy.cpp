@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the collision toy asks about one shape and one ball. A shape is eight numbers: its eRow, x, y, x1, y1,
-// radius, and two angles; a ball five: x, y, radius, velocity. What is returned is valid until the next call.
+// The questions of the collision toy about one shape and one ball. A shape is eight numbers: its eRow, x, y,
+// x1, y1, radius, and two angles; a ball five: x, y, radius, velocity. What is returned is valid until the
+// next call.
 #include "../games/Drawing.h"
 #include "../games/Mode.h"
 
@@ -50,7 +51,7 @@ Vector2 ClosestPt(const CShape& shape, const Vector2& p) {
 
 extern "C" {
 
-/// What an engine answers for both as they are: detected, POI, normal, setback, speed.
+/// The answer of an engine for both as they are: detected, POI, normal, setback, speed.
 EMSCRIPTEN_KEEPALIVE const float* AskContact(unsigned mode, int kind, float x, float y, float x1, float y1,
                                              float r, float a0, float a1, float ballX, float ballY,
                                              float ballR, float vx, float vy) {
@@ -63,8 +64,8 @@ EMSCRIPTEN_KEEPALIVE const float* AskContact(unsigned mode, int kind, float x, f
   return g_stdAnswer.data();
 }
 
-/// What a mode makes of the ball in one step of a second, in which it flies its velocity: whether it hit,
-/// POI, normal, end.
+/// The outcome of a mode for the ball in one step of a second, in which it flies its velocity: whether it
+/// hit, POI, normal, end.
 EMSCRIPTEN_KEEPALIVE const float* AskSweep(unsigned mode, int kind, float x, float y, float x1, float y1,
                                            float r, float a0, float a1, float ballX, float ballY, float ballR,
                                            float vx, float vy) {

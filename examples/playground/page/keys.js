@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is held down on the keyboard, under the mouse, by fingers and on the pads, as the bits of a frame.
+// The keys that are held down on the keyboard, under the mouse, by fingers and on the pads, as the bits of a frame.
 const held = new Set(); // a name with where it comes from: "left Key", "action 3"
 const keyNames = {ArrowLeft: 'left', KeyA: 'left', ArrowRight: 'right', KeyD: 'right', Space: 'action', ArrowDown: 'action',
                   ArrowUp: 'nudge', KeyW: 'nudge'};

@@ -8,7 +8,7 @@ const plus = (a, b) => [a[0] + b[0], a[1] + b[1]];
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1]];
 const lengthOf = (a) => Math.hypot(a[0], a[1]);
 
-/** What can be dragged: a place, and what a drag to another does. Those of the chosen ones first. */
+/** The handles: each has a place, and a function for a drag to another. Those of the chosen ones first. */
 function toyHandles() {
   const handles = [];
   const ball = chosenBall();
