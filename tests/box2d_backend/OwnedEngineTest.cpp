@@ -2,6 +2,7 @@
 // What is particular to a world on Box2D: its scale, its limits, what stands for shapes in it, and what was
 // changed of the way Box2D ships.
 #include "../Numbers.h"
+#include "../Steps.h"
 
 #include <Shapes/Shapes.h>
 
@@ -21,11 +22,6 @@ std::unique_ptr<CWorld> Make(const Vector2& gravity = Vector2::Zero(), float uni
   desc.m_fTimeStep = g_fDt;
   desc.m_cBox2D.m_fLengthUnit = unit;
   return GetBackend(eBackend::Box2D)->MakeWorld(desc);
-}
-
-void Steps(CWorld& world, int n) {
-  for (int i = 0; i < n; ++i)
-    world.Step();
 }
 
 /// Puts the ball at p with velocity v, makes n steps and gives its velocity.

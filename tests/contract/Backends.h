@@ -2,10 +2,14 @@
 // The engines that were built, for tests that run on each of them.
 #pragma once
 
+#include "../Numbers.h"
+#include "../Steps.h"
+
 #include <Shapes/Shapes.h>
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -33,6 +37,15 @@ protected:
   /// How far a POI or a touching ball may be off: rounding on native; on Box2D its time of impact stops
   /// within 3 slops of .005, and its discrete contacts reach through a skin of .01.
   float Skin() const { return IsNative() ? 1e-6f : 0.016f; }
+  std::unique_ptr<CWorld> Make(const CEffectChoice& choice = g_cAutomatic,
+                               eProfile profile = eProfile::Shipped, const Vector2& gravity = {0, 0}) const {
+    CWorldDesc desc;
+    desc.m_vGravity = gravity;
+    desc.m_fTimeStep = g_fDt;
+    desc.m_cEffects = choice;
+    desc.m_cBox2D.m_eProfile = profile;
+    return Backend().MakeWorld(desc);
+  }
 };
 
 #define SHAPES_ON_EVERY_BACKEND(suite)                                                                       \

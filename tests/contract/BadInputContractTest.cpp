@@ -185,8 +185,7 @@ TEST_P(CBadInputContract, TheLargestKickIsFiniteAndInTheRightDirection) {
               mass = IsNative() ? g_fMaxMass : g_fMaxBox2DMass;
   const CShapeId ball =
       pWorld->Add(CDynamicCircleDesc({0, 0.05f}, 0.1f, {0, -speed}, mass, g_fMaxElasticity));
-  for (int i = 0; i < 3; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 3);
   EXPECT_TRUE(pWorld->GetPos(ball).allFinite());
   EXPECT_TRUE(pWorld->GetVel(ball).allFinite());
 
@@ -219,8 +218,7 @@ TEST_P(CBadInputContract, LargestAndSmallestValuesAreStepped) {
   m_pWorld->Add(CDynamicCircleDesc({most, most}, 1, {-speed, -speed}, heavy));
   m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0, {0, speed}, light));
   m_pWorld->Add(CDynamicCircleDesc({0, 0}, 1e-30f, {0, 1e-30f}, 1));
-  for (int i = 0; i < 20; ++i)
-    m_pWorld->Step();
+  Steps(*m_pWorld, 20);
   for (const Vector2& p : m_pWorld->GetBallPositions())
     EXPECT_TRUE(p.allFinite()) << p.transpose();
   for (const Vector2& v : m_pWorld->GetBallVelocities())

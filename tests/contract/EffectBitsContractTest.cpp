@@ -16,8 +16,8 @@ struct CScene {
 };
 
 // A box with a bit of everything in it.
-std::unique_ptr<CWorld> Make(const CBackend& backend, const CScene& scene, const CEffectChoice& choice,
-                             eProfile profile = eProfile::Shipped) {
+std::unique_ptr<CWorld> MakeWorldOf(const CBackend& backend, const CScene& scene, const CEffectChoice& choice,
+                                    eProfile profile = eProfile::Shipped) {
   CWorldDesc desc;
   if (scene.m_bGravity) desc.m_vGravity = {0, -2};
   desc.m_fTimeStep = 1.0f / 120.0f;
@@ -62,7 +62,7 @@ class CEffectBits : public CEveryBackend {
 protected:
   std::vector<Vector2> Run(const CScene& scene, const CEffectChoice& choice,
                            eProfile profile = eProfile::Shipped) const {
-    return Path(*Make(Backend(), scene, choice, profile));
+    return Path(*MakeWorldOf(Backend(), scene, choice, profile));
   }
 };
 SHAPES_ON_EVERY_BACKEND(CEffectBits);
@@ -119,7 +119,8 @@ TEST_P(CEffectBits, WhoBeginsToWatchChangesNothing) {
     CScene scene;
     scene.m_bSensor = scene.m_bTurns = false;
     scene.m_fElasticity = 1;
-    auto pWorld = Make(Backend(), scene, watched ? g_cAutomatic : CEffectChoice{{}, {eEffect::Events}});
+    auto pWorld =
+        MakeWorldOf(Backend(), scene, watched ? g_cAutomatic : CEffectChoice{{}, {eEffect::Events}});
     Tests::CRandom random(g_nEffectBitsContractSeed);
     const float elasticities[] = {0.0f, 0.5f, 1.0f};
     for (int k = 0; k < 60; ++k) {
@@ -139,7 +140,7 @@ TEST_P(CEffectBits, WhoBeginsToWatchChangesNothing) {
 
 TEST_P(CEffectBits, AStateGoesFromOneChoiceToAnother) {
   const CEffectChoice held{{}, {eEffect::Kinematics, eEffect::BallPairs, eEffect::Gravity}};
-  auto pFrom = Make(Backend(), {}, g_cAutomatic), pHeld = Make(Backend(), {}, held);
+  auto pFrom = MakeWorldOf(Backend(), {}, g_cAutomatic), pHeld = MakeWorldOf(Backend(), {}, held);
   Path(*pFrom, 50);
   const CShapeId blade{7};
   const CSavedState saved = pFrom->SaveState();
@@ -160,7 +161,7 @@ TEST_P(CEffectBits, AStateGoesFromOneChoiceToAnother) {
   EXPECT_NE(pFrom->GetOrientation(blade), angle);
 
   // And whoever goes on from the same state by the same choice has the same bits, watched or not.
-  auto pUnwatched = Make(Backend(), {}, {{}, {eEffect::Events}});
+  auto pUnwatched = MakeWorldOf(Backend(), {}, {{}, {eEffect::Events}});
   pFrom->LoadState(saved);
   pUnwatched->LoadState(saved);
   EXPECT_EQ(Path(*pFrom), Path(*pUnwatched));

@@ -48,10 +48,6 @@ protected:
   static CShapeId AddBall(CWorld& world, const Vector2& p, const Vector2& v = Vector2::Zero(), float e = 1) {
     return world.Add(CDynamicCircleDesc(p, 0.1f, v, 1, e));
   }
-  static void Steps(CWorld& world, int n) {
-    for (int i = 0; i < n; ++i)
-      world.Step();
-  }
 };
 SHAPES_ON_EVERY_BACKEND(CEffectContract);
 

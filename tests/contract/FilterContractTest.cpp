@@ -24,15 +24,6 @@ const CEffectChoice g_stdChoices[] = {g_cAutomatic, g_cApproximate, g_cContinuou
 
 class CFilterContract : public CEveryBackend {
 protected:
-  std::unique_ptr<CWorld> Make(const CEffectChoice& choice, eProfile profile,
-                               const Vector2& gravity = {0, 0}) {
-    CWorldDesc desc;
-    desc.m_vGravity = gravity;
-    desc.m_fTimeStep = g_fDt;
-    desc.m_cEffects = choice;
-    desc.m_cBox2D.m_eProfile = profile;
-    return Backend().MakeWorld(desc);
-  }
   template <class F>
   void InEveryMode(const F& f) {
     for (const auto& pair : g_stdPairs)
@@ -56,8 +47,7 @@ TEST_P(CFilterContract, ShapesAndBallsMeetByIt) {
     CDynamicCircleDesc desc({0, 0}, 0.1f, {2, 0});
     desc.m_cFilter = second;
     const CShapeId ball = pWorld->Add(desc);
-    for (int i = 0; i < 60; ++i)
-      pWorld->Step();
+    Steps(*pWorld, 60);
     EXPECT_EQ(pWorld->GetVel(ball).x() < 0, meet);
     EXPECT_EQ(pWorld->GetFilter(ball), second);
   });
@@ -71,8 +61,7 @@ TEST_P(CFilterContract, BallsMeetEachOtherByIt) {
     other.m_cFilter = second;
     pWorld->Add(one);
     const CShapeId hit = pWorld->Add(other);
-    for (int i = 0; i < 60; ++i)
-      pWorld->Step();
+    Steps(*pWorld, 60);
     EXPECT_EQ(pWorld->GetVel(hit).x() > 1, meet);
   });
 }
@@ -107,19 +96,16 @@ TEST_P(CFilterContract, AChangeTakesEffectInTheNextStep) {
         const auto pWorld = Make(choice, profile, {0, -10});
         const CShapeId floor = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
         const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f, {0, 0}, 1, 0));
-        for (int i = 0; i < 60; ++i)
-          pWorld->Step();
+        Steps(*pWorld, 60);
         EXPECT_GT(pWorld->GetPos(ball).y(), 0.05f);
         pWorld->SetFilter(ofBall ? ball : floor, {4, 4});
         const CSavedState saved = pWorld->SaveState();
-        for (int i = 0; i < 30; ++i)
-          pWorld->Step();
+        Steps(*pWorld, 30);
         EXPECT_LT(pWorld->GetPos(ball).y(), -0.5f);
         pWorld->LoadState(saved);
         EXPECT_EQ(pWorld->GetFilter(ofBall ? ball : floor), (CFilter{4, 4}));
         pWorld->SetFilter(ofBall ? ball : floor, {});
-        for (int i = 0; i < 30; ++i)
-          pWorld->Step();
+        Steps(*pWorld, 30);
         EXPECT_GT(pWorld->GetPos(ball).y(), 0.05f);
       }
 }
@@ -139,8 +125,7 @@ TEST_P(CFilterContract, BallsOfTwoKindsLieInOnePlace) {
     }
     for (const CShapeId id : pWorld->GetShapeIds())
       pWorld->SetFilter(id, {4, 0xFFFF});
-    for (int i = 0; i < 240; ++i)
-      pWorld->Step();
+    Steps(*pWorld, 240);
     for (int i = 0; i < 4; ++i)
       EXPECT_NEAR(pWorld->GetPos(ids[static_cast<std::size_t>(i)]).y(), i < 2 ? 0.1f : 0.3f, 0.02f);
   }

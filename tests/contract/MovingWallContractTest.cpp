@@ -17,20 +17,7 @@ CLineSegDesc Wall(const Vector2& v, float e = 1.0f) { // upright, at x = 0
   return desc;
 }
 
-class CMovingWallContract : public CEveryBackend {
-protected:
-  std::unique_ptr<CWorld> Make(const CEffectChoice& choice = g_cAutomatic, float gravity = 0.0f) const {
-    CWorldDesc desc;
-    desc.m_vGravity = {0, -gravity};
-    desc.m_fTimeStep = g_fDt;
-    desc.m_cEffects = choice;
-    return Backend().MakeWorld(desc);
-  }
-  static void Steps(CWorld& world, int n) {
-    for (int i = 0; i < n; ++i)
-      world.Step();
-  }
-};
+class CMovingWallContract : public CEveryBackend {};
 SHAPES_ON_EVERY_BACKEND(CMovingWallContract);
 
 // A wall at V against which a ball comes at v leaves it with 2 V - v, however fast it is: at 60 it moves by
@@ -168,8 +155,7 @@ TEST_P(CMovingWallContract, ItStopsAtTheGreatestLength) {
   desc.m_eMotionType = eMotion::Kinematic;
   desc.m_vVel = {1e-4f * limit, 0};
   const CShapeId point = pWorld->Add(desc);
-  for (int i = 0; i < 100 * 60; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 100 * 60);
   const float x = pWorld->GetPos(point).x();
   EXPECT_LE(x, limit);
   EXPECT_GT(x, 0.999f * limit); // the control: it has moved

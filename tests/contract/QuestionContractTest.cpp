@@ -42,8 +42,7 @@ public:
       default: Add(CDynamicCircleDesc(p, r, m_cRandom.Direction())); break;
       }
     }
-    for (int i = 0; i < 5; ++i)
-      m_pWorld->Step();
+    Steps(*m_pWorld, 5);
   }
 
   CRandom m_cRandom;

@@ -200,8 +200,7 @@ TEST_P(CSensorContract, ASensorDoesNotStandInTheWay) { // of anything, nor is it
   const CShapeId ghost = pWorld->Add(Sensor(CDynamicCircleDesc({0, 0.5f}, 0.1f)));
   const CShapeId floor = pWorld->Add(CLineSegDesc({-2, -0.5f}, {2, -0.5f}));
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -8}));
-  for (int step = 0; step < 16; ++step)
-    pWorld->Step();
+  Steps(*pWorld, 16);
   EXPECT_NEAR(pWorld->GetVel(ball).y(), 8, 1e-3f); // the floor answered
   EXPECT_EQ(pWorld->GetVel(ghost), Vector2(0, 0));
   // What touches at the end, by ball and then by shape; after the contacts that were answered.
@@ -225,8 +224,7 @@ TEST_P(CSensorContract, ASensorDoesNotStandInTheWay) { // of anything, nor is it
 TEST_P(CSensorContract, KinematicSensorsTurn) {
   auto pWorld = Make();
   const CShapeId bar = pWorld->Add(Sensor(Turning(CLineSegDesc({0, 0}, {1, 0}), 0.25f)));
-  for (int step = 0; step < 64; ++step)
-    pWorld->Step();
+  Steps(*pWorld, 64);
   EXPECT_NEAR(pWorld->GetOrientation(bar), g_fPi / 2, 1e-4f);
 }
 

@@ -24,22 +24,7 @@ CLineSegDesc StoppedFlipper(float revsPerSecond,
   return desc;
 }
 
-class CStopContract : public CEveryBackend {
-protected:
-  std::unique_ptr<CWorld> Make(const CEffectChoice& choice = g_cAutomatic, eProfile profile = eProfile::Tuned,
-                               const Vector2& gravity = {0, 0}) const {
-    CWorldDesc desc;
-    desc.m_vGravity = gravity;
-    desc.m_fTimeStep = g_fDt;
-    desc.m_cEffects = choice;
-    desc.m_cBox2D.m_eProfile = profile;
-    return Backend().MakeWorld(desc);
-  }
-  static void Steps(CWorld& world, int n) {
-    for (int i = 0; i < n; ++i)
-      world.Step();
-  }
-};
+class CStopContract : public CEveryBackend {};
 SHAPES_ON_EVERY_BACKEND(CStopContract);
 
 TEST_P(CStopContract, StopsExactlyAtBothAngles) {
@@ -67,7 +52,7 @@ TEST_P(CStopContract, StopsExactlyAtBothAngles) {
 
 // As slow as 1e-6 rad a step, about as much as the orientation is rounded to.
 TEST_P(CStopContract, LeavesAStopHoweverSlowly) {
-  const auto pWorld = Make();
+  const auto pWorld = Make(g_cAutomatic, eProfile::Tuned);
   const CShapeId flipper = pWorld->Add(StoppedFlipper(1));
   Steps(*pWorld, 30);
   pWorld->SetRotSpeed(flipper, -1e-5f);
@@ -83,7 +68,7 @@ TEST_P(CStopContract, KicksUntilItStopsAndNotAfterwards) {
     SCOPED_TRACE(angle);
     Vector2 v[2];
     for (const bool stops : {true, false}) {
-      const auto pWorld = Make();
+      const auto pWorld = Make(g_cAutomatic, eProfile::Tuned);
       pWorld->Add(StoppedFlipper(speed, stops ? CMotionLimits::OfAngle(g_fLow, g_fHigh) : CMotionLimits()));
       // Touched when the blade is at this angle.
       const CShapeId ball =
@@ -124,7 +109,7 @@ TEST_P(CStopContract, AtItsStopItIsAsGoodAsStatic) {
 }
 
 TEST_P(CStopContract, StopsAtTwoPlaces) {
-  const auto pWorld = Make();
+  const auto pWorld = Make(g_cAutomatic, eProfile::Tuned);
   CLineSegDesc plunger({-0.1f, 0}, {0.1f, 0});
   plunger.m_eMotionType = eMotion::Kinematic;
   plunger.m_vVel = {0, 5};
@@ -146,7 +131,7 @@ TEST_P(CStopContract, StopsAtTwoPlaces) {
 }
 
 TEST_P(CStopContract, ACompoundStopsAsOne) {
-  const auto pWorld = Make();
+  const auto pWorld = Make(g_cAutomatic, eProfile::Tuned);
   const CAnyShapeDesc descs[] = {CCircleDesc({0, 0}, 0.2f), CCircleDesc({1, 0}, 0.1f),
                                  CLineSegDesc({0, 0.2f}, {1, 0.1f}), CPointDesc(Vector2(1.1f, 0))};
   const auto ids = pWorld->AddCompound(descs, {0, 0}, 6, {0, 0}, CMotionLimits::OfAngle(g_fLow, g_fHigh));
@@ -159,7 +144,7 @@ TEST_P(CStopContract, ACompoundStopsAsOne) {
 }
 
 TEST_P(CStopContract, WhatIsBeyondItsStopsMovesTowardsThemOnly) {
-  const auto pWorld = Make();
+  const auto pWorld = Make(g_cAutomatic, eProfile::Tuned);
   const CShapeId id = pWorld->Add(StoppedFlipper(1));
   pWorld->SetOrientation(id, 1);
   Steps(*pWorld, 10);
@@ -197,7 +182,7 @@ TEST_P(CStopContract, ASavedStateGoesOnWithTheSameBits) {
 }
 
 TEST_P(CStopContract, WhatCannotBeIsRefused) {
-  const auto pWorld = Make();
+  const auto pWorld = Make(g_cAutomatic, eProfile::Tuned);
   const CShapeId id = pWorld->Add(StoppedFlipper(1)), wall = pWorld->Add(CLineSegDesc({0, 0}, {1, 1}));
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({5, 5}, 0.1f));
   const auto refused = [&](auto f) {

@@ -73,16 +73,14 @@ TEST_P(CWorldContract, ElasticityIsTheProductAndTheTangentialPartStays) {
   CLineSegDesc wall({-10, 0}, {10, 0}, 0.5f);
   const CShapeId wallId = pWorld->Add(wall);
   const CShapeId id = pWorld->Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {3, -4}, 1.0f, 0.5f));
-  for (int i = 0; i < 20; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 20);
   EXPECT_NEAR(pWorld->GetVel(id).x(), 3.0f, 1e-4f);
   EXPECT_NEAR(pWorld->GetVel(id).y(), 1.0f, 1e-4f);
   pWorld->SetElasticity(wallId, 1.5f);
   pWorld->SetElasticity(id, 1.0f);
   pWorld->SetPos(id, {0, 0.5f});
   pWorld->SetVel(id, {3, -4});
-  for (int i = 0; i < 10; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 10);
   EXPECT_NEAR(pWorld->GetVel(id).y(), 6.0f, 1e-4f);
 }
 
@@ -90,8 +88,7 @@ TEST_P(CWorldContract, ASlowBallBouncesToo) { // Box2D ships with a threshold of
   auto pWorld = Make();
   pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
   const CShapeId id = pWorld->Add(CDynamicCircleDesc({0, 0.2f}, 0.1f, {0, -0.5f}));
-  for (int i = 0; i < 30; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 30);
   EXPECT_NEAR(pWorld->GetVel(id).y(), 0.5f, 1e-4f);
 }
 
@@ -164,8 +161,7 @@ TEST_P(CWorldContract, SensorsReportAndDoNotRespond) {
 
   pWorld->SetSensor(sensor, false); // the control
   pWorld->SetPos(ball, {0, 0.3f});
-  for (int i = 0; i < 20; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 20);
   EXPECT_NEAR(pWorld->GetVel(ball).y(), 2.0f, 1e-4f);
 }
 
@@ -196,19 +192,16 @@ TEST_P(CWorldContract, CollisionsAreSwitchedOffAndOn) {
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -2}));
   pWorld->SetCanCollide(post, false);
   EXPECT_FALSE(pWorld->GetCanCollide(post));
-  for (int i = 0; i < 20; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 20);
   EXPECT_FLOAT_EQ(pWorld->GetVel(ball).y(), -2.0f);
   pWorld->SetCanCollide(post);
   pWorld->SetPos(ball, {0, 0.3f});
-  for (int i = 0; i < 20; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 20);
   EXPECT_NEAR(pWorld->GetVel(ball).y(), 2.0f, 1e-4f);
   pWorld->SetCanCollide(ball, false);
   pWorld->SetPos(ball, {0, 0.3f});
   pWorld->SetVel(ball, {0, -2});
-  for (int i = 0; i < 20; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 20);
   EXPECT_FLOAT_EQ(pWorld->GetVel(ball).y(), -2.0f);
 }
 
@@ -219,8 +212,7 @@ TEST_P(CWorldContract, KinematicShapesTurnAboutAnyCentre) {
   desc.m_fRotSpeed = 0.25f; // a quarter turn in a second
   desc.m_vRotCenter = {0, 0};
   const CShapeId id = pWorld->Add(desc);
-  for (int i = 0; i < 60; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 60);
   const auto& seg = static_cast<const CLineSeg&>(pWorld->GetShape(id));
   EXPECT_NEAR(pWorld->GetOrientation(id), g_fPi / 2, 1e-4f);
   // At the vertical, rounding decides which end is left; the box has both.
@@ -240,8 +232,7 @@ TEST_P(CWorldContract, AFlipperThrowsABallThatRestsOnIt) {
   desc.m_fRotSpeed = 0.5f;
   pWorld->Add(desc);
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.8f, 0.12f}, 0.1f));
-  for (int i = 0; i < 5; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 5);
   // The surface under it moves at pi * .8 = 2.5, an elastic kick gives up to twice that.
   EXPECT_GT(pWorld->GetVel(ball).y(), 3.5f);
   EXPECT_LT(pWorld->GetVel(ball).norm(), 2.0f * g_fPi * 0.85f);
@@ -253,8 +244,7 @@ TEST_P(CWorldContract, ACompoundTurnsAsOne) {
                                          CPointDesc(Vector2(1, 0)), CArcDesc({1.5f, 0}, 0.2f, 0, 1)};
   const auto ids = pWorld->AddCompound(parts, {1, 0}, 0.25f);
   ASSERT_EQ(ids.size(), 4u);
-  for (int i = 0; i < 60; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 60);
   EXPECT_NEAR((pWorld->GetPos(ids[1]) - Vector2(1, 1)).norm(), 0.0f, 1e-4f);
   EXPECT_NEAR((pWorld->GetPos(ids[2]) - Vector2(1, 0)).norm(), 0.0f, 1e-4f);
   EXPECT_NEAR((pWorld->GetPos(ids[3]) - Vector2(1, 0.5f)).norm(), 0.0f, 1e-4f);
@@ -276,8 +266,7 @@ TEST_P(CWorldContract, ShapesAndBallsAreRemoved) {
   pWorld->Remove(other);
   EXPECT_FALSE(pWorld->Contains(wall));
   EXPECT_FALSE(pWorld->Contains(other));
-  for (int i = 0; i < 30; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 30);
   EXPECT_FLOAT_EQ(pWorld->GetVel(ball).y(), -2.0f);
   EXPECT_THROW(pWorld->Remove(wall), std::invalid_argument);
   EXPECT_THROW(pWorld->GetPos(other), std::invalid_argument);
@@ -306,8 +295,7 @@ TEST_P(CWorldContract, UserPointersStayWithTheirShapes) {
 
 TEST_P(CWorldContract, TheBulkViewsAreWhatTheIdsSay) {
   auto pWorld = MakeBusyWorld(Backend());
-  for (int i = 0; i < 50; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 50);
   const auto ids = pWorld->GetBallIds();
   ASSERT_EQ(ids.size(), 6u);
   EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
@@ -324,16 +312,13 @@ TEST_P(CWorldContract, TheBulkViewsAreWhatTheIdsSay) {
 TEST_P(CWorldContract, ASavedStateContinuesWithTheSameBits) {
   auto pWorld = MakeBusyWorld(Backend());
   auto pOther = MakeBusyWorld(Backend());
-  for (int i = 0; i < 200; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 200);
   const CSavedState saved = pWorld->SaveState();
-  for (int i = 0; i < 300; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 300);
 
   pOther->Remove(pOther->GetBallIds()[1]); // whatever the other one held is replaced
   pOther->LoadState(saved);
-  for (int i = 0; i < 300; ++i)
-    pOther->Step();
+  Steps(*pOther, 300);
   ExpectSameBits(*pWorld, *pOther);
   pOther->Step(); // the control: one step more is not the same
   EXPECT_NE(pWorld->GetBallPositions()[0], pOther->GetBallPositions()[0]);
@@ -367,8 +352,7 @@ TEST_P(CWorldContract, ABallThatSleptAndWasThrownByAnotherWorldFallsWhereItWasLe
     CLineSegDesc floorDesc({-9, 0}, {9, 0});
     floorDesc.m_eMotionType = eMotion::Kinematic;
     const CShapeId floor = pHome->Add(floorDesc), ball = pHome->Add(CDynamicCircleDesc({0, 0.5f}, 0.5f));
-    for (int step = 0; step < 60; ++step)
-      pHome->Step();
+    Steps(*pHome, 60);
     CWorldDesc desc;
     desc.m_vGravity = {0, -10};
     desc.m_cEffects.m_cForbidden = forbidden;
@@ -382,8 +366,7 @@ TEST_P(CWorldContract, ABallThatSleptAndWasThrownByAnotherWorldFallsWhereItWasLe
     const float left = pOther->GetPos(ball).y();
     ASSERT_GT(left, 1.0f);
     pHome->LoadState(pOther->SaveState());
-    for (int step = 0; step < 20; ++step)
-      pHome->Step();
+    Steps(*pHome, 20);
     EXPECT_LT(pHome->GetPos(ball).y(), left - 0.1f);
   }
 }
@@ -412,8 +395,7 @@ TEST_P(CWorldContract, SubstepsCutTheStep) {
   }
   for (int i = 0; i < 20; ++i) {
     pWhole->Step();
-    for (int k = 0; k < 4; ++k)
-      pParts->Step();
+    Steps(*pParts, 4);
   }
   ExpectSameBits(*pWhole, *pParts);
   EXPECT_EQ(pWhole->GetStats().m_nSteps, 20u);
@@ -442,8 +424,7 @@ TEST_P(CWorldContract, ElasticityAboveOneIsCutAtTheSpeedLimitAndFlagged) {
 TEST_P(CWorldContract, StatsStayZeroForWhatTheSceneDoesNotHave) {
   auto pWorld = Make();
   pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, {1, 0}));
-  for (int i = 0; i < 10; ++i)
-    pWorld->Step();
+  Steps(*pWorld, 10);
   const CWorldStats& s = pWorld->GetStats();
   EXPECT_EQ(s.m_nSteps, 10u);
   EXPECT_EQ(s.m_nShapeTests + s.m_nBallTests + s.m_nContacts + s.m_nSensorHits + s.m_nSpeedsCapped, 0u);

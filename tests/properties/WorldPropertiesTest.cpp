@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The native world, on both of its ways through a substep: from impact to impact, and by what overlaps at the
 // end.
+#include "../Steps.h"
 #include "Generators.h"
 #include "Moved.h"
 #include "Properties.h"
@@ -35,8 +36,7 @@ CState Play(const CScene& scene, bool continuous, int steps = 20, float dt = 0x1
     pWorld->Add(shape);
   for (const CDynamicCircleDesc& ball : scene.m_stdBalls)
     pWorld->Add(ball);
-  for (int k = 0; k < steps; ++k)
-    pWorld->Step();
+  Steps(*pWorld, steps);
   const auto pos = pWorld->GetBallPositions(), vel = pWorld->GetBallVelocities();
   return {{pos.begin(), pos.end()}, {vel.begin(), vel.end()}, pWorld->GetStats().m_nContacts};
 }
