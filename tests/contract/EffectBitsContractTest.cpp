@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An effect that is not called for changes nothing, be it allowed, forced or forbidden; and states go from
 // one choice to another. The same on every engine.
+#include "../Sensors.h"
 #include "Backends.h"
 #include "Random.h"
 
@@ -34,9 +35,7 @@ std::unique_ptr<CWorld> MakeWorldOf(const CBackend& backend, const CScene& scene
   blade.m_vRotCenter = {-0.75f, -1};
   blade.m_fRotSpeed = scene.m_bTurns ? 0.6f : 0.0f;
   pWorld->Add(blade);
-  CCircleDesc zone({0, 0}, 0.5f);
-  zone.m_bIsSensor = true;
-  if (scene.m_bSensor) pWorld->Add(zone);
+  if (scene.m_bSensor) pWorld->Add(MakeZone({0, 0}, 0.5f));
   Tests::CRandom random(g_nEffectBitsContractSeed);
   for (int i = 0; i < (scene.m_bPairs ? 12 : 1); ++i) {
     const float x = -1.3f + 0.6f * static_cast<float>(i % 4), y = -0.6f + 0.6f * static_cast<float>(i / 4);

@@ -2,6 +2,7 @@
 // Effects: what calls for them, what the description says of them, and what the world does then, the same on
 // every engine.
 #include "../Numbers.h"
+#include "../Sensors.h"
 #include "Backends.h"
 
 #include <functional>
@@ -25,12 +26,6 @@ CLineSegDesc Flipper(float revsPerSecond) { // a blade of length 1 about the ori
   CLineSegDesc desc({0, 0}, {1, 0});
   desc.m_eMotionType = eMotion::Kinematic;
   desc.m_fRotSpeed = revsPerSecond;
-  return desc;
-}
-
-CCircleDesc Zone(const Vector2& p, float r) {
-  CCircleDesc desc(p, r);
-  desc.m_bIsSensor = true;
   return desc;
 }
 
@@ -101,7 +96,7 @@ TEST_P(CEffectContract, ContentCallsForEffects) {
   ExpectFollows(
       *pWorld, eEffect::Sensors,
       [&] {
-        id = pWorld->Add(Zone({-3, 0}, 1));
+        id = pWorld->Add(MakeZone({-3, 0}, 1));
       },
       take);
 
@@ -139,7 +134,7 @@ TEST_P(CEffectContract, WhatCallsForAnEffectFeelsItInTheNextStep) {
   Steps(*pWorld, 1);
   EXPECT_NEAR(pWorld->GetOrientation(flipper), g_fTwoPi * 0.3f * g_fDt, 1e-6f);
 
-  const CShapeId zone = pWorld->Add(Zone(pWorld->GetPos(ball), 1));
+  const CShapeId zone = pWorld->Add(MakeZone(pWorld->GetPos(ball), 1));
   Steps(*pWorld, 1);
   ASSERT_EQ(pWorld->GetSensorEvents().size(), 1u);
   EXPECT_EQ(pWorld->GetSensorEvents()[0], (CSensorEvent{zone, ball, true}));
@@ -209,7 +204,7 @@ TEST_P(CEffectContract, WithoutBallPairsBallsPassThroughEachOther) {
 TEST_P(CEffectContract, WithoutSensorsNothingIsTold) {
   for (const bool forbidden : {true, false}) {
     auto pWorld = Make(forbidden ? Forbidden(eEffect::Sensors) : g_cAutomatic);
-    pWorld->Add(Zone({0, 0}, 1));
+    pWorld->Add(MakeZone({0, 0}, 1));
     AddBall(*pWorld, {-2, 0}, {6, 0});
     std::size_t told = 0;
     for (int i = 0; i < 60; ++i) {
@@ -246,7 +241,7 @@ TEST_P(CEffectContract, WithoutEventsBallsBounceUntold) {
 TEST_P(CEffectContract, SensorEventsNeedNoContactEvents) {
   auto pWorld = Make(Forbidden(eEffect::Events));
   pWorld->Add(CLineSegDesc({1, -1}, {1, 1}));
-  const CShapeId zone = pWorld->Add(Zone({0, 0}, 0.5f)), ball = AddBall(*pWorld, {-1, 0}, {3, 0});
+  const CShapeId zone = pWorld->Add(MakeZone({0, 0}, 0.5f)), ball = AddBall(*pWorld, {-1, 0}, {3, 0});
   std::vector<CSensorEvent> seen;
   for (int i = 0; i < 80; ++i) {
     pWorld->Step();
@@ -275,7 +270,7 @@ TEST_P(CEffectContract, WhatIsNotCalledForCountsNothing) {
 
   pWorld->SetGravity({0, -1}); // the control: each is counted where it is called for
   pWorld->Add(Flipper(0.1f));
-  pWorld->Add(Zone({0, 0}, 0.5f));
+  pWorld->Add(MakeZone({0, 0}, 0.5f));
   AddBall(*pWorld, {0, 3}, {20, 0});
   pWorld->SetPos(ball, {0, 0.5f});
   Steps(*pWorld, 60);
@@ -290,7 +285,7 @@ TEST_P(CEffectContract, WhatIsNotCalledForCountsNothing) {
 
 TEST_P(CEffectContract, WhatMeetsNothingIsNotSwept) {
   auto pWorld = Make();
-  pWorld->Add(Zone({0, 0}, 0.5f));
+  pWorld->Add(MakeZone({0, 0}, 0.5f));
   AddBall(*pWorld, {0, 0.5f}, {0, -50});
   Steps(*pWorld, 60);
   EXPECT_EQ(pWorld->GetStats().GetSubstepsWith(eEffect::Continuous), 0u);
@@ -307,7 +302,7 @@ TEST_P(CEffectContract, ForcedRunsAndForbiddenDoesNotWhateverIsThere) {
 
     auto pForbidden = Make(Forbidden(e), {0, -1});
     pForbidden->Add(Flipper(0.1f));
-    pForbidden->Add(Zone({0, 0}, 0.5f));
+    pForbidden->Add(MakeZone({0, 0}, 0.5f));
     AddBall(*pForbidden, {0, 3}, {20, 0});
     AddBall(*pForbidden, {0, 5});
     EXPECT_EQ(pForbidden->GetEffects(), (CEffects::All() - CEffects{e, eEffect::Touches}));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // CollisionDetected and CollisionResponse, the same on every engine.
 #include "../Numbers.h"
+#include "../Sensors.h"
 #include "Backends.h"
 
 #include <memory>
@@ -125,9 +126,7 @@ TEST_P(CPairContract, ABallDoesNotMeetItself) {
 }
 
 TEST_P(CPairContract, SensorsAreDetectedButNotAnswered) {
-  CLineSegDesc desc({-1, 0}, {1, 0});
-  desc.m_bIsSensor = true;
-  CLineSeg seg(desc);
+  CLineSeg seg(Sensor(CLineSegDesc({-1, 0}, {1, 0})));
   CDynamicCircle ball = Arrive({0, 0.07f}, {0, -6});
   CContactDesc c(&seg, &ball);
   ASSERT_TRUE(Backend().CollisionDetected(c));

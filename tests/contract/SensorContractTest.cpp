@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What sensors see, the same on every engine: whatever touches them on its way.
+#include "../Sensors.h"
 #include "Backends.h"
 
 #include <algorithm>
@@ -20,12 +21,6 @@ protected:
   }
 };
 SHAPES_ON_EVERY_BACKEND(CSensorContract);
-
-template <class TDesc>
-TDesc Sensor(TDesc desc) {
-  desc.m_bIsSensor = true;
-  return desc;
-}
 
 template <class TDesc>
 TDesc Turning(TDesc desc, float revsPerSecond, const Vector2& center = Vector2::Zero()) {

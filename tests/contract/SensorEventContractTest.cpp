@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Begin and end of what sensors see: every begin has its end, whatever happens to the world.
+#include "../Sensors.h"
 #include "Backends.h"
 #include "Random.h"
 
@@ -34,12 +35,6 @@ protected:
   std::unique_ptr<CWorld> m_pWorld;
 };
 SHAPES_ON_EVERY_BACKEND(CSensorEventContract);
-
-CCircleDesc MakeZone(const Vector2& p = Vector2::Zero(), float r = 1) {
-  CCircleDesc desc(p, r);
-  desc.m_bIsSensor = true;
-  return desc;
-}
 
 TEST_P(CSensorEventContract, WhoeverIsRemovedOrTurnedOffCeasesToTouch) {
   using F = void (*)(CWorld&, CShapeId zone, CShapeId ball);
@@ -76,9 +71,7 @@ TEST_P(CSensorEventContract, PassesWithinASubstepAreOne) {
     desc.m_nSubsteps = substeps;
     desc.m_cEffects = g_cContinuous;
     m_pWorld = Backend().MakeWorld(desc);
-    CLineSegDesc gate({0.5f, -1}, {0.5f, 1});
-    gate.m_bIsSensor = true;
-    m_pWorld->Add(gate);
+    m_pWorld->Add(Sensor(CLineSegDesc({0.5f, -1}, {0.5f, 1})));
     m_pWorld->Add(CLineSegDesc({0.875f, -1}, {0.875f, 1}));
     m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.125f, {100, 0})); // 1.56 a step, the wall is .75 away
     EXPECT_EQ(Step(), substeps == 1 ? "+-" : "+-+-");

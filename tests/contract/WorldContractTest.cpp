@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // CWorld, the same on every engine.
+#include "../Sensors.h"
 #include "Backends.h"
 
 #include <algorithm>
@@ -36,9 +37,7 @@ std::unique_ptr<CWorld> MakeBusyWorld(const CBackend& backend) {
   spinner.m_vRotCenter = {-1.5f, 1};
   spinner.m_fRotSpeed = 0.7f;
   pWorld->Add(spinner);
-  CCircleDesc sensor({0, 2}, 0.5f);
-  sensor.m_bIsSensor = true;
-  pWorld->Add(sensor);
+  pWorld->Add(MakeZone({0, 2}, 0.5f));
   for (int i = 0; i < 6; ++i) {
     const float f = static_cast<float>(i);
     pWorld->Add(

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sensors on an engine that does as the test says: paths with vertices within a substep.
+#include "../Sensors.h"
+
 #include "world/WorldCore.h"
 
 #include <Shapes/Shapes.h>
@@ -80,12 +82,6 @@ private:
   CScriptedEngine* m_pEngine;
   CWorld m_cWorld;
 };
-
-template <class TDesc>
-TDesc Sensor(TDesc desc) {
-  desc.m_bIsSensor = true;
-  return desc;
-}
 
 TEST(SensorsTest, ABallThatTouchesOnlyAtAVertexOfItsPathIsDetected) {
   for (const bool vertices : {true, false}) { // without it: the control
