@@ -59,6 +59,31 @@ function dragTo(from, to) {
   canvas.dispatchEvent(event('pointerup', to));
 }
 
+/** Shapes and balls on which native and the exact answers differ, of many. */
+function exactDiffers() {
+  let seed = 1;
+  const random = (low, high) => low + (high - low) * (seed = seed * 48271 % 0x7FFFFFFF) / 0x7FFFFFFF;
+  const place = () => [random(-2, 2), random(-2, 2)].map(Math.fround);
+  const differing = [], met = {contact: 0, sweep: 0};
+  for (let i = 0; i < 2000; ++i) {
+    const shape = {type: toyKinds[i % toyKinds.length], position: place(), p0: place(), p1: place(), radius: Math.fround(random(0.2, 2)),
+                   angles: [random(-3, 3), random(-3, 3)].map(Math.fround)};
+    for (const field of shape.type === 'line_segment' ? ['position', 'radius', 'angles'] : ['p0', 'p1']) delete shape[field];
+    const ball = {position: place(), velocity: place(), radius: Math.fround(random(0.05, 0.5))};
+    const [is, should] = [askContact(0, shape, ball), exactContact(shape, ball)];
+    const far = (a, b) => Math.max(...a.map((x, k) => Math.abs(x - b[k])));
+    met.contact += should.isMet;
+    // (What touches the ends of segments and arcs only the sweeps see.)
+    if (!['arc', 'line_segment'].includes(shape.type) && (is.isMet !== should.isMet || (is.isMet && far([...is.poi, ...is.normal], [...should.poi, ...should.normal]) > 1e-4)))
+      differing.push({shape, ball, is, should});
+    if (should.isMet) continue;
+    const [swept, exact] = [askSweep(0, shape, ball), exactSweep(shape, ball)];
+    met.sweep += exact.isMet;
+    if (swept.isMet !== exact.isMet || far(swept.end, exact.end) > 1e-3) differing.push({shape, ball, swept, exact});
+  }
+  return {differing, met};
+}
+
 function exerciseToy() {
   startToy();
   const result = {swept: {}}, ball = chosenBall();
@@ -71,6 +96,7 @@ function exerciseToy() {
   result.contacts = ['native', 'box2d'].map((name) => askContact(modes.indexOf(name), chosenShape(), ball));
   result.tangents = askShape({type: 'circle', position: [-3, 3], radius: ball.radius}, ball).tangents;
   result.isInSector = [[0, 1], [1, 6]].map((angles) => askShape({type: 'arc', position: [0, 2.5], radius: 1, angles}, ball).isInSector);
+  result.exact = exactDiffers();
   showToy();
   result.text = $('toy-answers').innerText;
   result.scene = JSON.stringify(readToyScene(JSON.stringify(toy.scene)));

@@ -25,6 +25,7 @@ PLANTED = [
     ("const keys = nextKeys();", "const keys = nextKeys() & 3;", "no points"),
     ("if (kind === 'm') setMode(value);", "", "replay ended differently"),
     ("normal: [nx, ny], setback,", "normal: [nx, ny], setback: 2 * setback,", "native is set back"),
+    ("return (-b - sign * root) / a;", "return (-b - root) / a;", "native answers as exactly"),
     ("  makePads();\n", "  makePads();\n  console.error('planted');\n", "planted"),
     ("  makePads();\n", "  makePads();\n  fetch('https://example.org').catch(() => {});\n", "https://example.org"),
 ]
@@ -101,7 +102,8 @@ def faults_of_toy(toy):
         "Box2D meets within its slop": box2d["isMet"] and near(box2d["normal"], [0, 1]) and abs(box2d["setback"] - 0.3) < 0.02,
         "common tangents of equal circles are level": sorted(round(end, 4) for t in toy["tangents"] for end in t[1::2]) == [2.2, 2.2, 3.8, 3.8],
         "the centre is in one sector, and not in the other": toy["isInSector"] == [True, False],
-        "both engines are named": "native" in toy["text"] and "box2d" in toy["text"],
+        "both engines and the exact answer are named": all(name in toy["text"] for name in ("native", "box2d", "exact")),
+        "native answers as exactly": toy["exact"]["differing"] == [] and min(toy["exact"]["met"].values()) > 100,
         "odd scenes are refused in words": len(toy["refused"]) == 3 and all("expected" in words for words in toy["refused"]),
         "a shape is deleted": toy["deleted"] == 1,
         "nothing sticks out": toy["width"] == 0,

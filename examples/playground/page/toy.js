@@ -90,9 +90,9 @@ function showToy() {
   const shape = chosenShape(), ball = chosenBall();
   $('toy-delete').disabled = !shape;
   if (!shape) return $('toy-answers').replaceChildren('Add a shape.');
-  const still = ['native', 'box2d'].map((name) => askContact(modes.indexOf(name), shape, ball));
+  const still = [...['native', 'box2d'].map((name) => askContact(modes.indexOf(name), shape, ball)), exactContact(shape, ball)];
   const says = (answers, f) => answers.map((answer) => answer.isMet ? f(answer) : '-');
-  const swept = modes.map((_, mode) => askSweep(mode, shape, ball)), geometry = askShape(shape, ball);
+  const swept = [...modes.map((_, mode) => askSweep(mode, shape, ball)), exactSweep(shape, ball)], geometry = askShape(shape, ball);
   const text = document.createElement('p');
   text.className = 'note';
   text.textContent = `Closest point ${shortPair(geometry.closest)}, at ${shortNumber(lengthOf(minus(geometry.closest, ball.position)))}` +
@@ -100,9 +100,9 @@ function showToy() {
   const titles = [document.createElement('h2'), document.createElement('h2')];
   titles[0].textContent = 'As they are';
   titles[1].textContent = 'Along the arrow, in one step';
-  const flights = toyTable(['hits at', 'ends at'], modes.map((name, i) => [
+  const flights = toyTable(['hits at', 'ends at'], [...modes, 'exact'].map((name, i) => [
     name, swept[i].isMet ? shortPair(swept[i].poi, 2) : '-', shortPair(swept[i].end, 2)]));
-  $('toy-answers').replaceChildren(text, titles[0], toyTable(['native', 'box2d'], [
+  $('toy-answers').replaceChildren(text, titles[0], toyTable(['native', 'box2d', 'exact'], [
     ['meets', ...still.map(({isMet}) => isMet ? 'yes' : 'no')],
     ['point of impact', ...says(still, ({poi}) => shortPair(poi))],
     ['normal', ...says(still, ({normal}) => shortPair(normal))],
