@@ -2,6 +2,7 @@
 // Games that are played for long: 10^5 steps, or as many as SHAPES_ENDURANCE_STEPS says (run.sh). What is
 // expected is in docs/testing.md.
 #include "Endurance.h"
+#include "LiveBlocks.h"
 
 #include <gtest/gtest.h>
 
@@ -157,6 +158,57 @@ TEST_P(EnduranceTest, DragIsSeen) {
   EXPECT_FALSE(FliesAsItShould(little)) << Text(little);
   const CFigures late = Control(scene, Drag(0.03f, g_nControlSteps / 2));
   EXPECT_FALSE(IsAsWarmAsBefore(late)) << Text(late);
+}
+
+// Balls that fall through pegs, and are thrown up again.
+std::unique_ptr<CWorld> MakePegs(const CEffectChoice& effects) {
+  CWorldDesc desc;
+  desc.m_vGravity = {0, -10};
+  desc.m_cEffects = effects;
+  auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+  const Vector2 corners[] = {{0, 0}, {12, 0}, {12, 12}, {0, 12}};
+  for (std::size_t i = 0; i < 4; ++i)
+    pWorld->Add(CLineSegDesc(corners[i], corners[(i + 1) % 4]));
+  for (int i = 1; i < 100; ++i) {
+    const Vector2 place(1.2f * static_cast<float>(i % 10), 1.2f * static_cast<float>(i / 10));
+    pWorld->Add(CCircleDesc(place, 0.15f));
+    pWorld->Add(CDynamicCircleDesc(place + Vector2(0.6f, 0.5f), 0.1f, {0, 0}, 1, 0.5f));
+  }
+  return pWorld;
+}
+
+std::size_t CountAllocationsIn(CWorld& world, int steps) {
+  const std::size_t before = CountAllocations();
+  for (int i = 0; i < steps; ++i) {
+    if (i % 100 == 0)
+      for (const CShapeId ball : world.GetBallIds())
+        world.SetVel(ball, {1.0f, 9.0f});
+    world.Step();
+  }
+  return CountAllocations() - before;
+}
+
+TEST(AllocationTest, StepsOfAWarmWorldMakeNone) {
+  for (const CEffectChoice& mode : {g_cAutomatic, g_cApproximate})
+    for (const bool pairs : {true, false}) {
+      CEffectChoice effects = mode;
+      if (!pairs) effects.m_cForbidden.Set(eEffect::BallPairs);
+      const auto pWorld = MakePegs(effects);
+      EXPECT_GT(CountAllocationsIn(*pWorld, 1000), 10u) << "it was warm before";
+      EXPECT_LE(CountAllocationsIn(*pWorld, 1000), static_cast<std::size_t>(g_nLateVectors));
+    }
+}
+
+TEST(AllocationTest, ControlOfAVectorInEveryStepIsSeen) {
+  const auto pWorld = MakePegs(g_cAutomatic);
+  CountAllocationsIn(*pWorld, 1000);
+  std::size_t ids = 0, before = CountAllocations();
+  for (int i = 0; i < 1000; ++i) {
+    pWorld->Step();
+    ids += pWorld->GetShapeIds().size();
+  }
+  EXPECT_GE(CountAllocations() - before, 1000u);
+  EXPECT_GT(ids, 0u);
 }
 
 } // namespace

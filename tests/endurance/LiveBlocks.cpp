@@ -9,12 +9,13 @@
 
 namespace {
 
-std::atomic<std::size_t> g_nBlocks, g_nBytes;
+std::atomic<std::size_t> g_nBlocks, g_nBytes, g_nAllocations;
 
 void* TryAllocate(std::size_t size) noexcept {
   void* p = std::malloc(size == 0 ? 1 : size);
   if (p == nullptr) return nullptr;
   ++g_nBlocks;
+  ++g_nAllocations;
   g_nBytes += malloc_usable_size(p);
   return p;
 }
@@ -38,6 +39,7 @@ namespace Shapes::Tests {
 
 std::size_t CountLiveBlocks() { return g_nBlocks; }
 std::size_t CountLiveBytes() { return g_nBytes; }
+std::size_t CountAllocations() { return g_nAllocations; }
 
 } // namespace Shapes::Tests
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program holds of memory: its operator new and delete count.
+// The memory that the program holds: its operator new and delete count.
 #pragma once
 
 #include <cstddef>
@@ -10,5 +10,7 @@ namespace Shapes::Tests {
 std::size_t CountLiveBlocks();
 /// Bytes in them.
 std::size_t CountLiveBytes();
+/// Blocks that were ever allocated.
+std::size_t CountAllocations();
 
 } // namespace Shapes::Tests

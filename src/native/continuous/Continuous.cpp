@@ -111,14 +111,15 @@ void CContinuous::FollowBalls() {
 const std::vector<CContactEvent>& CContinuous::GetContacts() {
   // Balls that move alone report theirs one after the other.
   if (m_bPairs || std::is_sorted(m_stdTimes.begin(), m_stdTimes.end())) return m_stdContacts;
-  std::vector<std::pair<double, std::uint32_t>> order;
+  m_stdByTime.clear();
   for (std::uint32_t k = 0; k < m_stdTimes.size(); ++k)
-    order.emplace_back(m_stdTimes[k], k);
-  std::sort(order.begin(), order.end());
-  const std::vector<CContactEvent> contacts = std::exchange(m_stdContacts, {});
-  for (const auto& [time, k] : order)
-    m_stdContacts.push_back(contacts[k]);
+    m_stdByTime.emplace_back(m_stdTimes[k], k);
+  std::sort(m_stdByTime.begin(), m_stdByTime.end());
   std::sort(m_stdTimes.begin(), m_stdTimes.end());
+  m_stdUnsorted.swap(m_stdContacts);
+  m_stdContacts.clear();
+  for (const auto& [time, k] : m_stdByTime)
+    m_stdContacts.push_back(m_stdUnsorted[k]);
   return m_stdContacts;
 }
 
@@ -189,11 +190,12 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i) {
 // The share of a push of a ball from p by `way`, all at once, that no shape is in the way of, as they are at
 // `time`; those that move together with `along` are not.
 double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const Vector2d& way, double time,
-                                 const CShapeGeometry* along) const {
+                                 const CShapeGeometry* along) {
   const double radius = ball.m_fRadius;
   CAabb2D box(ToFloat(p), ToFloat(p));
   box += ToFloat(p + way);
-  std::vector<std::uint32_t> orders;
+  std::vector<std::uint32_t>& orders = m_stdInTheWay;
+  orders.clear();
   m_pShapes->Query(Padded(box, static_cast<float>(radius) * (1.0f + g_fBoxPadding)), orders);
   CMotion motion{p, way / g_fInstant, radius, g_fInstant};
   for (const std::uint32_t order : orders) {

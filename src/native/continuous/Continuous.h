@@ -109,7 +109,7 @@ private:
   bool SetBackFromShapes(std::uint32_t i);
   void SetBackFromBalls(std::uint32_t i);
   double GetFreeShare(const CMoving& ball, const Vector2d& p, const Vector2d& way, double time,
-                      const CShapeGeometry* along) const;
+                      const CShapeGeometry* along);
   bool MeetsShape(const CMoving& ball, std::uint32_t order) const {
     return DoMeet(m_pBalls->m_stdFilter[ball.m_nBall], m_pShapes->Get(order).m_pShape->GetFilter());
   }
@@ -153,6 +153,8 @@ private:
 
   std::vector<CContactEvent> m_stdContacts;
   std::vector<double> m_stdTimes; // of each of them, in the substep
+  std::vector<std::pair<double, std::uint32_t>> m_stdByTime;
+  std::vector<CContactEvent> m_stdUnsorted;
   std::vector<CPathVertex> m_stdPathVertices;
 
   // Of the substep.
@@ -179,7 +181,7 @@ private:
   std::vector<std::uint32_t> m_stdIndexOf;   // by k
   std::vector<CMoving> m_stdBalls;
   std::vector<CEvent> m_stdQueue; // a heap
-  std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound, m_stdLate;
+  std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound, m_stdLate, m_stdInTheWay;
   std::vector<CTouching> m_stdTouching;
   CRestingContacts m_cResting;
   std::vector<std::uint32_t> m_stdHit, m_stdPassing;

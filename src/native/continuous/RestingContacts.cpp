@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace Shapes::Native {
@@ -36,6 +37,18 @@ void CRestingContacts::Add(std::uint32_t ball, std::uint32_t other, bool isBall,
   m_stdContacts.push_back(c);
 }
 
+// Those with the same key stay in their order.
+template <class F>
+void CRestingContacts::Sort(const F& key) {
+  for (std::uint32_t k = 0; k < m_stdContacts.size(); ++k) {
+    m_stdContacts[k].m_fKey = key(m_stdContacts[k]);
+    m_stdContacts[k].m_nPlace = k;
+  }
+  std::sort(m_stdContacts.begin(), m_stdContacts.end(), [](const CContact& a, const CContact& b) {
+    return std::tie(a.m_fKey, a.m_nPlace) < std::tie(b.m_fKey, b.m_nPlace);
+  });
+}
+
 std::uint64_t CRestingContacts::GetPair(const CContact& c, const std::vector<CMoving>& balls) {
   const std::size_t ball = balls[c.m_nBall].m_nBall;
   const std::size_t other = c.m_bIsBall ? balls[c.m_nOther].m_nBall : c.m_nOther;
@@ -56,8 +69,7 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
     c.m_vNorm = -c.m_vNorm;
   }
   // From the bottom up; a shape before balls at the same height.
-  std::stable_sort(m_stdContacts.begin(), m_stdContacts.end(),
-                   [](const CContact& a, const CContact& b) { return a.m_fHeight < b.m_fHeight; });
+  Sort([](const CContact& c) { return c.m_fHeight; });
   m_stdMoves.assign(balls.size(), Vector2d::Zero());
   const auto move = [&](std::uint32_t i, const Vector2d& way) {
     Vector2d& moved = m_stdMoves[i];
@@ -165,9 +177,7 @@ void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
   for (const CContact& c : m_stdContacts)
     if (!c.m_bIsBall) m_stdIsHeld[FindRoot(c.m_nBall)] = true;
   std::erase_if(m_stdContacts, [&](const CContact& c) { return !m_stdIsHeld[FindRoot(c.m_nBall)]; });
-  std::stable_sort(m_stdContacts.begin(), m_stdContacts.end(), [&](const CContact& a, const CContact& b) {
-    return FindRoot(a.m_nBall) < FindRoot(b.m_nBall);
-  });
+  Sort([this](const CContact& c) { return static_cast<double>(FindRoot(c.m_nBall)); });
   for (const CContact& c : m_stdContacts) {
     balls[c.m_nBall].m_bIsInPile = true;
     if (!c.m_bIsBall) continue;

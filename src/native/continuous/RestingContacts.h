@@ -74,6 +74,8 @@ private:
     double m_fHeight = 0.0; // against gravity
     double m_fImpulse = 0.0;
     std::uint64_t m_nPair = 0;
+    double m_fKey = 0.0; // by which they are sorted, and then by the place that they had
+    std::uint32_t m_nPlace = 0;
   };
   // The same for the search for the impulses; the velocity of a shape is that of a ball that is nobody.
   struct CRow {
@@ -93,6 +95,8 @@ private:
     double m_fImpulse;
   };
   using CPile = std::span<CRow>;
+  template <class F>
+  void Sort(const F& key);
   // By which it is known in the next substep, too, whichever of two balls is the upper one.
   static std::uint64_t GetPair(const CContact& c, const std::vector<CMoving>& balls);
   std::uint32_t FindRoot(std::uint32_t ball);
