@@ -33,7 +33,7 @@ def cell(times):
 
 
 def table(times):
-    players = list(dict.fromkeys(player for player, _, _ in times))
+    players = sorted({player for player, _, _ in times}, key=lambda player: ("native" not in player, player))
     rows = sorted({(pairs, balls) for _, balls, pairs in times})
     lines = ["| balls | " + " | ".join(players) + " |", "|---" * (len(players) + 1) + "|"]
     for pairs, balls in rows:

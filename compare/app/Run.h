@@ -42,7 +42,7 @@ inline constexpr CRunSizes g_cQuickSizes{2000, 11,    2500, 250, 2000, 5, 500, 3
                                          1000, 50000, 3,    200, 60,   7, 400, 0};
 
 /// Seconds that a scene takes, measured over those that come with the tool on one core.
-inline constexpr double g_fQuickSceneSeconds = 1.3, g_fFullSceneSeconds = 36.0;
+inline constexpr double g_fQuickSceneSeconds = 1.3, g_fFullSceneSeconds = 28.0;
 
 /// Trials that are played for each impact that is wanted, before a scene in which little happens is given up.
 inline constexpr std::uint64_t g_nTrialsPerContact = 20;

@@ -56,8 +56,8 @@ Vector2 RotatePt(const Vector2& p, const Vector2& center, float angle);
 /// below 2 pi may give 0. Infinity and NaN come back as they are.
 float NormalizeAngle(float angle);
 
-/// Unit vector at `angle` radians from the positive x axis. Each component within 1 ulp of itself, and with
-/// the same bits on every machine.
+/// Unit vector at `angle` radians from the positive x axis. Each component within 1 ulp of itself, below 2^20
+/// radians with the same bits on every machine.
 Vector2 AngleToVector(float angle);
 
 } // namespace Shapes

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sine and cosine that have the same bits on every machine: C libraries round them differently, and a replay
-// of a game in which something turns would go another way.
+// Sine and cosine that have the same bits on every machine, of all angles that a game has: C libraries round
+// them differently, and a replay of a game in which something turns would go another way.
 #pragma once
 
 namespace Shapes::Geometry {
@@ -9,9 +9,9 @@ struct CTurn {
   double m_fCos, m_fSin;
 };
 
-/// Cosine and sine of an angle in radians, which has to be finite. Errors at most 1 ulp of each, and of
-/// angles from 2^20 on what half an ulp of the angle makes of it. The angle is reduced to a quarter turn by
-/// pi/2 in three parts (Cody and Waite 1980), and what is left is summed as a Taylor series.
+/// Cosine and sine of an angle in radians, which has to be finite. Errors at most 1 ulp of each. Angles from
+/// 2^20 on are left to the C library. The angle is reduced to a quarter turn by pi/2 in three parts (Cody and
+/// Waite 1980), and what is left is summed as a Taylor series.
 CTurn GetTurn(double angle);
 
 } // namespace Shapes::Geometry

@@ -277,7 +277,7 @@ TEST_F(CommandTest, ALongRunSaysBeforeHowLongItTakes) {
         typed |= now;
         return now ? "\x03" : "";
       });
-  const std::size_t told = result.m_sOutput.find("this takes about 14 minutes");
+  const std::size_t told = result.m_sOutput.find("this takes about 11 minutes");
   ASSERT_NE(told, std::string::npos) << result.m_sOutput;
   EXPECT_LT(told, result.m_sOutput.find("1/23 "));
   EXPECT_EQ(Call("run --scenes bowl --contacts 20 --out " + m_cFolder.string()).m_sOutput.find("minutes"),
