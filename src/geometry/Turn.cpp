@@ -33,7 +33,7 @@ double SumOfCosine(double z) {
 } // namespace
 
 CTurn GetTurn(double angle) {
-  if (!(std::abs(angle) < 0x1p20)) return {std::cos(angle), std::sin(angle)};
+  if (!std::isless(std::abs(angle), 0x1p20)) return {std::cos(angle), std::sin(angle)};
   // The nearest integer: numbers as large as this have no fractions.
   constexpr double large = 0x1.8p52, quartersPerRadian = 0x1.45f306dc9c883p-1;
   const double quarters = (angle * quartersPerRadian + large) - large;

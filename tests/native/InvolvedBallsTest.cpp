@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <tuple>
 #include <vector>
 
@@ -125,6 +126,28 @@ TEST(InvolvedBallsTest, AWorldThatGoesOnAndOneThatIsLoadedHaveTheSameBitsWhateve
     }
     EXPECT_GT(contacts, 20u);
   }
+}
+
+// All centres are level: nothing in the row says that it can give way upwards.
+TEST(InvolvedBallsTest, ARowThatAWallSqueezesIsLiftedInsteadOfMerging) {
+  auto pWorld = MakeSwept({0, -10});
+  pWorld->Add(CLineSegDesc({0, 0}, {10, 0}));
+  pWorld->Add(CLineSegDesc({0, 0}, {0, 9}));
+  CLineSegDesc wall({4, 0}, {4, 9});
+  wall.m_eMotionType = eMotion::Kinematic;
+  wall.m_vVel = {-2, 0};
+  pWorld->Add(wall);
+  for (int i = 0; i < 9; ++i)
+    pWorld->Add(CDynamicCircleDesc({0.2f + 0.4f * static_cast<float>(i), 0.2f}, 0.2f, {0, 0}, 1, 0.5f));
+  float least = 1.0f;
+  for (int step = 0; step < 60; ++step) { // until it is half as wide
+    pWorld->Step();
+    const auto places = pWorld->GetBallPositions();
+    for (std::size_t i = 0; i < places.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        least = std::min(least, (places[i] - places[j]).norm());
+  }
+  EXPECT_GT(least, 0.15f); // of a diameter of .4
 }
 
 } // namespace

@@ -70,6 +70,7 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   }
   // From the bottom up; a shape before balls at the same height.
   Sort([](const CContact& c) { return c.m_fHeight; });
+  const Vector2d up = -Unit(m_vGravity, Vector2d::Zero());
   m_stdMoves.assign(balls.size(), Vector2d::Zero());
   const auto move = [&](std::uint32_t i, const Vector2d& way) {
     Vector2d& moved = m_stdMoves[i];
@@ -92,7 +93,9 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
     if (d.squaredNorm() >= touching * touching) return false;
     const double depth = touching - Norm(d);
     if (!(depth > 0.0)) return false;
-    const Vector2d n = Unit(d, c.m_vNorm);
+    Vector2d n = Unit(d, c.m_vNorm);
+    // A row that is squeezed has nowhere to go but up, and no contact in it says so.
+    if (depth > g_fSqueezedDepth * std::min(ball.m_fRadius, other.m_fRadius)) n = Unit(n + g_fLift * up, n);
     const double share = isLowerFixed ? 1.0 : other.m_fMass / (ball.m_fMass + other.m_fMass);
     move(c.m_nBall, share * depth * n);
     if (!isLowerFixed) move(c.m_nOther, (share - 1.0) * depth * n);
