@@ -86,7 +86,7 @@ inline constexpr double g_fSeparateError = 2e-4;
 /// Overlap of two balls of a pile, in the smaller radius, above which the upper one is also lifted as they
 /// are moved apart, by this much for each unit aside: a wall squeezes them in a row.
 inline constexpr double g_fSqueezedDepth = 0.25;
-inline constexpr double g_fLift = 0.5;
+inline constexpr double g_fLift = 0.25;
 /// Most rounds, up and down, of the solver of resting contacts, and the change of a velocity in one, as a
 /// share of what is slow, after which it has come to an end. A pile of 1,000 needs 200 to come to rest; one
 /// of 50 has come to an end after some ten.
