@@ -2,7 +2,6 @@
 #include "AabbTree.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace Shapes::Geometry {

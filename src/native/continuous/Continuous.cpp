@@ -111,14 +111,10 @@ void CContinuous::FollowBalls() {
 const std::vector<CContactEvent>& CContinuous::GetContacts() {
   // Balls that move alone report theirs one after the other.
   if (m_bPairs || std::is_sorted(m_stdTimes.begin(), m_stdTimes.end())) return m_stdContacts;
-  m_stdByTime.clear();
-  for (std::uint32_t k = 0; k < m_stdTimes.size(); ++k)
-    m_stdByTime.emplace_back(m_stdTimes[k], k);
-  std::sort(m_stdByTime.begin(), m_stdByTime.end());
   std::sort(m_stdTimes.begin(), m_stdTimes.end());
   m_stdUnsorted.swap(m_stdContacts);
   m_stdContacts.clear();
-  for (const auto& [time, k] : m_stdByTime)
+  for (const auto& [time, k] : m_stdTimes)
     m_stdContacts.push_back(m_stdUnsorted[k]);
   return m_stdContacts;
 }

@@ -72,10 +72,6 @@ private:
     bool operator<(const CEvent& other) const; // comes later: for a heap whose top is the first
   };
 
-  void MoveTogether();
-  void MoveAlone(std::size_t i);
-  void MoveFreely(std::size_t i);
-  void FollowBalls();
   // A shape that a ball touches at the beginning of its motion.
   struct CTouching {
     std::uint32_t m_nOrder;
@@ -83,6 +79,10 @@ private:
     CImpact m_cImpact;
   };
 
+  void MoveTogether();
+  void MoveAlone(std::size_t i);
+  void MoveFreely(std::size_t i);
+  void FollowBalls();
   void TakeBalls();
   void FindDiscs();
   void FindInvolved();
@@ -152,8 +152,7 @@ private:
   void Halt(CMoving& ball);
 
   std::vector<CContactEvent> m_stdContacts;
-  std::vector<double> m_stdTimes; // of each of them, in the substep
-  std::vector<std::pair<double, std::uint32_t>> m_stdByTime;
+  std::vector<std::pair<double, std::uint32_t>> m_stdTimes; // of each of them, in the substep, with its index
   std::vector<CContactEvent> m_stdUnsorted;
   std::vector<CPathVertex> m_stdPathVertices;
 

@@ -291,8 +291,8 @@ void CContinuous::Report(CShapeId shape, const CMoving& ball, const Vector2d& po
   event.m_vNorm = n.cast<float>();
   event.m_fSpeed = static_cast<float>(speed);
   event.m_fImpulse = impulse;
+  m_stdTimes.emplace_back(ball.m_fTime, static_cast<std::uint32_t>(m_stdContacts.size()));
   m_stdContacts.push_back(event);
-  m_stdTimes.push_back(ball.m_fTime);
 }
 
 void CContinuous::EndMotion(CMoving& ball) {

@@ -37,13 +37,10 @@ void CRestingContacts::Add(std::uint32_t ball, std::uint32_t other, bool isBall,
   m_stdContacts.push_back(c);
 }
 
-// Those with the same key stay in their order.
-template <class F>
-void CRestingContacts::Sort(const F& key) {
-  for (std::uint32_t k = 0; k < m_stdContacts.size(); ++k) {
-    m_stdContacts[k].m_fKey = key(m_stdContacts[k]);
+// By their keys; those with the same key stay in their order.
+void CRestingContacts::Sort() {
+  for (std::uint32_t k = 0; k < m_stdContacts.size(); ++k)
     m_stdContacts[k].m_nPlace = k;
-  }
   std::sort(m_stdContacts.begin(), m_stdContacts.end(), [](const CContact& a, const CContact& b) {
     return std::tie(a.m_fKey, a.m_nPlace) < std::tie(b.m_fKey, b.m_nPlace);
   });
@@ -62,14 +59,14 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
     CMoving& ball = balls[c.m_nBall];
     c.m_nPair = GetPair(c, balls);
     c.m_vPos = ball.m_vPos;
-    c.m_fHeight = -m_vGravity.dot(ball.m_vPos - ball.m_fRadius * c.m_vNorm);
+    c.m_fKey = -m_vGravity.dot(ball.m_vPos - ball.m_fRadius * c.m_vNorm);
     // The upper one of two balls comes first.
     if (!c.m_bIsBall || c.m_vNorm.dot(m_vGravity) <= 0.0) continue;
     std::swap(c.m_nBall, c.m_nOther);
     c.m_vNorm = -c.m_vNorm;
   }
   // From the bottom up; a shape before balls at the same height.
-  Sort([](const CContact& c) { return c.m_fHeight; });
+  Sort();
   const Vector2d up = -Unit(m_vGravity, Vector2d::Zero());
   m_stdMoves.assign(balls.size(), Vector2d::Zero());
   const auto move = [&](std::uint32_t i, const Vector2d& way) {
@@ -180,7 +177,9 @@ void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
   for (const CContact& c : m_stdContacts)
     if (!c.m_bIsBall) m_stdIsHeld[FindRoot(c.m_nBall)] = true;
   std::erase_if(m_stdContacts, [&](const CContact& c) { return !m_stdIsHeld[FindRoot(c.m_nBall)]; });
-  Sort([this](const CContact& c) { return static_cast<double>(FindRoot(c.m_nBall)); });
+  for (CContact& c : m_stdContacts)
+    c.m_fKey = static_cast<double>(FindRoot(c.m_nBall));
+  Sort();
   for (const CContact& c : m_stdContacts) {
     balls[c.m_nBall].m_bIsInPile = true;
     if (!c.m_bIsBall) continue;

@@ -70,12 +70,11 @@ private:
     Vector2d m_vNorm;
     Vector2d m_vPos = Vector2d::Zero(); // of the ball where the gap is that of a shape
     double m_fGap, m_fSpeed, m_fRadius;
-    double m_fBend;         // second derivative of the gap, without the accelerations of the balls
-    double m_fHeight = 0.0; // against gravity
+    double m_fBend; // second derivative of the gap, without the accelerations of the balls
     double m_fImpulse = 0.0;
     std::uint64_t m_nPair = 0;
-    double m_fKey = 0.0; // by which they are sorted, and then by the place that they had
-    std::uint32_t m_nPlace = 0;
+    double m_fKey = 0.0;        // of sorting: the height against gravity, and then the pile
+    std::uint32_t m_nPlace = 0; // before that
   };
   // The same for the search for the impulses; the velocity of a shape is that of a ball that is nobody.
   struct CRow {
@@ -95,8 +94,7 @@ private:
     double m_fImpulse;
   };
   using CPile = std::span<CRow>;
-  template <class F>
-  void Sort(const F& key);
+  void Sort();
   // By which it is known in the next substep, too, whichever of two balls is the upper one.
   static std::uint64_t GetPair(const CContact& c, const std::vector<CMoving>& balls);
   std::uint32_t FindRoot(std::uint32_t ball);
