@@ -35,11 +35,11 @@ function exactParts(shape, r) {
     const side = (n) => face(shape.p0, n, (p) => share(p) >= 0 && share(p) <= length && dotOf(n, minus(p, shape.p0)) >= 0);
     return [side(left), side(scaled(left, -1)), end(shape.p0, (p) => share(p) < 0), end(shape.p1, (p) => share(p) > length)];
   }
-  const {position: c, radius: R} = shape, isArc = shape.type === 'arc', angles = isArc ? shape.angles : [0, 0];
+  const {position: c, radius: R} = shape, angles = shape.type === 'arc' ? shape.angles : [0, 0];
   const turn = 2 * Math.PI, within = (x) => ((x % turn) + turn) % turn, span = within(angles[1] - angles[0]);
   const inSector = (p) => span === 0 || within(Math.atan2(p[1] - c[1], p[0] - c[0]) - angles[0]) <= span;
   const isInside = (p) => r < R && lengthOf(minus(p, c)) < R;
-  return [round(c, R, 1, (p) => inSector(p) && !isInside(p) && (!isArc || span === 0 || lengthOf(minus(p, c)) >= R)),
+  return [round(c, R, 1, (p) => inSector(p) && !isInside(p) && (span === 0 || lengthOf(minus(p, c)) >= R)),
           round(c, R, -1, (p) => inSector(p) && isInside(p)),
           ...(span === 0 ? [] : angles.map((angle) => end(plus(c, turned(angle, R)), (p) => !inSector(p) || lengthOf(minus(p, c)) < R && r >= R)))];
 }
