@@ -171,9 +171,9 @@ private:
   std::vector<std::uint32_t> m_stdSolid;    // balls of the arrays, by k
   std::vector<CDiscGrid::CDisc> m_stdDiscs; // around their ways, as they would move alone
   CDiscGrid m_cDiscGrid;
-  bool m_bAreDiscsMoved = false; // since they were found near each other
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>
-      m_stdNear; // of which the first is awake, by k, both ways
+  bool m_bAreDiscsMoved = false;                                    // since they were found near each other
+  std::vector<std::uint32_t> m_stdNear;                             // of each that is awake all near it, by k
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> m_stdNearOf; // of each k: where they begin and end
   // Those in the open move as if they were alone. All the rest, and they only, are taken: in the order of the
   // arrays, and behind them those upon which another one has come meanwhile.
   std::vector<std::uint8_t> m_stdIsInvolved; // by k

@@ -60,6 +60,7 @@ void CContinuous::FindInvolved() {
   m_stdIsInvolved.assign(m_stdSolid.size(), 0);
   m_stdWoken.clear();
   m_stdNear.clear();
+  m_stdNearOf.assign(m_stdSolid.size(), {0, 0});
   m_bAreDiscsMoved = false;
   const bool anySleeps = AnySleeps();
   const auto reach = static_cast<float>(m_cResting.GetSlow() * m_fStep);
@@ -70,13 +71,17 @@ void CContinuous::FindInvolved() {
   const auto look = [&](std::uint32_t k) {
     const CDiscGrid::CDisc& disc = m_stdDiscs[k];
     if (!m_pShapes->IsClear(disc.m_vCenter, disc.m_fRadius)) m_stdIsInvolved[k] = 1;
+    const auto begin = static_cast<std::ptrdiff_t>(m_stdNear.size());
     m_cDiscGrid.FindNear(disc.m_vCenter, disc.m_fRadius + reach, [&](std::uint32_t other) {
       if (other == k) return false;
       m_stdIsInvolved[k] = m_stdIsInvolved[other] = 1;
-      m_stdNear.emplace_back(k, other);
+      m_stdNear.push_back(other);
       if (anySleeps && IsAsleep(m_stdSolid[other]) && IsOnWay(m_stdSolid[other], m_stdSolid[k])) wake(other);
       return false;
     });
+    std::sort(m_stdNear.begin() + begin, m_stdNear.end());
+    m_stdNear.erase(std::unique(m_stdNear.begin() + begin, m_stdNear.end()), m_stdNear.end());
+    m_stdNearOf[k] = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(m_stdNear.size())};
   };
   for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k)
     if (!anySleeps || !IsAsleep(m_stdSolid[k]))
@@ -85,8 +90,6 @@ void CContinuous::FindInvolved() {
       wake(k);
   for (std::size_t w = 0; w < m_stdWoken.size(); ++w)
     look(m_stdWoken[w]);
-  std::sort(m_stdNear.begin(), m_stdNear.end());
-  m_stdNear.erase(std::unique(m_stdNear.begin(), m_stdNear.end()), m_stdNear.end());
 }
 
 // Whether a shape moves near a ball that sleeps, with this disc.
@@ -151,10 +154,9 @@ void CContinuous::FindBalls(std::uint32_t i) {
 
 // As they were near each other when the substep began.
 void CContinuous::FindBallsAtBegin(std::uint32_t i) {
-  const std::uint32_t k = m_stdBalls[i].m_nSolid;
-  for (auto it = std::lower_bound(m_stdNear.begin(), m_stdNear.end(), std::pair(k, 0u));
-       it != m_stdNear.end() && it->first == k; ++it)
-    m_stdBallsFound.push_back(m_stdIndexOf[it->second]);
+  const auto [begin, end] = m_stdNearOf[m_stdBalls[i].m_nSolid];
+  for (std::uint32_t e = begin; e < end; ++e)
+    m_stdBallsFound.push_back(m_stdIndexOf[m_stdNear[e]]);
 }
 
 // Where it was not expected a ball may come upon those in the open.

@@ -140,7 +140,7 @@ void CContinuous::PassOn() {
   queue = m_stdHit;
   for (std::size_t k = 0; k < queue.size(); ++k) {
     const std::uint32_t i = queue[k];
-    for (const auto& [self, j] : m_cResting.GetNeighbours(i)) {
+    for (const std::uint32_t j : m_cResting.GetNeighbours(i)) {
       CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
       if (ball.m_bIsHalted && other.m_bIsHalted) continue;
       const CMotion motion = GetMotion(other);

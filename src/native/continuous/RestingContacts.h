@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "ContactSolver.h"
 #include "Moving.h"
 
 namespace Shapes::Native {
@@ -19,9 +20,7 @@ namespace Shapes::Native {
 ///
 /// Balls of a pile move straight on within the substep, at the velocities that they have at its end: those
 /// that gravity gives, changed by impulses along the normals that push and never pull, so that no pair ends
-/// in an overlap. These solve a linear complementarity problem, by projected Gauss-Seidel from the bottom up
-/// and back, begun with the impulses of the substep before and accelerated as a conjugate gradient is
-/// (Silcowitz-Hansen, Niebles, Erleben 2010).
+/// in an overlap. CContactSolver finds these, and begins with those of the substep before.
 ///
 /// An impulse J at a pair that approaches at u0 before and u1 after does the work -J (u0 + u1) / 2, which is
 /// not above zero for what is asked of u1; and a ball that is moved by its velocity at the end instead of the
@@ -43,11 +42,10 @@ public:
     m_stdKnown.clear();
     m_stdNear.clear();
   }
-  using CPair = std::pair<std::uint32_t, std::uint32_t>;
   /// Whether two balls are a pair here.
   bool Has(std::uint32_t ball, std::uint32_t other) const;
-  /// The pairs of a ball, which is the first in all of them.
-  std::span<const CPair> GetNeighbours(std::uint32_t ball) const;
+  /// The other balls of the pairs of a ball, by their indices.
+  std::span<const std::uint32_t> GetNeighbours(std::uint32_t ball) const;
 
   /// Moves balls that overlap apart, and out of shapes: by less than a quarter of their radius.
   void Separate(std::vector<CMoving>& balls);
@@ -67,57 +65,67 @@ private:
   struct CContact {
     std::uint32_t m_nBall, m_nOther;
     bool m_bIsBall;
+    bool m_bIsKnown = false; // from the last substep
     Vector2d m_vNorm;
-    Vector2d m_vPos = Vector2d::Zero(); // of the ball where the gap is that of a shape
     double m_fGap, m_fSpeed, m_fRadius;
     double m_fBend; // second derivative of the gap, without the accelerations of the balls
     double m_fImpulse = 0.0;
     std::uint64_t m_nPair = 0;
-    double m_fKey = 0.0;        // of sorting: the height against gravity, and then the pile
-    std::uint32_t m_nPlace = 0; // before that
+    double m_fKey = 0.0;       // of sorting: the height against gravity, and then the pile
+    std::uint32_t m_nNear = 0; // where m_stdNear has it
   };
-  // The same for the search for the impulses; the velocity of a shape is that of a ball that is nobody.
-  struct CRow {
+  // The same while balls are moved apart, and where they are.
+  struct COverlap {
     std::uint32_t m_nBall, m_nOther;
+    bool m_bIsBall;
     Vector2d m_vNorm;
-    double m_fInverse, m_fOtherInverse; // masses
-    double m_fShare;                    // 1 / (their sum)
-    double m_fSurface;                  // velocity of the shape along the normal
-    double m_fLeast; // that the difference of velocities along the normal may be at the end
-    double m_fImpulse;
-    double m_fBefore = 0.0; // the impulse before this round
-    double m_fWay = 0.0;    // of the search
+    Vector2d m_vFrom;   // the place of the ball at which a shape has this gap
+    double m_fGap;      // of a shape
+    double m_fTouching; // the distance of two balls that touch
+    double m_fShare;    // of the depth by which the ball moves, the other one by the rest
+    double m_fLeast;    // depth that may stay
+    double m_fSqueezed; // depth above which the ball is lifted, too
+  };
+  struct CPlace {
+    Vector2d m_vPos;
+    Vector2d m_vMoved; // since the beginning
+    double m_fMost;    // that it may be moved
   };
   // A pair that was within reach, and its impulse.
   struct CKnown {
     std::uint64_t m_nPair;
     double m_fImpulse;
+    std::uint32_t m_nContact; // of this pair
   };
-  using CPile = std::span<CRow>;
   void Sort();
   // By which it is known in the next substep, too, whichever of two balls is the upper one.
   static std::uint64_t GetPair(const CContact& c, const std::vector<CMoving>& balls);
   std::uint32_t FindRoot(std::uint32_t ball);
   double GetSpeed(const CContact& c, const std::vector<CMoving>& balls) const;
-  double GetDifference(const CRow& row) const;
-  void Push(const CRow& row, double impulse);
-  double Relax(CRow& row);
-  double RelaxAll(CPile pile);
-  double GoOn(CPile pile, double squareBefore);
-  static CKnown* Find(std::vector<CKnown>& known, const CContact& c);
-  void Iterate(CPile pile);
+  void Order(std::vector<CMoving>& balls);
+  void FindOverlaps(const std::vector<CMoving>& balls);
+  void MoveApart(std::size_t balls);
+  bool MoveApart(const COverlap& o, bool isLowerFixed);
+  void Move(std::uint32_t ball, const Vector2d& way);
+  void FindKnown();
+  void FindNeighbours(std::size_t balls);
 
   Vector2d m_vGravity = Vector2d::Zero();
+  Vector2d m_vUp = Vector2d::Zero(); // unit
   double m_fStep = 0.0, m_fSlow = 0.0;
 
-  std::vector<CContact> m_stdContacts;       // pile by pile, from the bottom up
-  std::vector<CRow> m_stdRows;               // of the contacts, in the same order
-  std::vector<Vector2d> m_stdMoves;          // of each ball
-  std::vector<Vector2d> m_stdVels;           // of each ball at the end of the substep
-  std::vector<std::uint32_t> m_stdRoot;      // another ball of the same pile, or itself
-  std::vector<bool> m_stdIsHeld;             // of each root: whether its pile lies on a shape
-  std::vector<CPair> m_stdPairs;             // each both ways
-  std::vector<CKnown> m_stdKnown, m_stdNear; // pairs of the last substep and of this one, in order
+  std::vector<CContact> m_stdContacts;         // pile by pile, from the bottom up
+  std::vector<CContactSolver::CRow> m_stdRows; // of the contacts, in the same order
+  std::vector<CContact> m_stdUnsorted;
+  std::vector<std::pair<double, std::uint32_t>> m_stdOrder; // keys, and which contact has each
+  std::vector<COverlap> m_stdOverlaps;                      // of the contacts, in the same order
+  std::vector<CPlace> m_stdPlaces;                          // of each ball
+  CContactSolver m_cSolver;
+  std::vector<std::uint32_t> m_stdRoot;       // another ball of the same pile, or itself
+  std::vector<bool> m_stdIsHeld;              // of each root: whether its pile lies on a shape
+  std::vector<std::uint32_t> m_stdNeighbours; // of each ball on balls, ball by ball
+  std::vector<std::uint32_t> m_stdFirst;      // of each ball among them, and where the last one's end
+  std::vector<CKnown> m_stdKnown, m_stdNear;  // pairs of the last substep and of this one, in order
 };
 
 } // namespace Shapes::Native
