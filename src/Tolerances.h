@@ -76,9 +76,11 @@ inline constexpr double g_fParallel = 0.05;
 /// The same where one of the two is another ball, which gives way: else the ball is squeezed out between them
 /// at the speed of their approach over this sine.
 inline constexpr double g_fSteep = 0.5;
-/// Rounds, up and down, in which balls of a pile that overlap are moved apart, and the overlap, in radii,
-/// that may remain.
+/// Rounds, up and down, in which balls of piles that overlap are moved apart, the same while any of them is
+/// faster than half of what is slow, and the overlap, in radii, that may remain. With 4 for all, one of 60
+/// piles of 50 does not come to rest; with 12 for all, a step of a pile that settles takes an eighth longer.
 inline constexpr std::size_t g_nSeparateRounds = 12;
+inline constexpr std::size_t g_nFlowRounds = 4;
 /// Contacts of a ball, in the mean, above which these rounds become fewer: the time of a step in which many
 /// are put in one place. In a pile of equal balls it is at most 3.
 inline constexpr std::size_t g_nManyContacts = 8;

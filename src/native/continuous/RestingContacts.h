@@ -104,7 +104,7 @@ private:
   double GetSpeed(const CContact& c, const std::vector<CMoving>& balls) const;
   void Order(std::vector<CMoving>& balls);
   void FindOverlaps(const std::vector<CMoving>& balls);
-  void MoveApart(std::size_t balls);
+  void MoveApart(std::size_t balls, bool flows);
   bool MoveApart(const COverlap& o, bool isLowerFixed);
   void Move(std::uint32_t ball, const Vector2d& way);
   void FindKnown();

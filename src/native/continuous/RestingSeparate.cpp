@@ -75,10 +75,11 @@ bool CRestingContacts::MoveApart(const COverlap& o, bool isLowerFixed) {
   return depth > o.m_fLeast;
 }
 
-void CRestingContacts::MoveApart(std::size_t balls) {
+void CRestingContacts::MoveApart(std::size_t balls, bool flows) {
   // Where many are in one place they need not come apart in one substep.
-  const std::size_t most = g_nManyContacts * balls * g_nSeparateRounds;
-  const std::size_t rounds = std::min(g_nSeparateRounds, 1 + most / (m_stdOverlaps.size() + 1));
+  const std::size_t goal = flows ? g_nFlowRounds : g_nSeparateRounds;
+  const std::size_t most = g_nManyContacts * balls * goal;
+  const std::size_t rounds = std::min(goal, 1 + most / (m_stdOverlaps.size() + 1));
   bool any = true;
   for (std::size_t round = 0; any && round < rounds; ++round) {
     any = false;
@@ -101,7 +102,10 @@ void CRestingContacts::MoveApart(std::size_t balls) {
 void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   Order(balls);
   FindOverlaps(balls);
-  MoveApart(balls.size());
+  double fastest = 0.0; // squared
+  for (const CMoving& ball : balls)
+    if (ball.m_bIsNearBall) fastest = std::max(fastest, ball.m_vVel.squaredNorm());
+  MoveApart(balls.size(), fastest > 0.25 * m_fSlow * m_fSlow);
   for (std::size_t i = 0; i < balls.size(); ++i)
     balls[i].m_vPos = m_stdPlaces[i].m_vPos;
   for (std::size_t k = 0; k < m_stdContacts.size(); ++k) {
