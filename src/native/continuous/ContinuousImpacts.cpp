@@ -311,6 +311,10 @@ void CContinuous::EndMotion(CMoving& ball) {
 void CContinuous::Halt(CMoving& ball) {
   m_pStats->m_nBallsHalted += !ball.m_bIsHalted;
   ball.m_bIsHalted = true;
+  for (const CHold& hold : ball.m_cHolds.Get()) // what it lies on comes upon it as well
+    if (ball.m_nLastMoving == g_nNobody && !hold.m_bIsBall &&
+        m_pShapes->GetGeometry(hold.m_nOther).IsMoving())
+      ball.m_nLastMoving = hold.m_nOther;
   if (ball.m_nLastMoving != g_nNobody)
     ball.m_vCarried =
         m_pShapes->GetGeometry(ball.m_nLastMoving).GetSurfaceVelocity(ball.m_vPos, ball.m_fTime);

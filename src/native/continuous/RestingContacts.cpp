@@ -115,18 +115,14 @@ void CRestingContacts::FindKnown() {
       ++known;
     CContact& c = m_stdContacts[near.m_nContact];
     c.m_nNear = k;
-    c.m_bIsKnown = known != m_stdKnown.cend() && known->m_nPair == near.m_nPair;
-    if (c.m_bIsKnown) c.m_fImpulse = known->m_fImpulse;
+    if (known != m_stdKnown.cend() && known->m_nPair == near.m_nPair) c.m_fImpulse = known->m_fImpulse;
   }
 }
 
 void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
   FindKnown();
   std::erase_if(m_stdContacts, [&](const CContact& c) {
-    const double speed = GetSpeed(c, balls);
-    // Where an approach is still there after a substep it is that of balls that cannot give way.
-    const bool isSlow = speed <= m_fSlow && (speed >= -m_fSlow || c.m_bIsKnown);
-    return !(isSlow && c.m_fGap <= m_fSlow * m_fStep);
+    return !(std::abs(GetSpeed(c, balls)) <= m_fSlow && c.m_fGap <= m_fSlow * m_fStep);
   });
   m_stdRoot.resize(balls.size());
   std::iota(m_stdRoot.begin(), m_stdRoot.end(), 0u);
@@ -193,9 +189,10 @@ void CRestingContacts::Solve(std::vector<CMoving>& balls) {
     if (!(c.m_fImpulse > 0.0)) continue;
     m_stdNear[c.m_nNear].m_fImpulse = c.m_fImpulse;
     CMoving& ball = balls[c.m_nBall];
-    if (!c.m_bIsBall)
-      ball.m_cHolds.Add(
-          {c.m_nOther, false, c.m_vNorm, c.m_fSpeed, 0.0, std::abs(c.m_fRadius + ball.m_fRadius)});
+    if (c.m_bIsBall) continue;
+    ball.m_cHolds.Add(
+        {c.m_nOther, false, c.m_vNorm, c.m_fSpeed, 0.0, std::abs(c.m_fRadius + ball.m_fRadius)});
+    ball.m_cHolds.DropBroken(ball.m_vVel, g_fRestingError * m_fSlow);
   }
 }
 

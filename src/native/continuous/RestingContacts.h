@@ -65,7 +65,6 @@ private:
   struct CContact {
     std::uint32_t m_nBall, m_nOther;
     bool m_bIsBall;
-    bool m_bIsKnown = false; // from the last substep
     Vector2d m_vNorm;
     double m_fGap, m_fSpeed, m_fRadius;
     double m_fBend; // second derivative of the gap, without the accelerations of the balls
