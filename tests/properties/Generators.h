@@ -94,18 +94,6 @@ inline rc::Gen<Vector2> Place(float size) {
   return rc::gen::oneOf(rc::gen::just(Vector2(Vector2::Zero())), near, far);
 }
 
-/// A vector whose components may be anything that float holds: 0, denormal, huge.
-inline rc::Gen<Vector2> AnyFinite() {
-  const rc::Gen<float> any = rc::gen::apply(
-      [](int exponent, float more, bool negative) {
-        const float f = exponent == -150 ? 0.0f : std::ldexp(1.0f + more, exponent);
-        return negative ? -f : f;
-      },
-      rc::gen::map(rc::gen::inRange(0, 276), [](int k) { return k - 150; }), Unit(),
-      rc::gen::arbitrary<bool>());
-  return rc::gen::apply([](float x, float y) { return Vector2(x, y); }, any, any);
-}
-
 /// Any, next to a multiple of a quarter turn, tiny, or some turns away.
 inline rc::Gen<float> Angle() {
   const rc::Gen<float> quarter = rc::gen::apply(

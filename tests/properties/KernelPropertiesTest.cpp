@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The pair kernels of the native engine.
+// The pair kernels of the native engine, and responses.
 #include "Generators.h"
 #include "Moved.h"
 #include "Properties.h"
 
 #include "native/narrowphase/Collide.h"
+#include "shapes/Response.h"
 
 namespace Shapes::Properties {
 namespace {
@@ -244,6 +245,36 @@ TEST(KernelProperties, ABallThatWasSetBackOverlapsByNoMoreThanTheBound) {
     ExpectHolds(holds(Meets, kind));
     ExpectBroken(holds(MeetsBySquares, kind));
   }
+}
+
+TEST(ResponseProperties, AQuarterTurnAMirrorAndAPowerOfTwoKeepTheBits) {
+  const auto holds = [](bool epsilon) {
+    return [=] {
+      const auto velocity = [] {
+        return *rc::gen::mapcat(AnySize(), [](float speed) { return Way(speed); });
+      };
+      // That of the surface is any other or almost the same.
+      const Vector2 n = Normalize(*Way(1.0f)), v = velocity(), p = *Place(1.0f);
+      const Vector2 surface = *rc::gen::arbitrary<bool>() ? velocity() : Vector2(*NearOne() * v);
+      const float e = *Between(0.0f, 2.0f), setback = *AnySize();
+      const float s = std::ldexp(1.0f, *Whole(20));
+      const auto respond = [=](const Vector2& nn, float back, const Vector2& ss, Vector2 pp, Vector2 vv) {
+        // The control takes slow ones for resting.
+        if (epsilon && (vv - ss).norm() < 1e-3f) return std::pair(pp, ss);
+        RespondKinematic(nn, back, e, ss, pp, vv);
+        return std::pair(pp, vv);
+      };
+      const auto [p1, v1] = respond(n, setback, surface, p, v);
+      const auto turned = respond(perp(n), setback, perp(surface), perp(p), perp(v));
+      RC_ASSERT(turned.first == perp(p1) && turned.second == perp(v1));
+      const auto mirrored = respond(MirrorY(n), setback, MirrorY(surface), MirrorY(p), MirrorY(v));
+      RC_ASSERT(mirrored.first == MirrorY(p1) && mirrored.second == MirrorY(v1));
+      const auto scaled = respond(n, s * setback, s * surface, s * p, s * v);
+      RC_ASSERT(scaled.first == Vector2(s * p1) && scaled.second == Vector2(s * v1));
+    };
+  };
+  ExpectHolds(holds(false));
+  ExpectBroken(holds(true));
 }
 
 } // namespace

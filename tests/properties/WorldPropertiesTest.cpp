@@ -288,7 +288,7 @@ TEST_P(WorldProperties, NoEnergyIsGained) {
       for (std::size_t k = 0; k < state.m_stdVel.size(); ++k)
         after += static_cast<double>(scene.m_stdBalls[k].m_fMass) * Wide(state.m_stdVel[k]).squaredNorm();
       // Weighed by the root of its mass, no speed is larger than the root of the energy, and no share of a
-      // relative speed than 1.5 of it. By the bounds that ResponsePropertiesTest adds up, a contact adds at
+      // relative speed than 1.5 of it. By the bounds of Response.h, a contact adds at
       // most 5 (1 + 2 * 1.5) + 3 * 2 * 1.5 = 29 ulp of that to each of two balls.
       const double share = 2 * 29 * g_fUlp * static_cast<double>(state.m_nContacts);
       RC_ASSERT(std::sqrt(after) <= std::sqrt(before) * (1 + share));
