@@ -36,7 +36,8 @@ CLineSegDesc AnySegment(CRandom& random) {
 
 TEST(LineBounds, ClosestPtOfALine) {
   CRandom random(1101);
-  CWorst worst("CLine::ClosestPt"), naive("CLine::ClosestPt by gradients");
+  CKept worst("CLine::ClosestPt", g_nLineBoundsTrials);
+  CBroken naive("CLine::ClosestPt by gradients");
   for (int i = 0; i < g_nLineBoundsTrials; ++i) {
     const float size = AnySize(random), m = AnyGradient(random);
     const Vector2 p = AnyPlace(random, size);
@@ -46,13 +47,12 @@ TEST(LineBounds, ClosestPtOfALine) {
     worst.See(Exact(CLine(p, m).ClosestPt(q)), exact, bound);
     naive.See(Exact(NaiveClosestPt(p, m, q)), exact, bound);
   }
-  worst.ExpectKept(g_nLineBoundsTrials);
-  naive.ExpectBroken();
 }
 
 TEST(LineBounds, Intersect) {
   CRandom random(1102);
-  CWorst worst("CLine::Intersect"), naive("CLine::Intersect by gradients");
+  CKept worst("CLine::Intersect", 10000);
+  CBroken naive("CLine::Intersect by gradients");
   for (int i = 0; i < g_nLineBoundsTrials; ++i) {
     const float size = AnySize(random), m0 = AnyGradient(random);
     const float m1 = i % 3 ? AnyGradient(random) : m0 * NearOne(random);
@@ -68,8 +68,6 @@ TEST(LineBounds, Intersect) {
     const float b0 = p.y() - p.x() * m0, b1 = q.y() - q.x() * m1, x = (b1 - b0) / (m0 - m1);
     naive.See(Exact(Vector2(x, m0 * x + b0)), exact, bound);
   }
-  worst.ExpectKept(10000);
-  naive.ExpectBroken();
 }
 
 // Whether float holds it with all its digits.
@@ -97,7 +95,8 @@ void SeeGradients(const CLine& line, const CVec& p, const CVec& d, CWorst& gradi
 
 TEST(LineBounds, GradientsAndIntercepts) {
   CRandom random(1103);
-  CWorst gradients("Gradients"), intercepts("Intercepts"), naive("Gradient by the angle");
+  CKept gradients("Gradients", g_nLineBoundsTrials), intercepts("Intercepts", g_nLineBoundsTrials / 2);
+  CBroken naive("Gradient by the angle");
   for (int i = 0; i < g_nLineBoundsTrials; ++i) {
     if (i % 2) {
       const Vector2 p = AnyPlace(random, AnySize(random));
@@ -111,15 +110,15 @@ TEST(LineBounds, GradientsAndIntercepts) {
       EXPECT_EQ(desc.GetGradient(), CLineSeg(desc).GetGradient());
     }
   }
-  gradients.ExpectKept(g_nLineBoundsTrials);
-  intercepts.ExpectKept(g_nLineBoundsTrials / 2);
-  naive.ExpectBroken();
 }
 
 TEST(LineBounds, NormalsTangentsAndMidpointsOfSegments) {
   CRandom random(1104);
-  CWorst tangent("CLineSeg::GetTangents"), normal("CLineSeg::GetNormal"), middle("Midpoint of a segment"),
-      unit("Length of CLineSeg::GetNormal"), naive("Normal by the gradient");
+  CKept tangent("CLineSeg::GetTangents", g_nLineBoundsTrials - 2000),
+      normal("CLineSeg::GetNormal", g_nLineBoundsTrials - 2000),
+      middle("Midpoint of a segment", g_nLineBoundsTrials - 2000),
+      unit("Length of CLineSeg::GetNormal", g_nLineBoundsTrials - 2000);
+  CBroken naive("Normal by the gradient");
   for (int i = 0; i < g_nLineBoundsTrials; ++i) {
     const CLineSegDesc desc = AnySegment(random);
     const CVec p0 = Exact(desc.GetEndPt0()), p1 = Exact(desc.GetEndPt1());
@@ -139,14 +138,12 @@ TEST(LineBounds, NormalsTangentsAndMidpointsOfSegments) {
         (desc.GetEndPt1().y() - desc.GetEndPt0().y()) / (desc.GetEndPt1().x() - desc.GetEndPt0().x());
     naive.See(Exact(Vector2(Vector2(-m, 1.0f) / std::sqrt(1.0f + m * m))), Left(t), 2 * g_fUlp);
   }
-  for (const CWorst* pWorst : {&tangent, &normal, &unit, &middle})
-    pWorst->ExpectKept(g_nLineBoundsTrials - 2000);
-  naive.ExpectBroken();
 }
 
 TEST(LineBounds, ClosestPtOfASegment) {
   CRandom random(1105);
-  CWorst worst("CLineSeg::ClosestPt"), naive("CLineSeg::ClosestPt by gradients");
+  CKept worst("CLineSeg::ClosestPt", g_nLineBoundsTrials);
+  CBroken naive("CLineSeg::ClosestPt by gradients");
   for (int i = 0; i < g_nLineBoundsTrials; ++i) {
     const CLineSegDesc desc = AnySegment(random);
     const Vector2 &p0 = desc.GetEndPt0(), &p1 = desc.GetEndPt1();
@@ -161,8 +158,6 @@ TEST(LineBounds, ClosestPtOfASegment) {
     worst.See(Exact(CLineSeg(desc).ClosestPt(q)), exact, bound);
     naive.See(Exact(NaiveClosestPt(p0, (p1.y() - p0.y()) / (p1.x() - p0.x()), q)), exact, bound);
   }
-  worst.ExpectKept(g_nLineBoundsTrials);
-  naive.ExpectBroken();
 }
 
 } // namespace

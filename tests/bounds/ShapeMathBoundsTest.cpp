@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The bounds of ShapeMath.h.
+// The bounds of ShapeMath.h, CShape::Rotate and GetSurfaceVelocity.
 #include "Inputs.h"
 #include "Worst.h"
+
+#include <Shapes/Arc.h>
+#include <Shapes/Point.h>
 
 #include <cmath>
 
@@ -19,7 +22,8 @@ Vector2 AnyVector(CRandom& random, int leastExp, int mostExp) {
 
 TEST(ShapeMathBounds, Cross) {
   CRandom random(1001);
-  CWorst worst("Cross"), single("Cross from a sum of products that were not rounded apart");
+  CKept worst("Cross", g_nShapeMathBoundsTrials);
+  CBroken single("Cross from a sum of products that were not rounded apart");
   for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
     const Vector2 a = AnyVector(random, -80, 60);
     const Vector2 b = i % 2 ? Vector2(NearOne(random) * a) : AnyVector(random, -80, 60);
@@ -31,14 +35,12 @@ TEST(ShapeMathBounds, Cross) {
     single.See(abs(a.norm() * b.norm() * std::sin(angle) - Cross(ea, eb)), bound);
     ASSERT_EQ(Shapes::Cross(a, a), 0.0f);
   }
-  worst.ExpectKept(g_nShapeMathBoundsTrials);
-  single.ExpectBroken();
 }
 
 TEST(ShapeMathBounds, LengthAndNormalize) {
   CRandom random(1002);
-  CWorst length("Length"), unit("Normalize"), one("Length of Normalize");
-  CWorst squares("Length by float squares"), quotient("Normalize by float squares");
+  CKept length("Length", 9000), unit("Normalize", 9000), one("Length of Normalize", 9000);
+  CBroken squares("Length by float squares"), quotient("Normalize by float squares");
   for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
     const Vector2 v = i % 2 ? AnyVector(random, -149, 126) : AnyWay(random, AnySize(random));
     if (v == Vector2::Zero()) continue;
@@ -56,16 +58,12 @@ TEST(ShapeMathBounds, LengthAndNormalize) {
     seeUnit(quotient, v / std::sqrt(v.x() * v.x() + v.y() * v.y()));
     one.See(abs(Norm(Exact(u)) - 1), g_fUlp);
   }
-  length.ExpectKept(9000);
-  unit.ExpectKept(9000);
-  one.ExpectKept(9000);
-  squares.ExpectBroken();
-  quotient.ExpectBroken();
 }
 
 TEST(ShapeMathBounds, ParallelComponent) {
   CRandom random(1003);
-  CWorst worst("ParallelComponent"), naive("ParallelComponent by w.w");
+  CKept worst("ParallelComponent", 9000);
+  CBroken naive("ParallelComponent by w.w");
   for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
     const Vector2 v = AnyWay(random, AnySize(random));
     const Vector2 w = i % 2 ? AnyVector(random, -140, 120) : Vector2(NearOne(random) * perp(v));
@@ -74,13 +72,12 @@ TEST(ShapeMathBounds, ParallelComponent) {
     worst.See(Exact(ParallelComponent(v, w)), exact, 3 * g_fUlp * Norm(ev));
     naive.See(Exact(Vector2((v.dot(w) / w.dot(w)) * w)), exact, 3 * g_fUlp * Norm(ev));
   }
-  worst.ExpectKept(9000);
-  naive.ExpectBroken();
 }
 
 TEST(ShapeMathBounds, RotatePt) {
   CRandom random(1004);
-  CWorst worst("RotatePt"), naive("RotatePt in float");
+  CKept worst("RotatePt", g_nShapeMathBoundsTrials);
+  CBroken naive("RotatePt in float");
   for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
     const float size = AnySize(random);
     const Vector2 center = AnyPlace(random, size);
@@ -96,13 +93,12 @@ TEST(ShapeMathBounds, RotatePt) {
     };
     naive.See(Exact(Vector2(turned(p) + (center - turned(center)))), exact, bound);
   }
-  worst.ExpectKept(g_nShapeMathBoundsTrials);
-  naive.ExpectBroken();
 }
 
 TEST(ShapeMathBounds, NormalizeAngle) {
   CRandom random(1005);
-  CWorst worst("NormalizeAngle"), naive("NormalizeAngle in float");
+  CKept worst("NormalizeAngle", g_nShapeMathBoundsTrials);
+  CBroken naive("NormalizeAngle in float");
   for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
     float angle = i % 2 ? AnyAngle(random) : random.SignedScale(-20, 28);
     if (i % 4 == 0) {
@@ -122,13 +118,12 @@ TEST(ShapeMathBounds, NormalizeAngle) {
     const float rest = std::fmod(angle, g_fTwoPi);
     see(naive, rest < 0.0f ? rest + g_fTwoPi : rest);
   }
-  worst.ExpectKept(g_nShapeMathBoundsTrials);
-  naive.ExpectBroken();
 }
 
 TEST(ShapeMathBounds, AngleToVector) {
   CRandom random(1006);
-  CWorst worst("AngleToVector"), naive("AngleToVector by a root");
+  CKept worst("AngleToVector", g_nShapeMathBoundsTrials);
+  CBroken naive("AngleToVector by a root");
   for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
     const float angle = i % 50 ? AnyAngle(random) : random.SignedScale(10, 120);
     const CVec exact = AtAngle(angle);
@@ -140,8 +135,79 @@ TEST(ShapeMathBounds, AngleToVector) {
     const float c = std::cos(angle);
     see(naive, {c, std::copysign(std::sqrt(1.0f - c * c), std::sin(angle))});
   }
-  worst.ExpectKept(g_nShapeMathBoundsTrials);
-  naive.ExpectBroken();
+}
+
+constexpr int g_nRotationBoundsTrials = 5000;
+
+TEST(RotationBounds, Rotate) {
+  CRandom random(1501);
+  CKept points("CKinematicPoint::Rotate", g_nRotationBoundsTrials),
+      circles("CKinematicCircle::Rotate", g_nRotationBoundsTrials),
+      segments("CKinematicLineSeg::Rotate", g_nRotationBoundsTrials),
+      arcs("CKinematicArc::Rotate", g_nRotationBoundsTrials);
+  CBroken naive("Rotate in eight parts");
+  for (int i = 0; i < g_nRotationBoundsTrials; ++i) {
+    const float size = AnySize(random);
+    const Vector2 center = AnyPlace(random, size);
+    const Vector2 p = center + AnyWay(random, size);
+    const Vector2 q = p + AnyWay(random, size);
+    const float angle = i % 2 ? AnyAngle(random) : random.SignedScale(0, 29);
+    const auto see = [&](CWorst& worst, const Vector2& is, const Vector2& was) {
+      worst.See(Exact(is), Turned(Exact(was), Exact(center), angle),
+                3 * g_fUlp * (Norm(Exact(center)) + Gap(Exact(was), Exact(center))));
+    };
+    CKinematicPoint point{CPointDesc(p)};
+    point.Rotate(center, angle);
+    see(points, point.GetPos(), p);
+
+    CKinematicCircle circle{CCircleDesc(p, size)};
+    circle.Rotate(center, angle);
+    see(circles, circle.GetPos(), p);
+
+    const CLineSegDesc desc(p, q);
+    CKinematicLineSeg seg(desc);
+    seg.Rotate(center, angle);
+    // Which end comes first may have changed.
+    const CVec t0 = Turned(Exact(desc.GetEndPt0()), Exact(center), angle);
+    const bool swapped = Gap(Exact(seg.GetEndPt0()), t0) > Gap(Exact(seg.GetEndPt1()), t0);
+    see(segments, swapped ? seg.GetEndPt1() : seg.GetEndPt0(), desc.GetEndPt0());
+    see(segments, swapped ? seg.GetEndPt0() : seg.GetEndPt1(), desc.GetEndPt1());
+
+    const CArcDesc arcDesc(p, size, AnyAngle(random), 1.0f);
+    CKinematicArc arc(arcDesc);
+    const Vector2 end0 = arc.GetEndPt0(), end1 = arc.GetEndPt1();
+    arc.Rotate(center, angle);
+    see(arcs, arc.GetPos(), p);
+    see(arcs, arc.GetEndPt0(), end0);
+    see(arcs, arc.GetEndPt1(), end1);
+
+    Vector2 turned = p;
+    for (int k = 0; k < 8; ++k)
+      turned = RotatePt(turned, center, angle / 8.0f);
+    see(naive, turned, p);
+  }
+}
+
+TEST(RotationBounds, GetSurfaceVelocity) {
+  CRandom random(1502);
+  CKept worst("CShape::GetSurfaceVelocity", g_nRotationBoundsTrials);
+  CBroken naive("Surface velocity by a short turn");
+  for (int i = 0; i < g_nRotationBoundsTrials; ++i) {
+    const float size = AnySize(random);
+    CPointDesc desc(AnyPlace(random, size));
+    desc.m_vRotCenter = AnyPlace(random, size);
+    desc.m_fRotSpeed = random.SignedScale(-10, 10);
+    const CKinematicPoint point(desc);
+    const Vector2 q = desc.m_vRotCenter + AnyWay(random, size);
+    const CVec exact = (2 * Pi() * CFifty(desc.m_fRotSpeed)) * Left(Exact(q) - Exact(desc.m_vRotCenter));
+    const auto see = [&](CWorst& w, const Vector2& is) {
+      w.See(abs(is.x() - exact.x), 2 * g_fUlp * abs(exact.x));
+      w.See(abs(is.y() - exact.y), 2 * g_fUlp * abs(exact.y));
+    };
+    see(worst, point.GetSurfaceVelocity(q));
+    const float dt = 0x1p-10f / std::abs(desc.m_fRotSpeed);
+    see(naive, (RotatePt(q, desc.m_vRotCenter, g_fTwoPi * desc.m_fRotSpeed * dt) - q) / dt);
+  }
 }
 
 } // namespace

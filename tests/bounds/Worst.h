@@ -19,6 +19,8 @@ class CWorst {
 public:
   /// @param name  of the function; its share of the bound is printed, and a property of the test's record
   explicit CWorst(std::string name) : m_sName(std::move(name)) {}
+  CWorst(const CWorst&) = delete;
+  CWorst& operator=(const CWorst&) = delete;
 
   void See(const CFifty& error, const CFifty& bound) {
     ++m_nSeen;
@@ -28,20 +30,8 @@ public:
   }
   void See(const CVec& is, const CVec& should, const CFifty& bound) { See(Gap(is, should), bound); }
 
-  /// That the bound holds, for at least so many inputs.
-  void ExpectKept(int least) const {
-    Print();
-    EXPECT_LE(m_fShare, 1.0) << m_sName;
-    EXPECT_GE(m_nSeen, least) << m_sName;
-  }
-  /// The control: that a naive formula does not keep it.
-  void ExpectBroken() const {
-    Print();
-    EXPECT_GT(m_fShare, 1.0) << m_sName;
-  }
-
-private:
-  void Print() const {
+protected:
+  ~CWorst() {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", m_fShare);
     std::printf("%s: worst error is %s of the bound, %d inputs\n", m_sName.c_str(), text, m_nSeen);
@@ -51,6 +41,26 @@ private:
   std::string m_sName;
   double m_fShare = 0.0;
   int m_nSeen = 0;
+};
+
+/// Expects when it goes out of scope that the bound held, for at least so many inputs.
+class CKept : public CWorst {
+public:
+  CKept(std::string name, int least) : CWorst(std::move(name)), m_nLeast(least) {}
+  ~CKept() {
+    EXPECT_LE(m_fShare, 1.0) << m_sName;
+    EXPECT_GE(m_nSeen, m_nLeast) << m_sName;
+  }
+
+private:
+  int m_nLeast;
+};
+
+/// The control: expects that a naive formula did not keep the bound.
+class CBroken : public CWorst {
+public:
+  using CWorst::CWorst;
+  ~CBroken() { EXPECT_GT(m_fShare, 1.0) << m_sName; }
 };
 
 } // namespace Shapes::Bounds
