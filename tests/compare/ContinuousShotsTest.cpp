@@ -9,11 +9,7 @@
 
 #include "../../src/Tolerances.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>

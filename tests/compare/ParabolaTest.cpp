@@ -7,10 +7,6 @@
 
 #include <Shapes/World.h>
 
-#include <gtest/gtest.h>
-
-#include <numbers>
-
 namespace Shapes::Compare::Tests {
 namespace {
 

@@ -3,12 +3,7 @@
 #include "Random.h"
 #include "ReferenceTesting.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
 #include <stdexcept>
-#include <string>
 
 namespace Shapes::Compare::Tests {
 namespace {
@@ -47,20 +42,6 @@ TEST(Reference, MeetsWhatTheFiltersLetMeet) {
     EXPECT_EQ(Carry(reference, 1).size(), meet ? 3u : 0u);
     EXPECT_NEAR(reference.GetBall(0).m_vVel.x(), meet ? -4 : 4, 1e-12);
   }
-}
-
-TEST(Reference, FastBallLosesNoTravel) { // .17, where a setback along the normal gives .10
-  CExact reference = Make({Wall({-1, 0}, {1, 0})}, {CDynamicCircleDesc({0, 0}, .1f, {0, -6})});
-  reference.SetBall(0, {0, .13}, {0, -6});
-  Carry(reference, 1.0 / 60);
-  EXPECT_NEAR(reference.GetBall(0).m_vPos.y(), .17, 1e-8); // the radius is the float nearest to .1
-}
-
-TEST(Reference, FreeFallIsAParabola) { // however it is cut into steps
-  CExact reference = Make({}, {CDynamicCircleDesc({0, 0}, .1f, {1, 0})}, {0, -8});
-  Carry(reference, 0.25, 2);
-  EXPECT_EQ(reference.GetBall(0).m_vVel, CVec2d(1, -4));
-  EXPECT_EQ(reference.GetBall(0).m_vPos, CVec2d(.5, -1));
 }
 
 TEST(Reference, KinematicKick) { // by a blade whose surface moves at V where it is met
@@ -220,17 +201,6 @@ TEST(Reference, BoxOfBallsConserves) {
   CExact lossy = Make(shapes, balls);
   Carry(lossy, 1.0 / 60, 600);
   EXPECT_LT(Energy(lossy) / energy, 1.0 - bound);
-}
-
-TEST(Reference, WayDoesNotDependOnTheSteps) {
-  CExact one =
-      Make(Box(1), {CDynamicCircleDesc({.1f, .2f}, .2f, {.7f, 1.1f}), CDynamicCircleDesc({-.5f, 0}, .3f)});
-  CExact many = one;
-  const std::size_t hits = Carry(one, 4).size();
-  EXPECT_GT(hits, 5u);
-  EXPECT_EQ(Carry(many, 4.0 / 1000, 1000).size(), hits);
-  for (std::size_t i = 0; i < 2; ++i)
-    EXPECT_NEAR((one.GetBall(i).m_vPos - many.GetBall(i).m_vPos).norm(), 0, 1e-9);
 }
 
 TEST(Reference, ASpeedBeyondDoublesIsRefused) {

@@ -5,9 +5,13 @@
 
 #include "reference/Reference.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <sstream>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -79,13 +83,6 @@ inline CVec2d Momentum(const CExact& reference) {
   for (std::size_t i = 0; i < reference.GetBallCount(); ++i)
     momentum += reference.GetBall(i).m_fMass * reference.GetBall(i).m_vVel;
   return momentum;
-}
-
-/// Short, for what a test records.
-inline std::string Text(double f) {
-  std::ostringstream out;
-  out << f;
-  return out.str();
 }
 
 } // namespace Shapes::Compare

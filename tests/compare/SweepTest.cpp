@@ -203,34 +203,6 @@ bool Sweep50(const CTrial& trial, CHit<CFifty>& hit) {
       {To50(b.m_vPos), To50(b.m_vVel), CFifty(b.m_fRadius), To50(b.m_vAcc)}, CFifty(trial.m_fTimeMax), hit);
 }
 
-// On straight lines, parabolas and turning paths.
-TEST(Sweep, DoubleAgainst50Digits) {
-  CRandom random(50);
-  int hits = 0, falling = 0;
-  for (int i = 0; i < 6000; ++i) {
-    SCOPED_TRACE("seed 50 trial " + std::to_string(i));
-    const eShape types[] = {eShape::Point, eShape::LineSeg, eShape::Circle, eShape::Arc};
-    const eShape type = types[random.Below(4)];
-    const bool oneSided = random.Coin(), turns = random.Below(8) == 0, falls = random.Coin();
-    const CTrial trial = RandomTrial(random, type, oneSided, turns, falls);
-    CHit<double> hit;
-    CHit<CFifty> exact;
-    const bool met = Sweep(trial.m_cGeometry, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax, hit);
-    const bool metExactly = Sweep50(trial, exact);
-    if (hit.m_bGraze) continue;
-    ASSERT_EQ(met, metExactly);
-    if (!met) continue;
-    ++hits;
-    falling += falls;
-    ASSERT_EQ(hit.m_ePart, exact.m_ePart);
-    const double approach = -(trial.m_cBall.GetVel(hit.m_fTime) - hit.m_vSurface).dot(hit.m_vNorm);
-    ASSERT_LE(std::abs(static_cast<double>(exact.m_fTime - CFifty(hit.m_fTime))),
-              2.0 * GapBound(trial) / approach + 4.0 * g_fEps * hit.m_fTime);
-  }
-  EXPECT_GT(hits, 1000);
-  EXPECT_GT(falling, 500);
-}
-
 // The control: gravity that is kicked at the start of the step, v += g dt, meets at another time.
 TEST(Sweep, KickedGravityMissesTheTimeOfImpact) {
   CRandom random(51);
