@@ -37,6 +37,28 @@ inline CScene LoadBundled(const std::string& name) {
   return LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");
 }
 
+/// The descriptors of a scene that was loaded.
+inline CSceneDesc ToDesc(const CScene& scene) {
+  CSceneDesc desc;
+  desc.m_cWorld = scene.m_cWorld;
+  desc.m_stdNotes = {scene.m_sDescription};
+  desc.m_stdShapes = GetShapes(scene);
+  for (const CSceneBall& ball : scene.m_stdBalls)
+    desc.m_stdBalls.push_back(ball.m_cDesc);
+  return desc;
+}
+
+/// The message of the error that f throws; empty if it throws none.
+template <class TError, class F>
+std::string MessageOf(const F& f) {
+  try {
+    f();
+  } catch (const TError& error) {
+    return error.what();
+  }
+  return {};
+}
+
 /// Whether so many hits do not contradict the rate: within 3.3 standard errors, one in a thousand.
 inline bool Holds(std::size_t hits, std::size_t n, double rate) {
   const CInterval i = Wilson(hits, n, 3.3);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A scene that a program holds, written as a file for the tool and read by it.
-#include "../../compare/scene/Scene.h"
-
-#include <Shapes/Shapes.h>
+#include "MadeScenes.h"
 
 #include <gtest/gtest.h>
 
@@ -57,13 +55,7 @@ protected:
 TEST_F(SceneDescTest, TheLoaderReadsWhatWasWrittenBitForBit) {
   const CSceneDesc desc = OneOfEach();
   const CScene scene = WriteAndLoad(desc);
-  CSceneDesc again;
-  again.m_cWorld = scene.m_cWorld;
-  again.m_stdShapes = GetShapes(scene);
-  again.m_stdNotes = {scene.m_sDescription};
-  for (const CSceneBall& ball : scene.m_stdBalls)
-    again.m_stdBalls.push_back(ball.m_cDesc);
-  EXPECT_EQ(again.ToJson("imported", scene.m_fDuration), desc.ToJson("imported", 0.5f));
+  EXPECT_EQ(Tests::ToDesc(scene).ToJson("imported", scene.m_fDuration), desc.ToJson("imported", 0.5f));
 }
 
 TEST_F(SceneDescTest, EveryFloatSurvives) {
@@ -103,9 +95,7 @@ TEST_F(SceneDescTest, WhatWasLoadedRunsAsTheDescriptorsDo) {
     const auto pWorld = GetBackend(backend)->MakeWorld(desc.m_cWorld);
     const auto pLoaded = GetBackend(backend)->MakeWorld(scene.m_cWorld);
     desc.AddTo(*pWorld);
-    for (const CAnyShapeDesc& any : GetShapes(scene))
-      pLoaded->Add(any);
-    pLoaded->Add(scene.m_stdBalls.at(0).m_cDesc);
+    Tests::ToDesc(scene).AddTo(*pLoaded);
     const Vector2 start = pWorld->GetBallVelocities()[0];
     for (int i = 0; i < 120; ++i) {
       pWorld->Step();
