@@ -3,15 +3,22 @@
 #pragma once
 
 #include "../Numbers.h"
+#include "../Sensors.h"
 #include "../Steps.h"
+#include "Random.h"
 
 #include <Shapes/Shapes.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <ostream>
+#include <span>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Shapes {
@@ -30,6 +37,18 @@ inline std::string BackendName(const testing::TestParamInfo<const CBackend*>& in
 /// What GoogleTest prints of the parameter.
 inline void PrintTo(const CBackend* pBackend, std::ostream* pOut) { *pOut << pBackend->GetName(); }
 
+inline CWorldDesc Described(const Vector2& gravity, float dt = g_fDt, unsigned substeps = 1,
+                            const CEffectChoice& choice = g_cAutomatic,
+                            eProfile profile = eProfile::Shipped) {
+  CWorldDesc desc;
+  desc.m_vGravity = gravity;
+  desc.m_fTimeStep = dt;
+  desc.m_nSubsteps = substeps;
+  desc.m_cEffects = choice;
+  desc.m_cBox2D.m_eProfile = profile;
+  return desc;
+}
+
 class CEveryBackend : public testing::TestWithParam<const CBackend*> {
 protected:
   const CBackend& Backend() const { return *GetParam(); }
@@ -39,17 +58,62 @@ protected:
   float Skin() const { return IsNative() ? 1e-6f : 0.016f; }
   std::unique_ptr<CWorld> Make(const CEffectChoice& choice = g_cAutomatic,
                                eProfile profile = eProfile::Shipped, const Vector2& gravity = {0, 0}) const {
-    CWorldDesc desc;
-    desc.m_vGravity = gravity;
-    desc.m_fTimeStep = g_fDt;
-    desc.m_cEffects = choice;
-    desc.m_cBox2D.m_eProfile = profile;
-    return Backend().MakeWorld(desc);
+    return Backend().MakeWorld(Described(gravity, g_fDt, 1, choice, profile));
   }
 };
 
 #define SHAPES_ON_EVERY_BACKEND(suite)                                                                       \
   INSTANTIATE_TEST_SUITE_P(, suite, testing::ValuesIn(BuiltBackends()), BackendName)
+
+/// What n steps tell of contacts, sensors or touches.
+template <class T>
+std::vector<T> Told(CWorld& world, int n, std::span<const T> (CWorld::*pGet)() const) {
+  std::vector<T> told;
+  for (int i = 0; i < n; ++i) {
+    world.Step();
+    const std::span<const T> events = (world.*pGet)();
+    told.insert(told.end(), events.begin(), events.end());
+  }
+  return told;
+}
+/// Contacts in which the ball approached: what touches on is left out.
+inline std::vector<CContactEvent> Impacts(CWorld& world, int n) {
+  std::vector<CContactEvent> impacts = Told(world, n, &CWorld::GetContacts);
+  std::erase_if(impacts, [](const CContactEvent& event) { return !(event.m_fSpeed > 0); });
+  return impacts;
+}
+
+/// Turns about `center`.
+template <class TDesc>
+TDesc Turning(TDesc desc, float revsPerSecond, const Vector2& center = Vector2::Zero()) {
+  desc.m_eMotionType = eMotion::Kinematic;
+  desc.m_fRotSpeed = revsPerSecond;
+  desc.m_vRotCenter = center;
+  return desc;
+}
+
+/// Ways in which a shape and a ball that touch come apart between two steps.
+using CParting = void (*)(CWorld&, CShapeId shape, CShapeId ball);
+inline constexpr CParting g_stdPartings[] = {
+    [](CWorld& w, CShapeId shape, CShapeId) { w.Remove(shape); },
+    [](CWorld& w, CShapeId, CShapeId ball) { w.Remove(ball); },
+    [](CWorld& w, CShapeId shape, CShapeId) { w.SetSensor(shape, !w.GetSensor(shape)); },
+    [](CWorld& w, CShapeId shape, CShapeId) { w.SetCanCollide(shape, false); },
+    [](CWorld& w, CShapeId, CShapeId ball) { w.SetCanCollide(ball, false); },
+    [](CWorld& w, CShapeId, CShapeId ball) { w.SetPos(ball, Vector2(0, 9)); },
+    [](CWorld& w, CShapeId shape, CShapeId) { w.SetPos(shape, Vector2(0, -9)); }};
+
+/// How far p is from the curve of a shape, or from the rim of a ball: negative in a ball.
+inline float GetDistance(const CWorld& world, CShapeId id, const Vector2& p) {
+  if (world.GetMotionType(id) == eMotion::Dynamic) return Length(p - world.GetPos(id)) - world.GetRadius(id);
+  const CShape& shape = world.GetShape(id);
+  switch (shape.GetShapeType()) {
+  case eShape::LineSeg: return Length(p - static_cast<const CLineSeg&>(shape).ClosestPt(p));
+  case eShape::Arc: return Length(p - static_cast<const CArc&>(shape).ClosestPt(p));
+  case eShape::Circle: return Length(p - static_cast<const CCircle&>(shape).ClosestPt(p));
+  default: return Length(p - shape.GetPos());
+  }
+}
 
 /// Sets what CShape::move uses, as a game does it.
 struct CGameClock : CShapeCommon {

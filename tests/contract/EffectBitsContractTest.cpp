@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An effect that is not called for changes nothing, be it allowed, forced or forbidden; and states go from
 // one choice to another. The same on every engine.
-#include "../Sensors.h"
 #include "Backends.h"
-#include "Random.h"
 
 namespace Shapes {
 namespace {
@@ -19,22 +17,15 @@ struct CScene {
 // A box with a bit of everything in it.
 std::unique_ptr<CWorld> MakeWorldOf(const CBackend& backend, const CScene& scene, const CEffectChoice& choice,
                                     eProfile profile = eProfile::Shipped) {
-  CWorldDesc desc;
-  if (scene.m_bGravity) desc.m_vGravity = {0, -2};
-  desc.m_fTimeStep = 1.0f / 120.0f;
-  desc.m_cEffects = choice;
-  desc.m_cBox2D.m_eProfile = profile;
-  auto pWorld = backend.MakeWorld(desc);
+  const Vector2 gravity(0, scene.m_bGravity ? -2 : 0);
+  auto pWorld = backend.MakeWorld(Described(gravity, 1.0f / 120.0f, 1, choice, profile));
   const Vector2 corners[] = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
   for (std::size_t i = 0; i < 4; ++i)
     pWorld->Add(CLineSegDesc(corners[i], corners[(i + 1) % 4], scene.m_fElasticity));
   pWorld->Add(CArcDesc({0, 0}, 1.9f, 0.2f, 2.9f, scene.m_fElasticity));
   pWorld->Add(CPointDesc(Vector2(0.3f, -1)));
-  CLineSegDesc blade({-1, -1}, {-0.5f, -1}, scene.m_fElasticity);
-  blade.m_eMotionType = eMotion::Kinematic;
-  blade.m_vRotCenter = {-0.75f, -1};
-  blade.m_fRotSpeed = scene.m_bTurns ? 0.6f : 0.0f;
-  pWorld->Add(blade);
+  pWorld->Add(Turning(CLineSegDesc({-1, -1}, {-0.5f, -1}, scene.m_fElasticity), scene.m_bTurns ? 0.6f : 0.0f,
+                      {-0.75f, -1}));
   if (scene.m_bSensor) pWorld->Add(MakeZone({0, 0}, 0.5f));
   Tests::CRandom random(g_nEffectBitsContractSeed);
   for (int i = 0; i < (scene.m_bPairs ? 12 : 1); ++i) {

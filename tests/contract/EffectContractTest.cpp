@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Effects: what calls for them, what the description says of them, and what the world does then, the same on
 // every engine.
-#include "../Numbers.h"
-#include "../Sensors.h"
 #include "Backends.h"
 
 #include <functional>
-#include <stdexcept>
 
 namespace Shapes {
 namespace {
@@ -22,23 +19,13 @@ std::vector<eEffect> AllEffects() {
 CEffectChoice Forced(eEffect e) { return {{e}, {}}; }
 CEffectChoice Forbidden(eEffect e) { return {{}, {e}}; }
 
-CLineSegDesc Flipper(float revsPerSecond) { // a blade of length 1 about the origin, to the right
-  CLineSegDesc desc({0, 0}, {1, 0});
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_fRotSpeed = revsPerSecond;
-  return desc;
-}
+CLineSegDesc Flipper(float revsPerSecond) { return Turning(CLineSegDesc({0, 0}, {1, 0}), revsPerSecond); }
 
 class CEffectContract : public CEveryBackend {
 protected:
   std::unique_ptr<CWorld> Make(const CEffectChoice& choice = g_cAutomatic,
                                const Vector2& gravity = Vector2::Zero()) const {
-    CWorldDesc desc;
-    desc.m_vGravity = gravity;
-    desc.m_fTimeStep = g_fDt;
-    desc.m_nSubsteps = 2;
-    desc.m_cEffects = choice;
-    return Backend().MakeWorld(desc);
+    return Backend().MakeWorld(Described(gravity, g_fDt, 2, choice));
   }
   static CShapeId AddBall(CWorld& world, const Vector2& p, const Vector2& v = Vector2::Zero(), float e = 1) {
     return world.Add(CDynamicCircleDesc(p, 0.1f, v, 1, e));
@@ -68,42 +55,26 @@ TEST_P(CEffectContract, ContentCallsForEffects) {
   auto pWorld = Make();
   AddBall(*pWorld, {0, 5});
   CShapeId id;
-  const auto take = [&] { pWorld->Remove(id); };
-  for (const eEffect e : {eEffect::Events, eEffect::Continuous})
-    ExpectFollows(
-        *pWorld, e,
-        [&] {
-          id = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
-        },
-        take);
+  const auto expectCalls = [&](std::initializer_list<eEffect> effects, const CAnyShapeDesc& desc) {
+    for (const eEffect e : effects)
+      ExpectFollows(
+          *pWorld, e, [&] { id = pWorld->Add(desc); }, [&] { pWorld->Remove(id); });
+  };
+  expectCalls({eEffect::Events, eEffect::Continuous}, CLineSegDesc({-1, 0}, {1, 0}));
+  expectCalls({eEffect::Kinematics}, Flipper(1));
+  expectCalls({eEffect::BallPairs, eEffect::Continuous}, CDynamicCircleDesc({3, 3}, 0.1f));
+  expectCalls({eEffect::Sensors}, MakeZone({-3, 0}, 1));
+  const Vector2 zero = Vector2::Zero(), down(0, -1);
   ExpectFollows(
-      *pWorld, eEffect::Gravity,
-      [&] {
-        pWorld->SetGravity({0, -1});
-      },
-      [&] {
-        pWorld->SetGravity({0, 0});
-      });
-  ExpectFollows(
-      *pWorld, eEffect::Kinematics, [&] { id = pWorld->Add(Flipper(1)); }, take);
-  for (const eEffect e : {eEffect::BallPairs, eEffect::Continuous})
-    ExpectFollows(
-        *pWorld, e,
-        [&] {
-          id = AddBall(*pWorld, {3, 3});
-        },
-        take);
-  ExpectFollows(
-      *pWorld, eEffect::Sensors,
-      [&] {
-        id = pWorld->Add(MakeZone({-3, 0}, 1));
-      },
-      take);
+      *pWorld, eEffect::Gravity, [&] { pWorld->SetGravity(down); }, [&] { pWorld->SetGravity(zero); });
 
   const CShapeId flipper = pWorld->Add(Flipper(0)), other = AddBall(*pWorld, {3, 3});
   ExpectFollows(
       *pWorld, eEffect::Kinematics, [&] { pWorld->SetRotSpeed(flipper, 0.01f); },
       [&] { pWorld->SetRotSpeed(flipper, 0); });
+  ExpectFollows(
+      *pWorld, eEffect::Kinematics, [&] { pWorld->SetVel(flipper, down); },
+      [&] { pWorld->SetVel(flipper, zero); });
   ExpectFollows(
       *pWorld, eEffect::BallPairs, [&] { pWorld->SetCanCollide(other, true); },
       [&] { pWorld->SetCanCollide(other, false); });
@@ -227,11 +198,7 @@ TEST_P(CEffectContract, WithoutEventsBallsBounceUntold) {
       pWorld->Add(CLineSegDesc({4, 0}, {5, 0}, 0.7f));
       const CShapeId id = AddBall(*pWorld, {0, 0.3f}, {0, -2}, ball);
       AddBall(*pWorld, {4.5f, 3}, {0, 0}, other);
-      std::size_t told = 0;
-      for (int i = 0; i < 15; ++i) {
-        pWorld->Step();
-        told += pWorld->GetContacts().size();
-      }
+      const std::size_t told = Told(*pWorld, 15, &CWorld::GetContacts).size();
       EXPECT_NEAR(pWorld->GetVel(id).y(), 2 * wall * ball, 1e-4f);
       EXPECT_EQ(told > 0, !forbidden);
       EXPECT_EQ(pWorld->GetStats().m_nReported, told);
@@ -242,14 +209,10 @@ TEST_P(CEffectContract, SensorEventsNeedNoContactEvents) {
   auto pWorld = Make(Forbidden(eEffect::Events));
   pWorld->Add(CLineSegDesc({1, -1}, {1, 1}));
   const CShapeId zone = pWorld->Add(MakeZone({0, 0}, 0.5f)), ball = AddBall(*pWorld, {-1, 0}, {3, 0});
-  std::vector<CSensorEvent> seen;
-  for (int i = 0; i < 80; ++i) {
-    pWorld->Step();
-    EXPECT_TRUE(pWorld->GetContacts().empty());
-    seen.insert(seen.end(), pWorld->GetSensorEvents().begin(), pWorld->GetSensorEvents().end());
-  }
-  EXPECT_EQ(seen, (std::vector<CSensorEvent>{
-                      {zone, ball, true}, {zone, ball, false}, {zone, ball, true}, {zone, ball, false}}));
+  EXPECT_EQ(Told(*pWorld, 80, &CWorld::GetSensorEvents),
+            (std::vector<CSensorEvent>{
+                {zone, ball, true}, {zone, ball, false}, {zone, ball, true}, {zone, ball, false}}));
+  EXPECT_EQ(pWorld->GetStats().m_nReported, 0u);
 }
 
 TEST_P(CEffectContract, WhatIsNotCalledForCountsNothing) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Filters: who meets whom, as solid ones and as sensors; the same on every engine, in every mode.
-#include "../Numbers.h"
 #include "Backends.h"
 
 namespace Shapes {
@@ -78,12 +77,7 @@ TEST_P(CFilterContract, SensorsDetectByIt) {
       ball.m_cFilter = second;
       ball.m_bIsSensor = ballIsSensor;
       pWorld->Add(ball);
-      std::size_t told = 0;
-      for (int i = 0; i < 60; ++i) {
-        pWorld->Step();
-        told += pWorld->GetSensorEvents().size();
-      }
-      EXPECT_EQ(told, meet ? 2u : 0u);
+      EXPECT_EQ(Told(*pWorld, 60, &CWorld::GetSensorEvents).size(), meet ? 2u : 0u);
     }
   });
 }

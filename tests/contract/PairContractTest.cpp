@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 // CollisionDetected and CollisionResponse, the same on every engine.
-#include "../Numbers.h"
-#include "../Sensors.h"
 #include "Backends.h"
-
-#include <memory>
-#include <stdexcept>
 
 namespace Shapes {
 namespace {
@@ -41,34 +36,17 @@ protected:
 };
 SHAPES_ON_EVERY_BACKEND(CPairContract);
 
-TEST_P(CPairContract, PointIsHitFromAbove) {
+TEST_P(CPairContract, EveryShapeIsHitFromAbove) {
   CPoint point(CPointDesc(Vector2(0, 0)));
-  ExpectHitFromAbove(point);
-}
-
-TEST_P(CPairContract, SegmentIsHitFromAbove) {
   CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
-  ExpectHitFromAbove(seg);
-}
-
-TEST_P(CPairContract, CircleIsHitFromOutside) {
   CCircle circle(CCircleDesc({0, -1}, 1));
-  ExpectHitFromAbove(circle);
-}
-
-TEST_P(CPairContract, ArcIsHitFromOutside) {
-  CArc arc(CArcDesc({0, -1}, 1, 0, g_fPi));
-  ExpectHitFromAbove(arc);
-}
-
-TEST_P(CPairContract, ArcIsHitFromInside) {
-  CArc arc(CArcDesc({0, 1}, 1, g_fPi, 0));
-  ExpectHitFromAbove(arc);
-}
-
-TEST_P(CPairContract, FullCircleArcIsABowl) {
-  CArc arc(CArcDesc({0, 1}, 1, 0, 0));
-  ExpectHitFromAbove(arc);
+  CArc fromOutside(CArcDesc({0, -1}, 1, 0, g_fPi)), fromInside(CArcDesc({0, 1}, 1, g_fPi, 0)),
+      bowl(CArcDesc({0, 1}, 1, 0, 0));
+  for (CShape* pShape :
+       std::initializer_list<CShape*>{&point, &seg, &circle, &fromOutside, &fromInside, &bowl}) {
+    SCOPED_TRACE(static_cast<int>(pShape->GetShapeType()));
+    ExpectHitFromAbove(*pShape);
+  }
 }
 
 TEST_P(CPairContract, ABallInsideACircleMeetsARingOnNativeAndASolidOnBox2D) {
@@ -163,34 +141,23 @@ TEST_P(CPairContract, NakedEndsAreOpenOnNativeAndRoundOnBox2D) {
   EXPECT_TRUE(Backend().CollisionDetected(g));
 }
 
-TEST_P(CPairContract, OneSidedSegmentsLetBallsPassFromTheOpenSide) {
+TEST_P(CPairContract, OneSidedShapesLetBallsPassFromTheOpenSide) {
   for (const eSides sides : {eSides::Front, eSides::Back}) {
-    CLineSegDesc desc({-1, 0}, {1, 0});
-    desc.m_eSides = sides;
-    CLineSeg seg(desc);
+    CLineSegDesc segDesc({-1, 0}, {1, 0});
+    CArcDesc arcDesc({0, -1}, 1, 0, g_fPi);
+    segDesc.m_eSides = arcDesc.m_eSides = sides;
+    CLineSeg seg(segDesc);
+    CArc arc(arcDesc);
     const float solid = sides == eSides::Front ? 1.0f : -1.0f; // y of the solid side
-    CDynamicCircle hits = Arrive({0, solid * 0.07f}, {0, -solid * 6});
-    CContactDesc c(&seg, &hits);
-    ASSERT_TRUE(Backend().CollisionDetected(c));
-    EXPECT_GT(c.m_vNorm.y() * solid, 0.99f);
-    CDynamicCircle passes = Arrive({0, -solid * 0.07f}, {0, solid * 6});
-    CContactDesc d(&seg, &passes);
-    EXPECT_FALSE(Backend().CollisionDetected(d));
-  }
-}
-
-TEST_P(CPairContract, OneSidedArcsLetBallsPassFromTheOpenSide) {
-  for (const eSides sides : {eSides::Front, eSides::Back}) {
-    CArcDesc desc({0, 0}, 1, 0, g_fPi);
-    desc.m_eSides = sides;
-    CArc arc(desc);
-    const float solid = sides == eSides::Front ? 1.0f : -1.0f;
-    CDynamicCircle hits = Arrive({0, 1 + solid * 0.07f}, {0, -solid * 6});
-    CContactDesc c(&arc, &hits);
-    EXPECT_TRUE(Backend().CollisionDetected(c));
-    CDynamicCircle passes = Arrive({0, 1 - solid * 0.07f}, {0, solid * 6});
-    CContactDesc d(&arc, &passes);
-    EXPECT_FALSE(Backend().CollisionDetected(d));
+    for (CShape* pShape : std::initializer_list<CShape*>{&seg, &arc}) {
+      CDynamicCircle hits = Arrive({0, solid * 0.07f}, {0, -solid * 6});
+      CContactDesc c(pShape, &hits);
+      ASSERT_TRUE(Backend().CollisionDetected(c));
+      EXPECT_GT(c.m_vNorm.y() * solid, 0.99f);
+      CDynamicCircle passes = Arrive({0, -solid * 0.07f}, {0, solid * 6});
+      CContactDesc d(pShape, &passes);
+      EXPECT_FALSE(Backend().CollisionDetected(d));
+    }
   }
 }
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Boxes and polylines: which segments and guards they are made of, and that no ball gets past a corner, on
 // every engine and in every mode.
-#include "../Numbers.h"
 #include "Backends.h"
-#include "Random.h"
-
-#include <stdexcept>
 
 namespace Shapes {
 namespace {
@@ -74,10 +70,7 @@ TEST_P(CPolylineContract, NoBallGetsIntoABoxPastItsCorners) {
       for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         CRandom random(seed);
-        CWorldDesc world;
-        world.m_fTimeStep = g_fDt;
-        world.m_cEffects = choice;
-        const auto pWorld = Backend().MakeWorld(world);
+        const auto pWorld = Make(choice);
         for (const CAnyShapeDesc& desc : MakeBox({0, 0}, {2, 2}))
           if (guarded || !std::holds_alternative<CPointDesc>(desc)) pWorld->Add(desc);
         const Vector2 aside = random.InSquare(0.02f);

@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Questions to a world: against a look at every shape by small steps, and with the same bits on every engine.
-#include "../Numbers.h"
 #include "Backends.h"
-#include "Random.h"
 
-#include <algorithm>
-#include <cmath>
+#include <functional>
 #include <set>
-#include <stdexcept>
 
 namespace Shapes {
 namespace {
 
 using Tests::CRandom;
-
-// The distance of a place from the curve of a shape; from the rim of a ball, negative inside.
-float GetDistance(const CWorld& world, CShapeId id, const Vector2& p) {
-  if (world.GetMotionType(id) == eMotion::Dynamic) return Length(p - world.GetPos(id)) - world.GetRadius(id);
-  const CShape& shape = world.GetShape(id);
-  switch (shape.GetShapeType()) {
-  case eShape::LineSeg: return Length(p - static_cast<const CLineSeg&>(shape).ClosestPt(p));
-  case eShape::Arc: return Length(p - static_cast<const CArc&>(shape).ClosestPt(p));
-  case eShape::Circle: return Length(p - static_cast<const CCircle&>(shape).ClosestPt(p));
-  default: return Length(p - shape.GetPos());
-  }
-}
 
 // Some of every kind in a square from -4 to 4, two-sided, after a few steps.
 class CCrowd {
@@ -63,47 +47,50 @@ private:
   }
 };
 
-class CQuestionContract : public CEveryBackend {};
+class CQuestionContract : public CEveryBackend {
+protected:
+  /// Asks 8 crowds n times each.
+  void Ask(int n, const std::function<void(const CWorld&, CRandom&, const CCrowd&)>& ask) const {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed);
+      CCrowd crowd(Backend(), seed);
+      for (int i = 0; i < n; ++i)
+        ask(*crowd.m_pWorld, crowd.m_cRandom, crowd);
+    }
+  }
+};
 SHAPES_ON_EVERY_BACKEND(CQuestionContract);
 
 TEST_P(CQuestionContract, TheClosestIsTheClosestOfAll) {
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    CCrowd crowd(Backend(), seed);
-    for (int i = 0; i < 100; ++i) {
-      const Vector2 p = crowd.m_cRandom.InSquare(6);
-      float least = g_fInf;
-      for (const CShapeId id : crowd.m_stdIds)
-        least = std::min(least, GetDistance(*crowd.m_pWorld, id, p));
-      const auto hit = crowd.m_pWorld->FindClosest(p, g_fInf, crowd.m_cFilter);
-      ASSERT_TRUE(hit);
-      EXPECT_NEAR(hit->m_fDistance, least, 1e-5f); // ClosestPt of float: 10 ulp of 8
-      EXPECT_NEAR(GetDistance(*crowd.m_pWorld, hit->m_cShape, p), least, 1e-5f);
-      EXPECT_NEAR(GetDistance(*crowd.m_pWorld, hit->m_cShape, hit->m_vPOI), 0, 1e-5f);
-      EXPECT_NEAR((hit->m_vPOI + hit->m_fDistance * hit->m_vNorm - p).norm(), 0, 1e-5f);
-      const auto within = crowd.m_pWorld->FindClosest(p, 0.99f * std::max(least, 0.0f), crowd.m_cFilter);
-      EXPECT_EQ(within.has_value(), least < 0);
-    }
-  }
+  Ask(100, [&](const CWorld& world, CRandom& random, const CCrowd& crowd) {
+    const Vector2 p = random.InSquare(6);
+    float least = g_fInf;
+    for (const CShapeId id : crowd.m_stdIds)
+      least = std::min(least, GetDistance(world, id, p));
+    const auto hit = world.FindClosest(p, g_fInf, crowd.m_cFilter);
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(hit->m_fDistance, least, 1e-5f); // ClosestPt of float: 10 ulp of 8
+    EXPECT_NEAR(GetDistance(world, hit->m_cShape, p), least, 1e-5f);
+    EXPECT_NEAR(GetDistance(world, hit->m_cShape, hit->m_vPOI), 0, 1e-5f);
+    EXPECT_NEAR((hit->m_vPOI + hit->m_fDistance * hit->m_vNorm - p).norm(), 0, 1e-5f);
+    const auto within = world.FindClosest(p, 0.99f * std::max(least, 0.0f), crowd.m_cFilter);
+    EXPECT_EQ(within.has_value(), least < 0);
+  });
 }
 
 TEST_P(CQuestionContract, ACircleOverlapsWhatIsCloserThanItsRadius) {
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    CCrowd crowd(Backend(), seed);
-    for (int i = 0; i < 50; ++i) {
-      const Vector2 p = crowd.m_cRandom.InSquare(5);
-      const float r = crowd.m_cRandom.Uniform(0, 0.1f); // fits into every ring
-      const auto found = crowd.m_pWorld->FindInCircle(p, r, crowd.m_cFilter);
-      EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
-      for (const CShapeId id : crowd.m_stdIds) {
-        const float gap = GetDistance(*crowd.m_pWorld, id, p) - r;
-        if (std::abs(gap) < 1e-5f) continue;
-        EXPECT_EQ(std::binary_search(found.begin(), found.end(), id), gap < 0);
-      }
-      EXPECT_TRUE(std::includes(crowd.m_stdIds.begin(), crowd.m_stdIds.end(), found.begin(), found.end()));
+  Ask(50, [&](const CWorld& world, CRandom& random, const CCrowd& crowd) {
+    const Vector2 p = random.InSquare(5);
+    const float r = random.Uniform(0, 0.1f); // fits into every ring
+    const auto found = world.FindInCircle(p, r, crowd.m_cFilter);
+    EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+    for (const CShapeId id : crowd.m_stdIds) {
+      const float gap = GetDistance(world, id, p) - r;
+      if (std::abs(gap) < 1e-5f) continue;
+      EXPECT_EQ(std::binary_search(found.begin(), found.end(), id), gap < 0);
     }
-  }
+    EXPECT_TRUE(std::includes(crowd.m_stdIds.begin(), crowd.m_stdIds.end(), found.begin(), found.end()));
+  });
 }
 
 // Places all over a shape or a ball.
@@ -139,28 +126,24 @@ std::vector<Vector2> PointsOf(const CWorld& world, CShapeId id) {
 // Of those places those are .016 apart at most; a ball has them at every 20th of its radius.
 TEST_P(CQuestionContract, ABoxHasWhatHasAPointInIt) {
   int in = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    CCrowd crowd(Backend(), seed);
-    for (int i = 0; i < 20; ++i) {
-      const Vector2 p = crowd.m_cRandom.InSquare(4), q = p + crowd.m_cRandom.InSquare(1);
-      const CAabb2D box(p, q);
-      const Vector2 wide(0.06f, -0.06f), &a = box.GetTopLeft(), &b = box.GetBottomRt();
-      const CAabb2D around(a - wide, b + wide);
-      const auto found = crowd.m_pWorld->FindInBox(box, crowd.m_cFilter);
-      EXPECT_TRUE(std::includes(crowd.m_stdIds.begin(), crowd.m_stdIds.end(), found.begin(), found.end()));
-      for (const CShapeId id : crowd.m_stdIds) {
-        const auto points = PointsOf(*crowd.m_pWorld, id);
-        const auto areIn = [&](const CAabb2D& where) {
-          return std::any_of(points.begin(), points.end(), [&](const Vector2& x) { return where && x; });
-        };
-        const bool isFound = std::binary_search(found.begin(), found.end(), id);
-        EXPECT_TRUE(isFound || !areIn(box) || !areIn(CAabb2D(a + 1e-4f * wide, b - 1e-4f * wide)));
-        EXPECT_TRUE(!isFound || areIn(around));
-        in += isFound;
-      }
+  Ask(20, [&](const CWorld& world, CRandom& random, const CCrowd& crowd) {
+    const Vector2 p = random.InSquare(4), q = p + random.InSquare(1);
+    const CAabb2D box(p, q);
+    const Vector2 wide(0.06f, -0.06f), &a = box.GetTopLeft(), &b = box.GetBottomRt();
+    const CAabb2D around(a - wide, b + wide);
+    const auto found = world.FindInBox(box, crowd.m_cFilter);
+    EXPECT_TRUE(std::includes(crowd.m_stdIds.begin(), crowd.m_stdIds.end(), found.begin(), found.end()));
+    for (const CShapeId id : crowd.m_stdIds) {
+      const auto points = PointsOf(world, id);
+      const auto areIn = [&](const CAabb2D& where) {
+        return std::any_of(points.begin(), points.end(), [&](const Vector2& x) { return where && x; });
+      };
+      const bool isFound = std::binary_search(found.begin(), found.end(), id);
+      EXPECT_TRUE(isFound || !areIn(box) || !areIn(CAabb2D(a + 1e-4f * wide, b - 1e-4f * wide)));
+      EXPECT_TRUE(!isFound || areIn(around));
+      in += isFound;
     }
-  }
+  });
   EXPECT_GT(in, 40);
 }
 
@@ -168,41 +151,37 @@ TEST_P(CQuestionContract, ABoxHasWhatHasAPointInIt) {
 // radius.
 TEST_P(CQuestionContract, ACastMeetsWhatComesFirst) {
   int met = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    CCrowd crowd(Backend(), seed);
-    for (int i = 0; i < 40; ++i) {
-      const Vector2 from = crowd.m_cRandom.InSquare(5), to = crowd.m_cRandom.InSquare(5);
-      const float r = i % 2 == 0 ? 0.0f : crowd.m_cRandom.Uniform(0, 0.09f);
-      const auto all = crowd.m_pWorld->CastAll(from, to, r, crowd.m_cFilter);
-      const auto first = crowd.m_pWorld->Cast(from, to, r, crowd.m_cFilter);
-      ASSERT_EQ(first.has_value(), !all.empty());
-      std::set<CShapeId> once;
-      for (const CCastHit& hit : all)
-        EXPECT_TRUE(once.insert(hit.m_cShape).second);
-      for (std::size_t k = 1; k < all.size(); ++k)
-        EXPECT_LE(all[k - 1].m_fShare, all[k].m_fShare);
-      if (first) {
-        EXPECT_EQ(first->m_cShape, all[0].m_cShape);
-        EXPECT_EQ(first->m_fShare, all[0].m_fShare);
-      }
-      // What begins in something may leave it; and what is grazed counts as one likes.
-      if (!crowd.m_pWorld->FindInCircle(from, r + 1e-4f, crowd.m_cFilter).empty()) continue;
-      if (first) {
-        const Vector2 at = from + first->m_fShare * (to - from);
-        EXPECT_NEAR(GetDistance(*crowd.m_pWorld, first->m_cShape, at), r, 2e-5f);
-        EXPECT_NEAR((at - r * first->m_vNorm - first->m_vPOI).norm(), 0, 2e-5f);
-        EXPECT_LT(first->m_vNorm.dot(to - from), 1e-4f);
-      }
-      const float end = first ? first->m_fShare : 1.0f;
-      for (const CShapeId id : crowd.m_stdIds)
-        for (int k = 0; k <= 200; ++k) {
-          const Vector2 at = from + end * static_cast<float>(k) / 200.0f * (to - from);
-          EXPECT_GT(GetDistance(*crowd.m_pWorld, id, at) - r, -1e-4f);
-        }
-      met += first.has_value();
+  Ask(40, [&](const CWorld& world, CRandom& random, const CCrowd& crowd) {
+    const Vector2 from = random.InSquare(5), to = random.InSquare(5);
+    const float r = random.Coin() ? 0.0f : random.Uniform(0, 0.09f);
+    const auto all = world.CastAll(from, to, r, crowd.m_cFilter);
+    const auto first = world.Cast(from, to, r, crowd.m_cFilter);
+    ASSERT_EQ(first.has_value(), !all.empty());
+    std::set<CShapeId> once;
+    for (const CCastHit& hit : all)
+      EXPECT_TRUE(once.insert(hit.m_cShape).second);
+    for (std::size_t k = 1; k < all.size(); ++k)
+      EXPECT_LE(all[k - 1].m_fShare, all[k].m_fShare);
+    if (first) {
+      EXPECT_EQ(first->m_cShape, all[0].m_cShape);
+      EXPECT_EQ(first->m_fShare, all[0].m_fShare);
     }
-  }
+    // What begins in something may leave it; and what is grazed counts as one likes.
+    if (!world.FindInCircle(from, r + 1e-4f, crowd.m_cFilter).empty()) return;
+    if (first) {
+      const Vector2 at = from + first->m_fShare * (to - from);
+      EXPECT_NEAR(GetDistance(world, first->m_cShape, at), r, 2e-5f);
+      EXPECT_NEAR((at - r * first->m_vNorm - first->m_vPOI).norm(), 0, 2e-5f);
+      EXPECT_LT(first->m_vNorm.dot(to - from), 1e-4f);
+    }
+    const float end = first ? first->m_fShare : 1.0f;
+    for (const CShapeId id : crowd.m_stdIds)
+      for (int k = 0; k <= 200; ++k) {
+        const Vector2 at = from + end * static_cast<float>(k) / 200.0f * (to - from);
+        EXPECT_GT(GetDistance(world, id, at) - r, -1e-4f);
+      }
+    met += first.has_value();
+  });
   EXPECT_GT(met, 100);
 }
 

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Begin and end of what sensors see: every begin has its end, whatever happens to the world.
-#include "../Sensors.h"
 #include "Backends.h"
-#include "Random.h"
 
-#include <algorithm>
-#include <cmath>
 #include <set>
-#include <utility>
 
 namespace Shapes {
 namespace {
@@ -17,11 +12,7 @@ using CPairs = std::set<std::pair<CShapeId, CShapeId>>; // ball, shape
 
 class CSensorEventContract : public CEveryBackend {
 protected:
-  void SetUp() override {
-    CWorldDesc desc;
-    desc.m_fTimeStep = 1.0f / 64.0f;
-    m_pWorld = Backend().MakeWorld(desc);
-  }
+  void SetUp() override { m_pWorld = Backend().MakeWorld(Described({0, 0}, 1.0f / 64.0f)); }
 
   /// Steps, and gives what was told as "+" and "-" for begins and ends.
   std::string Step() {
@@ -37,25 +28,13 @@ protected:
 SHAPES_ON_EVERY_BACKEND(CSensorEventContract);
 
 TEST_P(CSensorEventContract, WhoeverIsRemovedOrTurnedOffCeasesToTouch) {
-  using F = void (*)(CWorld&, CShapeId zone, CShapeId ball);
-  const F offs[] = {[](CWorld& w, CShapeId zone, CShapeId) { w.Remove(zone); },
-                    [](CWorld& w, CShapeId, CShapeId ball) { w.Remove(ball); },
-                    [](CWorld& w, CShapeId zone, CShapeId) { w.SetSensor(zone, false); },
-                    [](CWorld& w, CShapeId zone, CShapeId) { w.SetCanCollide(zone, false); },
-                    [](CWorld& w, CShapeId, CShapeId ball) { w.SetCanCollide(ball, false); },
-                    [](CWorld& w, CShapeId, CShapeId ball) {
-                      w.SetPos(ball, {5, 5});
-                    },
-                    [](CWorld& w, CShapeId zone, CShapeId) {
-                      w.SetPos(zone, {5, 5});
-                    }};
-  for (const F off : offs) {
-    SCOPED_TRACE(&off - offs);
+  for (const CParting& part : g_stdPartings) {
+    SCOPED_TRACE(&part - g_stdPartings);
     SetUp();
     const CShapeId zone = m_pWorld->Add(MakeZone()), ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f));
     EXPECT_EQ(Step(), "+");
     EXPECT_EQ(Step(), "");
-    off(*m_pWorld, zone, ball);
+    part(*m_pWorld, zone, ball);
     EXPECT_EQ(Step(), "-");
     EXPECT_EQ(m_pWorld->GetSensorEvents()[0], (CSensorEvent{zone, ball, false}));
     EXPECT_TRUE(m_pWorld->GetContacts().empty() || !m_pWorld->GetContacts()[0].m_bIsSensor);
@@ -66,11 +45,7 @@ TEST_P(CSensorEventContract, WhoeverIsRemovedOrTurnedOffCeasesToTouch) {
 // The ball passes the gate, bounces off the wall and passes it again.
 TEST_P(CSensorEventContract, PassesWithinASubstepAreOne) {
   for (const unsigned substeps : {1u, 2u}) {
-    CWorldDesc desc;
-    desc.m_fTimeStep = 1.0f / 64.0f;
-    desc.m_nSubsteps = substeps;
-    desc.m_cEffects = g_cContinuous;
-    m_pWorld = Backend().MakeWorld(desc);
+    m_pWorld = Backend().MakeWorld(Described({0, 0}, 1.0f / 64.0f, substeps, g_cContinuous));
     m_pWorld->Add(Sensor(CLineSegDesc({0.5f, -1}, {0.5f, 1})));
     m_pWorld->Add(CLineSegDesc({0.875f, -1}, {0.875f, 1}));
     m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.125f, {100, 0})); // 1.56 a step, the wall is .75 away
@@ -219,21 +194,15 @@ private:
         if (isBall && id < ball) continue;
         const bool on = m_cWorld.GetCanCollide(ball) && m_cWorld.GetCanCollide(id) &&
                         (m_cWorld.GetSensor(ball) || m_cWorld.GetSensor(id));
-        const float gap = Distance(id, m_cWorld.GetPos(ball)) - m_cWorld.GetRadius(ball);
+        const Vector2& p = m_cWorld.GetPos(ball);
+        // A circle is a disk for sensors.
+        const bool isDisk =
+            !isBall && m_cWorld.GetShapeType(id) == eShape::Circle &&
+            Length(p - m_cWorld.GetPos(id)) < static_cast<const CCircle&>(m_cWorld.GetShape(id)).GetRadius();
+        const float d = GetDistance(m_cWorld, id, p), gap = (isDisk ? -d : d) - m_cWorld.GetRadius(ball);
         if (on && std::abs(gap) < 1e-5f) continue; // rounding decides: some ulp of coordinates up to 5
         ASSERT_EQ(m_stdTouching.contains({ball, id}), on && gap < 0) << "gap " << gap;
       }
-  }
-  float Distance(CShapeId id, const Vector2& p) const {
-    const float d = Length(p - m_cWorld.GetPos(id));
-    if (m_cWorld.GetMotionType(id) == eMotion::Dynamic) return d - m_cWorld.GetRadius(id);
-    const CShape& shape = m_cWorld.GetShape(id);
-    switch (shape.GetShapeType()) {
-    case eShape::LineSeg: return Length(p - static_cast<const CLineSeg&>(shape).ClosestPt(p));
-    case eShape::Arc: return Length(p - static_cast<const CArc&>(shape).ClosestPt(p));
-    case eShape::Circle: return d - static_cast<const CCircle&>(shape).GetRadius();
-    default: return d;
-    }
   }
 
   bool Has(CShapeId id) const { return m_cWorld.Contains(id); }

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stops of kinematic shapes: where they stop, what they do to balls until then and afterwards; the same on
 // every engine.
-#include "../Numbers.h"
 #include "Backends.h"
-
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <string>
 
 namespace Shapes {
 namespace {
@@ -17,9 +11,7 @@ constexpr float g_fLow = -0.4f, g_fHigh = 0.7f;
 // A blade of length 1 about the origin, to the right.
 CLineSegDesc StoppedFlipper(float revsPerSecond,
                             const CMotionLimits& limits = CMotionLimits::OfAngle(g_fLow, g_fHigh)) {
-  CLineSegDesc desc({0, 0}, {1, 0});
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_fRotSpeed = revsPerSecond;
+  CLineSegDesc desc = Turning(CLineSegDesc({0, 0}, {1, 0}), revsPerSecond);
   desc.m_cLimits = limits;
   return desc;
 }
@@ -110,8 +102,7 @@ TEST_P(CStopContract, AtItsStopItIsAsGoodAsStatic) {
 
 TEST_P(CStopContract, StopsAtTwoPlaces) {
   const auto pWorld = Make(g_cAutomatic, eProfile::Tuned);
-  CLineSegDesc plunger({-0.1f, 0}, {0.1f, 0});
-  plunger.m_eMotionType = eMotion::Kinematic;
+  CLineSegDesc plunger = Turning(CLineSegDesc({-0.1f, 0}, {0.1f, 0}), 0);
   plunger.m_vVel = {0, 5};
   plunger.m_cLimits = CMotionLimits::OfCenter({0, 0.3f}, {0, -1});
   const CShapeId id = pWorld->Add(plunger);
@@ -185,19 +176,18 @@ TEST_P(CStopContract, WhatCannotBeIsRefused) {
   const auto pWorld = Make(g_cAutomatic, eProfile::Tuned);
   const CShapeId id = pWorld->Add(StoppedFlipper(1)), wall = pWorld->Add(CLineSegDesc({0, 0}, {1, 1}));
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({5, 5}, 0.1f));
-  const auto refused = [&](auto f) {
+  const auto refused = [](const auto& f) -> std::string {
     try {
       f();
-      return std::string();
+      return "";
     } catch (const std::invalid_argument& refusal) {
-      return std::string(refusal.what());
+      return refusal.what();
     }
   };
-  const float inf = std::numeric_limits<float>::infinity();
   CMotionLimits nowhere;
   nowhere.m_vLeastCenter = {g_fNan, 0};
   for (const CMotionLimits& limits :
-       {CMotionLimits::OfAngle(1, 0), CMotionLimits::OfAngle(0, 7), CMotionLimits::OfAngle(0, inf),
+       {CMotionLimits::OfAngle(1, 0), CMotionLimits::OfAngle(0, 7), CMotionLimits::OfAngle(0, g_fInf),
         CMotionLimits::OfAngle(g_fNan, 1), nowhere}) {
     EXPECT_NE(refused([&] { pWorld->SetLimits(id, limits); }).find("m_cLimits"), std::string::npos);
     EXPECT_NE(refused([&] { pWorld->Add(StoppedFlipper(1, limits)); }).find("m_cLimits"), std::string::npos);

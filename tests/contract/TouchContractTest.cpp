@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Begin and end of solid contacts, and the impulses of contacts: the same on every engine, in every mode.
-#include "../Numbers.h"
 #include "Backends.h"
-#include "Random.h"
 
-#include <algorithm>
 #include <set>
-#include <stdexcept>
-#include <string>
-#include <utility>
 
 namespace Shapes {
 namespace {
@@ -29,13 +23,9 @@ const CMode g_stdModes[] = {{"automatic", g_cAutomatic},
 class CTouchContract : public CEveryBackend {
 protected:
   std::unique_ptr<CWorld> Make(const CMode& mode, const Vector2& gravity = {0, -10}) const {
-    CWorldDesc desc;
-    desc.m_vGravity = gravity;
-    desc.m_fTimeStep = g_fDt;
-    desc.m_cBox2D.m_eProfile = mode.m_eProfile;
-    desc.m_cEffects = mode.m_cEffects;
-    desc.m_cEffects.m_cForced.Set(eEffect::Touches);
-    return Backend().MakeWorld(desc);
+    CEffectChoice choice = mode.m_cEffects;
+    choice.m_cForced.Set(eEffect::Touches);
+    return CEveryBackend::Make(choice, mode.m_eProfile, gravity);
   }
   static std::unique_ptr<CWorld> WithFloor(std::unique_ptr<CWorld> pWorld) {
     pWorld->Add(CLineSegDesc({-5, 0}, {5, 0}));
@@ -129,25 +119,13 @@ TEST_P(CTouchContract, NamesBothAsContactsDo) {
 }
 
 TEST_P(CTouchContract, WhatIsRemovedOrTurnedOffCeasesToTouch) {
-  using F = void (*)(CWorld&, CShapeId floor, CShapeId ball);
-  const F offs[] = {[](CWorld& w, CShapeId floor, CShapeId) { w.Remove(floor); },
-                    [](CWorld& w, CShapeId, CShapeId ball) { w.Remove(ball); },
-                    [](CWorld& w, CShapeId floor, CShapeId) { w.SetSensor(floor, true); },
-                    [](CWorld& w, CShapeId floor, CShapeId) { w.SetCanCollide(floor, false); },
-                    [](CWorld& w, CShapeId, CShapeId ball) { w.SetCanCollide(ball, false); },
-                    [](CWorld& w, CShapeId, CShapeId ball) {
-                      w.SetPos(ball, {0, 2});
-                    },
-                    [](CWorld& w, CShapeId floor, CShapeId) {
-                      w.SetPos(floor, {0, -2});
-                    }};
-  for (const F off : offs) {
-    SCOPED_TRACE(&off - offs);
+  for (const CParting& part : g_stdPartings) {
+    SCOPED_TRACE(&part - g_stdPartings);
     const auto pWorld = Make(g_stdModes[0]);
     const CShapeId floor = pWorld->Add(CLineSegDesc({-5, 0}, {5, 0}));
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.15f}, 0.1f, {0, 0}, 1, 0.0f));
     EXPECT_EQ(Step(*pWorld, 120), "+");
-    off(*pWorld, floor, ball);
+    part(*pWorld, floor, ball);
     EXPECT_EQ(Step(*pWorld), "-");
     EXPECT_EQ(pWorld->GetTouchEvents()[0], (CTouchEvent{floor, ball, false}));
     EXPECT_EQ(Step(*pWorld), "");
