@@ -18,6 +18,12 @@ namespace Shapes::Compare::Tests {
 struct CResult {
   int m_nExit;
   std::string m_sOutput; // both streams
+
+  testing::AssertionResult Says(const std::string& text) const {
+    const bool says = m_sOutput.find(text) != std::string::npos;
+    return (says ? testing::AssertionSuccess() : testing::AssertionFailure()) << text << "\nin\n"
+                                                                              << m_sOutput;
+  }
 };
 
 class CCommandTest : public testing::Test {
@@ -41,6 +47,9 @@ protected:
     if (WIFEXITED(status)) result.m_nExit = WEXITSTATUS(status);
     return result;
   }
+
+  /// The program writes its reports into the folder of the test.
+  CResult Run(const std::string& arguments) const { return Call(arguments + " --out " + m_cFolder.string()); }
 
   std::string Write(const std::string& name, const std::string& text) const {
     std::ofstream(m_cFolder / name) << text;

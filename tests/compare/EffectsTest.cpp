@@ -107,10 +107,9 @@ TEST(EffectsTest, WithoutBallPairsEveryBallIsLost) {
 
 // A ball that drops for t seconds is off by g t^2 / 2 without gravity, and by rounding with it.
 TEST(EffectsTest, FlightsWithoutGravityAreAsFarOffAsABallFalls) {
-  CScene scene = MakeScene(20, 1);
-  scene.m_cWorld.m_vGravity = {0, -10};
-  AddShape(scene, CLineSegDesc({-1, -3.42f}, {1, -3.42f}));
-  AddBall(scene, {{0, 0}, 0.1f}); // falls 3.32 in 48.9 steps
+  // falls 3.32 in 48.9 steps
+  CScene scene = MakeScene(20, 1, {CLineSegDesc({-1, -3.42f}, {1, -3.42f})},
+                           {CDynamicCircleDesc({0, 0}, 0.1f)}, {0, -10});
   const CEffectCost gravity = Get(Measure(scene), eEffect::Gravity);
   const double t = 0.8, r = 0.1;
   ASSERT_GT(gravity.m_cWithout.m_cFlightError.m_nCount, 3u);

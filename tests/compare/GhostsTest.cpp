@@ -31,11 +31,7 @@ CScene OverFloor(int pieces, float height) {
 }
 
 CImpactTrialResult JudgeGhosts(const CScene& scene, std::size_t contacts) {
-  CImpactTrialOptions options;
-  options.m_nContacts = contacts;
-  options.m_nMostTrials = 10 * contacts;
-  options.m_bAsk = false;
-  return RunImpactTrials(scene, GetEngines(), options);
+  return Judge(scene, contacts, 10 * contacts, 1);
 }
 
 // Box2D's edges have a skin of .01. A ball within it before a joint is nearest to the end of the next edge,
@@ -79,10 +75,9 @@ TEST(GhostsTest, StepsFarFromEverythingAreNotCounted) {
 
 // A response that comes before its time is none: Box2D's skin answers the ball a step before it is there.
 TEST(GhostsTest, EarlyAnswersAreNoGhosts) {
-  CScene scene = MakeScene(4, 10);
-  AddShape(scene, CLineSegDesc({0, -2}, {0, 2}));
-  AddShape(scene, CLineSegDesc({-1, -2}, {-1, 2}));
-  AddBall(scene, {{-0.5f, 0}, 0.1f, {0.2f, 0}}); // three thousandths a step, so it is in the skin for three
+  // three thousandths a step, so it is in the skin for three
+  CScene scene = MakeScene(4, 10, {CLineSegDesc({0, -2}, {0, 2}), CLineSegDesc({-1, -2}, {-1, 2})},
+                           {CDynamicCircleDesc({-0.5f, 0}, 0.1f, {0.2f, 0})});
   const CImpactTrialResult result = JudgeGhosts(scene, 300);
   EXPECT_GT(result.m_nQuietSteps, 250u);
   EXPECT_EQ(result.m_stdGhosts[g_nApproximate], 0u);
@@ -108,9 +103,9 @@ CImpactTrialResult JudgeOneStep(const CScene& scene) {
 // Between their surfaces, at the least, in radii; both are counted.
 TEST(GhostsTest, TwoBallsPassEachOtherWithinARadius) {
   for (const auto& [gap, quiet] : {std::pair(0.5f, 2u), std::pair(0.95f, 2u), std::pair(1.05f, 0u)}) {
-    CScene scene = MakeScene(4, 1);
-    AddBall(scene, {{-0.5f, 0}, 0.1f, {60, 0}});
-    AddBall(scene, {{0.5f, 0.2f + 0.1f * gap}, 0.1f, {-60, 0}});
+    CScene scene = MakeScene(4, 1, {},
+                             {CDynamicCircleDesc({-0.5f, 0}, 0.1f, {60, 0}),
+                              CDynamicCircleDesc({0.5f, 0.2f + 0.1f * gap}, 0.1f, {-60, 0})});
     EXPECT_EQ(JudgeOneStep(scene).m_nQuietSteps, quiet) << gap;
   }
 }
@@ -118,9 +113,8 @@ TEST(GhostsTest, TwoBallsPassEachOtherWithinARadius) {
 // In Box2D's skin of .01. The one that comes nearer touches in the next step, the other one in none.
 TEST(GhostsTest, WhatIsTouchedInTheNextTwoStepsIsNoGhost) {
   for (const auto& [speed, ghosts] : {std::pair(0.3f, 0u), std::pair(0.01f, 1u)}) {
-    CScene scene = MakeScene(4, 1);
-    AddShape(scene, CLineSegDesc({0, -2}, {0, 2}));
-    AddBall(scene, {{-0.109f, 0}, 0.1f, {speed, 0}});
+    CScene scene = MakeScene(4, 1, {CLineSegDesc({0, -2}, {0, 2})},
+                             {CDynamicCircleDesc({-0.109f, 0}, 0.1f, {speed, 0})});
     const CImpactTrialResult result = JudgeOneStep(scene);
     EXPECT_EQ(result.m_nQuietSteps, 1u);
     EXPECT_EQ(result.m_stdGhosts[g_nBox2D], ghosts) << speed;
@@ -129,10 +123,8 @@ TEST(GhostsTest, WhatIsTouchedInTheNextTwoStepsIsNoGhost) {
 }
 
 TEST(GhostsTest, ResponsesToTwoShapesInAStepAreOneGhost) {
-  CScene scene = MakeScene(4, 1);
-  AddShape(scene, CLineSegDesc({0, -2}, {0, 2}));
-  AddShape(scene, CLineSegDesc({-2, 0}, {2, 0}));
-  AddBall(scene, {{-0.109f, 0.109f}, 0.1f, {0.01f, -0.01f}});
+  CScene scene = MakeScene(4, 1, {CLineSegDesc({0, -2}, {0, 2}), CLineSegDesc({-2, 0}, {2, 0})},
+                           {CDynamicCircleDesc({-0.109f, 0.109f}, 0.1f, {0.01f, -0.01f})});
   EXPECT_EQ(JudgeOneStep(scene).m_stdGhosts[g_nBox2D], 1u);
 }
 

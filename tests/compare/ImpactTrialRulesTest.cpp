@@ -14,14 +14,6 @@
 namespace Shapes::Compare::Tests {
 namespace {
 
-CImpactTrialOptions MakeOptions(std::size_t contacts, std::uint64_t mostTrials) {
-  CImpactTrialOptions options;
-  options.m_nSeed = 5;
-  options.m_nContacts = contacts;
-  options.m_nMostTrials = mostTrials;
-  return options;
-}
-
 bool Equal(const CEngineContact& a, const CEngineContact& b) {
   const auto all = [](const CEngineContact& c) {
     return std::tie(c.m_eOutcome, c.m_bDetected, c.m_fSetback, c.m_fSetbackError, c.m_fSetbackErrorNormal,
@@ -35,7 +27,7 @@ bool Equal(const CEngineContact& a, const CEngineContact& b) {
 // step, where the second impact shows too; counted with another game.
 TEST(ImpactTrialRulesTest, OnlyAloneImpactsAreCompared) {
   const CScene scene = LoadBundled("corner");
-  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), MakeOptions(2000, 2000));
+  const CImpactTrialResult result = Judge(scene, 2000, 2000);
   std::map<std::pair<std::uint64_t, std::uint32_t>, std::size_t> impacts;
   std::size_t alone = 0, notAlone = 0;
   for (const CContact& contact : result.m_stdContacts) {
@@ -63,8 +55,7 @@ TEST(ImpactTrialRulesTest, OnlyAloneImpactsAreCompared) {
 // Box2D answers two balls a step late. They are compared where it has answered: had they been compared at the
 // end of the step of the impact, they would still fly on as before.
 TEST(ImpactTrialRulesTest, LateResponsesAreComparedWhenTheyCome) {
-  const CImpactTrialResult result =
-      RunImpactTrials(LoadBundled("ball_on_ball"), GetEngines(), MakeOptions(500, 2000));
+  const CImpactTrialResult result = Judge(LoadBundled("ball_on_ball"), 500, 2000);
   std::size_t late = 0;
   for (const CContact& contact : result.m_stdContacts) {
     const CEngineContact& c = contact.m_stdEngines.at(g_nBox2D);
@@ -79,13 +70,9 @@ TEST(ImpactTrialRulesTest, LateResponsesAreComparedWhenTheyCome) {
 
 // A ball that bounces out: each of its impacts below 2 g dt is set aside, those above are judged.
 TEST(ImpactTrialRulesTest, SlowImpactsAreResting) {
-  CScene scene = MakeScene(2, 3);
-  scene.m_cWorld.m_vGravity = {0, -9.81f};
-  CLineSegDesc floor({-1, 0}, {1, 0});
-  floor.m_fElasticity = 0.7f;
-  AddShape(scene, floor);
-  AddBall(scene, {{0, 0.6f}, 0.1f});
-  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), MakeOptions(1000, 20));
+  CScene scene = MakeScene(2, 3, {CLineSegDesc({-1, 0}, {1, 0}, 0.7f)}, {CDynamicCircleDesc({0, 0.6f}, 0.1f)},
+                           {0, -9.81f});
+  const CImpactTrialResult result = Judge(scene, 1000, 20);
   const float slow = 2 * 9.81f / 60;
   EXPECT_GT(result.m_cExcluded.m_nResting, 20u);
   EXPECT_EQ(result.m_cExcluded.m_nAmbiguous, 0u);
@@ -97,28 +84,37 @@ TEST(ImpactTrialRulesTest, SlowImpactsAreResting) {
                           [&](const CContact& c) { return c.m_fApproach < 2 * slow; }));
 }
 
-// The ball enters the circle by less than the rounding of its way.
-TEST(ImpactTrialRulesTest, GrazesAreAmbiguous) {
-  CScene scene = MakeScene(4, 1);
-  AddShape(scene, CCircleDesc({0, 0}, 1));
-  AddBall(scene, {{-1, 1.5f}, 0.5f, {3, -1e-9f}});
-  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), MakeOptions(10, 30));
-  EXPECT_EQ(result.m_cExcluded.m_nAmbiguous, 30u);
-  EXPECT_TRUE(result.m_stdContacts.empty());
-  scene.m_stdBalls[0].m_cDesc.m_vVel.y() = -0.1f; // the control
-  EXPECT_EQ(RunImpactTrials(scene, GetEngines(), MakeOptions(10, 30)).m_stdContacts.size(), 10u);
+// What rounding or the order of two impacts decides is set aside; what is off that by a little is judged.
+TEST(ImpactTrialRulesTest, WhatRoundingOrAnOrderDecidesIsSetAside) {
+  const auto expect = [](const std::vector<CAnyShapeDesc>& shapes, const CDynamicCircleDesc& ball,
+                         const CDynamicCircleDesc& control, std::size_t CExcluded::*pWhy) {
+    const CImpactTrialResult aside = Judge(MakeScene(4, 0.5f, shapes, {ball}), 10, 30),
+                             judged = Judge(MakeScene(4, 0.5f, shapes, {control}), 10, 30);
+    EXPECT_EQ(aside.m_cExcluded.*pWhy, 30u);
+    EXPECT_TRUE(aside.m_stdContacts.empty());
+    EXPECT_EQ(judged.m_cExcluded.*pWhy, 0u);
+    EXPECT_EQ(judged.m_stdContacts.size(), 10u);
+  };
+  // It enters a circle by less than the rounding of its way.
+  expect({CCircleDesc({0, 0}, 1)}, {{-1, 1.5f}, 0.5f, {3, -1e-9f}}, {{-1, 1.5f}, 0.5f, {3, -0.1f}},
+         &CExcluded::m_nAmbiguous);
+  // It overlaps at first.
+  const CLineSegDesc upright({0, -3}, {0, 3}), level({-3, 0}, {3, 0});
+  expect({upright}, {{-0.05f, 0}, 0.1f, {1, 0}}, {{-0.15f, 0}, 0.1f, {1, 0}}, &CExcluded::m_nAmbiguous);
+  // Along the diagonal into a right angle, and straight into an obtuse one.
+  expect({upright, level}, {{-1, -1}, 0.125f, {4, 4}}, {{-1.01f, -1}, 0.125f, {4, 4}},
+         &CExcluded::m_nSimultaneous);
+  expect({CLineSegDesc({-1, 0.25f}, {0, 0}), CLineSegDesc({0, 0}, {1, 0.25f})}, {{0, 1}, 0.1f, {0, -5}},
+         {{0.01f, 1}, 0.1f, {0, -5}}, &CExcluded::m_nSimultaneous);
 }
 
 // A slow approach of a fast ball: it leaves the same way whether it bounces or slides.
 TEST(ImpactTrialRulesTest, SlowImpactsAreJudgedWhereRestMakesNoDifference) {
   const auto run = [](float speed, float e) {
-    CScene scene = MakeScene(20, 0.5f);
-    scene.m_cWorld.m_vGravity = {0, -9.81f};
-    CLineSegDesc floor({-20, 0}, {20, 0});
-    floor.m_fElasticity = e;
-    AddShape(scene, floor);
-    AddBall(scene, {{0, 0.1005f}, 0.1f, {speed, 0}}); // arrives with .1
-    return RunImpactTrials(scene, GetEngines(), MakeOptions(1000, 10));
+    // arrives with .1
+    CScene scene = MakeScene(20, 0.5f, {CLineSegDesc({-20, 0}, {20, 0}, e)},
+                             {CDynamicCircleDesc({0, 0.1005f}, 0.1f, {speed, 0})}, {0, -9.81f});
+    return Judge(scene, 1000, 10);
   };
   const CImpactTrialResult fast = run(6, 0.5f);
   EXPECT_EQ(fast.m_cExcluded.m_nResting, 0u);
@@ -135,46 +131,19 @@ TEST(ImpactTrialRulesTest, SlowImpactsAreJudgedWhereRestMakesNoDifference) {
 
 // Whoever slides need not report it, but whoever flies on has missed it.
 TEST(ImpactTrialRulesTest, ASlowImpactThatIsNotAnsweredIsMissed) {
-  CScene scene = MakeScene(40, 0.5f);
-  scene.m_cWorld.m_vGravity = {0, -9.81f};
-  AddBall(scene, {{-0.102f, 0}, 0.1f, {0.1f, 20}, 1, 0.5f});
-  AddBall(scene, {{0.102f, 0}, 0.1f, {0, 20}, 1, 0.5f});
+  CScene scene = MakeScene(40, 0.5f, {},
+                           {CDynamicCircleDesc({-0.102f, 0}, 0.1f, {0.1f, 20}, 1, 0.5f),
+                            CDynamicCircleDesc({0.102f, 0}, 0.1f, {0, 20}, 1, 0.5f)},
+                           {0, -9.81f});
   std::vector<CEngine> engines = GetEngines();
   engines[g_nApproximate].m_cEffects.m_cForbidden = {eEffect::BallPairs};
-  const CImpactTrialResult result = RunImpactTrials(scene, engines, MakeOptions(20, 20));
+  const CImpactTrialResult result = Judge(scene, 20, 20, 5, engines);
   ASSERT_EQ(result.m_stdContacts.size(), 20u);
   for (const CContact& contact : result.m_stdContacts) {
     EXPECT_LT(contact.m_fApproach, 0.11f);
     EXPECT_EQ(contact.m_stdEngines[g_nApproximate].m_eOutcome, eOutcome::Missed);
     EXPECT_TRUE(contact.m_stdEngines[g_nNative].HasTurnedBack());
   }
-}
-
-TEST(ImpactTrialRulesTest, OverlapsAreAmbiguous) {
-  CScene scene = MakeScene(2, 0.1f);
-  AddShape(scene, CLineSegDesc({0, -1}, {0, 1}));
-  AddBall(scene, {{-0.05f, 0}, 0.1f, {1, 0}});
-  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), MakeOptions(10, 30));
-  EXPECT_EQ(result.m_cExcluded.m_nAmbiguous, 30u);
-  EXPECT_TRUE(result.m_stdContacts.empty());
-  // The control: the same ball from outside.
-  scene.m_stdBalls[0].m_cDesc.m_vPos.x() = -0.15f;
-  EXPECT_EQ(RunImpactTrials(scene, GetEngines(), MakeOptions(10, 30)).m_stdContacts.size(), 10u);
-}
-
-// Along the diagonal into a right angle both walls are met at once, and the order decides which is answered.
-TEST(ImpactTrialRulesTest, ImpactsAtOnceAreSimultaneous) {
-  CScene scene = MakeScene(4, 0.5f);
-  AddShape(scene, CLineSegDesc({0, -3}, {0, 3}));
-  AddShape(scene, CLineSegDesc({-3, 0}, {3, 0}));
-  AddBall(scene, {{-1, -1}, 0.125f, {4, 4}});
-  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), MakeOptions(10, 30));
-  EXPECT_EQ(result.m_cExcluded.m_nSimultaneous, 30u);
-  EXPECT_TRUE(result.m_stdContacts.empty());
-  scene.m_stdBalls[0].m_cDesc.m_vPos.x() = -1.01f; // the control
-  const CImpactTrialResult other = RunImpactTrials(scene, GetEngines(), MakeOptions(10, 30));
-  EXPECT_EQ(other.m_cExcluded.m_nSimultaneous, 0u);
-  EXPECT_EQ(other.m_stdContacts.size(), 10u);
 }
 
 // A bar sweeps through a box in which a ball has nowhere to go: nobody can say what happens, so it is said
@@ -189,14 +158,14 @@ TEST(ImpactTrialRulesTest, WhatTheReferenceGivesUpIsReported) {
   bar.m_fRotSpeed = 1;
   AddShape(scene, bar);
   AddBall(scene, {{0.12f, 0.13f}, 0.1f, {0.1f, 0}});
-  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), MakeOptions(100000, 3));
+  const CImpactTrialResult result = Judge(scene, 100000, 3);
   const CExcluded& aside = result.m_cExcluded;
   EXPECT_EQ(result.m_nTrials, 3u);
   EXPECT_EQ(aside.m_nUndecided, 3u);
   EXPECT_EQ(aside.m_sUndecided.rfind("trial 0, step ", 0), 0u) << aside.m_sUndecided;
   EXPECT_NE(aside.m_sUndecided.find("ball 0"), std::string::npos) << aside.m_sUndecided;
   scene.m_stdShapes.pop_back(); // the control: without the bar
-  EXPECT_EQ(RunImpactTrials(scene, GetEngines(), MakeOptions(50, 3)).m_cExcluded.m_nUndecided, 0u);
+  EXPECT_EQ(Judge(scene, 50, 3).m_cExcluded.m_nUndecided, 0u);
 }
 
 // What one engine cannot hold is judged on none.
@@ -205,18 +174,18 @@ TEST(ImpactTrialRulesTest, WhatAnEngineRefusesIsReportedAndNotJudged) {
   scene.m_cWorld.m_fTimeStep = 1e-11f;
   AddShape(scene, CLineSegDesc({0, -1}, {0, 1}));
   AddBall(scene, {{-0.5f, 0}, 0.1f, {4e9f, 0}}); // Box2D takes 1e9
-  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), MakeOptions(10, 5));
+  const CImpactTrialResult result = Judge(scene, 10, 5);
   EXPECT_TRUE(result.m_stdContacts.empty());
   EXPECT_EQ(result.m_cExcluded.m_nUndecided, 5u);
   EXPECT_NE(result.m_cExcluded.m_sUndecided.find("m_vVel"), std::string::npos)
       << result.m_cExcluded.m_sUndecided;
   const std::vector<CEngine> native = {GetEngines()[g_nApproximate]}; // the control: it takes them
-  EXPECT_EQ(RunImpactTrials(scene, native, MakeOptions(10, 20)).m_stdContacts.size(), 10u);
+  EXPECT_EQ(Judge(scene, 10, 20, 5, native).m_stdContacts.size(), 10u);
 }
 
 TEST(ImpactTrialRulesTest, OptionsLeaveOutWhatTheySay) {
   const CScene scene = LoadBundled("tangent_joint");
-  const CImpactTrialOptions all = MakeOptions(200, 1000);
+  const CImpactTrialOptions all = MakeImpactOptions(200, 1000);
   CImpactTrialOptions few = all;
   few.m_bAsk = few.m_bGhosts = false;
   const CImpactTrialResult full = RunImpactTrials(scene, GetEngines(), all),
@@ -244,8 +213,7 @@ TEST(ImpactTrialRulesTest, OptionsLeaveOutWhatTheySay) {
 
 TEST(ImpactTrialRulesTest, TheSameSeedGivesTheSameBits) {
   const CScene scene = LoadBundled("pinball");
-  const CImpactTrialResult a = RunImpactTrials(scene, GetEngines(), MakeOptions(200, 100)),
-                           b = RunImpactTrials(scene, GetEngines(), MakeOptions(200, 100));
+  const CImpactTrialResult a = Judge(scene, 200, 100), b = Judge(scene, 200, 100);
   ASSERT_EQ(a.m_stdContacts.size(), 200u);
   ASSERT_EQ(b.m_stdContacts.size(), 200u);
   for (std::size_t i = 0; i < 200; ++i) {
@@ -256,10 +224,10 @@ TEST(ImpactTrialRulesTest, TheSameSeedGivesTheSameBits) {
   EXPECT_EQ(a.m_stdGhosts, b.m_stdGhosts);
   EXPECT_EQ(a.m_nQuietSteps, b.m_nQuietSteps);
   // An engine alone makes the same of them: engines do not see each other.
-  const CImpactTrialResult alone = RunImpactTrials(scene, {GetEngines()[g_nBox2D]}, MakeOptions(200, 100));
+  const CImpactTrialResult alone = Judge(scene, 200, 100, 5, {GetEngines()[g_nBox2D]});
   for (std::size_t i = 0; i < 200; ++i)
     EXPECT_TRUE(Equal(a.m_stdContacts[i].m_stdEngines[g_nBox2D], alone.m_stdContacts[i].m_stdEngines[0]));
-  CImpactTrialOptions other = MakeOptions(200, 100); // the control
+  CImpactTrialOptions other = MakeImpactOptions(200, 100); // the control
   other.m_nSeed = 6;
   EXPECT_NE(RunImpactTrials(scene, GetEngines(), other).m_stdContacts[0].m_fTime, a.m_stdContacts[0].m_fTime);
 }
@@ -269,7 +237,7 @@ TEST(ImpactTrialRulesTest, ApartIsTheDistanceOfTwoBackends) {
   const CScene scene = LoadBundled("bowl");
   const std::vector<CEngine> engines = GetEngines();
   const auto judge = [&](const std::vector<CEngine>& some) {
-    return RunImpactTrials(scene, some, MakeOptions(50, 100)).m_stdContacts;
+    return Judge(scene, 50, 100, 5, some).m_stdContacts;
   };
   const auto all = judge(engines), tuned = judge({engines[g_nApproximate], engines[g_nTuned]}),
              profiles = judge({engines[g_nBox2D], engines[g_nTuned]});
@@ -286,7 +254,7 @@ TEST(ImpactTrialRulesTest, ApartIsTheDistanceOfTwoBackends) {
 TEST(ImpactTrialRulesTest, ProgressGoesUpToOneAndMayEndTheRun) {
   const CScene scene = LoadBundled("head_on_wall");
   std::vector<double> shares;
-  CImpactTrialOptions options = MakeOptions(20, 100);
+  CImpactTrialOptions options = MakeImpactOptions(20, 100);
   options.m_stdProgress = [&](double share) { shares.push_back(share); };
   const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), options);
   EXPECT_EQ(result.m_nTrials, shares.size());
@@ -295,7 +263,7 @@ TEST(ImpactTrialRulesTest, ProgressGoesUpToOneAndMayEndTheRun) {
   struct CEnough {};
   options.m_stdProgress = [&](double) { throw CEnough(); };
   EXPECT_THROW(RunImpactTrials(scene, GetEngines(), options), CEnough);
-  EXPECT_EQ(RunImpactTrials(scene, GetEngines(), MakeOptions(0, 100)).m_nTrials, 0u);
+  EXPECT_EQ(Judge(scene, 0, 100).m_nTrials, 0u);
 }
 
 } // namespace

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Single contacts whose figures follow from geometry.
+// Single contacts whose figures follow from geometry, and what counts as an answer to an impact, where it is
+// easy to take another response for it.
 #include "MadeScenes.h"
-#include "metrics/ImpactTrials.h"
+#include "metrics/Totals.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace Shapes::Compare::Tests {
 namespace {
@@ -19,10 +21,7 @@ constexpr double g_fRounding = 8 * 1.2e-7 / g_fRadius;
 
 // A ball that flies `normal` and `along` radii a step at and along the wall x = 0.
 CScene AtWall(double normal, double along, float e = 1.0f) {
-  CScene scene = MakeScene(5, 1);
-  CLineSegDesc wall({0, -4}, {0, 4});
-  wall.m_fElasticity = e;
-  AddShape(scene, wall);
+  CScene scene = MakeScene(5, 1, {CLineSegDesc({0, -4}, {0, 4}, e)});
   const double perStep = g_fRadius / g_fStep;
   AddBall(scene, {{-1, -0.5f},
                   static_cast<float>(g_fRadius),
@@ -31,11 +30,7 @@ CScene AtWall(double normal, double along, float e = 1.0f) {
 }
 
 CImpactTrialResult JudgeTrials(const CScene& scene, std::size_t contacts = g_nRestartContacts) {
-  CImpactTrialOptions options;
-  options.m_nContacts = contacts;
-  options.m_nMostTrials = 2 * contacts;
-  options.m_bGhosts = false;
-  return RunImpactTrials(scene, GetEngines(), options);
+  return Judge(scene, contacts, 2 * contacts, 1);
 }
 
 double AsDouble(float x) { return static_cast<double>(x); }
@@ -216,9 +211,7 @@ TEST(ImpactTrialTest, EnergyOfAPairIsOfBoth) {
 
 TEST(ImpactTrialTest, EveryPairHasItsName) {
   const auto first = [](const CAnyShapeDesc& shape, const Vector2& from, const Vector2& v) {
-    CScene scene = MakeScene(5, 2);
-    AddShape(scene, shape);
-    AddBall(scene, {from, static_cast<float>(g_fRadius), v});
+    CScene scene = MakeScene(5, 2, {shape}, {CDynamicCircleDesc(from, static_cast<float>(g_fRadius), v)});
     const CImpactTrialResult result = JudgeTrials(scene, 1);
     return result.m_stdContacts.empty() ? std::string("none") : GetName(result.m_stdContacts[0].m_ePair);
   };
@@ -235,6 +228,105 @@ TEST(ImpactTrialTest, EveryPairHasItsName) {
   EXPECT_STREQ(GetName(eOutcome::Late), "late");
   EXPECT_STREQ(GetName(eOutcome::WrongSide), "wrong side");
   EXPECT_STREQ(GetName(eOutcome::Missed), "missed");
+}
+
+constexpr float g_fBallRadius = 0.05f;
+constexpr std::size_t g_nJudgeContacts = 2000;
+
+// The ball flies to the right by this many radii per step.
+CDynamicCircleDesc Flying(const Vector2& p, float radii) {
+  return {p, g_fBallRadius, {radii * g_fBallRadius * 60, 0}};
+}
+
+CImpactTrialResult Evaluate(const CScene& scene, std::size_t contacts = g_nJudgeContacts) {
+  return Judge(scene, contacts, 4 * contacts, 11);
+}
+
+// Head-on at 6 radii a step: tunneled 1 - 1/6, missed 1 - 2/6. The floor, which answers in every step, is no
+// answer to the wall or the point. A point has no side that could be wrong; a ball that got into a ring
+// unseen is turned back by its far side a step later, with the right normal.
+TEST(ImpactEvaluatorTest, AnotherResponseIsNoAnswerToWhatWasMissed) {
+  const CLineSegDesc floor({-3, 0}, {3, 0}, 0.0f);
+  const CDynamicCircleDesc rolling = Flying({-1, g_fBallRadius}, 6);
+  const CScene behindWall =
+                   MakeScene(3, 0.1f, {floor, CLineSegDesc({0, -0.01f}, {0, 1})}, {rolling}, {0, -10}),
+               behindPoint =
+                   MakeScene(3, 0.1f, {floor, CPointDesc({0, 0.8f * g_fBallRadius})}, {rolling}, {0, -10}),
+               inRing = MakeScene(3, 0.12f, {CCircleDesc({0, 0}, 0.35f)}, {Flying({-1.2f, 0}, 6)});
+  for (const CScene* pScene : {&behindWall, &behindPoint, &inRing}) {
+    const CImpactTrialResult result = Evaluate(*pScene);
+    ASSERT_EQ(result.m_stdContacts.size(), g_nJudgeContacts);
+    const CTotals native = MakeTotals(result.m_stdContacts, g_nApproximate);
+    if (pScene != &behindPoint) {
+      EXPECT_TRUE(Holds(native.GetTunneled(), g_nJudgeContacts, 5.0 / 6)) << native.GetTunneled();
+    }
+    if (pScene == &inRing) continue;
+    EXPECT_TRUE(Holds(native.m_nMissed, g_nJudgeContacts, 4.0 / 6)) << native.m_nMissed;
+    EXPECT_FALSE(Holds(native.m_nMissed, g_nJudgeContacts, 0)); // as if the floor had answered
+  }
+}
+
+// The exact ball bounces off the end of a segment, which is open in the approximate mode: there the ball is
+// met when its centre is beside the segment, so many steps after the impact.
+TEST(ImpactEvaluatorTest, AResponseIsLateForTwoStepsAndMissingThen) {
+  const float r = 0.5f, dt = 1.0f / 60;
+  for (const auto& [steps, outcome] :
+       {std::pair(1.98f, eOutcome::Late), std::pair(3.0001f, eOutcome::Missed)}) {
+    CScene scene = MakeScene(3, 0.2f, {CLineSegDesc({0, 0}, {2, 0})});
+    const Vector2 v(0.1f / (steps * dt), -0.3f), impact(-0.1f, std::sqrt(r * r - 0.01f));
+    AddBall(scene, {impact - 3.3f * dt * v, r, v});
+    const CImpactTrialResult result = Evaluate(scene, 50);
+    ASSERT_EQ(result.m_stdContacts.size(), 50u);
+    for (const CContact& contact : result.m_stdContacts) {
+      EXPECT_EQ(contact.m_ePair, ePair::SegmentEnd);
+      EXPECT_EQ(contact.m_stdEngines[g_nApproximate].m_eOutcome, outcome)
+          << steps << " steps, impact at " << contact.m_fTime;
+    }
+  }
+}
+
+// Box2D moves nothing by more than 2 metres a step: a ball that wants to go 4 loses half of its speed.
+TEST(ImpactEvaluatorTest, ABallThatIsTooSlowHasANegativeError) {
+  CScene scene =
+      MakeScene(30, 1, {CLineSegDesc({10, -20}, {10, 20})}, {CDynamicCircleDesc({0, 0}, 0.5f, {240, 0})});
+  std::size_t compared = 0;
+  for (const CContact& contact : Evaluate(scene, 100).m_stdContacts) {
+    const CEngineContact& c = contact.m_stdEngines[g_nBox2D];
+    if (!c.m_bCompared) continue;
+    ++compared;
+    EXPECT_NEAR(c.m_fSpeedError, -0.5f, 1e-3f);
+    EXPECT_NEAR(c.m_fEnergyError, -0.75f, 1e-3f);
+  }
+  EXPECT_GT(compared, 10u);
+}
+
+TEST(ImpactEvaluatorTest, APointBallIsJudgedInFiniteTime) {
+  CScene scene = MakeScene(3, 1);
+  CLineSegDesc gate({-1, 0}, {1, 0.3f});
+  gate.m_eSides = eSides::Front;
+  AddShape(scene, gate);
+  AddShape(scene, CLineSegDesc({-2, 1}, {2, 1.1f}));
+  AddBall(scene, {{0.1f, -1}, 0, {1, 6}});
+  EXPECT_EQ(Evaluate(scene, 20).m_stdContacts.size(), 20u);
+}
+
+TEST(ImpactEvaluatorTest, FlippersGoOnInTheStepsAfterTheImpact) {
+  const CScene scene = LoadScene(std::string(SHAPES_SCENES_DIR) + "/pinball.json");
+  CTrialWorld world(scene, GetEngines()[g_nApproximate], MakeStart(scene, 1, 0).m_stdBalls, 0.0);
+  std::size_t flips = 0, changed = 0;
+  for (const double time : {0.0, 0.3, 0.6}) {
+    world.Flip(scene, time);
+    for (std::size_t i = 0; i < scene.m_stdShapes.size(); ++i) {
+      if (!scene.m_stdShapes[i].m_cFlip) continue;
+      const float speed =
+          RotSpeedAt(scene.m_stdShapes[i], time, static_cast<double>(scene.m_cWorld.m_fTimeStep));
+      EXPECT_EQ(world.m_pWorld->GetRotSpeed(world.m_stdShapes[i]), speed);
+      ++flips;
+      changed += speed != 0.0f;
+    }
+  }
+  EXPECT_GT(changed, 0u);
+  EXPECT_LT(changed, flips);
 }
 
 } // namespace

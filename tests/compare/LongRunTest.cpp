@@ -50,10 +50,9 @@ TEST(LongRunTest, WhatIsKeptDependsOnTheScene) {
 TEST(LongRunTest, FreePathOfNativeBetweenWallsIsRoundedUpToSteps) {
   for (const double length : {0.03, 0.047, 0.08}) {
     SCOPED_TRACE(length);
-    CScene scene = MakeScene(2, 1);
-    AddShape(scene, CLineSegDesc({-0.6f, -1}, {-0.6f, 1}));
-    AddShape(scene, CLineSegDesc({0.6f, -1}, {0.6f, 1}));
-    AddBall(scene, {{0, 0}, 0.1f, {static_cast<float>(60 * length), 0}});
+    CScene scene =
+        MakeScene(2, 1, {CLineSegDesc({-0.6f, -1}, {-0.6f, 1}), CLineSegDesc({0.6f, -1}, {0.6f, 1})},
+                  {CDynamicCircleDesc({0, 0}, 0.1f, {static_cast<float>(60 * length), 0})});
     const auto runs = MeasureLongRuns(scene, GetEngines(), 3, 4000, 1000000);
     ASSERT_EQ(runs.size(), GetEngineRows().size());
     const double steps = 1.0 / length;
@@ -76,10 +75,8 @@ TEST(LongRunTest, FreePathOfNativeBetweenWallsIsRoundedUpToSteps) {
 // The approximate mode may lose height until the ball lies there (docs/effects.md): the drift is that of the
 // height above the lowest place of the bounds, each bounce for as long as it takes.
 TEST(LongRunTest, EnergyIsThatOfTheHeightAboveTheLowestPlace) {
-  CScene scene = MakeScene(3, 1);
-  scene.m_cWorld.m_vGravity = {0, -10};
-  AddShape(scene, CLineSegDesc({-1, 0}, {1, 0}));
-  AddBall(scene, {{0, 2}, 0.1f});
+  CScene scene =
+      MakeScene(3, 1, {CLineSegDesc({-1, 0}, {1, 0})}, {CDynamicCircleDesc({0, 2}, 0.1f)}, {0, -10});
   const std::vector<CEngine> engines{GetEngines()[g_nApproximate]};
   const CLongRun run = MeasureLongRuns(scene, engines, 3, 400, 100000).at(0);
   const CStart start = MakeStart(scene, 3, 0);
@@ -159,9 +156,7 @@ TEST(LongRunTest, WhereLittleHappensThereIsNoFigure) {
     }
   }
   // A ball that lies still ends the run, too, and one that nothing holds goes on up to the limit.
-  CScene still = MakeScene(1, 1);
-  AddShape(still, CLineSegDesc({-1, 0}, {1, 0}));
-  AddBall(still, {{0, 0.5f}, 0.1f});
+  CScene still = MakeScene(1, 1, {CLineSegDesc({-1, 0}, {1, 0})}, {CDynamicCircleDesc({0, 0.5f}, 0.1f)});
   EXPECT_EQ(MeasureLongRuns(still, GetEngines(), 1, 10, 1000)[0].m_fSeconds, 0.0);
   still.m_stdBalls[0].m_cDesc.m_vVel = {0, 1e-6f};
   EXPECT_NEAR(MeasureLongRuns(still, GetEngines(), 1, 10, 1000)[0].m_fSeconds, 1000.0 / 60, 1e-3);

@@ -2,6 +2,7 @@
 // Scenes for the tests of the metrics, those made by hand so that what has to come out is known.
 #pragma once
 
+#include "metrics/ImpactTrials.h"
 #include "metrics/Statistics.h"
 #include "scene/Trial.h"
 
@@ -10,15 +11,6 @@
 #include <vector>
 
 namespace Shapes::Compare::Tests {
-
-/// No gravity, no shapes, no balls, 60 steps a second.
-inline CScene MakeScene(float halfWidth, float duration) {
-  CScene scene;
-  scene.m_sName = "made";
-  scene.m_cBounds = CAabb2D({-halfWidth, halfWidth}, {halfWidth, -halfWidth});
-  scene.m_fDuration = duration;
-  return scene;
-}
 
 inline void AddShape(CScene& scene, const CAnyShapeDesc& desc) {
   CSceneShape shape;
@@ -30,6 +22,35 @@ inline void AddBall(CScene& scene, const CDynamicCircleDesc& desc) {
   CSceneBall ball;
   ball.m_cDesc = desc;
   scene.m_stdBalls.push_back(ball);
+}
+
+/// Of 60 steps a second.
+inline CScene MakeScene(float halfWidth, float duration, const std::vector<CAnyShapeDesc>& shapes = {},
+                        const std::vector<CDynamicCircleDesc>& balls = {}, const Vector2& gravity = {0, 0}) {
+  CScene scene;
+  scene.m_sName = "made";
+  scene.m_cBounds = CAabb2D({-halfWidth, halfWidth}, {halfWidth, -halfWidth});
+  scene.m_fDuration = duration;
+  scene.m_cWorld.m_vGravity = gravity;
+  for (const CAnyShapeDesc& shape : shapes)
+    AddShape(scene, shape);
+  for (const CDynamicCircleDesc& ball : balls)
+    AddBall(scene, ball);
+  return scene;
+}
+
+/// To judge so many impacts of at most so many random trials.
+inline CImpactTrialOptions MakeImpactOptions(std::size_t contacts, std::uint64_t mostTrials,
+                                             std::uint64_t seed = 5) {
+  CImpactTrialOptions options;
+  options.m_nSeed = seed;
+  options.m_nContacts = contacts;
+  options.m_nMostTrials = mostTrials;
+  return options;
+}
+inline CImpactTrialResult Judge(const CScene& scene, std::size_t contacts, std::uint64_t mostTrials,
+                                std::uint64_t seed = 5, const std::vector<CEngine>& engines = GetEngines()) {
+  return RunImpactTrials(scene, engines, MakeImpactOptions(contacts, mostTrials, seed));
 }
 
 /// One that comes with the tool.

@@ -18,12 +18,8 @@ struct CReplay {
 
 CReplay Make(const std::string& name) {
   CReplay replay;
-  replay.m_cScene = LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");
-  CImpactTrialOptions options;
-  options.m_nSeed = 5;
-  options.m_nContacts = 200;
-  options.m_nMostTrials = 4000;
-  replay.m_cImpactTrials = RunImpactTrials(replay.m_cScene, GetEngines(), options);
+  replay.m_cScene = Tests::LoadBundled(name);
+  replay.m_cImpactTrials = Tests::Judge(replay.m_cScene, 200, 4000);
   replay.m_stdClips = MakeClips(replay.m_cScene, GetEngines(), replay.m_cImpactTrials, 5, 120);
   return replay;
 }

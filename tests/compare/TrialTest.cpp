@@ -46,8 +46,7 @@ TEST(ShuttleTest, GoesStaysComesBackAndRests) {
 }
 
 TEST(TrialTest, ADrainedBallStartsAgainAsAtFirst) {
-  CScene scene = MakeScene(4, 1);
-  scene.m_cWorld.m_vGravity = {0, -10};
+  CScene scene = MakeScene(4, 1, {}, {}, {0, -10});
   CLineSegDesc drain({-3, 0}, {3, 0});
   drain.m_bIsSensor = true;
   AddShape(scene, drain);
