@@ -10,6 +10,7 @@ if(SHAPES_CHROMIUM)
                                                   nlohmann_json::nlohmann_json)
   target_compile_definitions(shapes-page-tests PRIVATE SHAPES_CHROMIUM="${SHAPES_CHROMIUM}"
                                                        SHAPES_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                                                       SHAPES_SCENES_DIR="${CMAKE_CURRENT_SOURCE_DIR}/scenes"
                                                        SHAPES_COMPARE="$<TARGET_FILE:shapes-compare>")
   add_dependencies(shapes-page-tests shapes-compare)
   shapes_add_runs(shapes-page-tests 4)
