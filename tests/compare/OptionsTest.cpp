@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: MIT
+// What a command line may say: engines, scenes, limits, and names that are nearly right.
 #include "app/Options.h"
+
+#include "Random.h"
+#include "SampleReport.h"
+#include "app/FailAbove.h"
+#include "app/NearMatches.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace Shapes::Compare {
@@ -36,6 +44,172 @@ TEST(OptionsTest, UnknownNamesAreRefused) {
 TEST(OptionsTest, CommandsAreQuotedForAShell) {
   EXPECT_EQ(JoinCommand(std::vector<std::string>{"a", "--out=b/c", "x,y"}), "a --out=b/c x,y");
   EXPECT_EQ(JoinCommand(std::vector<std::string>{"a b", "", "it's", "$x"}), "'a b' '' 'it'\\''s' '$x'");
+}
+
+TEST(NearMatchesTest, DistancesCountEdits) {
+  EXPECT_EQ(EditDistance("", ""), 0u);
+  EXPECT_EQ(EditDistance("", "abc"), 3u);
+  EXPECT_EQ(EditDistance("kitten", "sitting"), 3u);
+  EXPECT_EQ(EditDistance("pinbal", "pinball"), 1u);
+  EXPECT_EQ(EditDistance("pniball", "pinball"), 1u); // two letters swapped
+  EXPECT_EQ(EditDistance("ca", "abc"), 3u);          // restricted: what was swapped is not changed again
+}
+
+// Against the definition, without the table.
+std::size_t Slow(std::string_view a, std::string_view b) {
+  if (a.empty() || b.empty()) return a.size() + b.size();
+  const std::string_view a1 = a.substr(1), b1 = b.substr(1);
+  std::size_t least = std::min({Slow(a1, b) + 1, Slow(a, b1) + 1, Slow(a1, b1) + (a[0] == b[0] ? 0 : 1)});
+  if (a.size() > 1 && b.size() > 1 && a[0] == b[1] && a[1] == b[0])
+    least = std::min(least, Slow(a.substr(2), b.substr(2)) + 1);
+  return least;
+}
+
+TEST(NearMatchesTest, DistancesAreThoseOfTheDefinition) {
+  Shapes::Tests::CRandom random(3);
+  const auto word = [&] {
+    std::string text(random.Below(6), ' ');
+    for (char& c : text)
+      c = static_cast<char>('a' + random.Below(3));
+    return text;
+  };
+  for (int i = 0; i < 500; ++i) {
+    const std::string a = word(), b = word();
+    EXPECT_EQ(EditDistance(a, b), Slow(a, b)) << a << " " << b << ", seed " << random.GetSeed();
+    EXPECT_EQ(EditDistance(a, b), EditDistance(b, a)) << a << " " << b << ", seed " << random.GetSeed();
+  }
+}
+
+TEST(NearMatchesTest, NearestFirstAndNoStrangers) {
+  const std::vector<std::string> known{"open_arc_outside", "open_arc_inside", "pinball", "bowl"};
+  EXPECT_EQ(NearMatches("open_arc_insid", known),
+            (std::vector<std::string>{"open_arc_inside", "open_arc_outside"}));
+  EXPECT_EQ(NearMatches("PINBALL", known), (std::vector<std::string>{"pinball"}));
+  EXPECT_EQ(NearMatches("bow", known), (std::vector<std::string>{"bowl"}));
+  EXPECT_TRUE(NearMatches("spinner", known).empty());
+  EXPECT_TRUE(NearMatches("", known).empty());
+}
+
+TEST(NearMatchesTest, TheMessageNamesThem) {
+  const std::vector<std::string> known{"native", "box2d"};
+  EXPECT_EQ(UnknownName("engine", "box2", known),
+            "there is no engine 'box2': did you mean 'box2d'? Known: native, box2d");
+  EXPECT_EQ(UnknownName("engine", "jolt", known), "there is no engine 'jolt'. Known: native, box2d");
+}
+
+std::vector<std::string> Find(const CRunReport& report, const std::string& limit) {
+  const CLimit limits[] = {ParseLimit(limit)};
+  return FindAbove(report, limits);
+}
+
+TEST(FailAboveTest, LimitsAreParsed) {
+  EXPECT_EQ(ParseLimit("missed=0.25").m_sMetric, "missed");
+  EXPECT_EQ(ParseLimit("missed=.25").m_fMost, 0.25);
+  EXPECT_EQ(ParseLimit("energy_drift=1e-3").m_fMost, 1e-3);
+  EXPECT_EQ(ParseLimit("ghost=0").m_fMost, 0.0);
+}
+
+TEST(FailAboveTest, WhatIsNoLimitIsRefused) {
+  for (const char* pText :
+       {"missed", "missed=", "missed=x", "missed=1x", "missed=-1", "missed=nan", "missed=inf", "missed=1e999",
+        "missed= 1", "missed==1", "", "=1", "Missed=1", "misses=1"})
+    EXPECT_THROW(ParseLimit(pText), std::invalid_argument) << pText;
+  const std::string what = Tests::MessageOf<std::invalid_argument>([] { ParseLimit("tunelled=1"); });
+  EXPECT_NE(what.find("there is no metric 'tunelled': did you mean 'tunneled'?"), what.npos) << what;
+}
+
+// Each metric with what the sample has of it; on native, then on box2d.
+TEST(FailAboveTest, EveryMetricIsTheRightOne) {
+  const struct {
+    const char* m_sMetric;
+    double m_fNative, m_fBox2D;
+  } expected[] = {{"missed", 0.101, 0.003},
+                  {"wrong_side", 0.102, 0.003},
+                  {"tunneled", 0.203, 0.006},
+                  {"overlapped", 0.02, 0.02},
+                  {"ghost", 0.0025, 0.0025},
+                  {"late", 0.005, 0.005},
+                  {"setback_error", 0.75, 0.75},
+                  {"poi_error", 0.12, 0.12},
+                  {"time_error", 0.04, 0.04},
+                  {"normal_error", 0.15, 0.15},
+                  {"direction_error", 0.04, 0.02},
+                  {"speed_error", 0.18, 0.18},
+                  {"energy_error", 0.22, 0.22},
+                  {"position_error", 0.26, 0.26},
+                  {"penetration", 0.005, 0.005},
+                  {"energy_drift", 0.03, 0.03},
+                  {"ns_per_ball_step", 50.0, 500.0},
+                  {"setback", 0.9, 0.9},
+                  {"setback_error_normal", 0.5, 0.5},
+                  {"free_path_error", 0.01, 0.01},
+                  {"angular_momentum_drift", 0.02, 0.02},
+                  {"ns_per_contact", 5000.0, 50000.0},
+                  {"escaped", 3.0, 3.0},
+                  {"not_finite", 1.0, 1.0},
+                  {"lasting_lost", 0.015, 0.015},
+                  {"lasting_overlap", 0.06, 0.06},
+                  {"lasting_speed", 0.7, 0.7},
+                  {"lasting_energy_gained", 0.05, 0.05},
+                  {"rest_time", 1.8, 1.8},
+                  {"flow", 2.5, 2.5},
+                  {"lasting_ns_per_ball_step", 654.0, 654.0}};
+  EXPECT_EQ(std::size(expected), GetMetricNames().size());
+  CRunReport report = MakeSampleReport();
+  for (const std::size_t e : {Tests::g_nTuned, Tests::g_nNative}) {
+    report.m_stdEngines.erase(report.m_stdEngines.begin() + static_cast<std::ptrdiff_t>(e));
+    auto& engines = report.m_stdScenes[0].m_stdEngines;
+    engines.erase(engines.begin() + static_cast<std::ptrdiff_t>(e));
+  }
+  for (CEngineReport& engine : report.m_stdScenes[0].m_stdEngines) {
+    engine.m_cLongRun.m_fFreePathError = 0.01;
+    engine.m_cLongRun.m_fAngularMomentumDrift = -0.02;
+    engine.m_cCost.m_nEscaped = 3;
+    engine.m_cCost.m_nNotFinite = 1;
+  }
+  for (const auto& e : expected) {
+    SCOPED_TRACE(e.m_sMetric);
+    const auto count = [&](double most) {
+      const CLimit limits[] = {{e.m_sMetric, most}};
+      return FindAbove(report, limits).size();
+    };
+    // At the value nothing is above, just below it is: so the value is this one.
+    const double low = std::min(e.m_fNative, e.m_fBox2D), high = std::max(e.m_fNative, e.m_fBox2D);
+    EXPECT_EQ(count(high), 0u);
+    EXPECT_EQ(count(high * (1 - 1e-12)), low == high ? 2u : 1u);
+    EXPECT_EQ(count(low * (1 - 1e-12)), 2u);
+  }
+}
+
+TEST(FailAboveTest, SaysWhichSceneEngineAndValue) {
+  const auto above = Find(MakeSampleReport(), "tunneled=0.1");
+  ASSERT_EQ(above.size(), 1u);
+  EXPECT_EQ(above[0], "tunneled is 0.203 on spinner with native-approximate: above 0.1");
+}
+
+TEST(FailAboveTest, WhatWasMeasuredNowhereIsNoPass) {
+  CRunReport report = MakeSampleReport();
+  report.m_stdScenes = {MakeUndecidedScene()};
+  const auto above = Find(report, "missed=1");
+  ASSERT_EQ(above.size(), 1u);
+  EXPECT_NE(above[0].find("missed was not measured"), std::string::npos);
+  report.m_stdScenes.push_back(MakeSampleScene());
+  EXPECT_TRUE(Find(report, "missed=1").empty());
+}
+
+TEST(FailAboveTest, ANaNIsAboveEveryLimit) {
+  CRunReport report = MakeSampleReport();
+  report.m_stdScenes[0].m_stdEngines[Tests::g_nBox2D].m_cLongRun.m_fEnergyDrift = std::nan("");
+  const auto above = Find(report, "energy_drift=1e9");
+  ASSERT_EQ(above.size(), 1u);
+  EXPECT_EQ(above[0], "energy_drift is nan on spinner with box2d: above 1e+09");
+}
+
+TEST(FailAboveTest, FewImpactsShowNoSmallRate) {
+  EXPECT_EQ(WarnOfFew({"tunneled", 0.001}, 3000), "");
+  EXPECT_NE(WarnOfFew({"tunneled", 0.001}, 100).find("takes 3000"), std::string::npos);
+  EXPECT_EQ(WarnOfFew({"tunneled", 0.0}, 100), "");          // no number of impacts would
+  EXPECT_EQ(WarnOfFew({"direction_error", 0.001}, 100), ""); // no rate
 }
 
 } // namespace

@@ -69,29 +69,6 @@ TEST(Parabola, IsCaughtByEachKindOfShape) {
   }
 }
 
-// In a ring, up and down: the ceiling at the right speed, else the floor.
-TEST(Parabola, InsideOfACircleAndOfAnArc) {
-  for (const CAnyShapeDesc& ring :
-       {CAnyShapeDesc(CCircleDesc({0, 0}, 2)), CAnyShapeDesc(CArcDesc({0, 0}, 2, 0, 0))}) {
-    const CResult up = Throw(ring, {0, 0}, {0, 6}, .5); // 6 t - 4 t^2 = 1.5
-    ASSERT_TRUE(up.m_bMet);
-    EXPECT_NEAR(up.m_cHit.m_fTime, (6 - std::sqrt(12.0)) / 8, 1e-14);
-    EXPECT_EQ(up.m_cHit.m_ePart, ePart::Inside);
-    EXPECT_NEAR((up.m_cHit.m_vNorm - CVec2d(0, -1)).norm(), 0, 1e-14);
-    const CResult down = Throw(ring, {0, 0}, {0, 4}, .5); // the apex is at 1: 4 t - 4 t^2 = -1.5
-    ASSERT_TRUE(down.m_bMet);
-    EXPECT_NEAR(down.m_cHit.m_fTime, (4 + std::sqrt(40.0)) / 8, 1e-14);
-    EXPECT_NEAR((down.m_cHit.m_vNorm - CVec2d(0, 1)).norm(), 0, 1e-14);
-  }
-  // Out through the opening at the top of a cup, and back into it.
-  const CArcDesc cup({0, 0}, 2, static_cast<float>(.75 * std::numbers::pi),
-                     static_cast<float>(.25 * std::numbers::pi));
-  const CResult back = Throw(cup, {0, 0}, {0, 10}, .5);
-  ASSERT_TRUE(back.m_bMet);
-  EXPECT_EQ(back.m_cHit.m_ePart, ePart::Inside);
-  EXPECT_NEAR(back.m_cHit.m_fTime, (10 + std::sqrt(124.0)) / 8, 1e-14);
-}
-
 TEST(Parabola, ApexIsFoundInOneLongStep) { // both ends of the way are far below
   EXPECT_TRUE(Throw(CPointDesc({0, 10.1f}), {-2, 0}, {1.265, 12.65}, .25, 20).m_bMet);
   EXPECT_FALSE(Throw(CPointDesc({0, 10.5f}), {-2, 0}, {1.265, 12.65}, .25, 20).m_bMet);

@@ -44,25 +44,6 @@ TEST(Reference, MeetsWhatTheFiltersLetMeet) {
   }
 }
 
-TEST(Reference, KinematicKick) { // by a blade whose surface moves at V where it is met
-  const struct {
-    double m_fSurface, m_fBall, m_fElasticity, m_fAfter;
-  } cases[] = {{0, -1, 1, 1}, {2, -1, 1, 5}, {2, 1, 1, 3}, {std::numbers::pi, 0, .5, 1.5 * std::numbers::pi}};
-  for (const auto& c : cases) {
-    // The blade turns about the origin with its tip far off, so that it stays nearly level until it hits.
-    const double arm = 8;
-    CExact reference =
-        Make({Kinematic(Wall({-16, 0}, {16, 0}, static_cast<float>(c.m_fElasticity)), {0, 0}, 0)},
-             {CDynamicCircleDesc({8, .25f}, .25f)});
-    reference.SetRotSpeed(0, c.m_fSurface / arm / (2 * std::numbers::pi));
-    reference.SetBall(0, {arm, .25}, {0, c.m_fBall});
-    const CEvents events = Carry(reference, 1e-6);
-    ASSERT_GE(events.size(), 1u);
-    EXPECT_NEAR(reference.GetBall(0).m_vVel.y(), c.m_fAfter, 1e-5); // it has turned by 1e-6 V / arm
-    EXPECT_NEAR(events[0].m_vSurface.y(), c.m_fSurface, 1e-5);
-  }
-}
-
 TEST(Reference, FrameOfTheSurface) { // whatever the place: v_n' = V + e (V - v_n), the tangential part kept
   CRandom random(58);
   int hits = 0;

@@ -85,12 +85,8 @@ TEST(RunTest, AnInterruptKeepsWhatIsFinished) {
 TEST(RunTest, AnErrorNamesItsScene) {
   CScene scene = LoadBundled("corner");
   scene.m_cWorld.m_fTimeStep = -1.0f;
-  try {
-    RunSome({LoadBundled("bowl"), scene}, [] {});
-    FAIL();
-  } catch (const std::exception& e) {
-    EXPECT_TRUE(std::string(e.what()).starts_with("corner: ")) << e.what();
-  }
+  const auto run = [&] { RunSome({LoadBundled("bowl"), scene}, [] {}); };
+  EXPECT_TRUE(Tests::MessageOf<std::exception>(run).starts_with("corner: "));
 }
 
 } // namespace

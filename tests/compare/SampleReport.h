@@ -6,11 +6,25 @@
 #include "report/Report.h"
 
 #include <optional>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace Shapes::Compare {
 
 using Tests::LoadBundled;
+
+inline std::vector<std::string> Lines(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);)
+    lines.push_back(line);
+  return lines;
+}
+
+inline bool Contains(const std::string& text, const std::string& part) {
+  return text.find(part) != text.npos;
+}
 
 inline CContact MakeSampleContact() {
   CContact contact{};

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <type_traits>
@@ -258,31 +259,19 @@ private:
   }
 
   static void RequireMore(const CWorldStats& a, const CWorldStats& b) {
-    const auto more = [](std::uint64_t then, std::uint64_t now, const char* what) {
-      Require(now >= then, "counters never go back", what, then, now);
-    };
-    for (std::size_t i = 0; i < a.m_stdSubstepsWith.size(); ++i) {
-      more(a.m_stdSubstepsWith[i], b.m_stdSubstepsWith[i], "m_stdSubstepsWith");
-      more(b.m_stdSubstepsWith[i], b.m_nSubsteps, "m_stdSubstepsWith of m_nSubsteps");
-    }
-    more(a.m_nSteps + 1, b.m_nSteps, "m_nSteps");
-    more(a.m_nSubsteps + 1, b.m_nSubsteps, "m_nSubsteps");
-    more(a.m_nBallsAccelerated, b.m_nBallsAccelerated, "m_nBallsAccelerated");
-    more(a.m_nShapesTurned, b.m_nShapesTurned, "m_nShapesTurned");
-    more(a.m_nShapeTests, b.m_nShapeTests, "m_nShapeTests");
-    more(a.m_nBallTests, b.m_nBallTests, "m_nBallTests");
-    more(a.m_nSweeps, b.m_nSweeps, "m_nSweeps");
-    more(a.m_nBallsSwept, b.m_nBallsSwept, "m_nBallsSwept");
-    more(a.m_nBallsHalted, b.m_nBallsHalted, "m_nBallsHalted");
-    more(a.m_nMovesLost, b.m_nMovesLost, "m_nMovesLost");
-    more(a.m_nSensorTests, b.m_nSensorTests, "m_nSensorTests");
-    more(a.m_nContacts, b.m_nContacts, "m_nContacts");
-    more(a.m_nSensorHits, b.m_nSensorHits, "m_nSensorHits");
-    more(a.m_nReported, b.m_nReported, "m_nReported");
-    more(a.m_nSpeedsCapped, b.m_nSpeedsCapped, "m_nSpeedsCapped");
-    more(a.m_nMovesClamped, b.m_nMovesClamped, "m_nMovesClamped");
-    more(a.m_nTurnsClamped, b.m_nTurnsClamped, "m_nTurnsClamped");
-    more(a.m_nEngineSteps, b.m_nEngineSteps, "m_nEngineSteps");
+    using C = CWorldStats;
+    static constexpr std::uint64_t C::*counters[] = {
+        &C::m_nSteps,        &C::m_nSubsteps,   &C::m_nBallsAccelerated, &C::m_nShapesTurned,
+        &C::m_nShapeTests,   &C::m_nBallTests,  &C::m_nSweeps,           &C::m_nBallsSwept,
+        &C::m_nBallsHalted,  &C::m_nMovesLost,  &C::m_nSensorTests,      &C::m_nContacts,
+        &C::m_nSensorHits,   &C::m_nReported,   &C::m_nSpeedsCapped,     &C::m_nMovesClamped,
+        &C::m_nTurnsClamped, &C::m_nEngineSteps};
+    for (std::size_t i = 0; i < std::size(counters); ++i)
+      Require(b.*counters[i] >= a.*counters[i] + (i < 2), "counters never go back", i, a.*counters[i],
+              b.*counters[i]);
+    for (std::size_t i = 0; i < a.m_stdSubstepsWith.size(); ++i)
+      Require(a.m_stdSubstepsWith[i] <= b.m_stdSubstepsWith[i] && b.m_stdSubstepsWith[i] <= b.m_nSubsteps,
+              "substeps with an effect never go back and are substeps", i);
   }
 
   CPicture Picture() const { return CPicture(*m_pWorld, m_stdIds); }
