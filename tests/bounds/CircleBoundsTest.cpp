@@ -5,8 +5,6 @@
 
 #include <Shapes/Arc.h>
 
-#include <cmath>
-
 namespace Shapes::Bounds {
 namespace {
 

@@ -9,8 +9,6 @@
 #include <Shapes/Contact.h>
 #include <Shapes/DynamicCircle.h>
 
-#include <cmath>
-
 namespace Shapes::Bounds {
 namespace {
 

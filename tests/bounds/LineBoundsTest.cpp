@@ -8,9 +8,6 @@
 
 #include "traps/Traps.h"
 
-#include <cmath>
-#include <limits>
-
 namespace Shapes::Bounds {
 namespace {
 

@@ -5,8 +5,6 @@
 
 #include "shapes/Response.h"
 
-#include <limits>
-
 namespace Shapes::Bounds {
 namespace {
 

@@ -6,8 +6,6 @@
 #include <Shapes/Arc.h>
 #include <Shapes/Point.h>
 
-#include <cmath>
-
 namespace Shapes::Bounds {
 namespace {
 

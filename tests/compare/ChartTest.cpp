@@ -4,9 +4,6 @@
 
 #include "SampleReport.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <regex>
 
 namespace Shapes::Compare {

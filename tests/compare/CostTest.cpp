@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metrics/Cost.h"
 
-#include <gtest/gtest.h>
-
-#include <stdexcept>
-
 #include "SampleReport.h"
 
 namespace Shapes::Compare {

@@ -3,11 +3,6 @@
 
 #include "MadeScenes.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <stdexcept>
-
 namespace Shapes::Compare {
 namespace {
 

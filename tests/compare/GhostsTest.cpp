@@ -6,12 +6,6 @@
 #include "metrics/ImpactTrials.h"
 #include "scene/ExactGame.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <utility>
-#include <vector>
-
 namespace Shapes::Compare::Tests {
 namespace {
 

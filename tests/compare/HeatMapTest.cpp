@@ -4,11 +4,6 @@
 
 #include "metrics/Statistics.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-
 namespace Shapes::Compare {
 namespace {
 

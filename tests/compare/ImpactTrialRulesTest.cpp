@@ -4,11 +4,7 @@
 #include "metrics/ImpactTrials.h"
 #include "scene/ExactGame.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <map>
-#include <stdexcept>
 #include <tuple>
 
 namespace Shapes::Compare::Tests {

@@ -4,11 +4,7 @@
 #include "MadeScenes.h"
 #include "metrics/Totals.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <set>
-#include <utility>
 
 namespace Shapes::Compare::Tests {
 namespace {

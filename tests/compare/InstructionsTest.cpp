@@ -5,12 +5,9 @@
 #include "app/Child.h"
 #include "metrics/Effects.h"
 
-#include <gtest/gtest.h>
-
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <stdexcept>
 
 namespace Shapes::Compare {
 namespace {

@@ -3,10 +3,6 @@
 #include "metrics/Lasting.h"
 #include "MadeScenes.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 namespace Shapes::Compare::Tests {
 namespace {
 

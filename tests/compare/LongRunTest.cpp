@@ -3,12 +3,7 @@
 #include "metrics/LongRun.h"
 #include "MadeScenes.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <numbers>
-#include <string>
-#include <vector>
 
 namespace Shapes::Compare::Tests {
 namespace {

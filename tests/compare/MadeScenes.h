@@ -6,8 +6,14 @@
 #include "metrics/Statistics.h"
 #include "scene/Trial.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Shapes::Compare::Tests {

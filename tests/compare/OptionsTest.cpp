@@ -7,12 +7,6 @@
 #include "app/FailAbove.h"
 #include "app/NearMatches.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
 namespace Shapes::Compare {
 namespace {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/Progress.h"
 
-#include <gtest/gtest.h>
-
 #include <csignal>
 
 #include "MadeScenes.h"

@@ -2,11 +2,6 @@
 #include "report/Replay.h"
 #include "MadeScenes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-
 namespace Shapes::Compare {
 namespace {
 

@@ -3,15 +3,11 @@
 // written. What the page does in a browser is tested in ReportPageTest.cpp.
 #include "SampleReport.h"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <stdexcept>
 
 namespace Shapes::Compare {
 namespace {

@@ -4,10 +4,6 @@
 
 #include "report/Numbers.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 namespace Shapes::Compare {
 namespace {
 

@@ -2,10 +2,8 @@
 // run.json fits compare/run.schema.json, which is strict and describes every field.
 #include "app/Run.h"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <set>

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/Run.h"
 
-#include <gtest/gtest.h>
-
-#include <stdexcept>
-
 #include "SampleReport.h"
 #include "scene/Interrupt.h"
 

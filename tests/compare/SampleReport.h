@@ -7,8 +7,6 @@
 
 #include <optional>
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace Shapes::Compare {
 

@@ -2,13 +2,10 @@
 // A scene that a program holds, written as a file for the tool and read by it.
 #include "MadeScenes.h"
 
-#include <gtest/gtest.h>
-
 #include <bit>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <string>
 
 #include "../Random.h"
 

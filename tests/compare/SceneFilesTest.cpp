@@ -2,13 +2,7 @@
 // The scenes that come with the tool, run natively.
 #include "MadeScenes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace Shapes::Compare {
 namespace {

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "MadeScenes.h"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
-#include <string>
 
 namespace Shapes::Compare {
 namespace {

@@ -2,9 +2,6 @@
 #include "scene/Trial.h"
 #include "MadeScenes.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <numbers>
 
 namespace Shapes::Compare::Tests {

@@ -4,8 +4,6 @@
 #include "metrics/Overall.h"
 #include "report/Numbers.h"
 
-#include <gtest/gtest.h>
-
 namespace Shapes::Compare {
 namespace {
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metrics/WorkPrecision.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <set>
-#include <string>
 
 #include "MadeScenes.h"
 

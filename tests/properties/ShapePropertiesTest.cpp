@@ -4,8 +4,6 @@
 #include "Generators.h"
 #include "Properties.h"
 
-#include <cmath>
-
 namespace Shapes::Properties {
 namespace {
 

@@ -8,8 +8,6 @@
 
 #include <Shapes/Backend.h>
 
-#include <vector>
-
 namespace Shapes::Properties {
 namespace {
 

@@ -3,10 +3,6 @@
 
 #include "SampleReport.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 namespace Shapes::Compare {
 namespace {
 
