@@ -103,8 +103,7 @@ TEST(ReferenceGravity, OnASlopeItAcceleratesBySine) {
 TEST(ReferenceGravity, RollsOffTheEndAndFalls) {
   for (const double v : {2.0, .5}) {
     SCOPED_TRACE(v);
-    CExact reference = MakeHeavy({Wall({-4, 0}, {0, 0}, .5f)}, {CDynamicCircleDesc({-1, .25f}, .25f)});
-    reference.SetBall(0, {-1, .25}, {v, 0});
+    CExact reference = MakeOne({Wall({-4, 0}, {0, 0}, .5f)}, .25f, {-1, .25}, {v, 0}, g_vGravity);
     Carry(reference, 1 / v + .4);
     const CExactBall<double>& ball = reference.GetBall(0);
     if (v == 2.0) {
@@ -124,10 +123,9 @@ TEST(ReferenceGravity, RollsOffTheEndAndFalls) {
 TEST(ReferenceGravity, JointOfTwoFloorsIsNoObstacle) {
   for (const bool slope : {false, true}) {
     const float fall = slope ? -.5f : 0;
-    CExact reference = MakeHeavy({Wall({-4, -4 * fall}, {0, 0}, .5f), Wall({0, 0}, {4, 4 * fall}, .5f)},
-                                 {CDynamicCircleDesc({0, 0}, .25f)});
     const CVec2d along = CVec2d(1, static_cast<double>(fall)).normalized(), n = Perp(along);
-    reference.SetBall(0, .25 * n - along, 2 * along);
+    CExact reference = MakeOne({Wall({-4, -4 * fall}, {0, 0}, .5f), Wall({0, 0}, {4, 4 * fall}, .5f)}, .25f,
+                               .25 * n - along, 2 * along, g_vGravity);
     Carry(reference, 1);
     const double a = -g_fG * along.y();
     EXPECT_NEAR((reference.GetBall(0).m_vPos - .25 * n - (1 + .5 * a) * along).norm(), 0, 1e-12);

@@ -131,10 +131,8 @@ TEST(ReferenceRest, OverlapIsReportedAndLeavesThePlace) {
 
 TEST(ReferenceRest, PlacesAreExactAfterAHit) {
   // A ball without extent stays on its side of a slanted segment for ten thousand hits.
-  CExact reference =
-      Make({Wall({-1, -.25f}, {1, .5f}), Wall({-1, .75f}, {1, 1.5f})}, {CDynamicCircleDesc({0, .5f}, 0)});
   const CVec2d along = CVec2d(2, .75).normalized(), n = Perp(along);
-  reference.SetBall(0, {0, .5}, 7 * n);
+  CExact reference = MakeOne({Wall({-1, -.25f}, {1, .5f}), Wall({-1, .75f}, {1, 1.5f})}, 0, {0, .5}, 7 * n);
   CEvents events;
   while (events.size() < 10000) {
     reference.Step(1.0 / 60, events);
@@ -160,8 +158,7 @@ TEST(ReferenceRest, JammedBallThrowsAndIsNamed) {
 }
 
 TEST(ReferenceRest, NearMissesAreCounted) {
-  CExact reference = Make({CPointDesc({0, 0})}, {CDynamicCircleDesc({-1, 0}, .5f)});
-  reference.SetBall(0, {-1.03, .5 * (1 + 1e-12)}, {1, 0});
+  CExact reference = MakeOne({CPointDesc({0, 0})}, .5f, {-1.03, .5 * (1 + 1e-12)}, {1, 0});
   EXPECT_TRUE(Carry(reference, .1, 20).empty());
   EXPECT_EQ(reference.GetNearMissCount(), 1u);
   reference.SetBall(0, {-1, .5 * (1 - 1e-12)}, {1, 0});

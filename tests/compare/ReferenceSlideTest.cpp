@@ -31,8 +31,8 @@ double PeriodError(double amplitude, double told, int steps, float speed) {
     ring.m_vVel = {speed, 0};
   }
   const double r = .25, L = 1 - r, T = Period(L, told), u = static_cast<double>(speed);
-  CExact reference = Make({ring}, {CDynamicCircleDesc({0, 0}, .25f)}, g_vPull);
-  reference.SetBall(0, {L * std::sin(amplitude), -L * std::cos(amplitude)}, {u, 0});
+  CExact reference =
+      MakeOne({ring}, .25f, {L * std::sin(amplitude), -L * std::cos(amplitude)}, {u, 0}, g_vPull);
   EXPECT_TRUE(Carry(reference, 10.25 * T / steps, steps).empty());
   const CVec2d p = reference.GetBall(0).m_vPos - CVec2d(u * 10.25 * T, 0);
   EXPECT_NEAR(p.norm(), L, 1e-12);
@@ -62,8 +62,7 @@ TEST(ReferenceSlide, BallLeavesACylinderAtTwoThirds) {
     for (const bool disk : {true, false}) {
       const CAnyShapeDesc shape = disk ? CAnyShapeDesc(CCircleDesc({0, 0}, 1, .5f))
                                        : CAnyShapeDesc(CArcDesc({0, 0}, 1, 0, 3.2f, .5f));
-      CExact reference = Make({shape}, {CDynamicCircleDesc({0, 5}, .25f)}, g_vPull);
-      reference.SetBall(0, {L * std::sin(start), L * std::cos(start)}, {0, 0});
+      CExact reference = MakeOne({shape}, .25f, {L * std::sin(start), L * std::cos(start)}, {0, 0}, g_vPull);
       while (reference.GetBall(0).m_vPos.y() > -1)
         ASSERT_TRUE(Carry(reference, 1.0 / 64).empty());
       const double cosine = std::cbrt(std::pow(reference.GetBall(0).m_vVel.x(), 2) / (g_fPull * L));
@@ -83,9 +82,8 @@ TEST(ReferenceSlide, ChuteGivesTheSpeedOfItsHeight) {
     const CShapes chute = {Wall({-38, 1}, {-8, -15}, 0), CArcDesc({0, 0}, 17, left, right, 0),
                            Wall({8, -15}, {38, 1 + kink}, 0)};
     for (const int steps : {1, 240}) {
-      CExact reference = Make(chute, {CDynamicCircleDesc({0, 9}, .25f)}, g_vPull);
       const CVec2d from = CVec2d(-23, -7) + .25 / 17 * CVec2d(8, 15);
-      reference.SetBall(0, from, {0, 0});
+      CExact reference = MakeOne(chute, .25f, from, {0, 0}, g_vPull);
       const std::size_t hits = Carry(reference, 5.0 / steps, steps).size();
       const CExactBall<double>& ball = reference.GetBall(0);
       EXPECT_GT(ball.m_vPos.x(), 8);
@@ -103,9 +101,8 @@ TEST(ReferenceSlide, ChuteGivesTheSpeedOfItsHeight) {
 TEST(ReferenceSlide, BallOnATurningSegmentFollowsItsClosedForm) {
   const double w = 2 * std::numbers::pi * .25, s0 = 1, h = .25;
   for (const int steps : {1, 40}) {
-    CExact reference = Make({Kinematic(Wall({-4, 0}, {4, 0}, .5f), {0, 0}, .25f)},
-                            {CDynamicCircleDesc({0, 9}, .25f)}, g_vPull);
-    reference.SetBall(0, {s0, h}, {-w * h, w * s0});
+    CExact reference = MakeOne({Kinematic(Wall({-4, 0}, {4, 0}, .5f), {0, 0}, .25f)}, .25f, {s0, h},
+                               {-w * h, w * s0}, g_vPull);
     EXPECT_TRUE(Carry(reference, .5 / steps, steps).empty());
     const double t = .5, a = w * t, k = g_fPull / (2 * w * w);
     const double s = s0 * std::cosh(a) + k * (std::sin(a) - std::sinh(a));
@@ -187,8 +184,7 @@ TEST(ReferenceSlide, BallSlidesOffABall) {
 // Into the lowest place of a ring: the hops end at t0 (1 + e) / (1 - e), as on a floor.
 TEST(ReferenceSlide, DropIntoARingEndsAndStays) {
   for (const float e : {.5f, 0.25f}) {
-    CExact reference = Make({CCircleDesc({0, 0}, 2, e)}, {CDynamicCircleDesc({0, 0}, .25f)}, g_vPull);
-    reference.SetBall(0, {0, -.75}, {0, 0});
+    CExact reference = MakeOne({CCircleDesc({0, 0}, 2, e)}, .25f, {0, -.75}, {0, 0}, g_vPull);
     const CEvents events = Carry(reference, 2);
     const double loss = static_cast<double>(e), end = std::sqrt(2 / g_fPull) * (1 + loss) / (1 - loss);
     ASSERT_GT(events.size(), 8u);
@@ -246,10 +242,8 @@ TEST(ReferenceSlide, BallBesideATurningArcIsLeftAlone) {
   for (const double gap : {0.0, 1e-14, -.125}) // the last one, control: an end comes round and hits it
     for (const double v : {0.0, 1e-9, 1e-13}) {
       SCOPED_TRACE(testing::Message() << "gap " << gap << ", " << v);
-      CExact reference =
-          Make({Kinematic(CArcDesc({0, 0}, 1, 0, 2), {0, 0}, 1)}, {CDynamicCircleDesc({9, 9}, .25f)});
       const CVec2d p = (1.25 + gap) * CVec2d(std::cos(3.0), std::sin(3.0));
-      reference.SetBall(0, p, v * Perp(p));
+      CExact reference = MakeOne({Kinematic(CArcDesc({0, 0}, 1, 0, 2), {0, 0}, 1)}, .25f, p, v * Perp(p));
       const std::size_t hits = Carry(reference, 1).size();
       if (gap < 0) {
         EXPECT_GT(hits, 0u);

@@ -128,10 +128,9 @@ TEST(Reference, JointIsNoObstacle) { // two collinear segments are one mirror
   CRandom random(76);
   for (int i = 0; i < 1000; ++i) {
     SCOPED_TRACE("seed 76 trial " + std::to_string(i));
-    CExact reference =
-        Make({Wall({-4, 0}, {0, 0}), Wall({0, 0}, {4, 0})}, {CDynamicCircleDesc({0, 1}, .25f)});
     const double x = 1e-3 * (random.Unit() - .5), vx = 10 * (random.Unit() - .5), vy = -.01 - random.Unit();
-    reference.SetBall(0, {x + vx * .5 / vy, .75}, {vx, vy});
+    CExact reference =
+        MakeOne({Wall({-4, 0}, {0, 0}), Wall({0, 0}, {4, 0})}, .25f, {x + vx * .5 / vy, .75}, {vx, vy});
     Carry(reference, 1 / -vy);
     EXPECT_NEAR((reference.GetBall(0).m_vVel - CVec2d(vx, -vy)).norm(), 0, 1e-12);
   }

@@ -61,6 +61,14 @@ inline CExact Make(const CShapes& shapes, const CBalls& balls, const Vector2& g 
   return CExact(shapes, balls, g);
 }
 
+/// With one ball of mass 1, at a place that need not be one of floats.
+inline CExact MakeOne(const CShapes& shapes, float r, const CVec2d& p, const CVec2d& v,
+                      const Vector2& g = Vector2::Zero()) {
+  CExact reference = Make(shapes, {CDynamicCircleDesc({0, 0}, r)}, g);
+  reference.SetBall(0, p, v);
+  return reference;
+}
+
 /// `steps` steps of dt. The time of an event is that since its own step began.
 template <class T>
 inline CEventsOf<T> Carry(CReference<T>& reference, double dt, int steps = 1) {

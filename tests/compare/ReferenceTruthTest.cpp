@@ -194,8 +194,8 @@ TEST(ReferenceTruth, CradlePassesOnWhatComesIn) {
 constexpr float g_fFall = 9.81f;
 
 CExact FallingBall(float e) {
-  CExact reference = Make({Wall({-1, 0}, {1, 0}, e)}, {CDynamicCircleDesc({0, 2}, .125f)}, {0, -g_fFall});
-  reference.SetBall(0, {0, .125 + static_cast<double>(g_fFall) / 9.81}, {0, 0});
+  CExact reference = MakeOne({Wall({-1, 0}, {1, 0}, e)}, .125f,
+                             {0, .125 + static_cast<double>(g_fFall) / 9.81}, {0, 0}, {0, -g_fFall});
   return reference;
 }
 
