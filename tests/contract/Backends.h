@@ -62,6 +62,18 @@ protected:
   }
 };
 
+/// How a world may run.
+struct CMode {
+  const char* m_sName;
+  CEffectChoice m_cEffects;
+  eProfile m_eProfile = eProfile::Shipped;
+};
+
+inline const CMode g_stdModes[] = {{"automatic", g_cAutomatic},
+                                   {"approximate", g_cApproximate},
+                                   {"continuous", g_cContinuous},
+                                   {"tuned", g_cAutomatic, eProfile::Tuned}};
+
 #define SHAPES_ON_EVERY_BACKEND(suite)                                                                       \
   INSTANTIATE_TEST_SUITE_P(, suite, testing::ValuesIn(BuiltBackends()), BackendName)
 
@@ -75,6 +87,14 @@ std::vector<T> Told(CWorld& world, int n, std::span<const T> (CWorld::*pGet)() c
     told.insert(told.end(), events.begin(), events.end());
   }
   return told;
+}
+/// Begins and ends of n steps as "+" and "-".
+template <class T>
+std::string Marks(CWorld& world, std::span<const T> (CWorld::*pGet)() const, int n = 1) {
+  std::string marks;
+  for (const T& event : Told(world, n, pGet))
+    marks += event.m_bBegin ? '+' : '-';
+  return marks;
 }
 /// Contacts in which the ball approached: what touches on is left out.
 inline std::vector<CContactEvent> Impacts(CWorld& world, int n) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Begin and end of what sensors see: every begin has its end, whatever happens to the world.
+// Begin and end of what sensors see and of solid contacts: every begin has its end, whatever happens to the
+// world.
 #include "Backends.h"
 
 #include <set>
@@ -14,13 +15,32 @@ class CSensorEventContract : public CEveryBackend {
 protected:
   void SetUp() override { m_pWorld = Backend().MakeWorld(Described({0, 0}, 1.0f / 64.0f)); }
 
-  /// Steps, and gives what was told as "+" and "-" for begins and ends.
-  std::string Step() {
-    m_pWorld->Step();
-    std::string told;
-    for (const CSensorEvent& event : m_pWorld->GetSensorEvents())
-      told += event.m_bBegin ? '+' : '-';
-    return told;
+  std::string Step() { return Marks(*m_pWorld, &CWorld::GetSensorEvents); }
+
+  /// A ball in a zone, or one that falls onto a floor; they touch after m_nSteps.
+  struct CTouching {
+    std::unique_ptr<CWorld> m_pWorld;
+    CShapeId m_cShape, m_cBall;
+    int m_nSteps;
+  };
+  CTouching MakeTouching(bool isSensor) const {
+    CTouching made{
+        Make({{eEffect::Touches}, {}}, eProfile::Shipped, {0, isSensor ? 0.0f : -10.0f}), {}, {}, 1};
+    if (isSensor) {
+      made.m_cShape = made.m_pWorld->Add(MakeZone());
+    } else {
+      made.m_cShape = made.m_pWorld->Add(CLineSegDesc({-5, 0}, {5, 0}));
+      made.m_nSteps = 120;
+    }
+    made.m_cBall = made.m_pWorld->Add(CDynamicCircleDesc({0, 0.15f}, 0.1f, {0, 0}, 1, 0.0f));
+    return made;
+  }
+
+  /// Once with the events of sensors, once with those of solid contacts.
+  template <class F>
+  static void OfBothKinds(const F& f) {
+    f(true, &CWorld::GetSensorEvents);
+    f(false, &CWorld::GetTouchEvents);
   }
 
   std::unique_ptr<CWorld> m_pWorld;
@@ -28,18 +48,45 @@ protected:
 SHAPES_ON_EVERY_BACKEND(CSensorEventContract);
 
 TEST_P(CSensorEventContract, WhoeverIsRemovedOrTurnedOffCeasesToTouch) {
-  for (const CParting& part : g_stdPartings) {
-    SCOPED_TRACE(&part - g_stdPartings);
-    SetUp();
-    const CShapeId zone = m_pWorld->Add(MakeZone()), ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f));
-    EXPECT_EQ(Step(), "+");
-    EXPECT_EQ(Step(), "");
-    part(*m_pWorld, zone, ball);
-    EXPECT_EQ(Step(), "-");
-    EXPECT_EQ(m_pWorld->GetSensorEvents()[0], (CSensorEvent{zone, ball, false}));
-    EXPECT_TRUE(m_pWorld->GetContacts().empty() || !m_pWorld->GetContacts()[0].m_bIsSensor);
-    EXPECT_EQ(Step(), "");
-  }
+  OfBothKinds([&](bool isSensor, auto pGet) {
+    for (const CParting& part : g_stdPartings) {
+      SCOPED_TRACE(testing::Message() << isSensor << ' ' << &part - g_stdPartings);
+      const CTouching made = MakeTouching(isSensor);
+      CWorld& world = *made.m_pWorld;
+      EXPECT_EQ(Marks(world, pGet, made.m_nSteps), "+");
+      EXPECT_EQ(Marks(world, pGet), "");
+      part(world, made.m_cShape, made.m_cBall);
+      EXPECT_EQ(Marks(world, pGet), "-");
+      const auto event = (world.*pGet)()[0];
+      EXPECT_EQ(event, (decltype(event){made.m_cShape, made.m_cBall, false}));
+      for (const CContactEvent& contact : world.GetContacts())
+        EXPECT_NE(contact.m_bIsSensor, isSensor);
+      EXPECT_EQ(Marks(world, pGet), "");
+    }
+  });
+}
+
+TEST_P(CSensorEventContract, ASavedStateKnowsWhatTouches) {
+  OfBothKinds([&](bool isSensor, auto pGet) {
+    const CTouching made = MakeTouching(isSensor), other = MakeTouching(isSensor);
+    CWorld& world = *made.m_pWorld;
+    const CSavedState apart = world.SaveState(); // nothing was told yet
+    EXPECT_EQ(Marks(world, pGet, made.m_nSteps), "+");
+    const CSavedState touching = world.SaveState();
+    EXPECT_EQ(Marks(world, pGet), "");
+    world.SetPos(made.m_cBall, {0, 3});
+    EXPECT_EQ(Marks(world, pGet), "-");
+    world.LoadState(touching);
+    EXPECT_TRUE((world.*pGet)().empty());
+    EXPECT_EQ(Marks(world, pGet, 60), "");
+    world.LoadState(apart);
+    EXPECT_EQ(Marks(world, pGet, made.m_nSteps), "+");
+    // In another world too.
+    other.m_pWorld->LoadState(touching);
+    EXPECT_EQ(Marks(*other.m_pWorld, pGet, 60), "");
+    other.m_pWorld->Remove(made.m_cBall);
+    EXPECT_EQ(Marks(*other.m_pWorld, pGet), "-");
+  });
 }
 
 // The ball passes the gate, bounces off the wall and passes it again.
@@ -81,36 +128,13 @@ TEST_P(CSensorEventContract, TheEndOfWhatIsGoneComesBeforeWhatTheStepBrings) {
   EXPECT_EQ(told[2], (CSensorEvent{b, ball, true}));
 }
 
-TEST_P(CSensorEventContract, ASavedStateKnowsWhatTouches) {
-  m_pWorld->Add(MakeZone());
-  const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f));
-  const CSavedState outside = m_pWorld->SaveState(); // nothing was told yet
-  EXPECT_EQ(Step(), "+");
-  const CSavedState inside = m_pWorld->SaveState();
-  EXPECT_EQ(Step(), "");
-  m_pWorld->SetPos(ball, {5, 5});
-  EXPECT_EQ(Step(), "-");
-  m_pWorld->LoadState(inside);
-  EXPECT_TRUE(m_pWorld->GetSensorEvents().empty());
-  EXPECT_EQ(Step(), "");
-  m_pWorld->LoadState(outside);
-  EXPECT_EQ(Step(), "+");
-  // In another world too.
-  const auto pFirst = std::move(m_pWorld);
-  SetUp();
-  m_pWorld->LoadState(inside);
-  EXPECT_EQ(Step(), "");
-  m_pWorld->Remove(ball);
-  EXPECT_EQ(Step(), "-");
-}
-
 // A world to which anything may happen between two steps, and what was told of it.
 class CRandomGame {
 public:
   CRandomGame(CWorld& world, std::uint64_t seed) : m_cWorld(world), m_cRandom(seed) {}
 
-  std::size_t m_nBegins = 0, m_nCrossed = 0, m_nLoads = 0;
-  CPairs m_stdTouching; // begun and not ended
+  std::size_t m_nBegins = 0, m_nCrossed = 0, m_nLoads = 0, m_nSolidBegins = 0;
+  CPairs m_stdTouching, m_stdSolid; // begun and not ended: of sensors, and of solid contacts
 
   void Act() {
     const CShapeId id = AnyId();
@@ -164,6 +188,11 @@ public:
         m_nCrossed += begun.contains(pair);
       }
     }
+    for (const CTouchEvent& event : m_cWorld.GetTouchEvents()) {
+      const std::pair pair(event.m_cBall, event.m_cShape);
+      ASSERT_TRUE(event.m_bBegin ? m_stdSolid.insert(pair).second : m_stdSolid.erase(pair) == 1);
+      m_nSolidBegins += event.m_bBegin;
+    }
     // The contacts are those that touch or touched: a pair that goes on touching has one.
     CPairs contacts;
     for (const CContactEvent& contact : m_cWorld.GetContacts())
@@ -216,6 +245,7 @@ private:
     CDynamicCircleDesc desc(m_cRandom.InSquare(3), m_cRandom.Uniform(0.05f, 0.3f));
     desc.m_vVel = Velocity();
     desc.m_bIsSensor = m_cRandom.Below(4) == 0;
+    desc.m_fElasticity = m_cRandom.Coin() ? 1.0f : 0.5f;
     m_stdIds.push_back(m_cWorld.Add(desc));
   }
   template <class TDesc>
@@ -247,6 +277,7 @@ private:
     m_cSaved = m_cWorld.SaveState();
     m_stdSavedIds = m_stdIds;
     m_stdSavedTouching = m_stdTouching;
+    m_stdSavedSolid = m_stdSolid;
     m_bSaved = true;
   }
   void Load() {
@@ -254,39 +285,46 @@ private:
     m_cWorld.LoadState(m_cSaved);
     m_stdIds = m_stdSavedIds;
     m_stdTouching = m_stdSavedTouching; // what began and was not told to have ended then
+    m_stdSolid = m_stdSavedSolid;
     ++m_nLoads;
   }
 
   CWorld& m_cWorld;
   CRandom m_cRandom;
   std::vector<CShapeId> m_stdIds, m_stdSavedIds;
-  CPairs m_stdSavedTouching;
+  CPairs m_stdSavedTouching, m_stdSavedSolid;
   CSavedState m_cSaved;
   bool m_bSaved = false;
 };
 
 TEST_P(CSensorEventContract, EveryBeginHasItsEndWhateverHappens) {
   std::size_t open = 0;
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    SetUp();
-    CRandomGame game(*m_pWorld, seed);
-    for (int step = 0; step < 400; ++step) {
-      SCOPED_TRACE(testing::Message() << "step " << step);
-      game.Act();
-      game.Act();
-      game.KeepIn();
+  for (const CMode& mode : g_stdModes)
+    for (std::uint64_t seed = 1; seed <= (mode.m_eProfile == eProfile::Shipped ? 4 : 2); ++seed) {
+      SCOPED_TRACE(testing::Message() << mode.m_sName << ", seed " << seed);
+      CEffectChoice choice = mode.m_cEffects;
+      choice.m_cForced.Set(eEffect::Touches);
+      // Every other game is on a floor.
+      const auto pWorld = Make(choice, mode.m_eProfile, {0, seed % 2 == 0 ? -10.0f : 0.0f});
+      pWorld->Add(CLineSegDesc({-5, -3.5f}, {5, -3.5f}));
+      CRandomGame game(*pWorld, seed);
+      for (int step = 0; step < 400; ++step) {
+        SCOPED_TRACE(testing::Message() << "step " << step);
+        game.Act();
+        game.Act();
+        game.KeepIn();
+        ASSERT_NO_FATAL_FAILURE(game.Step());
+      }
+      EXPECT_GT(game.m_nBegins, 200u); // a game in which little happens would show little
+      EXPECT_GT(game.m_nCrossed, 20u);
+      EXPECT_GT(game.m_nSolidBegins, 50u);
+      EXPECT_GT(game.m_nLoads, 0u);
+      open += game.m_stdTouching.size();
+      game.RemoveAll();
       ASSERT_NO_FATAL_FAILURE(game.Step());
+      EXPECT_TRUE(game.m_stdTouching.empty() && game.m_stdSolid.empty());
+      EXPECT_TRUE(pWorld->GetContacts().empty());
     }
-    EXPECT_GT(game.m_nBegins, 200u); // a game in which little happens would show little
-    EXPECT_GT(game.m_nCrossed, 20u);
-    EXPECT_GT(game.m_nLoads, 0u);
-    open += game.m_stdTouching.size();
-    game.RemoveAll();
-    ASSERT_NO_FATAL_FAILURE(game.Step());
-    EXPECT_TRUE(game.m_stdTouching.empty());
-    EXPECT_TRUE(m_pWorld->GetContacts().empty());
-  }
   EXPECT_GT(open, 5u); // some did touch when everything was removed
 }
 

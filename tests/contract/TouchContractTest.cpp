@@ -2,23 +2,8 @@
 // Begin and end of solid contacts, and the impulses of contacts: the same on every engine, in every mode.
 #include "Backends.h"
 
-#include <set>
-
 namespace Shapes {
 namespace {
-
-using Tests::CRandom;
-
-struct CMode {
-  const char* m_sName;
-  CEffectChoice m_cEffects;
-  eProfile m_eProfile = eProfile::Shipped;
-};
-
-const CMode g_stdModes[] = {{"automatic", g_cAutomatic},
-                            {"approximate", g_cApproximate},
-                            {"continuous", g_cContinuous},
-                            {"tuned", g_cAutomatic, eProfile::Tuned}};
 
 class CTouchContract : public CEveryBackend {
 protected:
@@ -31,16 +16,7 @@ protected:
     pWorld->Add(CLineSegDesc({-5, 0}, {5, 0}));
     return pWorld;
   }
-  /// Steps, and gives begins and ends as "+" and "-".
-  static std::string Step(CWorld& world, int n = 1) {
-    std::string told;
-    for (int i = 0; i < n; ++i) {
-      world.Step();
-      for (const CTouchEvent& event : world.GetTouchEvents())
-        told += event.m_bBegin ? '+' : '-';
-    }
-    return told;
-  }
+  static std::string Step(CWorld& world, int n = 1) { return Marks(world, &CWorld::GetTouchEvents, n); }
 };
 SHAPES_ON_EVERY_BACKEND(CTouchContract);
 
@@ -118,40 +94,6 @@ TEST_P(CTouchContract, NamesBothAsContactsDo) {
   EXPECT_EQ(seen[3], (CTouchEvent{wall, second, false}));
 }
 
-TEST_P(CTouchContract, WhatIsRemovedOrTurnedOffCeasesToTouch) {
-  for (const CParting& part : g_stdPartings) {
-    SCOPED_TRACE(&part - g_stdPartings);
-    const auto pWorld = Make(g_stdModes[0]);
-    const CShapeId floor = pWorld->Add(CLineSegDesc({-5, 0}, {5, 0}));
-    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.15f}, 0.1f, {0, 0}, 1, 0.0f));
-    EXPECT_EQ(Step(*pWorld, 120), "+");
-    part(*pWorld, floor, ball);
-    EXPECT_EQ(Step(*pWorld), "-");
-    EXPECT_EQ(pWorld->GetTouchEvents()[0], (CTouchEvent{floor, ball, false}));
-    EXPECT_EQ(Step(*pWorld), "");
-  }
-}
-
-TEST_P(CTouchContract, ASavedStateKnowsWhatTouches) {
-  const auto pWorld = WithFloor(Make(g_stdModes[0]));
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.15f}, 0.1f, {0, 0}, 1, 0.0f));
-  const CSavedState above = pWorld->SaveState();
-  EXPECT_EQ(Step(*pWorld, 120), "+");
-  const CSavedState lying = pWorld->SaveState();
-  pWorld->SetPos(ball, {0, 2});
-  EXPECT_EQ(Step(*pWorld), "-");
-  pWorld->LoadState(lying);
-  EXPECT_TRUE(pWorld->GetTouchEvents().empty());
-  EXPECT_EQ(Step(*pWorld, 60), "");
-  pWorld->LoadState(above);
-  EXPECT_EQ(Step(*pWorld, 120), "+");
-  const auto pOther = Make(g_stdModes[0]);
-  pOther->LoadState(lying);
-  EXPECT_EQ(Step(*pOther, 60), "");
-  pOther->Remove(ball);
-  EXPECT_EQ(Step(*pOther), "-");
-}
-
 TEST_P(CTouchContract, RunsOnlyWhereItIsForced) {
   CWorldDesc desc;
   desc.m_vGravity = {0, -10};
@@ -167,63 +109,6 @@ TEST_P(CTouchContract, RunsOnlyWhereItIsForced) {
   } catch (const std::invalid_argument& refusal) {
     EXPECT_NE(std::string(refusal.what()).find("Touches"), std::string::npos);
   }
-}
-
-// Balls that come, go, are turned off, become sensors, and a state that is loaded now and then.
-TEST_P(CTouchContract, EveryBeginHasItsEndWhateverHappens) {
-  for (const CMode& mode : g_stdModes)
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      SCOPED_TRACE(testing::Message() << mode.m_sName << ", seed " << seed);
-      CRandom random(seed);
-      const auto pWorld = WithFloor(Make(mode));
-      for (const float x : {-2.0f, 2.0f})
-        pWorld->Add(CLineSegDesc({x, 0}, {x, 5}));
-      const CShapeId bumper = pWorld->Add(CCircleDesc({0, 1}, 0.4f));
-      std::set<std::pair<CShapeId, CShapeId>> touching, savedTouching;
-      CSavedState saved = pWorld->SaveState();
-      int begins = 0;
-      for (int i = 0; i < 400; ++i) {
-        const auto balls = pWorld->GetBallIds();
-        const CShapeId ball =
-            balls.empty() ? CShapeId() : balls[random.Below(static_cast<std::uint32_t>(balls.size()))];
-        switch (random.Below(16)) {
-        case 0:
-        case 1:
-          if (balls.size() < 12)
-            pWorld->Add(CDynamicCircleDesc({random.Uniform(-1.5f, 1.5f), random.Uniform(2.0f, 4.0f)},
-                                           random.Uniform(0.1f, 0.2f), random.InSquare(3), 1, 0.5f));
-          break;
-        case 2:
-          if (balls.size() > 6) pWorld->Remove(ball);
-          break;
-        case 3: pWorld->SetCanCollide(bumper, !pWorld->GetCanCollide(bumper)); break;
-        case 4: pWorld->SetSensor(bumper, !pWorld->GetSensor(bumper)); break;
-        case 5:
-          if (!balls.empty()) pWorld->SetVel(ball, random.InSquare(6));
-          break;
-        case 6:
-          saved = pWorld->SaveState();
-          savedTouching = touching;
-          break;
-        case 7:
-          if (random.Below(4) != 0) break;
-          pWorld->LoadState(saved);
-          touching = savedTouching;
-          break;
-        default: break;
-        }
-        pWorld->Step();
-        for (const CTouchEvent& event : pWorld->GetTouchEvents()) {
-          const std::pair pair(event.m_cBall, event.m_cShape);
-          ASSERT_EQ(event.m_bBegin ? touching.insert(pair).second : touching.erase(pair) == 1, true);
-          begins += event.m_bBegin;
-        }
-      }
-      EXPECT_GT(begins, 50); // where little happens little is shown
-      while (!pWorld->GetBallIds().empty())
-        pWorld->Remove(pWorld->GetBallIds()[0]);
-      EXPECT_EQ(Step(*pWorld).size(), touching.size());
-    }
 }
 
 // What the floor gives in all is what gravity takes and what the ball has got: within what two substeps of
