@@ -30,12 +30,8 @@ TEST(BoxBounds, TranslateWidthAndHeight) {
     const Vector2 v = AnyPlace(random, size);
     box.Translate(v);
     see(naive);
-    for (const auto& [is, was] :
-         {std::pair{Exact(box.GetTopLeft()), tl}, std::pair{Exact(box.GetBottomRt()), br}}) {
-      const CVec exact = was + Exact(v);
-      moved.See(abs(is.x - exact.x), g_fUlp * abs(exact.x) / 2);
-      moved.See(abs(is.y - exact.y), g_fUlp * abs(exact.y) / 2);
-    }
+    moved.SeeEach(box.GetTopLeft(), tl + Exact(v), 0.5);
+    moved.SeeEach(box.GetBottomRt(), br + Exact(v), 0.5);
   }
 }
 

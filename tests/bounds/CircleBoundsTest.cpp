@@ -29,12 +29,8 @@ TEST(CircleBounds, ClosestPtAndPtInCircle) {
     const Vector2 v = q - c;
     const float m = v.y() / v.x(), x = std::copysign(r / std::sqrt(1.0f + m * m), v.x());
     naive.See(Exact(Vector2(c + Vector2(x, m * x))), exact, bound);
-    // A wrong answer is an error of as much as the point is off the circle.
-    const auto see = [&](CWorst& worst, bool is) {
-      worst.See(is == (d < r) ? CFifty(0) : CFifty(abs(d - r)), g_fUlp * d);
-    };
-    see(inside, circle.PtInCircle(q));
-    see(naiveInside, q.dot(q) - 2.0f * q.dot(c) + c.dot(c) < r * r);
+    inside.SeeAnswer(!circle.PtInCircle(q), d - r, g_fUlp * d);
+    naiveInside.SeeAnswer(q.dot(q) - 2.0f * q.dot(c) + c.dot(c) >= r * r, d - r, g_fUlp * d);
   }
 }
 
@@ -61,7 +57,7 @@ TEST(CircleBounds, TangentsThroughAPoint) {
     Vector2 q[2];
     const bool got = Circle(c, r).Tangents(p, q[0], q[1]);
     if (d == 0) continue;
-    exists.See(got == (d >= r) ? CFifty(0) : CFifty(abs(d - r)), g_fUlp * d);
+    exists.SeeAnswer(got, d - r, g_fUlp * d);
     if (!got) continue;
     const CFifty bound = 10 * g_fUlp * (Norm(ep) + d);
     for (const int side : {1, -1}) {
@@ -94,7 +90,7 @@ TEST(CircleBounds, CommonTangents) {
     const CCircle a = Circle(c0, r0), b = Circle(c1, r1);
     CLineSegDesc t[2];
     const bool got = a.Tangents(&b, t[0], t[1]);
-    exists.See(got == (d > abs(f0 - f1)) ? CFifty(0) : CFifty(abs(d - abs(f0 - f1))), 2 * g_fUlp * d);
+    exists.SeeAnswer(!got, abs(f0 - f1) - d, 2 * g_fUlp * d);
     if (!got || d - abs(f0 - f1) <= 16 * g_fUlp * d) continue;
     const CFifty bound = 8 * g_fUlp * (Norm(e0) + Norm(e1) + f0 + f1);
     const CFifty slope = sqrt((d - f0 + f1) * (d + f0 - f1)) / d;
@@ -191,10 +187,7 @@ TEST(ArcBounds, PtInSectorAndClosestPt) {
     if (q == arc.GetPos() || arc.IsFullCircle()) continue;
     const CVec eq = Exact(q);
     const CFifty inside = exact.Inside(eq), bound = 10 * g_fUlp * Size(desc);
-    const auto see = [&](CWorst& worst, bool is) {
-      worst.See(is == (inside >= 0) ? CFifty(0) : CFifty(abs(inside)), bound / exact.m_fRadius);
-    };
-    see(sector, arc.PtInSector(q));
+    sector.SeeAnswer(arc.PtInSector(q), inside, bound / exact.m_fRadius);
 
     const CVec best = exact.Closest(eq), is = Exact(arc.ClosestPt(q));
     const CFifty far = 2 * g_fUlp * Gap(eq, exact.m_vCenter);
@@ -203,8 +196,7 @@ TEST(ArcBounds, PtInSectorAndClosestPt) {
 
     const Vector2 v = q - arc.GetPos();
     const float angle = std::atan2(v.y(), v.x());
-    const bool naiveIn = arc.GetAngle0() <= angle && angle <= arc.GetAngle1();
-    see(naive, naiveIn);
+    naive.SeeAnswer(arc.GetAngle0() <= angle && angle <= arc.GetAngle1(), inside, bound / exact.m_fRadius);
     const float clamped = std::min(std::max(angle, arc.GetAngle0()), arc.GetAngle1());
     const CVec naiveIs = Exact(Vector2(arc.GetPos() + arc.GetRadius() * AngleToVector(clamped)));
     naiveClosest.See(abs(Gap(eq, naiveIs) - Gap(eq, best)), bound + far);

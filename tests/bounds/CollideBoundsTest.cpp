@@ -39,11 +39,6 @@ struct CHitErrors {
         m_cNorm(name + ", normal", least),
         m_cSetback(name + ", setback", least) {}
 
-  // A wrong answer is an error of as much as the gap is off the one at which the answer changes.
-  void SeeAnswer(bool is, const CFifty& overlap, const CFifty& bound) {
-    m_cAnswer.See(is == (overlap > 0) ? CFifty(0) : CFifty(abs(overlap)), bound);
-  }
-
   CKept m_cAnswer, m_cPOI, m_cNorm, m_cSetback;
 };
 
@@ -66,7 +61,7 @@ TEST(DetectBounds, PointCircle) {
     const CFifty d = Norm(e);
     CHit hit;
     const bool got = CollidePointCircle(point, ball, hit);
-    errors.SeeAnswer(got, r - d, g_fUlp * r);
+    errors.m_cAnswer.SeeAnswer(!got, -(r - d), g_fUlp * r);
     if (!got || d == 0) continue;
     errors.m_cPOI.See(Exact(hit.m_vPOI), Exact(point.GetPos()), 0);
     errors.m_cNorm.See(Exact(hit.m_vNorm), Unit(e), 2 * g_fUlp);
@@ -89,7 +84,7 @@ TEST(DetectBounds, BallBall) {
     const CFifty d = Norm(e), r = CFifty(r0) + CFifty(r1);
     CHit hit;
     const bool got = CollideBallBall(other, ball, hit);
-    errors.SeeAnswer(got, r - d, 2 * g_fUlp * r);
+    errors.m_cAnswer.SeeAnswer(!got, -(r - d), 2 * g_fUlp * r);
     if (!got || d == 0) continue;
     const CVec n = Unit(e);
     errors.m_cPOI.See(Exact(hit.m_vPOI), Exact(other.m_vPos) + CFifty(r0) * n,
@@ -123,7 +118,7 @@ TEST(DetectBounds, LineSegCircle) {
     const bool got = CollideLineSegCircle(seg, ball, hit);
     // What is met overlaps, and is between both ends.
     const CFifty overlap = std::min({CFifty(r - abs(s)), Dot(e - e0, t), CFifty(-Dot(e - e1, t))});
-    errors.SeeAnswer(got, overlap, 3 * g_fUlp * (d0 + d1));
+    errors.m_cAnswer.SeeAnswer(!got, -(overlap), 3 * g_fUlp * (d0 + d1));
     if (!got || abs(s) <= 3 * g_fUlp * d0) continue; // on the segment: either side
     errors.m_cPOI.See(Exact(hit.m_vPOI), ClosestOnSegment(e0, e1, e),
                       8 * g_fUlp * (Norm(e) + Norm(e0) + Gap(e0, e1)));
@@ -189,7 +184,7 @@ TEST(DetectBounds, CircleCircle) {
     const CFifty exactGap = fits && d < R ? CFifty(R - d) : CFifty(d - R);
     CHit hit;
     const bool got = CollideCircleCircle(circle, ball, hit);
-    errors.SeeAnswer(got, r - exactGap, 2 * g_fUlp * size);
+    errors.m_cAnswer.SeeAnswer(!got, -(r - exactGap), 2 * g_fUlp * size);
     if (!got || d == 0) continue;
     const CVec n = Unit(e);
     errors.m_cPOI.See(Exact(hit.m_vPOI), c + CFifty(R) * n, 3 * g_fUlp * (Norm(c) + R));
@@ -258,11 +253,11 @@ TEST(DetectBounds, CircleArc) {
     // Both in shares of their bounds: how far in the sector, and how deep.
     const CFifty overlap = s < 0 && r >= R ? std::min(CFifty(s), CFifty(r - abs(s))) : CFifty(r - abs(s));
     const CFifty met = std::min(CFifty(inside / angleBound), CFifty(overlap / bound));
-    errors.SeeAnswer(got, met, 1);
+    errors.m_cAnswer.SeeAnswer(!got, -(met), 1);
     const Vector2 v = p - c;
     const float angle = std::atan2(v.y(), v.x());
     const bool naiveGot = std::abs(v.norm() - R) < r && arc.GetAngle0() <= angle && angle <= arc.GetAngle1();
-    naive.See(naiveGot == (met > 0) ? CFifty(0) : CFifty(abs(met)), 1);
+    naive.SeeAnswer(!naiveGot, -met, 1);
     if (!got) continue;
     const CVec n = Unit(e - exact.m_vCenter);
     errors.m_cPOI.See(Exact(hit.m_vPOI), exact.m_vCenter + CFifty(R) * n,

@@ -48,12 +48,8 @@ TEST(ShapeMathBounds, LengthAndNormalize) {
     length.See(abs(Length(v) - d), bound);
     squares.See(abs(std::sqrt(v.x() * v.x() + v.y() * v.y()) - d), bound);
     const Vector2 u = Normalize(v);
-    const auto seeUnit = [&](CWorst& worst, const Vector2& is) {
-      worst.See(abs(is.x() - e.x / d), g_fUlp * abs(e.x / d) + CFifty(0x1p-149));
-      worst.See(abs(is.y() - e.y / d), g_fUlp * abs(e.y / d) + CFifty(0x1p-149));
-    };
-    seeUnit(unit, u);
-    seeUnit(quotient, v / std::sqrt(v.x() * v.x() + v.y() * v.y()));
+    unit.SeeEach(u, Unit(e), 1, 0x1p-149);
+    quotient.SeeEach(v / std::sqrt(v.x() * v.x() + v.y() * v.y()), Unit(e), 1, 0x1p-149);
     one.See(abs(Norm(Exact(u)) - 1), g_fUlp);
   }
 }
@@ -125,13 +121,9 @@ TEST(ShapeMathBounds, AngleToVector) {
   for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
     const float angle = i % 50 ? AnyAngle(random) : random.SignedScale(10, 120);
     const CVec exact = AtAngle(angle);
-    const auto see = [&](CWorst& w, const Vector2& is) {
-      w.See(abs(is.x() - exact.x), g_fUlp * abs(exact.x));
-      w.See(abs(is.y() - exact.y), g_fUlp * abs(exact.y));
-    };
-    see(worst, AngleToVector(angle));
+    worst.SeeEach(AngleToVector(angle), exact, 1);
     const float c = std::cos(angle);
-    see(naive, {c, std::copysign(std::sqrt(1.0f - c * c), std::sin(angle))});
+    naive.SeeEach({c, std::copysign(std::sqrt(1.0f - c * c), std::sin(angle))}, exact, 1);
   }
 }
 
@@ -198,13 +190,9 @@ TEST(RotationBounds, GetSurfaceVelocity) {
     const CKinematicPoint point(desc);
     const Vector2 q = desc.m_vRotCenter + AnyWay(random, size);
     const CVec exact = (2 * Pi() * CFifty(desc.m_fRotSpeed)) * Left(Exact(q) - Exact(desc.m_vRotCenter));
-    const auto see = [&](CWorst& w, const Vector2& is) {
-      w.See(abs(is.x() - exact.x), 2 * g_fUlp * abs(exact.x));
-      w.See(abs(is.y() - exact.y), 2 * g_fUlp * abs(exact.y));
-    };
-    see(worst, point.GetSurfaceVelocity(q));
+    worst.SeeEach(point.GetSurfaceVelocity(q), exact, 2);
     const float dt = 0x1p-10f / std::abs(desc.m_fRotSpeed);
-    see(naive, (RotatePt(q, desc.m_vRotCenter, g_fTwoPi * desc.m_fRotSpeed * dt) - q) / dt);
+    naive.SeeEach((RotatePt(q, desc.m_vRotCenter, g_fTwoPi * desc.m_fRotSpeed * dt) - q) / dt, exact, 2);
   }
 }
 

@@ -29,6 +29,15 @@ public:
     if (!(share <= m_fShare)) m_fShare = share > m_fShare ? share : std::numeric_limits<double>::infinity();
   }
   void See(const CVec& is, const CVec& should, const CFifty& bound) { See(Gap(is, should), bound); }
+  /// Each component, to so many ulp of it.
+  void SeeEach(const Vector2& is, const CVec& should, const CFifty& ulps, const CFifty& least = 0) {
+    See(abs(is.x() - should.x), ulps * g_fUlp * abs(should.x) + least);
+    See(abs(is.y() - should.y), ulps * g_fUlp * abs(should.y) + least);
+  }
+  /// An answer that changes where `inside` is 0: a wrong one is an error of as much as that is off.
+  void SeeAnswer(bool is, const CFifty& inside, const CFifty& bound) {
+    See(is == (inside >= 0) ? CFifty(0) : CFifty(abs(inside)), bound);
+  }
 
 protected:
   ~CWorst() {
