@@ -118,7 +118,7 @@ TEST(DetectBounds, LineSegCircle) {
     const bool got = CollideLineSegCircle(seg, ball, hit);
     // What is met overlaps, and is between both ends.
     const CFifty overlap = std::min({CFifty(r - abs(s)), Dot(e - e0, t), CFifty(-Dot(e - e1, t))});
-    errors.m_cAnswer.SeeAnswer(!got, -(overlap), 3 * g_fUlp * (d0 + d1));
+    errors.m_cAnswer.SeeAnswer(!got, -overlap, 3 * g_fUlp * (d0 + d1));
     if (!got || abs(s) <= 3 * g_fUlp * d0) continue; // on the segment: either side
     errors.m_cPOI.See(Exact(hit.m_vPOI), ClosestOnSegment(e0, e1, e),
                       8 * g_fUlp * (Norm(e) + Norm(e0) + Gap(e0, e1)));
@@ -253,7 +253,7 @@ TEST(DetectBounds, CircleArc) {
     // Both in shares of their bounds: how far in the sector, and how deep.
     const CFifty overlap = s < 0 && r >= R ? std::min(CFifty(s), CFifty(r - abs(s))) : CFifty(r - abs(s));
     const CFifty met = std::min(CFifty(inside / angleBound), CFifty(overlap / bound));
-    errors.m_cAnswer.SeeAnswer(!got, -(met), 1);
+    errors.m_cAnswer.SeeAnswer(!got, -met, 1);
     const Vector2 v = p - c;
     const float angle = std::atan2(v.y(), v.x());
     const bool naiveGot = std::abs(v.norm() - R) < r && arc.GetAngle0() <= angle && angle <= arc.GetAngle1();

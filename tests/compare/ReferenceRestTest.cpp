@@ -168,45 +168,100 @@ TEST(ReferenceRest, NearMissesAreCounted) {
   EXPECT_EQ(reference.GetNearMissCount(), 1u);
 }
 
-// Random tables on which balls bounce, pile up and are batted: nobody gets through or into anything.
-TEST(ReferenceRest, NobodyGetsIntoAnything) {
-  std::size_t events = 0, slides = 0;
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+// Random tables on which balls bounce, pile up and are batted. Nobody gets into anything. Without blades no
+// energy is gained; where all is elastic and nothing pulls it is kept, to 8 roundings a bounce, and the
+// momentum is what the shapes gave. The controls are elasticities a little below and above 1.
+TEST(ReferenceRest, TablesKeepBallsApartAndEnergyFromGrowing) {
+  enum eTable { Elastic, Dull, Lively, Piles, Batted, Tables };
+  std::size_t bounces = 0, pairs = 0, slides = 0, rests = 0, gains = 0;
+  for (std::uint64_t seed = 0; seed < 4 * Tables; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     CRandom random(seed);
-    CShapes shapes = Box(4, .5f);
+    const auto table = static_cast<eTable>(seed % Tables);
+    const auto elasticity = [&] {
+      const float e[] = {1, 1 - 1e-4f, 1.01f};
+      return table <= Lively ? e[table] : random.Coin() ? 0 : random.Uniform(0, 1);
+    };
+    const float g = table <= Lively ? 0 : 9.8f;
+    // Piles lie in a bowl.
+    CShapes shapes = table == Piles ? CShapes{CArcDesc({0, 0}, 4, 0, 0, elasticity())}
+                                    : Box(4, table == Batted ? .5f : elasticity());
     for (int k = 0; k < 12; ++k) {
-      const Vector2 p(-3 + 2 * static_cast<float>(k % 4), -2.5f + 2 * static_cast<float>(k / 4));
-      const float e = random.Uniform(0, 1), size = random.Uniform(.1f, .5f), a = random.Uniform(0, 6);
-      if (k % 3 == 0) shapes.emplace_back(CCircleDesc(p, size, e));
-      if (k % 3 == 1) shapes.emplace_back(CArcDesc(p, size, a, a + 3, e));
+      const Vector2 p(-2.4f + 1.6f * static_cast<float>(k % 4), -2 + 1.6f * static_cast<float>(k / 4));
+      const float e = elasticity(), size = random.Uniform(.1f, .5f), a = random.Uniform(0, 6);
       const float revs = random.Uniform(-2, 2);
-      if (k % 3 == 2) shapes.emplace_back(Kinematic(Wall(p, p + size * AngleToVector(a), e), p, revs));
+      const CLineSegDesc wall = Wall(p, p + size * AngleToVector(a), e);
+      if (k % 4 == 0) shapes.emplace_back(CCircleDesc(p, size, e));
+      if (k % 4 == 1) shapes.emplace_back(CArcDesc(p, size, a, a + 3, e));
+      if (k % 4 == 2) shapes.emplace_back(CPointDesc(p, e));
+      if (k % 4 == 3) shapes.emplace_back(table == Batted ? Kinematic(wall, p, revs) : wall);
     }
     CBalls balls;
-    for (int i = 0; i < 5; ++i)
-      balls.emplace_back(Vector2(-3.2f + 1.6f * static_cast<float>(i), 3.3f), random.Uniform(.05f, .25f),
-                         random.InSquare(5), random.Uniform(.1f, 5), random.Uniform(0, 1));
-    CExact reference = Make(shapes, balls, {0, -9.8f});
-    for (int step = 0; step < 600; ++step) {
-      const CEvents now = Carry(reference, 1.0 / 60);
-      events += now.size();
-      for (const CExactEvent<double>& event : now)
-        ASSERT_FALSE(event.m_bOverlapped) << "step " << step;
+    for (int i = 0; i < 8; ++i) {
+      const float r = random.Uniform(.05f, .25f), m = random.Uniform(.1f, 5);
+      balls.emplace_back(Vector2(-2.45f + .7f * static_cast<float>(i), 2.6f), r, random.InSquare(5), m,
+                         elasticity());
+    }
+    CExact reference = Make(shapes, balls, {0, -g});
+    const auto energy = [&] {
+      double sum = Energy(reference);
+      for (std::size_t i = 0; i < balls.size(); ++i)
+        sum += reference.GetBall(i).m_fMass * static_cast<double>(g) * (reference.GetBall(i).m_vPos.y() + 4);
+      return sum;
+    };
+    const double first = energy();
+    double before = first, size = 0;
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      size += reference.GetBall(i).m_fMass * reference.GetBall(i).m_vVel.norm();
+    CVec2d momentum = Momentum(reference);
+    std::size_t own = 0; // bounces of this table
+    for (int step = 0; step < 400; ++step) {
+      SCOPED_TRACE(step);
+      for (const CExactEvent<double>& event : Carry(reference, 1.0 / 60)) {
+        ASSERT_FALSE(event.m_bOverlapped);
+        ++own;
+        pairs += event.m_bIsBall;
+        if (!event.m_bIsBall)
+          momentum += reference.GetBall(event.m_nBall).m_fMass * (event.m_vVelAfter - event.m_vVelBefore);
+      }
       for (std::size_t i = 0; i < balls.size(); ++i) {
         const CExactBall<double>& ball = reference.GetBall(i);
-        for (std::size_t k = 0; k < shapes.size(); ++k) {
-          const CSweepOracle oracle(reference.GetGeometry(k), {}, {ball.m_vPos, {0, 0}, ball.m_fRadius}, 0);
-          ASSERT_GT(oracle.Gap(0), -2 * g_fRest * ball.GetExtent())
-              << "step " << step << " ball " << i << " shape " << k;
-        }
+        const double inside = -2 * g_fRest * ball.GetExtent();
         ASSERT_LT(ball.m_vPos.cwiseAbs().maxCoeff(), 4);
+        for (std::size_t k = 0; k < shapes.size(); ++k)
+          ASSERT_GT(
+              CSweepOracle(reference.GetGeometry(k), {}, {ball.m_vPos, {0, 0}, ball.m_fRadius}, 0).Gap(0),
+              inside)
+              << "ball " << i << " shape " << k;
+        for (std::size_t j = 0; j < i; ++j)
+          ASSERT_GE((ball.m_vPos - reference.GetBall(j).m_vPos).norm(),
+                    ball.m_fRadius + reference.GetBall(j).m_fRadius + inside);
       }
+      const double now = energy();
+      gains += table == Lively && now > before * (1 + 1e-12);
+      if (table != Lively && table != Batted) {
+        ASSERT_LE(now, before * (1 + 1e-12));
+      }
+      before = now;
     }
+    const double bound = 8 * g_fEps * static_cast<double>(own);
+    if (table == Elastic) {
+      EXPECT_NEAR(before / first, 1, bound);
+      EXPECT_LE((Momentum(reference) - momentum).norm(), bound * size);
+      EXPECT_EQ(reference.GetSlideCount(), 0u);
+    }
+    if (table == Dull) {
+      EXPECT_LT(before / first, 1 - bound);
+    }
+    bounces += own;
     slides += reference.GetSlideCount();
+    rests += reference.GetRestCount();
   }
-  EXPECT_GT(events, 1000u);
-  EXPECT_GT(slides, 10u);
+  EXPECT_GT(bounces, 10000u);
+  EXPECT_GT(pairs, 1000u);
+  EXPECT_GT(slides, 500u);
+  EXPECT_GT(rests, 200u);
+  EXPECT_GT(gains, 10u);
 }
 
 TEST(ReferenceRest, RefusesWhatTheLibraryRefuses) {
