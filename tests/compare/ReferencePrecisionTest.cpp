@@ -12,7 +12,7 @@ namespace {
 
 using Shapes::Tests::CRandom;
 
-struct CScene {
+struct CTable {
   CShapes m_stdShapes;
   CBalls m_stdBalls;
   Vector2 m_vGravity = Vector2::Zero();
@@ -37,9 +37,9 @@ CAnyShapeDesc RandomShape(CRandom& random, float e) {
 }
 
 // A box with shapes of all kinds, and balls that are clear of them.
-CScene RandomScene(CRandom& random, bool elastic) {
+CTable RandomScene(CRandom& random, bool elastic) {
   const auto elasticity = [&] { return elastic ? 1.0f : random.Uniform(.8f, 1); };
-  CScene scene;
+  CTable scene;
   if (random.Coin()) scene.m_vGravity = random.InSquare(5);
   const Vector2 corners[] = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
   for (int i = 0; i < 4; ++i)
@@ -65,7 +65,7 @@ CScene RandomScene(CRandom& random, bool elastic) {
 }
 
 template <class T>
-CReference<T> MakeRun(const CScene& scene) {
+CReference<T> MakeRun(const CTable& scene) {
   return CReference<T>(scene.m_stdShapes, scene.m_stdBalls, scene.m_vGravity);
 }
 
@@ -83,7 +83,7 @@ CReference<T> MakeRun(const CScene& scene) {
 class CErrorBound {
 public:
   template <class T>
-  CErrorBound(const CScene& scene, const CReference<T>& start)
+  CErrorBound(const CTable& scene, const CReference<T>& start)
       : m_cScene(scene),
         m_fEps(static_cast<double>(std::numeric_limits<T>::epsilon())),
         m_stdPlace(scene.m_stdBalls.size(), 0.0),
@@ -153,7 +153,7 @@ private:
     }
   }
 
-  const CScene& m_cScene;
+  const CTable& m_cScene;
   double m_fEps;
   std::vector<double> m_stdPlace;
   std::vector<double> m_stdSpeed;
@@ -182,7 +182,7 @@ struct CTally {
 };
 
 // `push` changes the first velocity in the run of the doubles by this share of it.
-void CompareRuns(const CScene& scene, double seconds, CTally& tally, double push = 0) {
+void CompareRuns(const CTable& scene, double seconds, CTally& tally, double push = 0) {
   CExact run = MakeRun<double>(scene);
   run.SetBall(0, run.GetBall(0).m_vPos, run.GetBall(0).m_vVel * (1 + push));
   CReference<CFifty> exact = MakeRun<CFifty>(scene);
@@ -239,7 +239,7 @@ TEST(ReferencePrecision, DoubleFollowsFiftyDigits) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     CRandom random(seed);
-    const CScene scene = RandomScene(random, seed % 2 == 0);
+    const CTable scene = RandomScene(random, seed % 2 == 0);
     CompareRuns(scene, 2, tally);
     if (HasFatalFailure()) break;
     ASSERT_LE(tally.m_fShare, 1);
@@ -280,7 +280,7 @@ struct CReturn {
 
 // For `seconds` there, and as long back. The bound goes on growing on the way back.
 template <class T>
-CReturn ThereAndBack(const CScene& scene, double seconds, bool reversed = true) {
+CReturn ThereAndBack(const CTable& scene, double seconds, bool reversed = true) {
   CReference<T> run = MakeRun<T>(scene);
   CErrorBound bound(scene, run);
   CReturn result;
@@ -307,7 +307,7 @@ void ExpectReturns(std::uint64_t scenes, double seconds, double most, std::size_
   for (std::uint64_t seed = 1001; seed <= 1000 + scenes; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     CRandom random(seed);
-    const CScene scene = RandomScene(random, true);
+    const CTable scene = RandomScene(random, true);
     const CReturn result = ThereAndBack<T>(scene, seconds);
     if (!(result.m_fBound < most)) continue;
     EXPECT_LE(result.m_fOff, result.m_fBound);
@@ -326,7 +326,7 @@ TEST(ReferencePrecision, TimeDoesNotRunBackwardsOtherwise) { // control: a loss,
   int strays = 0, hit = 0;
   for (std::uint64_t seed = 1001; seed <= 1100; ++seed) {
     CRandom random(seed);
-    CScene scene = RandomScene(random, true);
+    CTable scene = RandomScene(random, true);
     EXPECT_GT(ThereAndBack<double>(scene, 1, false).m_fOff, 1e-3) << "seed " << seed;
     for (CDynamicCircleDesc& ball : scene.m_stdBalls)
       ball.m_fElasticity = .99f;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The exact reference against published collision counts, conservation laws and cases with known answers.
+// The exact reference on cases with known answers; and under gravity: balls that bounce, come to rest, lie on
+// slopes, in wedges and on each other, and roll off.
 #include "Random.h"
 #include "ReferenceTesting.h"
 
@@ -145,6 +146,235 @@ TEST(Reference, ASpeedBeyondDoublesIsRefused) {
   EXPECT_NEAR(carry(1), 1, 1e-12);
   // A thousand times as fast after each impact, and so a thousand times as early.
   EXPECT_THROW(carry(1000), std::runtime_error);
+}
+
+const Vector2 g_vGravity(0, -9.81f);
+const double g_fG = static_cast<double>(9.81f);
+
+CExact MakeHeavy(const CShapes& shapes, const CBalls& balls) { return Make(shapes, balls, g_vGravity); }
+
+// Through memory: g++ 12 at -O2 takes a pair of conversions to float and back for none.
+CVec2d AsFloats(const CVec2d& v) {
+  volatile float x = static_cast<float>(v.x()), y = static_cast<float>(v.y());
+  return {static_cast<double>(x), static_cast<double>(y)};
+}
+
+// What a step of an engine starts from.
+void RoundToFloat(CExact& reference) {
+  for (std::size_t i = 0; i < reference.GetBallCount(); ++i)
+    reference.SetBall(i, AsFloats(reference.GetBall(i).m_vPos), AsFloats(reference.GetBall(i).m_vVel));
+}
+
+TEST(ReferenceGravity, RoundingToFloatsRounds) {
+  volatile double third = 1.0 / 3;
+  EXPECT_NE(AsFloats({third, third}).x(), third);
+}
+
+// With gravity over a piece of every kind, and without it in a box.
+TEST(ReferenceGravity, WayDoesNotDependOnTheSteps) {
+  for (const CExact& start :
+       {MakeHeavy({Wall({-2, -2}, {2, -1.5f}, .8f), Wall({2, -2}, {2, 2}), Wall({-2, -2}, {-2, 2}),
+                   CArcDesc({0, -1.5f}, .5f, 0, 3, .9f), CCircleDesc({-1, .5f}, .25f), CPointDesc({1, 0})},
+                  {CDynamicCircleDesc({-1, 1.5f}, .125f, {1, 0}),
+                   CDynamicCircleDesc({1, 1}, .25f, {-.5f, .25f}, 2)}),
+        Make(Box(1),
+             {CDynamicCircleDesc({.1f, .2f}, .2f, {1.4f, 2.2f}), CDynamicCircleDesc({-.5f, 0}, .3f)})}) {
+    CExact one = start, many = start;
+    const std::size_t hits = Carry(one, 1.5).size();
+    EXPECT_GE(hits, 4u);
+    EXPECT_EQ(Carry(many, 1.5 / 1000, 1000).size(), hits);
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_NEAR((one.GetBall(i).m_vPos - many.GetBall(i).m_vPos).norm(), 0, 1e-9);
+  }
+}
+
+// Never in, never out by more than the float that its place was rounded to and the hop that this allows: it
+// falls from one rounding, and bounces no higher. From exact places it rests at once and stays.
+TEST(ReferenceGravity, RestsOnAFloorFromExactAndFromRoundedPlaces) {
+  for (const float e : {0.0f, .5f, .9f, 1.0f})
+    for (const float tilt : {0.0f, 1.0f, 3.0f})
+      for (const bool rounded : {true, false}) {
+        SCOPED_TRACE(testing::Message() << "e " << e << " tilt " << tilt << " rounded " << rounded);
+        // Gravity is straight into the floor, whichever way it is tilted.
+        const Vector2 along = Vector2(3, tilt).normalized();
+        const CVec2d n = Perp(CVec2d(Vector2(3, tilt).cast<double>())).normalized();
+        CExact reference = Make({Wall({-3, -tilt}, {3, tilt}, e)}, {CDynamicCircleDesc({0, 0}, .3f)},
+                                9.81f * Vector2(along.y(), -along.x()));
+        const double r = reference.GetBall(0).m_fRadius, rounding = rounded ? 0x1p-24 : 1e-13;
+        reference.SetBall(0, r * n, {0, 0});
+        double least = 1, most = -1;
+        std::size_t events = 0;
+        for (int i = 0; i < 10000; ++i) {
+          if (rounded) RoundToFloat(reference);
+          events += Carry(reference, 1.0 / 60).size();
+          const double gap = reference.GetBall(0).m_vPos.dot(n) - r;
+          least = std::min(least, gap);
+          most = std::max(most, gap);
+        }
+        EXPECT_GE(least, -rounding);
+        EXPECT_EQ(reference.GetSlideCount(), 0u);
+        // Elastic balls may gain a rounding of height where a step begins; the others lose it.
+        if (rounded && e == 1) continue;
+        EXPECT_LE(most, 2 * rounding);
+        EXPECT_GT(reference.GetRestCount(), 100u);
+        if (rounded) continue;
+        EXPECT_EQ(events, 0u);
+        EXPECT_EQ(reference.GetRestCount(), 10000u);
+        // Of a direction that floats do not have a little is left along the floor.
+        EXPECT_LE(std::abs(reference.GetBall(0).m_vVel.dot(n)), 1e-12);
+        if (tilt != 1) {
+          EXPECT_LE(reference.GetBall(0).m_vVel.norm(), 1e-12);
+        }
+      }
+}
+
+TEST(ReferenceGravity, OnASlopeItAcceleratesBySine) {
+  CExact reference = MakeHeavy({Wall({0, 0}, {40, -30}, .5f)}, {CDynamicCircleDesc({0, 0}, .25f)});
+  const CVec2d along(.8, -.6), n(.6, .8);
+  for (const int steps : {1, 64}) { // whichever way two seconds are cut
+    reference.SetBall(0, 2 * along + .25 * n, {0, 0});
+    EXPECT_TRUE(Carry(reference, 2.0 / steps, steps).empty());
+    const CExactBall<double>& ball = reference.GetBall(0);
+    EXPECT_NEAR((ball.m_vVel - 2 * .6 * g_fG * along).norm(), 0, 1e-13);
+    EXPECT_NEAR((ball.m_vPos - (2 + .5 * .6 * g_fG * 4) * along - .25 * n).norm(), 0, 1e-12);
+  }
+  EXPECT_EQ(reference.GetSlideCount(), 0u);
+}
+
+// Fast enough it flies off at the end at once: v^2 > g r. Slower it goes round the end first.
+TEST(ReferenceGravity, RollsOffTheEndAndFalls) {
+  for (const double v : {2.0, .5}) {
+    SCOPED_TRACE(v);
+    CExact reference = MakeOne({Wall({-4, 0}, {0, 0}, .5f)}, .25f, {-1, .25}, {v, 0}, g_vGravity);
+    Carry(reference, 1 / v + .4);
+    const CExactBall<double>& ball = reference.GetBall(0);
+    if (v == 2.0) {
+      EXPECT_NEAR((ball.m_vPos - CVec2d(v * .4, .25 - .5 * g_fG * .16)).norm(), 0, 1e-12);
+      EXPECT_NEAR((ball.m_vVel - CVec2d(v, -g_fG * .4)).norm(), 0, 1e-12);
+    } else {
+      EXPECT_LT(ball.m_vPos.y(), 0);
+      EXPECT_GT(ball.m_vPos.norm(), .25);
+      // Nothing has been gained but the height.
+      const double energy = .5 * ball.m_vVel.squaredNorm() + g_fG * ball.m_vPos.y();
+      EXPECT_NEAR(energy, .5 * v * v + g_fG * .25, 1e-12);
+      EXPECT_GT(reference.GetSlideCount(), 0u);
+    }
+  }
+}
+
+TEST(ReferenceGravity, JointOfTwoFloorsIsNoObstacle) {
+  for (const bool slope : {false, true}) {
+    const float fall = slope ? -.5f : 0;
+    const CVec2d along = CVec2d(1, static_cast<double>(fall)).normalized(), n = Perp(along);
+    CExact reference = MakeOne({Wall({-4, -4 * fall}, {0, 0}, .5f), Wall({0, 0}, {4, 4 * fall}, .5f)}, .25f,
+                               .25 * n - along, 2 * along, g_vGravity);
+    Carry(reference, 1);
+    const double a = -g_fG * along.y();
+    EXPECT_NEAR((reference.GetBall(0).m_vPos - .25 * n - (1 + .5 * a) * along).norm(), 0, 1e-12);
+    EXPECT_NEAR((reference.GetBall(0).m_vVel - (2 + a) * along).norm(), 0, 1e-12);
+  }
+}
+
+TEST(ReferenceGravity, WedgeHoldsABall) {
+  for (const float e : {0.0f, .5f, .8f}) {
+    SCOPED_TRACE(e);
+    CExact reference =
+        MakeHeavy({Wall({-2, 2}, {0, 0}, e), Wall({0, 0}, {1, 2}, e)}, {CDynamicCircleDesc({0, 1}, .25f)});
+    Carry(reference, 10);
+    const CVec2d p = reference.GetBall(0).m_vPos;
+    Carry(reference, 1.0 / 60, 600);
+    EXPECT_NEAR((reference.GetBall(0).m_vPos - p).norm(), 0, 1e-12);
+    EXPECT_NEAR(reference.GetBall(0).m_vVel.norm(), 0, 1e-12);
+    EXPECT_NEAR((p.x() + p.y()) * std::sqrt(.5), .25, 1e-12); // it touches both
+    EXPECT_NEAR((p.y() - 2 * p.x()) / std::sqrt(5), .25, 1e-12);
+    EXPECT_GT(reference.GetRestCount(), 1000u);
+    for (int i = 0; i < 600; ++i) {
+      RoundToFloat(reference);
+      Carry(reference, 1.0 / 60);
+    }
+    EXPECT_NEAR((reference.GetBall(0).m_vPos - p).norm(), 0, 1e-6);
+  }
+}
+
+TEST(ReferenceGravity, StackOfTwoStands) {
+  for (const float e : {0.0f, .5f, 1.0f}) {
+    SCOPED_TRACE(e);
+    CExact reference =
+        MakeHeavy({Wall({-2, 0}, {2, 0}, e)}, {CDynamicCircleDesc({0, .25f}, .25f, {0, 0}, 3, e),
+                                               CDynamicCircleDesc({0, .75f}, .25f, {0, 0}, 5, e)});
+    EXPECT_TRUE(Carry(reference, 1.0 / 60, 600).empty());
+    EXPECT_NEAR((reference.GetBall(0).m_vPos - CVec2d(0, .25)).norm(), 0, 1e-13);
+    EXPECT_NEAR((reference.GetBall(1).m_vPos - CVec2d(0, .75)).norm(), 0, 1e-13);
+    EXPECT_EQ(reference.GetSlideCount(), 0u);
+    Carry(reference, 20);
+    EXPECT_NEAR((reference.GetBall(1).m_vPos - CVec2d(0, .75)).norm(), 0, 1e-13);
+  }
+  // Of a dropped pair the lower one comes to rest, then the upper one on it.
+  CExact dropped =
+      MakeHeavy({Wall({-2, 0}, {2, 0}, .5f)}, {CDynamicCircleDesc({0, .5f}, .25f, {0, 0}, 3, .7f),
+                                               CDynamicCircleDesc({0, 1.5f}, .25f, {0, 0}, 1, .7f)});
+  Carry(dropped, 10);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_NEAR((dropped.GetBall(i).m_vPos - CVec2d(0, i == 0 ? .25 : .75)).norm(), 0, 1e-12);
+  EXPECT_NEAR(dropped.GetBall(1).m_vVel.norm(), 0, 1e-12);
+  // One that does not stand straight falls over.
+  CExact leaning = MakeHeavy({Wall({-20, 0}, {20, 0}, .5f)},
+                             {CDynamicCircleDesc({0, .25f}, .25f), CDynamicCircleDesc({.125f, .75f}, .25f)});
+  Carry(leaning, 1.0 / 60, 60);
+  EXPECT_GT(leaning.GetBall(1).m_vPos.x(), .4);
+  EXPECT_GE(leaning.GetBall(1).m_vPos.y(), .25 - 1e-12);
+}
+
+// A resting ball that is hit leaves, and rests again.
+TEST(ReferenceGravity, RestEndsByAHit) {
+  CExact reference =
+      MakeHeavy({Wall({-99, 0}, {99, 0}, .5f)},
+                {CDynamicCircleDesc({0, .25f}, .25f), CDynamicCircleDesc({-1, .35f}, .25f, {4, 0})});
+  const CEvents events = Carry(reference, 3);
+  ASSERT_GT(events.size(), 10u);
+  EXPECT_TRUE(events[0].m_bIsBall || events[1].m_bIsBall);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(reference.GetBall(i).m_vPos.y(), .25, 1e-12);
+    EXPECT_NEAR(reference.GetBall(i).m_vVel.y(), 0, 1e-12);
+  }
+}
+
+// 16 roundings of the energy a bounce.
+TEST(ReferenceGravity, ElasticBounceKeepsItsEnergy) {
+  for (const bool curved : {false, true}) {
+    SCOPED_TRACE(curved);
+    const CShapes shapes = {curved ? CAnyShapeDesc(CCircleDesc({0, -1}, 1))
+                                   : CAnyShapeDesc(Wall({-1, -.0f}, {1, 0}))};
+    CExact reference = MakeHeavy(shapes, {CDynamicCircleDesc({0, 1}, .25f)});
+    const double energy = g_fG * .75;
+    std::size_t bounces = 0;
+    for (const double dt : {1.0 / 60, 30.0})
+      while (bounces < (dt < 1 ? 5000u : 10000u)) {
+        bounces += Carry(reference, dt).size();
+        const CExactBall<double>& ball = reference.GetBall(0);
+        const double now = g_fG * (ball.m_vPos.y() - .25) + .5 * ball.m_vVel.squaredNorm();
+        ASSERT_NEAR(now / energy, 1, 16 * g_fEps * static_cast<double>(bounces + 1)) << bounces;
+      }
+    EXPECT_EQ(reference.GetSlideCount() + reference.GetRestCount(), 0u);
+  }
+  // Control: an elasticity a little off.
+  CExact lossy = MakeHeavy({Wall({-1, 0}, {1, 0}, 1 - 1e-6f)}, {CDynamicCircleDesc({0, 1}, .25f)});
+  const std::size_t bounces = Carry(lossy, 30).size();
+  const CExactBall<double>& ball = lossy.GetBall(0);
+  const double now = g_fG * (ball.m_vPos.y() - .25) + .5 * ball.m_vVel.squaredNorm();
+  EXPECT_LT(now / (g_fG * .75), 1 - 16 * g_fEps * static_cast<double>(bounces));
+}
+
+TEST(ReferenceGravity, SimultaneousEventsAreTold) {
+  CExact corner = Make({Wall({-1, 0}, {1, 0}), Wall({-1, -1}, {-1, 1})},
+                       {CDynamicCircleDesc({-.5f, .5f}, .25f, {-1, -1})});
+  CEvents events = Carry(corner, 1);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_TRUE(events[0].m_bSimultaneous && events[1].m_bSimultaneous);
+  corner.SetBall(0, {-.5, .5 + 1e-9}, {-1, -1}); // control
+  events = Carry(corner, 1);
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_FALSE(events[0].m_bSimultaneous || events[1].m_bSimultaneous);
 }
 
 } // namespace

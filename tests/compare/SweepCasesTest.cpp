@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sweep on cases with known answers: the hard ones that concern the time of impact on a straight way,
-// what overlaps at the start, open sides, and turning shapes.
+// what overlaps at the start, open sides, and turning shapes; and along parabolas, a ball that is thrown and
+// met by each kind of shape, tangents, and what touches or overlaps at the start.
 #include "../Numbers.h"
 #include "ReferenceTesting.h"
 #include "reference/Sweep.h"
@@ -231,6 +232,138 @@ TEST(SweepCases, PressedByATurningBlade) {
   EXPECT_LT(hit.m_fTime, 1e-9);
   // One that is faster than the blade leaves.
   EXPECT_FALSE(Sweep<double>(blade, {{0, 0}, 10}, {{.5, .1}, {0, 8}, .1}, 1.0 / 60, hit));
+}
+
+const CVec2d g_vDown(0, -8);
+
+CResult Throw(const CAnyShapeDesc& desc, const CVec2d& p, const CVec2d& v, double r, double tMax = 10,
+              const CVec2d& g = g_vDown) {
+  return Shoot(desc, {p, v, r, g}, tMax);
+}
+
+// Thrown so that at time 2 it touches at `center`, moving at `v`: the earlier touches are excluded by hand.
+TEST(Parabola, IsCaughtByEachKindOfShape) {
+  const struct {
+    const char* m_sName;
+    CAnyShapeDesc m_cShape;
+    CVec2d m_vCenter, m_vVel;
+    ePart m_ePart;
+    CVec2d m_vNorm;
+  } cases[] = {
+      {"point", CPointDesc({1, 0}), {1, .25}, {3, -10}, ePart::Point, {0, 1}},
+      {"face", Wall({-1, 0}, {3, 0}), {1, .25}, {3, -10}, ePart::Front, {0, 1}},
+      {"back, from below", Wall({-1, 0}, {3, 0}), {1, -.25}, {3, 20}, ePart::Back, {0, -1}},
+      {"end", Wall({1, 0}, {3, 0}), {.8, .15}, {3, -10}, ePart::End0, {-.8, .6}},
+      {"circle", CCircleDesc({1, -1}, 1), {1, .25}, {3, -10}, ePart::Outside, {0, 1}},
+      {"arc", CArcDesc({1, -1}, 1, .5f, 2.5f), {1, .25}, {3, -10}, ePart::Outside, {0, 1}},
+      {"one-sided face",
+       Sided(Wall({-1, 0}, {3, 0}), eSides::Front),
+       {1, .25},
+       {3, -10},
+       ePart::Front,
+       {0, 1}},
+  };
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.m_sName);
+    const double t = 2;
+    const CVec2d v0 = c.m_vVel - g_vDown * t, p0 = c.m_vCenter - v0 * t - g_vDown * (t * t / 2);
+    const CResult result = Throw(c.m_cShape, p0, v0, .25);
+    ASSERT_TRUE(result.m_bMet);
+    const double approach = -c.m_vVel.dot(c.m_vNorm), size = 4 + 2 * v0.norm() + 16;
+    EXPECT_NEAR(result.m_cHit.m_fTime, t, 16 * g_fEps * size / approach + 4 * g_fEps * t);
+    EXPECT_EQ(result.m_cHit.m_ePart, c.m_ePart);
+    EXPECT_NEAR((result.m_cHit.m_vNorm - c.m_vNorm).norm(), 0, 1e-12);
+    EXPECT_NEAR((result.m_cHit.m_vCenter - c.m_vCenter).norm(), 0, 1e-12);
+    EXPECT_FALSE(result.m_cHit.m_bGraze || result.m_cHit.m_bOverlapped || result.m_cHit.m_bBegins);
+    EXPECT_FALSE(Throw(c.m_cShape, p0, v0, .25, t - 1e-9).m_bMet);
+    // The way goes on where the shape is open.
+    if (const auto* pSeg = std::get_if<CLineSegDesc>(&c.m_cShape)) {
+      const bool front = c.m_ePart != ePart::Back; // the side it comes from
+      EXPECT_FALSE(Throw(Sided(*pSeg, front ? eSides::Back : eSides::Front), p0, v0, .25, t + .01).m_bMet);
+    }
+  }
+}
+
+TEST(Parabola, ApexIsFoundInOneLongStep) { // both ends of the way are far below
+  EXPECT_TRUE(Throw(CPointDesc({0, 10.1f}), {-2, 0}, {1.265, 12.65}, .25, 20).m_bMet);
+  EXPECT_FALSE(Throw(CPointDesc({0, 10.5f}), {-2, 0}, {1.265, 12.65}, .25, 20).m_bMet);
+}
+
+TEST(Parabola, TangentsAreFlaggedOnBothSides) {
+  // Up to the apex at y = 1, where it touches a ceiling, or a point, if r = .5.
+  for (const CAnyShapeDesc& shape :
+       {CAnyShapeDesc(Wall({-9, 1.5f}, {9, 1.5f})), CAnyShapeDesc(CPointDesc({1, 1.5f}))}) {
+    const auto toss = [&](double over) { return Throw(shape, {0, over}, {2, 4}, .5, 1); };
+    EXPECT_TRUE(toss(1e-11).m_bMet);
+    EXPECT_TRUE(toss(1e-11).m_cHit.m_bGraze);
+    EXPECT_FALSE(toss(-1e-11).m_bMet);
+    EXPECT_TRUE(toss(-1e-11).m_cHit.m_bGraze);
+    EXPECT_NEAR(toss(-1e-11).m_cHit.m_fTime, .5, 1e-6);
+    EXPECT_TRUE(toss(1e-7).m_bMet);
+    EXPECT_FALSE(toss(1e-7).m_cHit.m_bGraze);
+    EXPECT_FALSE(toss(-1e-7).m_cHit.m_bGraze);
+  }
+}
+
+// Touching and overlapping balls that do not approach are met when they begin to.
+TEST(Parabola, WhatBeginsToApproachIsMet) {
+  for (const CAnyShapeDesc& floor :
+       {CAnyShapeDesc(Wall({-9, 0}, {9, 0})), CAnyShapeDesc(CCircleDesc({0, -2}, 2)),
+        CAnyShapeDesc(CPointDesc({0, 0})), CAnyShapeDesc(CArcDesc({0, 4}, 4, 0, 0)),
+        CAnyShapeDesc(Sided(Wall({-9, 0}, {9, 0}), eSides::Front))}) {
+    SCOPED_TRACE(floor.index());
+    for (const double depth : {0.0, 1e-8, .125}) {
+      const CResult rests = Throw(floor, {0, .5 - depth}, {0, 0}, .5);
+      ASSERT_TRUE(rests.m_bMet);
+      EXPECT_EQ(rests.m_cHit.m_fTime, 0);
+      EXPECT_TRUE(rests.m_cHit.m_bBegins);
+      EXPECT_NEAR(rests.m_cHit.m_fDepth, depth, 1e-15);
+      EXPECT_EQ(rests.m_cHit.m_bOverlapped, depth > 0);
+      if (depth < .1) continue;
+      const CResult leaves = Throw(floor, {0, .5 - depth}, {0, .8}, .5); // .04 up, in .1
+      ASSERT_TRUE(leaves.m_bMet);
+      EXPECT_NEAR(leaves.m_cHit.m_fTime, .1, 1e-14);
+      EXPECT_NEAR(leaves.m_cHit.m_fDepth, .085, 1e-14);
+      // High enough it comes back from clear.
+      const CResult clear = Throw(floor, {0, .5 - depth}, {0, 4}, .5);
+      ASSERT_TRUE(clear.m_bMet);
+      EXPECT_NEAR(clear.m_cHit.m_fTime, (4 + std::sqrt(14.0)) / 8, 1e-14);
+      EXPECT_FALSE(clear.m_cHit.m_bOverlapped);
+    }
+    // Accelerated off, or along a straight one, it is let go.
+    EXPECT_FALSE(Throw(floor, {0, .5}, {0, 0}, .5, .1, {0, 8}).m_bMet);
+  }
+  EXPECT_FALSE(Throw(Wall({-9, 0}, {9, 0}), {0, .5}, {1, 0}, .5, 1, {3, 0}).m_bMet);
+  // A centre on the other side is not held back.
+  EXPECT_FALSE(Throw(Sided(Wall({-9, 0}, {9, 0}), eSides::Front), {0, -.1}, {0, 0}, .5).m_bMet);
+  EXPECT_FALSE(Throw(Wall({-9, 0}, {9, 0}), {0, -.1}, {0, 0}, .5).m_bMet);
+}
+
+// Hops of any height last 2 v / g to a few roundings, though their height is below every rounding of place.
+TEST(Parabola, TinyHopsKeepTheirRelativePrecision) {
+  for (const CAnyShapeDesc& floor :
+       {CAnyShapeDesc(Wall({-9, 0}, {9, 0})), CAnyShapeDesc(CCircleDesc({0, -2}, 2))})
+    for (const double v : {1e-3, 1e-6, 1e-9, 1e-11}) {
+      const CResult hop = Throw(floor, {0, .5 + 4 * g_fEps}, {0, v}, .5);
+      ASSERT_TRUE(hop.m_bMet);
+      EXPECT_NEAR(hop.m_cHit.m_fTime, 2 * v / 8, 8 * g_fEps * v / 8) << v;
+      EXPECT_FALSE(hop.m_cHit.m_bOverlapped);
+    }
+}
+
+TEST(Parabola, BallsOfWhichOneRests) {
+  CHit<double> hit;
+  // .5 of free fall onto a ball that is held.
+  ASSERT_TRUE(SweepBalls<double>({{0, 0}, {0, 0}, .25}, {{0, 1}, {0, 0}, .25, g_vDown}, 1.0, hit));
+  EXPECT_NEAR(hit.m_fTime, std::sqrt(2 * .5 / 8), 1e-15);
+  EXPECT_NEAR((hit.m_vPOI - CVec2d(0, .25)).norm(), 0, 1e-15);
+  // Both fall: never.
+  EXPECT_FALSE(SweepBalls<double>({{0, 0}, {0, 0}, .25, g_vDown}, {{0, 1}, {0, 0}, .25, g_vDown}, 1.0, hit));
+  // Thrown after a falling one it is met as if there were no gravity, where both are by then.
+  ASSERT_TRUE(SweepBalls<double>({{0, 0}, {0, 0}, .25, g_vDown}, {{0, 1}, {0, -2}, .25, g_vDown}, 1.0, hit));
+  EXPECT_NEAR(hit.m_fTime, .25, 1e-15);
+  EXPECT_NEAR((hit.m_vPOI - CVec2d(0, .25 - 4 * .0625)).norm(), 0, 1e-15);
+  EXPECT_NEAR((hit.m_vSurface - CVec2d(0, -2)).norm(), 0, 1e-15);
 }
 
 } // namespace
