@@ -3,7 +3,6 @@
 #include "MadeScenes.h"
 
 #include <bit>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -83,35 +82,6 @@ TEST_F(SceneDescTest, TheOneFloatSurvivesThatRoundingTwiceChanges) {
   CSceneDesc desc;
   desc.m_stdBalls = {CDynamicCircleDesc({value, -value}, 1)};
   EXPECT_EQ(WriteAndLoad(desc).m_stdBalls.at(0).m_cDesc.m_vPos, Vector2(value, -value));
-}
-
-TEST_F(SceneDescTest, WhatWasLoadedRunsAsTheDescriptorsDo) {
-  const CSceneDesc desc = OneOfEach();
-  const CScene scene = WriteAndLoad(desc);
-  for (const eBackend backend : {eBackend::Native, eBackend::Box2D}) {
-    const auto pWorld = GetBackend(backend)->MakeWorld(desc.m_cWorld);
-    const auto pLoaded = GetBackend(backend)->MakeWorld(scene.m_cWorld);
-    desc.AddTo(*pWorld);
-    Tests::ToDesc(scene).AddTo(*pLoaded);
-    const Vector2 start = pWorld->GetBallVelocities()[0];
-    for (int i = 0; i < 120; ++i) {
-      pWorld->Step();
-      pLoaded->Step();
-    }
-    EXPECT_EQ(pWorld->GetBallPositions()[0], pLoaded->GetBallPositions()[0]);
-    EXPECT_GT(pWorld->GetStats().m_nContacts, 0u);
-    EXPECT_NE(pWorld->GetBallVelocities()[0], start);
-  }
-}
-
-TEST_F(SceneDescTest, TheToolRunsIt) {
-  WriteAndLoad(OneOfEach());
-  const std::filesystem::path out = m_cFile.string() + "-out";
-  const std::string command = std::string(SHAPES_COMPARE) + " scene " + m_cFile.string() +
-                              " --contacts 20 --out " + out.string() + " > /dev/null 2>&1";
-  EXPECT_EQ(std::system(command.c_str()), 0);
-  EXPECT_TRUE(std::filesystem::exists(out / "report.html"));
-  std::filesystem::remove_all(out);
 }
 
 } // namespace

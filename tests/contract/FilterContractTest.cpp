@@ -21,6 +21,12 @@ const struct {
 
 const CEffectChoice g_stdChoices[] = {g_cAutomatic, g_cApproximate, g_cContinuous};
 
+template <class TDesc>
+TDesc Filtered(TDesc desc, CFilter filter) {
+  desc.m_cFilter = filter;
+  return desc;
+}
+
 class CFilterContract : public CEveryBackend {
 protected:
   template <class F>
@@ -40,12 +46,8 @@ SHAPES_ON_EVERY_BACKEND(CFilterContract);
 TEST_P(CFilterContract, ShapesAndBallsMeetByIt) {
   InEveryMode([&](CFilter first, CFilter second, bool meet, const CEffectChoice& choice, eProfile profile) {
     const auto pWorld = Make(choice, profile);
-    CLineSegDesc wall({1, -1}, {1, 1});
-    wall.m_cFilter = first;
-    pWorld->Add(wall);
-    CDynamicCircleDesc desc({0, 0}, 0.1f, {2, 0});
-    desc.m_cFilter = second;
-    const CShapeId ball = pWorld->Add(desc);
+    pWorld->Add(Filtered(CLineSegDesc({1, -1}, {1, 1}), first));
+    const CShapeId ball = pWorld->Add(Filtered(CDynamicCircleDesc({0, 0}, 0.1f, {2, 0}), second));
     Steps(*pWorld, 60);
     EXPECT_EQ(pWorld->GetVel(ball).x() < 0, meet);
     EXPECT_EQ(pWorld->GetFilter(ball), second);
@@ -55,11 +57,8 @@ TEST_P(CFilterContract, ShapesAndBallsMeetByIt) {
 TEST_P(CFilterContract, BallsMeetEachOtherByIt) {
   InEveryMode([&](CFilter first, CFilter second, bool meet, const CEffectChoice& choice, eProfile profile) {
     const auto pWorld = Make(choice, profile);
-    CDynamicCircleDesc one({0, 0}, 0.1f, {2, 0}), other({1, 0}, 0.1f);
-    one.m_cFilter = first;
-    other.m_cFilter = second;
-    pWorld->Add(one);
-    const CShapeId hit = pWorld->Add(other);
+    pWorld->Add(Filtered(CDynamicCircleDesc({0, 0}, 0.1f, {2, 0}), first));
+    const CShapeId hit = pWorld->Add(Filtered(CDynamicCircleDesc({1, 0}, 0.1f), second));
     Steps(*pWorld, 60);
     EXPECT_EQ(pWorld->GetVel(hit).x() > 1, meet);
   });
@@ -69,12 +68,10 @@ TEST_P(CFilterContract, SensorsDetectByIt) {
   InEveryMode([&](CFilter first, CFilter second, bool meet, const CEffectChoice& choice, eProfile profile) {
     for (const bool ballIsSensor : {false, true}) {
       const auto pWorld = Make(choice, profile);
-      CCircleDesc zone({1, 0}, 0.3f);
-      zone.m_cFilter = first;
+      CCircleDesc zone = Filtered(CCircleDesc({1, 0}, 0.3f), first);
       zone.m_bIsSensor = !ballIsSensor;
       pWorld->Add(zone);
-      CDynamicCircleDesc ball({0, 0}, 0.1f, {2, 0});
-      ball.m_cFilter = second;
+      CDynamicCircleDesc ball = Filtered(CDynamicCircleDesc({0, 0}, 0.1f, {2, 0}), second);
       ball.m_bIsSensor = ballIsSensor;
       pWorld->Add(ball);
       EXPECT_EQ(Told(*pWorld, 60, &CWorld::GetSensorEvents).size(), meet ? 2u : 0u);
@@ -113,9 +110,8 @@ TEST_P(CFilterContract, BallsOfTwoKindsLieInOnePlace) {
       pWorld->Add(CLineSegDesc({x, 0}, {x, 3}));
     std::vector<CShapeId> ids;
     for (int i = 0; i < 4; ++i) {
-      CDynamicCircleDesc desc({0, 0.15f + 0.25f * static_cast<float>(i / 2)}, 0.1f, {0, 0}, 1, 0);
-      desc.m_cFilter = i % 2 == 0 ? CFilter{1, 1 | 4} : CFilter{2, 2 | 4};
-      ids.push_back(pWorld->Add(desc));
+      const CDynamicCircleDesc desc({0, 0.15f + 0.25f * static_cast<float>(i / 2)}, 0.1f, {0, 0}, 1, 0);
+      ids.push_back(pWorld->Add(Filtered(desc, i % 2 == 0 ? CFilter{1, 1 | 4} : CFilter{2, 2 | 4})));
     }
     for (const CShapeId id : pWorld->GetShapeIds())
       pWorld->SetFilter(id, {4, 0xFFFF});
