@@ -20,90 +20,14 @@ CArc RandomArc(CRandom& random) {
   return Arc({0.0f, 0.0f}, r, a0, a1);
 }
 
-TEST(ArcSector, OwnEndsAreAlwaysInside) {
-  CRandom random(91);
-  const auto check = [&](float span) {
-    const Vector2 c = random.Vector(-10, 24);
-    const float a0 = random.Uniform(0.0f, 6.28f);
-    const CArc arc = Arc(c, random.Scale(-10, 10), a0, a0 + span);
-    EXPECT_TRUE(arc.PtInSector(arc.GetEndPt0())) << "span " << span << " seed " << random.GetSeed();
-    EXPECT_TRUE(arc.PtInSector(arc.GetEndPt1())) << "span " << span << " seed " << random.GetSeed();
-  };
-  for (int i = 0; i < 5000; ++i) {
-    check(random.Uniform(0.0f, 6.28f));
-    check(random.Scale(-30, -4));               // tiny
-    check(g_fPi + random.SignedScale(-21, -4)); // close to pi
-    check(g_fTwoPi - random.Scale(-20, -4));    // close to 2 pi
-  }
-}
-
-TEST(ArcSector, EndRaysAndTheCentreAreInside) {
-  // Angles as atan2 gives them lose exact end rays: both the stored angle and the one computed are rounded.
-  CRandom random(92);
-  int rays = 0, naiveLost = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const CArc arc = RandomArc(random);
-    EXPECT_TRUE(arc.PtInSector(arc.GetPos()));
-    for (const Vector2& end : {arc.GetEndPt0(), arc.GetEndPt1()}) {
-      const Vector2 p = std::ldexp(1.0f, static_cast<int>(random.Below(9)) - 4) * end; // exactly on the ray
-      float a = std::atan2(p.y(), p.x());
-      if (a < 0.0f) a += g_fTwoPi;
-      const float a0 = arc.GetAngle0(), a1 = arc.GetAngle1();
-      naiveLost += !(a0 < a1 ? a0 <= a && a <= a1 : a0 <= a || a <= a1);
-      ++rays;
-      EXPECT_TRUE(arc.PtInSector(p)) << "seed " << random.GetSeed();
-    }
-  }
-  RecordProperty("naive_lost", naiveLost);
-  EXPECT_GT(naiveLost, rays / 10); // measured: 5,681 of 40,000
-}
-
-TEST(ArcSector, RaysOfAnyLengthAreInsideWithinRounding) {
+TEST(ArcSector, TheCentreAndRaysOfAnyLengthAreInsideWithinRounding) {
   CRandom random(93);
   for (int i = 0; i < 20000; ++i) {
     const CArc arc = RandomArc(random);
+    EXPECT_TRUE(arc.PtInSector(arc.GetPos()));
     for (const Vector2& end : {arc.GetEndPt0(), arc.GetEndPt1()})
       EXPECT_TRUE(arc.PtInSector(random.Scale(-8, 8) * end)) << "seed " << random.GetSeed();
   }
-}
-
-TEST(ArcSector, AgreesWithAnglesAwayFromTheEndRays) {
-  CRandom random(94);
-  int inside = 0, outside = 0;
-  for (int i = 0; i < 200000; ++i) {
-    const Vector2 c = random.Vector(-6, 12);
-    const float R = random.Scale(-4, 6), a0 = random.Uniform(0.0f, 6.28f);
-    float span = random.Uniform(0.01f, 6.27f);
-    switch (random.Below(4)) {
-    case 0: span = random.Scale(-18, -4); break;
-    case 1: span = g_fPi + random.SignedScale(-21, -4); break;
-    case 2: span = g_fTwoPi - random.Scale(-18, -4); break;
-    default: break;
-    }
-    const CArcDesc desc(c, R, a0, a0 + span);
-    if (desc.GetAngle0() == desc.GetAngle1()) continue;
-    const CArc arc(desc);
-    // Opposite to an end as often as anywhere: that is where a cross product alone cannot tell.
-    Vector2 p = c + random.Vector(-4, 6);
-    if (random.Below(4) == 0) p = c - random.Scale(-2, 2) * (arc.GetEndPt0() - c);
-    const Vector2d u = Wide(p) - Wide(c);
-    const double slack =
-        8 * g_fUlp * (1.0 + (Wide(c).norm() + 1.0) * (1 / static_cast<double>(R) + 1 / u.norm()));
-    double a = std::atan2(u.y(), u.x()) - static_cast<double>(desc.GetAngle0());
-    while (a < 0.0)
-      a += g_fPi2;
-    const double exactSpan = [&] {
-      const double s = static_cast<double>(desc.GetAngle1()) - static_cast<double>(desc.GetAngle0());
-      return s > 0.0 ? s : s + g_fPi2;
-    }();
-    if (a < slack || a > g_fPi2 - slack || std::abs(a - exactSpan) < slack) continue;
-    ASSERT_EQ(arc.PtInSector(p), a < exactSpan)
-        << "centre (" << c.transpose() << ") R " << R << " angles " << desc.GetAngle0() << ' '
-        << desc.GetAngle1() << " p (" << p.transpose() << ") seed " << random.GetSeed();
-    ++(a < exactSpan ? inside : outside);
-  }
-  EXPECT_GT(inside, 20000);
-  EXPECT_GT(outside, 20000);
 }
 
 TEST(ArcSector, WhatIsOppositeToAShortArcIsOutside) {

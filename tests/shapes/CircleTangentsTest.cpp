@@ -3,7 +3,6 @@
 #include <Shapes/Circle.h>
 
 #include "../Numbers.h"
-#include "../Random.h"
 #include "MakeShapes.h"
 
 #include "traps/Traps.h"
@@ -15,10 +14,6 @@
 
 namespace Shapes {
 namespace {
-
-using Tests::CRandom;
-
-double Cross2(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // How far |q - u| is from r.
 double OffCircle(const Vector2d& u, double r, const Vector2d& q) { return std::abs((q - u).norm() - r); }
@@ -50,35 +45,6 @@ TEST(CircleTangents, LengthIsTheSideOfARightTriangle) {
   EXPECT_LE(OffCircle(u, r, Wide(p0)), 8 * g_fUlp * d);
   EXPECT_LE(OffCircle(u, r, Wide(p1)), 8 * g_fUlp * d);
   EXPECT_NEAR(Wide(p0).norm(), right, 8 * g_fUlp * d);
-}
-
-TEST(CircleTangents, ThroughAPointTouchTheCircleAtRightAnglesToTheRadii) {
-  CRandom random(71);
-  for (int i = 0; i < 20000; ++i) {
-    const Vector2 u = random.Vector(-8, 8);
-    const float r = random.Scale(-8, 6);
-    // From just outside to far away, on every side.
-    const float away = r * (1.0f + random.Scale(-20, 8));
-    const Vector2 p = u + away * random.Direction();
-    Vector2 p0, p1;
-    if (!Circle(u, r).Tangents(p, p0, p1)) {
-      EXPECT_LE((Wide(p) - Wide(u)).norm(), static_cast<double>(r) * (1 + 4 * g_fUlp)) << random.GetSeed();
-      continue;
-    }
-    const double scale = Wide(p).norm() + (Wide(u) - Wide(p)).norm();
-    for (const Vector2& q : {p0, p1}) {
-      EXPECT_LE(OffCircle(Wide(u), r, Wide(q)), 8 * g_fUlp * scale) << "seed " << random.GetSeed();
-      const Vector2d radius = Wide(q) - Wide(u), way = Wide(q) - Wide(p);
-      EXPECT_LE(std::abs(radius.dot(way)), 8 * g_fUlp * scale * (radius.norm() + way.norm()))
-          << "seed " << random.GetSeed();
-    }
-    // p0 is to the left of the centre as seen from p.
-    const Vector2d v = Wide(u) - Wide(p);
-    const double slack = 8 * g_fUlp * scale * v.norm();
-    EXPECT_GE(Cross2(v, Wide(p0) - Wide(p)), -slack) << "seed " << random.GetSeed();
-    EXPECT_LE(Cross2(v, Wide(p1) - Wide(p)), slack);
-    EXPECT_EQ(Circle(u, r).PtInCircle(p), false);
-  }
 }
 
 TEST(CircleTangents, ThroughAPointOfTheCircleTouchThere) {
@@ -119,52 +85,6 @@ TEST(CircleTangents, ScaleWithTheirCircle) {
   }
 }
 
-// Which end of the segment is on which circle is decided by the order of ends: take the nearer one.
-void ExpectCommonTangent(const CCircle& a, const CCircle& b, const CLineSegDesc& t, int side) {
-  const Vector2d ca = Wide(a.GetPos()), cb = Wide(b.GetPos());
-  const double ra = a.GetRadius(), rb = b.GetRadius();
-  const double scale = ca.norm() + cb.norm() + ra + rb, bound = 8 * g_fUlp * scale;
-  Vector2d qa = Wide(t.GetEndPt0()), qb = Wide(t.GetEndPt1());
-  if (std::max(OffCircle(ca, ra, qa), OffCircle(cb, rb, qb)) >
-      std::max(OffCircle(ca, ra, qb), OffCircle(cb, rb, qa)))
-    std::swap(qa, qb);
-  EXPECT_LE(OffCircle(ca, ra, qa), bound);
-  EXPECT_LE(OffCircle(cb, rb, qb), bound);
-  const Vector2d way = qb - qa;
-  EXPECT_LE(std::abs(way.dot(qa - ca)), bound * (way.norm() + ra));
-  EXPECT_LE(std::abs(way.dot(qb - cb)), bound * (way.norm() + rb));
-  // Both circles are on the same side of an outer tangent, which is on the stated side of the centres.
-  EXPECT_GE(side * Cross2(cb - ca, qa - ca), -bound * (cb - ca).norm());
-  EXPECT_GE(side * Cross2(cb - ca, qb - cb), -bound * (cb - ca).norm());
-}
-
-TEST(CircleTangents, OfTwoCirclesTouchBothAtRightAnglesToTheRadii) {
-  CRandom random(72);
-  int made = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const Vector2 ca = random.Vector(-4, 6), cb = random.Vector(-4, 6);
-    const float ra = random.Scale(-6, 4), rb = i % 4 ? random.Scale(-6, 4) : ra;
-    const CCircle a = Circle(ca, ra), b = Circle(cb, rb);
-
-    CLineSegDesc t0, t1, first;
-    const double d = (Wide(b.GetPos()) - Wide(a.GetPos())).norm();
-    const double shrunk = std::abs(static_cast<double>(a.GetRadius()) - static_cast<double>(b.GetRadius()));
-    const bool got = a.Tangents(&b, t0, t1);
-    if (std::abs(d - shrunk) > 1e-5 * d) {
-      EXPECT_EQ(got, d > shrunk) << "seed " << random.GetSeed();
-    }
-    EXPECT_EQ(a.Tangent(&b, first), got);
-    if (!got) continue;
-    ++made;
-    ExpectCommonTangent(a, b, t0, -1);
-    ExpectCommonTangent(a, b, t1, 1);
-    EXPECT_EQ(first.GetEndPt0(), t0.GetEndPt0());
-    EXPECT_EQ(first.GetEndPt1(), t0.GetEndPt1());
-    if (HasFailure()) FAIL() << "trial " << i << " seed " << random.GetSeed();
-  }
-  EXPECT_GT(made, 10000);
-}
-
 TEST(CircleTangents, OfEqualCirclesAreParallelToTheWayBetweenThem) {
   // By way of the point to which both circles shrink: its tangents touch a circle of radius 0, whose radii
   // have no direction.
@@ -172,20 +92,14 @@ TEST(CircleTangents, OfEqualCirclesAreParallelToTheWayBetweenThem) {
   EXPECT_TRUE(std::isnan(shrunk / shrunk));
 
   const CCircle a = Circle({0.0f, 0.0f}, 2.0f), b = Circle({10.0f, 0.0f}, 2.0f);
-  CLineSegDesc t0, t1;
-  ASSERT_TRUE(a.Tangents(&b, t0, t1));
+  CLineSegDesc t0, t1, first;
+  ASSERT_TRUE(a.Tangents(&b, t0, t1) && a.Tangent(&b, first));
+  EXPECT_EQ(first.GetEndPt0(), t0.GetEndPt0());
+  EXPECT_EQ(first.GetEndPt1(), t0.GetEndPt1());
   EXPECT_EQ(t0.GetEndPt0(), Vector2(0.0f, -2.0f));
   EXPECT_EQ(t0.GetEndPt1(), Vector2(10.0f, -2.0f));
   EXPECT_EQ(t1.GetEndPt0(), Vector2(0.0f, 2.0f));
   EXPECT_EQ(t1.GetEndPt1(), Vector2(10.0f, 2.0f));
-}
-
-TEST(CircleTangents, OfOverlappingCirclesStillExist) {
-  const CCircle a = Circle({0.0f, 0.0f}, 2.0f), b = Circle({1.0f, 0.5f}, 1.5f);
-  CLineSegDesc t0, t1;
-  ASSERT_TRUE(a.Tangents(&b, t0, t1));
-  ExpectCommonTangent(a, b, t0, -1);
-  ExpectCommonTangent(a, b, t1, 1);
 }
 
 TEST(CircleTangents, OfNestedOrInternallyTouchingCirclesDoNotExist) {

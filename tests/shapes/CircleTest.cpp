@@ -2,7 +2,6 @@
 #include <Shapes/Circle.h>
 
 #include "../Numbers.h"
-#include "../Random.h"
 #include "MakeShapes.h"
 
 #include "traps/Traps.h"
@@ -13,8 +12,6 @@
 
 namespace Shapes {
 namespace {
-
-using Tests::CRandom;
 
 TEST(Circle, IsWhatItsDescriptorSays) {
   EXPECT_EQ(CCircleDesc().m_eShapeType, eShape::Circle);
@@ -61,55 +58,6 @@ TEST(Circle, ClosestPtIsOnTheNearSide) {
 
 TEST(Circle, ClosestPtOfTheCentreIsTheTop) {
   EXPECT_EQ(Circle({1.0f, 1.0f}, 2.0f).ClosestPt({1.0f, 1.0f}), Vector2(1.0f, 3.0f));
-}
-
-TEST(Circle, ClosestPtKeepsItsErrorBoundAndIsNoFartherThanAnyOther) {
-  CRandom random(61);
-  for (int i = 0; i < 300; ++i) {
-    const Vector2 c = random.Vector(-10, 14);
-    const float r = random.Scale(-10, 10);
-    const Vector2 p = c + random.Vector(-12, 12);
-    if (p == c) continue;
-    const Vector2 q = Circle(c, r).ClosestPt(p);
-    const Vector2d exact = Wide(c) + static_cast<double>(r) * (Wide(p) - Wide(c)).normalized();
-    const double bound = 3 * g_fUlp * (Wide(c).norm() + static_cast<double>(r));
-    EXPECT_LE((Wide(q) - exact).norm(), bound) << "seed " << random.GetSeed();
-    for (int k = 0; k < 1000; ++k) {
-      const double a = 0.002 * 3.14159265358979323846 * k;
-      const Vector2d other = Wide(c) + static_cast<double>(r) * Vector2d(std::cos(a), std::sin(a));
-      ASSERT_LE((Wide(q) - Wide(p)).norm(), (other - Wide(p)).norm() + bound) << "seed " << random.GetSeed();
-    }
-  }
-}
-
-TEST(Circle, BoxTouchesTheCircleWithinAnUlp) {
-  CRandom random(62);
-  for (int i = 0; i < 5000; ++i) {
-    const Vector2 c = random.Vector(-10, 20);
-    const float r = random.Scale(-10, 10);
-    const CCircle circle = Circle(c, r);
-    const double ulp = g_fUlp * (Wide(c).cwiseAbs().maxCoeff() + static_cast<double>(r));
-    const Vector2d R(r, r);
-    const Vector2d low(circle.GetAABB().GetTopLeft().x(), circle.GetAABB().GetBottomRt().y());
-    const Vector2d high(circle.GetAABB().GetBottomRt().x(), circle.GetAABB().GetTopLeft().y());
-    EXPECT_LE((low - (Wide(c) - R)).cwiseAbs().maxCoeff(), ulp) << "seed " << random.GetSeed();
-    EXPECT_LE((high - (Wide(c) + R)).cwiseAbs().maxCoeff(), ulp);
-  }
-}
-
-TEST(KinematicCircle, TurnsFromItsPoseAtConstructionAndResetsBitForBit) {
-  CKinematicCircle circle(CCircleDesc({3.0f, 1.0f}, 0.5f));
-  EXPECT_EQ(circle.GetMotionType(), eMotion::Kinematic);
-  for (int i = 0; i < 3; ++i) {
-    circle.Rotate({1.0f, 1.0f}, g_fPi / 2);
-    EXPECT_LE((circle.GetPos() - Vector2(1.0f, 3.0f)).norm(), 12 * g_fUlp);
-    EXPECT_NEAR(circle.GetAABB().GetTopLeft().y(), 3.5f, 12 * g_fUlp);
-  }
-  circle.Rotate({-7.0f, 2.0f}, 1.234f);
-  circle.Reset();
-  EXPECT_EQ(circle.GetPos(), Vector2(3.0f, 1.0f));
-  EXPECT_EQ(circle.GetAABB().GetTopLeft(), Vector2(2.5f, 1.5f));
-  EXPECT_EQ(circle.GetRadius(), 0.5f);
 }
 
 } // namespace

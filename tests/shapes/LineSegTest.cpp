@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,12 +13,6 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
-
-double DistanceToSegment(const Vector2d& p0, const Vector2d& p1, const Vector2d& q) {
-  const Vector2d d = p1 - p0;
-  const double s = d.squaredNorm() > 0.0 ? std::clamp((q - p0).dot(d) / d.squaredNorm(), 0.0, 1.0) : 0.0;
-  return (p0 + s * d - q).norm();
-}
 
 TEST(LineSeg, FirstEndIsTheLeftOneWhateverOrderTheyAreGivenIn) {
   CRandom random(51);
@@ -121,49 +114,6 @@ TEST(LineSeg, EndTestNeedsTangentsThatPointInward) {
   EXPECT_NEAR(wrong, 151833, 5 * std::sqrt(0.25 * n)); // three quarters of all
 }
 
-TEST(LineSeg, ClosestPtIsNoFartherThanAnyOther) {
-  CRandom random(54);
-  for (int i = 0; i < 300; ++i) {
-    const Vector2 c = random.Vector(-10, 10);
-    const Vector2 p0 = c + random.Vector(-10, 8);
-    const Vector2 p1 = c + random.Vector(-10, 8);
-    const Vector2 q = c + random.Vector(-10, 10);
-    const CLineSeg seg(CLineSegDesc(p0, p1));
-    const double got = (Wide(seg.ClosestPt(q)) - Wide(q)).norm();
-    const double bound = 8 * g_fUlp * (Wide(q).norm() + Wide(p0).norm() + (Wide(p1) - Wide(p0)).norm());
-    for (int k = 0; k <= 1000; ++k) {
-      const Vector2d other = Wide(p0) + 0.001 * k * (Wide(p1) - Wide(p0));
-      ASSERT_LE(got, (other - Wide(q)).norm() + bound) << "seed " << random.GetSeed() << " trial " << i;
-    }
-    EXPECT_LE(DistanceToSegment(Wide(p0), Wide(p1), Wide(seg.ClosestPt(q))), bound);
-  }
-}
-
-TEST(LineSeg, ClosestPtKeepsItsErrorBound) {
-  CRandom random(55);
-  double worst = 0.0;
-  for (int i = 0; i < 50000; ++i) {
-    const Vector2 p0 = random.Vector(-10, 10);
-    const Vector2 p1 = p0 + random.Vector(-12, 8);
-    const Vector2 q = random.Vector(-10, 10);
-    const CLineSeg seg(CLineSegDesc(p0, p1));
-    const Vector2d d = Wide(p1) - Wide(p0);
-    if (d.norm() == 0.0) continue;
-    const Vector2d exact = Wide(p0) + std::clamp((Wide(q) - Wide(p0)).dot(d) / d.squaredNorm(), 0.0, 1.0) * d;
-    // The coordinates of a far segment have the rounding of its place, however near the origin q is.
-    const double scale = Wide(q).norm() + Wide(p0).norm() + d.norm();
-    const double ulps = (Wide(seg.ClosestPt(q)) - exact).norm() / (g_fUlp * scale);
-    worst = std::max(worst, ulps);
-  }
-  EXPECT_LE(worst, 8.0) << "seed " << random.GetSeed();
-}
-
-TEST(LineSeg, BoxTouchesBothEnds) {
-  const CLineSeg seg(CLineSegDesc({3.0f, -1.0f}, {1.0f, 2.0f}));
-  EXPECT_EQ(seg.GetAABB().GetTopLeft(), Vector2(1.0f, 2.0f));
-  EXPECT_EQ(seg.GetAABB().GetBottomRt(), Vector2(3.0f, -1.0f));
-}
-
 TEST(LineSeg, SetPosTakesTheEndsAlong) {
   CLineSeg seg(CLineSegDesc({0.0f, 0.0f}, {4.0f, 2.0f}));
   seg.SetPos({10.0f, 10.0f});
@@ -213,27 +163,6 @@ TEST(KinematicLineSeg, NormalAndClosestPointAreContinuousThroughTheVertical) {
     closest = seg.ClosestPt(q);
   }
   EXPECT_TRUE(flipped); // the order of the ends did change on the way
-}
-
-TEST(KinematicLineSeg, ResetIsBitForBit) {
-  CRandom random(56);
-  for (int i = 0; i < 200; ++i) {
-    const Vector2 a = random.InSquare(10.0f), b = random.InSquare(10.0f);
-    const CLineSegDesc desc(a, b);
-    CKinematicLineSeg seg(desc);
-    const Vector2 n = seg.GetNormal(), pos = seg.GetPos();
-    for (int k = 0; k < 20; ++k) {
-      const Vector2 centre = random.InSquare(5.0f);
-      seg.Rotate(centre, random.Uniform(-20.0f, 20.0f));
-    }
-    seg.SetPos(random.InSquare(10.0f));
-    seg.Reset();
-    EXPECT_EQ(seg.GetEndPt0(), desc.GetEndPt0()) << "seed " << random.GetSeed();
-    EXPECT_EQ(seg.GetEndPt1(), desc.GetEndPt1());
-    EXPECT_EQ(seg.GetNormal(), n);
-    EXPECT_EQ(seg.GetPos(), pos);
-    EXPECT_EQ(seg.GetOrientation(), 0.0f);
-  }
 }
 
 TEST(LineSeg, IsWhatItsDescriptorSays) {

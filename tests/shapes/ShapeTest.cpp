@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What every shape has, tried on each kind.
 #include "../Numbers.h"
+#include "../Random.h"
 
 #include <Shapes/Shapes.h>
 
@@ -44,6 +45,19 @@ std::vector<SKind> AllKinds() {
 }
 
 bool IsKinematic(const CShape& shape) { return shape.GetMotionType() == eMotion::Kinematic; }
+
+TEST(Point, IsWhatItsDescriptorSays) {
+  const CPointDesc empty;
+  EXPECT_EQ(empty.m_eShapeType, eShape::Point);
+  EXPECT_EQ(empty.m_vPos, Vector2::Zero());
+  EXPECT_EQ(empty.m_fElasticity, 1.0f);
+
+  const CPoint point(CPointDesc({2.0f, 3.0f}, 0.5f));
+  EXPECT_EQ(point.GetShapeType(), eShape::Point);
+  EXPECT_EQ(point.GetMotionType(), eMotion::Static);
+  EXPECT_EQ(point.GetPos(), Vector2(2.0f, 3.0f));
+  EXPECT_EQ(point.GetElasticity(), 0.5f);
+}
 
 TEST(Shape, HasTheDefaultsOfTheDescriptor) {
   for (const auto& [name, p] : AllKinds()) {
@@ -225,17 +239,37 @@ TEST(Shape, SurfaceVelocityIsThatOfARigidRotation) {
   }
 }
 
-TEST(Shape, ResetRestoresBoxAndOrientation) {
+// Bit for bit, after any rotations and a move.
+TEST(Shape, ResetRestoresThePoseAtConstruction) {
+  Tests::CRandom random(41);
   for (const auto& [name, p] : AllKinds()) {
     if (!IsKinematic(*p)) continue;
     SCOPED_TRACE(name);
-    const CAabb2D box = p->GetAABB();
-    p->Advance(0.3f);
-    p->Reset();
-    EXPECT_EQ(p->GetOrientation(), 0.0f);
-    EXPECT_EQ(p->GetLastTurn(), 0.0f);
-    EXPECT_EQ(p->GetAABB().GetTopLeft(), box.GetTopLeft());
-    EXPECT_EQ(p->GetAABB().GetBottomRt(), box.GetBottomRt());
+    const auto pFresh = p->Clone();
+    for (int i = 0; i < 200; ++i) {
+      for (int k = 0; k < 20; ++k) {
+        const Vector2 centre = random.InSquare(50.0f);
+        p->Rotate(centre, random.Uniform(-20.0f, 20.0f));
+      }
+      p->Advance(0.3f);
+      p->SetPos(random.InSquare(10.0f));
+      p->Reset();
+      EXPECT_EQ(p->GetPos(), pFresh->GetPos());
+      EXPECT_EQ(p->GetOrientation(), 0.0f);
+      EXPECT_EQ(p->GetLastTurn(), 0.0f);
+      EXPECT_EQ(p->GetAABB().GetTopLeft(), pFresh->GetAABB().GetTopLeft());
+      EXPECT_EQ(p->GetAABB().GetBottomRt(), pFresh->GetAABB().GetBottomRt());
+      if (const auto* pSeg = dynamic_cast<const CLineSeg*>(p.get())) {
+        const auto& fresh = static_cast<const CLineSeg&>(*pFresh);
+        EXPECT_TRUE(pSeg->GetEndPt0() == fresh.GetEndPt0() && pSeg->GetEndPt1() == fresh.GetEndPt1());
+        EXPECT_EQ(pSeg->GetNormal(), fresh.GetNormal());
+      }
+      if (const auto* pArc = dynamic_cast<const CArc*>(p.get())) {
+        const auto& fresh = static_cast<const CArc&>(*pFresh);
+        EXPECT_TRUE(pArc->GetEndPt0() == fresh.GetEndPt0() && pArc->GetEndPt1() == fresh.GetEndPt1());
+        EXPECT_EQ(pArc->GetAngle0(), fresh.GetAngle0());
+      }
+    }
   }
 }
 
