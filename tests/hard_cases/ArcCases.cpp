@@ -12,7 +12,6 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const std::string g_sArcGroup = "Arcs";
 constexpr double g_fDegree = std::numbers::pi / 180.0;
 
 float Degrees(double degrees) { return static_cast<float>(degrees * g_fDegree); }
@@ -28,7 +27,6 @@ CShot FromTheRight(float a0, float a1, const Vector2& direction = {1.0f, 0.0f}) 
 
 CHardCase ArcCase(const CShot& shot) {
   CHardCase c = ShotCase(shot, MeetDisc(shot.m_stdBalls[0], 1.0f));
-  c.m_sGroup = g_sArcGroup;
   c.m_sRight = "t = .9, n = (1, 0)";
   Of(c, eColumn::Native) = Off(0.0125, "as if t = .9125: the way after the impact is lost");
   return c;
@@ -94,13 +92,10 @@ double ErrorOfTinyAngle(eColumn column) {
 
 CHardCase TinyNegativeAngle() {
   CHardCase c;
-  c.m_sGroup = g_sArcGroup;
   c.m_sName = "TinyNegativeAngleStaysBelowAFullTurn";
   c.m_sInput = "angle -1e-9 in float (reference: -1e-17), of an arc and of an orientation";
   c.m_sRight = "in [0, 2 pi): 0";
-  c.m_fBound = c.m_fFloatBound = 0.0;
-  c.m_sBound = "exact";
-  c.m_stdExpect.fill(Right());
+  c.m_cBound = g_cBits;
   c.m_fnError = ErrorOfTinyAngle;
   c.m_sControl = "a + 2 pi in float: 6.2831855, above 2 pi";
   c.m_fnControl = [] {
@@ -116,9 +111,7 @@ CHardCase ShortArc() {
   c.m_sName = "ArcAlmostWithoutLength";
   Of(c, eColumn::Box2D) = Off(0.01, "as if t = .910: a point to it, which stops a ball .015 deep");
   c.m_sInput = "arc R = 1 from 0 to 1e-7 radians; the same ball";
-  c.m_fBound = c.m_fFloatBound = 1e-7;
-  c.m_fFloatBound = 8.0 * g_fFloatEps;
-  c.m_sBound = "1e-7 of t, n and v'; engines 8 roundings";
+  c.m_cBound = {1e-7, 8.0 * g_fFloatEps, "1e-7 of t, n and v'; engines 8 roundings"};
   c.m_sControl = "chords of 1 degree: int(span / step) is none";
   c.m_fnControl = [] { return TimeByAngles(static_cast<int>(1e-7 / g_fDegree) > 0); };
   return c;
@@ -140,14 +133,12 @@ CHardCase Slit() {
   const CShot shot = FromTheRight(a0, a1);
   // The rounded angles are not alike: end 1 is met first.
   CHardCase c = ShotCase(shot, MeetEnd(shot.m_stdBalls[0], a1));
-  c.m_sGroup = g_sArcGroup;
   c.m_sName = "ArcWithASlitThatIsTooNarrow";
   Of(c, eColumn::Native) = Missed("flies through the slit: ends are open where no point guards them");
   Of(c, eColumn::Box2D) = Off(3.6e-5, "v' off by .00004 radians: its skin");
   c.m_sInput = "arc R = 1 from 1e-6 to 2 pi - 1e-6, a slit of 2e-6; the same ball";
   c.m_sRight = "meets the ends: t = .9, thrown back";
-  c.m_fBound = c.m_fFloatBound = 1e-6;
-  c.m_sBound = "1e-6 of t, n and v'";
+  c.m_cBound = {1e-6, 1e-6, "1e-6 of t, n and v'"};
   c.m_sControl = "the circle's root counts where the centre is in the sector: never";
   c.m_fnControl = [=] {
     const double a = std::atan2(0.0, 1.1);
@@ -162,7 +153,6 @@ CHardCase ThroughTheOpening() {
   shot.m_fSeconds = 3.925f;
   shot.m_nBox2DSteps = 2;
   CHardCase c = ShotCase(shot, MeetRing(shot.m_stdBalls[0], 1.0f));
-  c.m_sGroup = g_sArcGroup;
   c.m_sName = "BallThroughTheOpeningOfAnArc";
   Of(c, eColumn::Native) = Off(0.0125, "as if t = 3.9125: the way after the impact is lost");
   Of(c, eColumn::Box2D) = Off(0.146, "v' off by .15 radians: it bounces off a chord");
@@ -176,15 +166,11 @@ CHardCase ThroughTheOpening() {
 
 CHardCase TooLargeInside() {
   CHardCase c;
-  c.m_sGroup = g_sArcGroup;
   c.m_sName = "BallTooLargeInsideAFullArc";
   c.m_sInput =
       "full arc R = 1, ball r = 1.5 inside at (.25, 0), v = (.5, 0), (-.5, 0) and 0; one step of .25";
   c.m_sRight = "it cannot touch the inside: ignored, it flies on";
-  c.m_fBound = 1e-12;
-  c.m_fFloatBound = 2.0 * g_fFloatEps;
-  c.m_sBound = "1e-12 of p and v; engines 2 roundings";
-  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_cBound = {1e-12, 2.0 * g_fFloatEps, "1e-12 of p and v; engines 2 roundings"};
   Of(c, eColumn::Box2D) = Off(2.6, "thrown out through the arc, by 2.6 units in the step");
   c.m_fnError = [](eColumn column) {
     double error = 0.0;
@@ -207,12 +193,10 @@ CHardCase TooLargeInside() {
 
 CHardCase BoxOfAShortArc() {
   CHardCase c;
-  c.m_sGroup = g_sArcGroup;
   c.m_sName = "BoxOfAnArcAcrossItsTop";
   c.m_sInput = "arc R = 1 from 80 to 100 degrees: its box";
   c.m_sRight = "up to y = 1";
-  c.m_fBound = c.m_fFloatBound = g_fFloatEps;
-  c.m_sBound = "1 rounding of float";
+  c.m_cBound = {g_fFloatEps, g_fFloatEps, "1 rounding of float"};
   c.m_stdExpect = {Right(), Right(), Right(), Right(), NotAsked("keeps its boxes to itself")};
   c.m_fnError = [](eColumn column) {
     const auto pWorld = MakeWorld(column, Desc(column));
@@ -230,7 +214,6 @@ CHardCase AtTheTopOfAShortArc() {
   shot.m_stdBalls = {CDynamicCircleDesc({0.0f, 1.5f}, 0.1f, {0.0f, -1.0f})};
   shot.m_fSeconds = 0.41f;
   CHardCase c = ShotCase(shot, MeetDisc(shot.m_stdBalls[0], 1.0f));
-  c.m_sGroup = g_sArcGroup;
   c.m_sName = "BallAtTheTopOfAShortArc";
   Of(c, eColumn::Native) = Off(0.005, "as if t = .405: the way after the impact is lost");
   Of(c, eColumn::Box2D) = Off(2e-5, "as if t = .40002: it meets a corner of its chords");

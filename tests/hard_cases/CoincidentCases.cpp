@@ -11,8 +11,6 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const std::string g_sCoincidentGroup = "Centres that coincide";
-
 // The ball is put exactly onto the shape, and goes on for a quarter of a second. Native looks at the end of a
 // step, so there it begins one step back and is on the shape when it is looked at.
 struct COnTheSpot {
@@ -41,62 +39,22 @@ double ErrorOnTheSpot(eColumn column, const COnTheSpot& c) {
                    std::abs(setback - static_cast<double>(g_fRadius))});
 }
 
-CHardCase OnTheSpot(const COnTheSpot& onTheSpot) {
-  CHardCase c;
-  c.m_sGroup = g_sCoincidentGroup;
-  c.m_fBound = 1e-12;
-  c.m_fFloatBound = 2.0 * g_fFloatEps;
-  c.m_sBound = "1e-12 of n, v' and setback; engines 2 roundings";
-  c.m_fnError = [onTheSpot](eColumn column) { return ErrorOnTheSpot(column, onTheSpot); };
-  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
-  return c;
-}
-
-CHardCase OnAPoint() {
-  CHardCase c = OnTheSpot({CPointDesc({0.0f, 0.0f}), {1.0f, 0.0f}, {-1.0, 0.0}, {-1.0, 0.0}});
-  c.m_sName = "CentreExactlyOnAPoint";
-  Of(c, eColumn::Box2D) = Missed("flies on: its normal there is always (1, 0)");
-  Of(c, eColumn::Tuned) = Off(0.5, "n and v' right, set back by 0 instead of .5");
-  c.m_sInput = "ball r = .5, its centre on the point, v = (1, 0)";
-  c.m_sRight = "against v: n = (-1, 0), setback r, v' = (-1, 0)";
-  c.m_sControl = "n = p over its length: 0 / 0";
-  c.m_fnControl = [] {
-    const CVec2d p(0.0, 0.0);
-    return p.x() / p.norm();
-  };
-  return c;
-}
-
-double NoDistance() {
-  const double s = 0.0; // the distance of the centre from the line
+double NoDirection() {
+  const double s = 0.0; // a distance
   return s / std::abs(s);
 }
 
-CHardCase OnASegmentFromAbove() {
-  const CLineSegDesc seg({-1.0f, 0.0f}, {1.0f, 0.0f});
-  CHardCase c = OnTheSpot({seg, {1.0f, -1.0f}, {0.0, 1.0}, {1.0, 1.0}});
-  c.m_sName = "CentreExactlyOnASegmentFromAbove";
-  Of(c, eColumn::Box2D) = Missed("flies on: its normal there is always (0, -1)");
-  Of(c, eColumn::Tuned) = Off(0.5, "n and v' right, set back by 0 instead of .5");
-  c.m_sInput = "ball r = .5, its centre on the segment (-1, 0)-(1, 0), v = (1, -1)";
-  c.m_sRight = "to where it came from: n = (0, 1), setback r, v' = (1, 1)";
-  c.m_sControl = "n = q - foot over its length: 0 / 0";
-  c.m_fnControl = NoDistance;
-  return c;
-}
-
-CHardCase OnASegmentFromBelow() {
-  const CLineSegDesc seg({-1.0f, 0.0f}, {1.0f, 0.0f});
-  CHardCase c = OnTheSpot({seg, {1.0f, 1.0f}, {0.0, -1.0}, {1.0, -1.0}});
-  c.m_sName = "CentreExactlyOnASegmentFromBelow";
-  Of(c, eColumn::Box2D) =
-      Off(0.376, "n and v' right by chance: that is its normal there; set back by .12 instead of .5");
-  Of(c, eColumn::Tuned) = Missed("flies on: it takes it to be above");
-  c.m_sInput = "the same from below, v = (1, 1)";
-  c.m_sRight = "n = (0, -1), setback r, v' = (1, -1)";
-  c.m_sControl = "n = q - foot over its length: 0 / 0";
-  c.m_fnControl = NoDistance;
-  return c;
+CHardCase OnTheSpot(const std::string& name, const std::string& input, const std::string& right,
+                    const COnTheSpot& onTheSpot, const CExpect& shipped, const CExpect& tuned,
+                    const std::string& control) {
+  return {name,
+          input,
+          right,
+          {1e-12, 2.0 * g_fFloatEps, "1e-12 of n, v' and setback; engines 2 roundings"},
+          {Right(), Right(), shipped, tuned, Right()},
+          [onTheSpot](eColumn column) { return ErrorOnTheSpot(column, onTheSpot); },
+          control,
+          NoDirection};
 }
 
 CShot InFullArc(float R, float r, const Vector2& v, float seconds, const Vector2& p = Vector2::Zero()) {
@@ -112,38 +70,27 @@ CHardCase InTheMiddle() {
               rest = InFullArc(2.0f, 0.5f, {0.0f, 0.0f}, 1.75f);
   const CAnswer answer = MeetRing(flight.m_stdBalls[0], 2.0f);
   CHardCase c;
-  c.m_sGroup = g_sCoincidentGroup;
   c.m_sName = "CentreInTheMiddleOfAFullArc";
   c.m_sInput =
       "ball r = .5 in the middle of a full arc R = 2: at rest, and with v = (1, 0); one step of 1.75";
   c.m_sRight = "at rest no contact; else the gap is 1.5: t = 1.5, n = (-1, 0), v' = (-1, 0)";
-  c.m_fBound = 1e-12;
-  c.m_fFloatBound = 8.0 * 1.5 * g_fFloatEps;
-  c.m_sBound = "1e-12 of t, n and v'; engines 8 roundings";
-  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_cBound = {1e-12, 8.0 * 1.5 * g_fFloatEps, "1e-12 of t, n and v'; engines 8 roundings"};
   Of(c, eColumn::Native) = Off(0.125, "as if t = 1.625: the way after the impact is lost");
   Of(c, eColumn::Box2D) = Off(0.12, "v' off by .12 radians: it bounces off a chord");
   c.m_fnError = [=](eColumn column) {
     return std::max(ErrorOfFlight(Shoot(column, rest), rest), ErrorOf(Shoot(column, flight), answer));
   };
   c.m_sControl = "closest point: R p over the length of p, 0 / 0";
-  c.m_fnControl = [] {
-    const CVec2d p(0.0, 0.0);
-    return 2.0 * p.x() / p.norm();
-  };
+  c.m_fnControl = NoDirection;
   return c;
 }
 
 CHardCase InAnArcOfItsSize() {
   CHardCase c;
-  c.m_sGroup = g_sCoincidentGroup;
   c.m_sName = "BallInTheMiddleOfAFullArcOfItsOwnSize";
   c.m_sInput = "ball r = 1 in the middle of a full arc R = 1: at rest, and with v = (1, 0); one step of .25";
   c.m_sRight = "it has no room inside, so it has no inner contact: flies on";
-  c.m_fBound = 1e-12;
-  c.m_fFloatBound = 2.0 * g_fFloatEps;
-  c.m_sBound = "1e-12 of p and v; engines 2 roundings";
-  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_cBound = {1e-12, 2.0 * g_fFloatEps, "1e-12 of p and v; engines 2 roundings"};
   Of(c, eColumn::Box2D) = Off(8.6, "thrown out through the arc, with 8.6 times its speed");
   c.m_fnError = [](eColumn column) {
     double error = 0.0;
@@ -154,10 +101,7 @@ CHardCase InAnArcOfItsSize() {
     return error;
   };
   c.m_sControl = "n = -p over its length: 0 / 0";
-  c.m_fnControl = [] {
-    const CVec2d p(0.0, 0.0);
-    return -p.x() / p.norm();
-  };
+  c.m_fnControl = NoDirection;
   return c;
 }
 
@@ -178,30 +122,43 @@ double ErrorOfParting(eColumn column, float m0, float m1) {
 
 CHardCase TwoBallsOnEachOther() {
   CHardCase c;
-  c.m_sGroup = g_sCoincidentGroup;
   c.m_sName = "TwoBallsAtOnePlace";
   c.m_sInput = "two balls r = .5 of m = 1 and 3, both at rest at (0, 0); one step of 1/60";
   c.m_sRight = "apart by .75 and .25 along one line; the centre of mass stays, v' = 0";
-  c.m_fBound = 1e-12;
-  c.m_fFloatBound = 2.0 * g_fFloatEps;
-  c.m_sBound = "1e-12 of p and v; engines 2 roundings";
+  c.m_cBound = {1e-12, 2.0 * g_fFloatEps, "1e-12 of p and v; engines 2 roundings"};
   c.m_stdExpect = {Right(), Right(), Right(), Right(), NotAsked("leaves what overlaps where it is")};
   Of(c, eColumn::Box2D) = Off(0.75, "they stay on each other for good");
   Of(c, eColumn::Tuned) = Off(0.64, "apart by .11 and .04, right after some steps");
   c.m_fnError = [](eColumn column) { return ErrorOfParting(column, 1.0f, 3.0f); };
   c.m_sControl = "n = p1 - p0 over its length: 0 / 0";
-  c.m_fnControl = [] {
-    const CVec2d p(0.0, 0.0);
-    return p.x() / p.norm();
-  };
+  c.m_fnControl = NoDirection;
   return c;
 }
 
 } // namespace
 
 std::vector<CHardCase> CoincidentCases() {
-  return {OnAPoint(),    OnASegmentFromAbove(), OnASegmentFromBelow(),
-          InTheMiddle(), InAnArcOfItsSize(),    TwoBallsOnEachOther()};
+  const CLineSegDesc seg({-1.0f, 0.0f}, {1.0f, 0.0f});
+  const CExpect notSetBack = Off(0.5, "n and v' right, set back by 0 instead of .5");
+  return {OnTheSpot("CentreExactlyOnAPoint", "ball r = .5, its centre on the point, v = (1, 0)",
+                    "against v: n = (-1, 0), setback r, v' = (-1, 0)",
+                    {CPointDesc({0.0f, 0.0f}), {1.0f, 0.0f}, {-1.0, 0.0}, {-1.0, 0.0}},
+                    Missed("flies on: its normal there is always (1, 0)"), notSetBack,
+                    "n = p over its length: 0 / 0"),
+          OnTheSpot("CentreExactlyOnASegmentFromAbove",
+                    "ball r = .5, its centre on the segment (-1, 0)-(1, 0), v = (1, -1)",
+                    "to where it came from: n = (0, 1), setback r, v' = (1, 1)",
+                    {seg, {1.0f, -1.0f}, {0.0, 1.0}, {1.0, 1.0}},
+                    Missed("flies on: its normal there is always (0, -1)"), notSetBack,
+                    "n = q - foot over its length: 0 / 0"),
+          OnTheSpot("CentreExactlyOnASegmentFromBelow", "the same from below, v = (1, 1)",
+                    "n = (0, -1), setback r, v' = (1, -1)", {seg, {1.0f, 1.0f}, {0.0, -1.0}, {1.0, -1.0}},
+                    Off(0.376, "n and v' right by chance: that is its normal there; set back by .12 instead "
+                               "of .5"),
+                    Missed("flies on: it takes it to be above"), "n = q - foot over its length: 0 / 0"),
+          InTheMiddle(),
+          InAnArcOfItsSize(),
+          TwoBallsOnEachOther()};
 }
 
 } // namespace Shapes::HardCases

@@ -10,7 +10,6 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const char* const g_sFastGroup = "Deep and fast";
 const std::uint64_t g_nFastSeed = 20240611;
 
 // ---- A wall, 1.5 radii a step, any phase.
@@ -44,23 +43,6 @@ double ShareThatAnOverlapTestLoses() {
   return through / static_cast<double>(g_nShots);
 }
 
-CHardCase FastShotsAtAWall() {
-  return {g_sFastGroup,
-          "FastShotsAtAWall",
-          "r = .1, head on at a segment at any angle, 1.5 radii a step, any phase: share of 100,000 shots "
-          "that get through",
-          "0",
-          0.0,
-          0.0,
-          "none; Box2D 10,000 shots",
-          {Deviates(1.0 / 3.0 - 0.0045, 1.0 / 3.0 + 0.0045,
-                    ".333 get through: it looks at the end of the step only, and loses 1 - r / (v dt)"),
-           Right(), Right(), Right(), Right()},
-          ShareThatGetsThrough,
-          "overlap at the end of the step: loses 1 - r / (v dt) = 1/3",
-          ShareThatAnOverlapTestLoses};
-}
-
 // ---- A bounce in the middle of a step.
 
 double DeepBounce(eColumn column) {
@@ -70,25 +52,6 @@ double DeepBounce(eColumn column) {
   stepped.Step();
   const double t = (static_cast<double>(y) - r) / v;
   return OffBy(stepped, {0.0, r + v * (dt - t)}, {0.0, v});
-}
-
-CHardCase BounceInTheMiddleOfAStep() {
-  return {
-      g_sFastGroup,
-      "BounceInTheMiddleOfAStep",
-      "r = .1 at (0, .13), v = (0, -6), 1/60 s, onto a segment on y = 0",
-      "at (0, .17), v = (0, 6)",
-      1e-12,
-      8 * g_fFloatRounding,
-      "1e-12; engines 8 roundings of 1",
-      {Deviates(0.0699, 0.0701, ".07 short: set back onto the surface, it loses the way after the impact"),
-       Right(), Deviates(0.00008, 0.0003, ".00016 off: its skin"), Right(), Right()},
-      DeepBounce,
-      "setback to the surface: at .10 instead of .17",
-      [] {
-        const double r = 0.1, y = 0.13 - 6.0 / 60.0, setback = r - y;
-        return std::abs(0.17 - (y + setback));
-      }};
 }
 
 // ---- A point, passed at half a radius.
@@ -142,38 +105,6 @@ COffCentre PassAPointNaively() {
   });
 }
 
-CHardCase PointPassedAtHalfARadius() {
-  return {g_sFastGroup,
-          "PointPassedAtHalfARadius",
-          "r = .1, passing a point at an offset of .05, a radius a step, 2,000 phases: median error of the "
-          "way after it, in radians",
-          "the mirror image at the true impact",
-          1e-12,
-          8 * g_fFloatRounding,
-          "1e-12; engines 8 roundings of 1",
-          {Deviates(0.80, 0.86, ".83: the normal is that of the end of the step"), Right(),
-           Deviates(0.105, 0.42, ".21: it stops the ball up to .015 deep, and takes the normal there"),
-           Right(), Right()},
-          [](eColumn column) { return PassAPoint(column).m_fMedian; },
-          "closest point at the end of the step: median .83 rad",
-          [] { return PassAPointNaively().m_fMedian; }};
-}
-
-CHardCase PointPassedWithoutATurn() {
-  return {g_sFastGroup,
-          "PointPassedWithoutATurn",
-          "The same: the share that is not turned at all",
-          "0",
-          0.0,
-          0.0,
-          "none",
-          {Deviates(0.12, 0.15, ".134: at the end of the step they are past it, or leaving"), Right(),
-           Right(), Right(), Right()},
-          [](eColumn column) { return PassAPoint(column).m_fThrough; },
-          "closest point at the end of the step: 13% pass",
-          [] { return PassAPointNaively().m_fThrough; }};
-}
-
 // ---- Inside of a ring.
 
 double MovedInARing(eColumn column, bool arc) {
@@ -182,35 +113,6 @@ double MovedInARing(eColumn column, bool arc) {
   CStepped stepped(column, MakeScene({ring}, {CDynamicCircleDesc({3.0f, 0.0f}, 0.1f)}));
   stepped.Step(60);
   return Distance(stepped.GetPos(), {3.0, 0.0});
-}
-
-CHardCase RestingInsideACircle() {
-  return {g_sFastGroup,
-          "RestingInsideACircle",
-          "r = .1 at rest, 3 from the centre of a circle of radius 5, for 1 s: how far it moves",
-          "0: the circle is a ring, and is not touched",
-          0.0,
-          0.0,
-          "bit for bit",
-          {Right(), Right(), Deviates(2.0, 2.2, "2.1, to the outside: its circles are solid"),
-           Deviates(2.0, 2.2, "2.1, to the outside: its circles are solid"), Right()},
-          [](eColumn column) { return MovedInARing(column, false); },
-          "a disk, d < R + r: pushed out by 2.1",
-          [] { return 5.0 + 0.1 - 3.0; }};
-}
-
-CHardCase RestingInsideABowl() {
-  return {g_sFastGroup,
-          "RestingInsideABowl",
-          "The same inside of a full-circle arc",
-          "0",
-          0.0,
-          0.0,
-          "bit for bit",
-          {Right(), Right(), Right(), Right(), Right()},
-          [](eColumn column) { return MovedInARing(column, true); },
-          "the arc as a disk, d < R + r: pushed out by 2.1",
-          [] { return 5.0 + 0.1 - 3.0; }};
 }
 
 // ---- Overlapping, but on its way out.
@@ -231,23 +133,6 @@ double LeavesAnOverlap(eColumn column) {
   return Worst(std::max(wrong, 0.0), Distance(stepped.GetVel(), g_vLeaving.cast<double>()));
 }
 
-CHardCase LeavingAnOverlap() {
-  return {g_sFastGroup,
-          "LeavingAnOverlap",
-          "r = .1 overlaps a segment by .02, v = (1, .5) off it",
-          "v bit for bit; pushed along the normal at most, by .02 at most",
-          0.0,
-          0.0,
-          "bit for bit",
-          {Right(), Right(), Deviates(0.0023, 0.0092, "v kept, but pushed .0046 too far: by its skin"),
-           Right(), Right()},
-          LeavesAnOverlap,
-          "v - 2 (v.n) n whenever they overlap: sent back in",
-          [] {
-            return Distance(Mirrored(g_vLeaving.cast<double>(), {0.0, 1.0}), g_vLeaving.cast<double>());
-          }};
-}
-
 // ---- A million units a second.
 
 double Million(eColumn column) {
@@ -265,28 +150,86 @@ double Million(eColumn column) {
   return error;
 }
 
-CHardCase AMillionUnitsASecond() {
-  return {g_sFastGroup,
-          "AMillionUnitsASecond",
-          "r = .1 at (0, 1), v = (0, -1e6), 1/60 s, onto a segment on y = 0: place and velocity, relative",
-          "hits after 9e-7 s, and is at y = 16,666 at the end",
-          8 * g_fDoubleRounding,
-          8 * g_fFloatRounding,
-          "8 roundings",
-          {Deviates(1.9, 2.1, "goes through: it is at y = -16,666"), Right(),
-           Deviates(0.9999, 1.0, "slowed down to 120, by at most 2 units a step; counted"),
-           Deviates(0.99, 1.0, "slowed down to 7,600, by at most 256 x .5 units a step; counted"), Right()},
-          Million,
-          "overlap at the end of the step: goes through",
-          [] { return std::abs(1.0 - 1e6 / 60.0) < 0.1 ? 0.0 : g_fNever; }};
-}
-
 } // namespace
 
 std::vector<CHardCase> FastCases() {
-  return {FastShotsAtAWall(),        BounceInTheMiddleOfAStep(), PointPassedAtHalfARadius(),
-          PointPassedWithoutATurn(), RestingInsideACircle(),     RestingInsideABowl(),
-          LeavingAnOverlap(),        AMillionUnitsASecond()};
+  return {
+      {"FastShotsAtAWall",
+       "r = .1, head on at a segment at any angle, 1.5 radii a step, any phase: share of 100,000 shots that "
+       "get through",
+       "0",
+       g_cBits,
+       {Deviates(1.0 / 3.0 - 0.0045, 1.0 / 3.0 + 0.0045,
+                 ".333 get through: it looks at the end of the step only, and loses 1 - r / (v dt)"),
+        Right(), Right(), Right(), Right()},
+       ShareThatGetsThrough,
+       "overlap at the end of the step: loses 1 - r / (v dt) = 1/3",
+       ShareThatAnOverlapTestLoses},
+      {"BounceInTheMiddleOfAStep",
+       "r = .1 at (0, .13), v = (0, -6), 1/60 s, onto a segment on y = 0",
+       "at (0, .17), v = (0, 6)",
+       g_cEightRoundings,
+       {Deviates(0.0699, 0.0701, ".07 short: set back onto the surface, it loses the way after the impact"),
+        Right(), Deviates(0.00008, 0.0003, ".00016 off: its skin"), Right(), Right()},
+       DeepBounce,
+       "setback to the surface: at .10 instead of .17",
+       [] {
+         const double r = 0.1, y = 0.13 - 6.0 / 60.0, setback = r - y;
+         return std::abs(0.17 - (y + setback));
+       }},
+      {"PointPassedAtHalfARadius",
+       "r = .1, passing a point at an offset of .05, a radius a step, 2,000 phases: median error of the way "
+       "after it, in radians",
+       "the mirror image at the true impact",
+       g_cEightRoundings,
+       {Deviates(0.80, 0.86, ".83: the normal is that of the end of the step"), Right(),
+        Deviates(0.105, 0.42, ".21: it stops the ball up to .015 deep, and takes the normal there"), Right(),
+        Right()},
+       [](eColumn column) { return PassAPoint(column).m_fMedian; },
+       "closest point at the end of the step: median .83 rad",
+       [] { return PassAPointNaively().m_fMedian; }},
+      {"PointPassedWithoutATurn",
+       "The same: the share that is not turned at all",
+       "0",
+       g_cBits,
+       {Deviates(0.12, 0.15, ".134: at the end of the step they are past it, or leaving"), Right(), Right(),
+        Right(), Right()},
+       [](eColumn column) { return PassAPoint(column).m_fThrough; },
+       "closest point at the end of the step: 13% pass",
+       [] { return PassAPointNaively().m_fThrough; }},
+      {"RestingInsideACircle",
+       "r = .1 at rest, 3 from the centre of a circle of radius 5, for 1 s: how far it moves",
+       "0: the circle is a ring, and is not touched",
+       g_cBits,
+       {Right(), Right(), Deviates(2.0, 2.2, "2.1, to the outside: its circles are solid"),
+        Deviates(2.0, 2.2, "2.1, to the outside: its circles are solid"), Right()},
+       [](eColumn column) { return MovedInARing(column, false); },
+       "a disk, d < R + r: pushed out by 2.1",
+       [] { return 5.0 + 0.1 - 3.0; }},
+      {"RestingInsideABowl", "The same inside of a full-circle arc", "0", g_cBits, g_stdAllRight,
+       [](eColumn column) { return MovedInARing(column, true); },
+       "the arc as a disk, d < R + r: pushed out by 2.1", [] { return 5.0 + 0.1 - 3.0; }},
+      {"LeavingAnOverlap",
+       "r = .1 overlaps a segment by .02, v = (1, .5) off it",
+       "v bit for bit; pushed along the normal at most, by .02 at most",
+       g_cBits,
+       {Right(), Right(), Deviates(0.0023, 0.0092, "v kept, but pushed .0046 too far: by its skin"), Right(),
+        Right()},
+       LeavesAnOverlap,
+       "v - 2 (v.n) n whenever they overlap: sent back in",
+       [] {
+         return Distance(Mirrored(g_vLeaving.cast<double>(), {0.0, 1.0}), g_vLeaving.cast<double>());
+       }},
+      {"AMillionUnitsASecond",
+       "r = .1 at (0, 1), v = (0, -1e6), 1/60 s, onto a segment on y = 0: place and velocity, relative",
+       "hits after 9e-7 s, and is at y = 16,666 at the end",
+       {8 * g_fDoubleRounding, 8 * g_fFloatRounding, "8 roundings"},
+       {Deviates(1.9, 2.1, "goes through: it is at y = -16,666"), Right(),
+        Deviates(0.9999, 1.0, "slowed down to 120, by at most 2 units a step; counted"),
+        Deviates(0.99, 1.0, "slowed down to 7,600, by at most 256 x .5 units a step; counted"), Right()},
+       Million,
+       "overlap at the end of the step: goes through",
+       [] { return std::abs(1.0 - 1e6 / 60.0) < 0.1 ? 0.0 : g_fNever; }}};
 }
 
 } // namespace Shapes::HardCases

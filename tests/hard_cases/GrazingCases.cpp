@@ -12,8 +12,6 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const std::string g_sGrazingGroup = "Grazes and curved ways";
-
 // A ball r = 1 that flies past the point (0, 0), from 10 units away.
 CShot Past(float y) {
   CShot shot;
@@ -50,15 +48,12 @@ CHardCase JustTouching() {
   const double y = 1.0 - 1e-12;
   const float yFloat = 1.0f - 0x1p-24f;
   CHardCase c;
-  c.m_sGroup = g_sGrazingGroup;
   c.m_sName = "BallThatJustTouchesAPoint";
   c.m_sInput = "point (0, 0); ball r = 1 at (-10, 1 - 1e-12), in float (-10, 1 - 6e-8), v = (1, 0)";
   c.m_sRight = "t = 9.99999858578644 (float: 9.99965473), turned by 2.8e-6 (6.9e-4) radians";
-  c.m_fBound = 2e-9;
-  c.m_fFloatBound = 8.0 * 10.0 * g_fFloatEps;
-  c.m_sBound =
-      "t, n and v' within 2e-9, a rounding of 10 over the slope sqrt(2e-12); engines 8 roundings of 10";
-  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_cBound = {
+      2e-9, 8.0 * 10.0 * g_fFloatEps,
+      "t, n and v' within 2e-9, a rounding of 10 over the slope sqrt(2e-12); engines 8 roundings of 10"};
   Of(c, eColumn::Native) = Missed("flies past: at the end of the step it is beyond");
   Of(c, eColumn::Box2D) = Missed("flies past: it stops a ball only where it is .015 deep");
   Of(c, eColumn::Tuned) = Missed("flies past: so slight an overlap does not stop Box2D");
@@ -82,14 +77,10 @@ CHardCase JustTouching() {
 CHardCase JustMissing() {
   const float yFloat = 1.0f + 0x1p-23f;
   CHardCase c;
-  c.m_sGroup = g_sGrazingGroup;
   c.m_sName = "BallThatJustMissesAPoint";
   c.m_sInput = "the same at (-10, 1 + 1e-12), in float (-10, 1 + 1.2e-7)";
   c.m_sRight = "flies past";
-  c.m_fBound = 1e-12;
-  c.m_fFloatBound = 8.0 * g_fFloatEps;
-  c.m_sBound = "1e-12 of p and v; engines 8 roundings";
-  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_cBound = {1e-12, 8.0 * g_fFloatEps, "1e-12 of p and v; engines 8 roundings"};
   c.m_fnError = [=](eColumn column) {
     const CShot shot = Past(yFloat);
     if (column != eColumn::Reference) return ErrorOfFlight(Shoot(column, shot), shot);
@@ -124,14 +115,11 @@ double ErrorOfSliding(eColumn column) {
 
 CHardCase Sliding() {
   CHardCase c;
-  c.m_sGroup = g_sGrazingGroup;
   c.m_sName = "BallThatSlidesAlongASegment";
   c.m_sInput =
       "segment (-1, 0)-(200, 0); ball r = .1 at (0, .1), v = (1, 0), no gravity; 10,000 steps of 1/60";
   c.m_sRight = "y and v keep their bits";
-  c.m_fBound = c.m_fFloatBound = 1e-12;
-  c.m_sBound = "1e-12 of y and v, less than a rounding of float";
-  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_cBound = {1e-12, 1e-12, "1e-12 of y and v, less than a rounding of float"};
   Of(c, eColumn::Box2D) = Off(0.005, "lifted by .005: its skin");
   c.m_fnError = ErrorOfSliding;
   c.m_sControl = "normal by its angle, cos(pi / 2) = -4.4e-8 in float: v is off by 8.7e-8";
@@ -167,15 +155,11 @@ CHardCase OnAParabola() {
   shot.m_fSeconds = 0.3f;
   shot.m_nSteps = 18;
   CHardCase c;
-  c.m_sGroup = g_sGrazingGroup;
   c.m_sName = "BallOnAParabolaMeetsAPoint";
   c.m_sInput = "point (0, 0); ball r = .3 at (-1, .5), v = (3, 0), gravity (0, -9.8); 60 steps a second";
   c.m_sRight = "t = .254193423748269";
   const CFifty right = MeetOnParabola(shot.m_stdBalls[0], shot.m_vGravity, 0.3);
-  c.m_fBound = 1e-12;
-  c.m_fFloatBound = 8.0 * g_fFloatEps;
-  c.m_sBound = "1e-12 of t; engines 8 roundings";
-  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_cBound = {1e-12, 8.0 * g_fFloatEps, "1e-12 of t; engines 8 roundings"};
   Of(c, eColumn::Native) =
       Off(0.0047, ".0047 early: met at the end of the step, and v changes once in a step");
   Of(c, eColumn::Box2D) = Off(0.00066, ".0007 late: v changes once in a step, and it stops a ball .015 deep");
@@ -197,7 +181,6 @@ CHardCase TwoThatFall() {
   shot.m_nSteps = 27;
   const CAnswer answer = MeetDisc(shot.m_stdBalls[0], 0.25f);
   CHardCase c = ShotCase(shot, answer);
-  c.m_sGroup = g_sGrazingGroup;
   c.m_sName = "TwoBallsThatFallTogether";
   Of(c, eColumn::Native) = Off(0.70, "v' off by .18 radians: n is that at the end of the step");
   Of(c, eColumn::Box2D) =

@@ -50,11 +50,22 @@ double Distance(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 
 std::vector<CHardCase> AllCases() {
   std::vector<CHardCase> all;
-  for (const auto& group :
-       {ValidationCases, CoincidentCases, LineCases, ArcCases, GrazingCases, FastCases, ScaleCases, MassCases,
-        KinematicCases, SimultaneousCases, JointCases, LongRunCases})
-    for (CHardCase& c : group())
-      all.push_back(std::move(c));
+  const auto add = [&](const std::string& group, const std::vector<CHardCase>& cases) {
+    for (const CHardCase& c : cases)
+      all.emplace_back(c).m_sGroup = group;
+  };
+  add("Inputs that are no numbers, or of no extent", ValidationCases());
+  add("Centres that coincide", CoincidentCases());
+  add("Lines in float", LineCases());
+  add("Arcs", ArcCases());
+  add("Grazes and curved ways", GrazingCases());
+  add("Deep and fast", FastCases());
+  add("Scale", ScaleCases());
+  add("Mass and elasticity", MassCases());
+  add("Kinematic", KinematicCases());
+  add("Simultaneous", SimultaneousCases());
+  add("Joints and ends", JointCases());
+  add("Long runs", LongRunCases());
   return all;
 }
 

@@ -46,23 +46,32 @@ CExpect Deviates(double least, double most, const std::string& figureAndReason);
 CExpect Refused(const std::string& words);
 CExpect NotAsked(const std::string& why);
 
+using CExpectations = std::array<CExpect, g_nColumns>;
+inline const CExpectations g_stdAllRight{Right(), Right(), Right(), Right(), Right()};
+
+/// Largest error that is right, in the unit of CHardCase::m_fnError. The right answer is that to the input
+/// rounded to float.
+struct CBound {
+  double m_fExact;     ///< For the reference.
+  double m_fFloat;     ///< For the engines, whose numbers are floats.
+  std::string m_sText; ///< Both and their origin, shown by a failing test: "8 roundings of t".
+};
+inline const CBound g_cBits{0.0, 0.0, "bit for bit"};
+inline const CBound g_cEightRoundings{1e-12, 0x1p-21, "1e-12; engines 8 roundings of 1"};
+
 struct CHardCase {
-  std::string m_sGroup; ///< A heading of the table.
   std::string m_sName;  ///< CamelCase, unique: the name of its tests.
   std::string m_sInput; ///< In words and numbers, for the table. r is a ball's radius, v its velocity.
   std::string m_sRight; ///< The right answer.
-  /// Largest error that is right, in the unit of m_fnError: for the reference, and for the engines, whose
-  /// numbers are floats. The right answer is that to the input rounded to float.
-  double m_fBound;
-  double m_fFloatBound;
-  std::string m_sBound; ///< Both bounds and their origin, shown by a failing test: "8 roundings of t".
-  std::array<CExpect, g_nColumns> m_stdExpect;
+  CBound m_cBound;
+  CExpectations m_stdExpect = g_stdAllRight;
   /// The error of one of them, at least 0; infinity where nothing was found that had to be, or the other way
   /// round. Exceptions of the library pass through.
   std::function<double(eColumn)> m_fnError;
   std::string m_sControl; ///< What fails, and how: "quadratic equation in v^2: 0 / 0".
   /// The error of that, in the same unit; NaN counts as infinite.
   std::function<double()> m_fnControl;
+  std::string m_sGroup = {}; ///< A heading of the table, from the list of all cases.
 };
 
 /// How GoogleTest prints one.

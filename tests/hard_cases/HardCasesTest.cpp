@@ -21,7 +21,7 @@ class CEveryColumn : public testing::TestWithParam<std::tuple<CHardCase, eColumn
 TEST_P(CEveryColumn, IsWithinItsBoundOrDeviatesAsExpected) {
   const auto& [hard, column] = GetParam();
   const CExpect& expect = hard.m_stdExpect[static_cast<std::size_t>(column)];
-  const double bound = column == eColumn::Reference ? hard.m_fBound : hard.m_fFloatBound;
+  const double bound = column == eColumn::Reference ? hard.m_cBound.m_fExact : hard.m_cBound.m_fFloat;
   if (expect.m_eKind == CExpect::eKind::Refused) {
     try {
       const double error = hard.m_fnError(column);
@@ -35,7 +35,7 @@ TEST_P(CEveryColumn, IsWithinItsBoundOrDeviatesAsExpected) {
   if (expect.m_eKind == CExpect::eKind::Right) {
     EXPECT_GE(expect.m_fMost == 0.0 ? bound : expect.m_fMost, bound) << "a wider bound is wider";
     EXPECT_LE(error, expect.m_fMost == 0.0 ? bound : expect.m_fMost)
-        << hard.m_sBound << "; " << expect.m_sText;
+        << hard.m_cBound.m_sText << "; " << expect.m_sText;
   } else {
     EXPECT_GT(expect.m_fLeast, bound) << "what is within the bound does not deviate";
     EXPECT_GE(error, expect.m_fLeast);
@@ -61,7 +61,7 @@ class CEveryControl : public testing::TestWithParam<CHardCase> {};
 
 TEST_P(CEveryControl, TheNaiveWayFails) {
   const double error = GetParam().m_fnControl();
-  EXPECT_FALSE(error <= std::max(GetParam().m_fBound, GetParam().m_fFloatBound)) << error;
+  EXPECT_FALSE(error <= std::max(GetParam().m_cBound.m_fExact, GetParam().m_cBound.m_fFloat)) << error;
 }
 
 INSTANTIATE_TEST_SUITE_P(HardCases, CEveryControl, testing::ValuesIn(AllCases()),

@@ -10,7 +10,6 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const char* const g_sJointGroup = "Joints and ends";
 constexpr std::uint64_t g_nJointSeed = 20240612;
 
 // ---- Two segments that go on straight.
@@ -34,29 +33,6 @@ double CollinearJoint(eColumn column) {
   return worst;
 }
 
-CHardCase CollinearJoint() {
-  return {g_sJointGroup,
-          "CollinearJoint",
-          "Two collinear segments that join, at any angle; r = .1 at 6 units/s comes down near the joint at "
-          "3 to 20 "
-          "degrees, 2,000 times: worst way after it, in radians",
-          "the mirror image",
-          1e-12,
-          16 * g_fFloatRounding,
-          "1e-12; engines 16 roundings of 1",
-          {Right(), Right(),
-           Deviates(0.5, 1.6, "1.0: it bounces off the joint itself, which is inside of the floor"), Right(),
-           Right()},
-          [](eColumn column) { return CollinearJoint(column); },
-          "a guard point on the joint: kicks",
-          [] {
-            // The point is met first by whoever overlaps it at the end of the step.
-            const double slope = 0.1;
-            const Vector2d v(std::cos(slope), -std::sin(slope)), p(-0.04, 0.09);
-            return AngleBetween(Mirrored(v, p.normalized()), Mirrored(v, {0.0, 1.0}));
-          }};
-}
-
 // ---- A naked end.
 
 double NakedEnd(eColumn column, bool guarded) {
@@ -70,39 +46,6 @@ double NakedEnd(eColumn column, bool guarded) {
   const Vector2d n(x / r, top / r), after = Mirrored({0.0, -1.0}, n);
   const double left = steps * static_cast<double>(1.0f / 60.0f) - t;
   return OffBy(stepped, Vector2d(x, top) + left * after, after);
-}
-
-CHardCase NakedEnd() {
-  return {g_sJointGroup,
-          "NakedEnd",
-          "Segment (0, 0)-(1, 0), r = .5 at (-.3, 2), v = (0, -1), 2 s",
-          "hits the end at 1.6 s, n = (-.6, .8), v' = (-.96, .28)",
-          1e-12,
-          120 * 2 * g_fFloatRounding,
-          "1e-12; engines a rounding of 2 for each of 120 steps",
-          {Deviates(1.5, 1.7, "passes: its ends are open"), Right(), Right(), Right(), Right()},
-          [](eColumn column) { return NakedEnd(column, false); },
-          "the foot of the perpendicular is not on the segment: no hit",
-          [] {
-            return Distance({0.0, -1.0}, {-0.96, 0.28});
-          }};
-}
-
-CHardCase GuardedEnd() {
-  return {g_sJointGroup,
-          "GuardedEnd",
-          "The same with a guard point on the end",
-          "the same",
-          1e-12,
-          120 * 2 * g_fFloatRounding,
-          "1e-12; engines a rounding of 2 for each of 120 steps",
-          {Deviates(0.02, 0.08, ".041: it meets the point where the step ends"), Right(), Right(), Right(),
-           Right()},
-          [](eColumn column) { return NakedEnd(column, true); },
-          "segments before points, each on its own: the same miss, without the point",
-          [] {
-            return Distance({0.0, -1.0}, {-0.96, 0.28});
-          }};
 }
 
 // ---- A vertex that is there more than once.
@@ -128,24 +71,6 @@ double Vertex(eColumn column) {
   return worst;
 }
 
-CHardCase VertexAndGuard() {
-  return {
-      g_sJointGroup,
-      "VertexAndGuard",
-      "A guard point on the end of a segment; r = .1 straight onto it, from 33 directions of the half circle "
-      "away from the segment: contacts more than one",
-      "one contact, v' = -v",
-      0.0,
-      0.0,
-      "none; v' 1e-5",
-      {Right(), Right(), Deviates(0.5, 1.5, "1 more: both are told; v' is right"), Right(), Right()},
-      Vertex,
-      "each shape reflects what overlaps it, approaching or not: twice, v' = v",
-      [] {
-        return Distance(Mirrored(Mirrored({0.0, -6.0}, {0.0, 1.0}), {0.0, 1.0}), {0.0, 6.0});
-      }};
-}
-
 // ---- Into the sector of an arc.
 
 /// A ball whose centre comes close to the arc, crosses the end ray into its sector: by how much it is moved
@@ -169,16 +94,13 @@ double IntoTheSector(eColumn column, bool guarded) {
 }
 
 CHardCase IntoTheSectorOfAnArc(bool guarded) {
-  return {g_sJointGroup,
-          guarded ? "PastAGuardIntoTheSectorOfAnArc" : "IntoTheSectorOfAnArc",
-          guarded ? "The same with a guard point on the end"
-                  : "Quarter of a circle, R = 1; r = .2 comes from below its end at (1, 0), .05 and .15 off "
-                    "the arc to "
-                    "either side, v = (0, 1), 1/60 s: how much farther it gets in a step than it flies",
+  return {guarded ? "PastAGuardIntoTheSectorOfAnArc" : "IntoTheSectorOfAnArc",
+          guarded
+              ? "The same with a guard point on the end"
+              : "Quarter of a circle, R = 1; r = .2 comes from below its end at (1, 0), .05 and .15 off the "
+                "arc to either side, v = (0, 1), 1/60 s: how much farther it gets in a step than it flies",
           guarded ? "0" : "0: it bounces off the end",
-          1e-12,
-          8 * g_fFloatRounding,
-          "1e-12; engines 8 roundings of 1",
+          g_cEightRoundings,
           {guarded ? Right() : Deviates(0.067, 0.15, ".134 at once: its ends are open"), Right(), Right(),
            Right(), Right()},
           [=](eColumn column) { return IntoTheSector(column, guarded); },
@@ -189,7 +111,55 @@ CHardCase IntoTheSectorOfAnArc(bool guarded) {
 } // namespace
 
 std::vector<CHardCase> JointCases() {
-  return {CollinearJoint(),          NakedEnd(), GuardedEnd(), VertexAndGuard(), IntoTheSectorOfAnArc(false),
+  return {{"CollinearJoint",
+           "Two collinear segments that join, at any angle; r = .1 at 6 units/s comes down near the joint at "
+           "3 to 20 degrees, 2,000 times: worst way after it, in radians",
+           "the mirror image",
+           {1e-12, 16 * g_fFloatRounding, "1e-12; engines 16 roundings of 1"},
+           {Right(), Right(),
+            Deviates(0.5, 1.6, "1.0: it bounces off the joint itself, which is inside of the floor"), Right(),
+            Right()},
+           [](eColumn column) { return CollinearJoint(column); },
+           "a guard point on the joint: kicks",
+           [] {
+             // The point is met first by whoever overlaps it at the end of the step.
+             const double slope = 0.1;
+             const Vector2d v(std::cos(slope), -std::sin(slope)), p(-0.04, 0.09);
+             return AngleBetween(Mirrored(v, p.normalized()), Mirrored(v, {0.0, 1.0}));
+           }},
+          {"NakedEnd",
+           "Segment (0, 0)-(1, 0), r = .5 at (-.3, 2), v = (0, -1), 2 s",
+           "hits the end at 1.6 s, n = (-.6, .8), v' = (-.96, .28)",
+           {1e-12, 120 * 2 * g_fFloatRounding, "1e-12; engines a rounding of 2 for each of 120 steps"},
+           {Deviates(1.5, 1.7, "passes: its ends are open"), Right(), Right(), Right(), Right()},
+           [](eColumn column) { return NakedEnd(column, false); },
+           "the foot of the perpendicular is not on the segment: no hit",
+           [] {
+             return Distance({0.0, -1.0}, {-0.96, 0.28});
+           }},
+          {"GuardedEnd",
+           "The same with a guard point on the end",
+           "the same",
+           {1e-12, 120 * 2 * g_fFloatRounding, "1e-12; engines a rounding of 2 for each of 120 steps"},
+           {Deviates(0.02, 0.08, ".041: it meets the point where the step ends"), Right(), Right(), Right(),
+            Right()},
+           [](eColumn column) { return NakedEnd(column, true); },
+           "segments before points, each on its own: the same miss, without the point",
+           [] {
+             return Distance({0.0, -1.0}, {-0.96, 0.28});
+           }},
+          {"VertexAndGuard",
+           "A guard point on the end of a segment; r = .1 straight onto it, from 33 directions of the half "
+           "circle away from the segment: contacts more than one",
+           "one contact, v' = -v",
+           g_cBits,
+           {Right(), Right(), Deviates(0.5, 1.5, "1 more: both are told; v' is right"), Right(), Right()},
+           Vertex,
+           "each shape reflects what overlaps it, approaching or not: twice, v' = v",
+           [] {
+             return Distance(Mirrored(Mirrored({0.0, -6.0}, {0.0, 1.0}), {0.0, 1.0}), {0.0, 6.0});
+           }},
+          IntoTheSectorOfAnArc(false),
           IntoTheSectorOfAnArc(true)};
 }
 

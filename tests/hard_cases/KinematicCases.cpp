@@ -10,8 +10,6 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const char* const g_sKinematicGroup = "Kinematic";
-
 CLineSegDesc Turning(CLineSegDesc desc, float revs) {
   desc.m_eMotionType = eMotion::Kinematic;
   desc.m_fRotSpeed = revs;
@@ -67,15 +65,11 @@ double NaiveKick(const CKick& kick) {
 }
 
 CHardCase KickOf(const std::string& name, const CKick& kick, const std::string& input,
-                 const std::string& right, const std::string& naive,
-                 const std::array<CExpect, g_nColumns>& expect) {
-  return {g_sKinematicGroup,
-          name,
+                 const std::string& right, const std::string& naive, const CExpectations& expect) {
+  return {name,
           input + "; the mirror image too",
           right,
-          1e-12,
-          8 * g_fFloatRounding,
-          "1e-12; engines 8 roundings of 1",
+          g_cEightRoundings,
           expect,
           [=](eColumn column) { return Worst(Kick(column, kick, 1.0), Kick(column, kick, -1.0)); },
           "reflected as if static, then e (V - vn) on top: " + naive,
@@ -107,25 +101,6 @@ double StandsStill(eColumn column) {
   return different;
 }
 
-CHardCase StandingStillIsStatic() {
-  return {g_sKinematicGroup,
-          "StandingStillIsStatic",
-          "A kinematic segment with a rotation speed of 0, and a static one: r = .1 bouncing and sliding on "
-          "it for "
-          "2 s, e = .8: largest difference of places and velocities",
-          "0",
-          0.0,
-          0.0,
-          "bit for bit",
-          {Right(), Right(), RightWithin(0x1p-20, "2 roundings of 8; its body has another origin"),
-           RightWithin(0x1p-20, "2 roundings of 8; its body has another origin"), Right()},
-          StandsStill,
-          "e (V - v) on top of the static response: vn = -1, V = 0, e = 1 gives 2 instead of 1",
-          [] {
-            return NaiveKick({0.0, -1.0, 1.0f});
-          }};
-}
-
 // ---- One turn a step.
 
 double OneTurnAStep(eColumn column) {
@@ -147,28 +122,6 @@ double OneTurnAStep(eColumn column) {
                   Worst(Distance(stepped.GetVel(), after), Distance(stepped.GetPos(), end)) / after.norm());
   }
   return worst;
-}
-
-CHardCase OneTurnAStep() {
-  return {
-      g_sKinematicGroup,
-      "OneTurnAStep",
-      "A hand of length 1 turns 60 times a second, at 60 steps a second; r = .1 at rest, .5 from the centre, "
-      "at eleven places around it: velocity and place after a step, relative to the speed",
-      "hit within the turn, by 2 V = 369",
-      1e-12,
-      8 * g_fFloatRounding,
-      "1e-12; engines 8 roundings of 1",
-      {Deviates(0.99, 1.01, "missed: it looks at the end of the step only"), Right(),
-       Deviates(0.99, 1.01, "missed at some places: it turns by pi/2 a step at most; counted"),
-       Deviates(0.0006, 0.0025, ".0012: a quarter of its slop"), Right()},
-      [](eColumn column) { return OneTurnAStep(column); },
-      "angle at the end of the step: the same as before, nothing has moved",
-      [] {
-        return std::abs(std::remainder(2.0 * std::numbers::pi * 60.0 / 60.0, 2.0 * std::numbers::pi)) < 0.1
-                   ? 1.0
-                   : 0.0;
-      }};
 }
 
 // ---- A million radians.
@@ -198,27 +151,6 @@ double MillionRadians(eColumn column) {
   const CFifty error = std::max(
       {CFifty(abs(orientation - right)), CFifty((p0 - u).norm()), CFifty((p1 - CFifty(2) * u).norm())});
   return static_cast<double>(error);
-}
-
-CHardCase AMillionRadians() {
-  return {g_sKinematicGroup,
-          "AMillionRadians",
-          "A segment from (1, 0) to (2, 0), turned about the origin to 1e6 rad: its angle, and its ends",
-          "1e6 mod 2 pi = 5.92562114 rad; both radii kept",
-          1e-12,
-          8 * g_fFloatRounding,
-          "1e-12; engines 8 roundings of 1: one of the angle",
-          {Right(), Right(), Right(), Right(), Right()},
-          MillionRadians,
-          "1e6 rad summed up in float, by 2 pi / 60 a step: .0625 rad apart there",
-          [] {
-            float angle = 0.0f;
-            const float step = 6.2831853f / 60.0f;
-            const int steps = 9549297;
-            for (int i = 0; i < steps; ++i)
-              angle += step;
-            return std::abs(angle - steps * static_cast<double>(step));
-          }};
 }
 
 // ---- Through the vertical.
@@ -266,27 +198,22 @@ double NaiveThroughTheVertical() {
   return worst;
 }
 
-CHardCase ThroughTheVertical() {
-  return {
-      g_sKinematicGroup,
-      "ThroughTheVertical",
-      "A segment solid on one side, turned to the vertical, a rounding to either side of it, .001 and .1 rad "
-      "from it, up and down; r = .1 at 6 units/s to the solid side and to the open one: velocity, relative",
-      "bounces off the solid side, passes from the open one: it does not change sides",
-      8 * g_fDoubleRounding,
-      8 * g_fFloatRounding,
-      "8 roundings",
-      {Right(), Right(), Right(), Right(), Right()},
-      [](eColumn column) { return ThroughTheVertical(column); },
-      "normal from the ends, the left one first: turns by 180 degrees at the vertical",
-      [] { return NaiveThroughTheVertical(); }};
-}
-
 } // namespace
 
 std::vector<CHardCase> KinematicCases() {
   const CExpect r = Right();
-  return {StandingStillIsStatic(),
+  return {{"StandingStillIsStatic",
+           "A kinematic segment with a rotation speed of 0, and a static one: r = .1 bouncing and sliding on "
+           "it for 2 s, e = .8: largest difference of places and velocities",
+           "0",
+           g_cBits,
+           {Right(), Right(), RightWithin(0x1p-20, "2 roundings of 8; its body has another origin"),
+            RightWithin(0x1p-20, "2 roundings of 8; its body has another origin"), Right()},
+           StandsStill,
+           "e (V - v) on top of the static response: vn = -1, V = 0, e = 1 gives 2 instead of 1",
+           [] {
+             return NaiveKick({0.0, -1.0, 1.0f});
+           }},
           KickOf("KickAgainstTheBall", {2.0, -1.0, 1.0f},
                  "A segment turns at V = 2 along its normal, r = .1 comes at vn = -1, e = 1", "vn' = 5", "4",
                  {Deviates(0.0125, 0.05, ".025: it meets the segment where it is at the end of the step"), r,
@@ -305,9 +232,47 @@ std::vector<CHardCase> KinematicCases() {
                  {Deviates(0.009, 0.036, ".018: it meets the segment where it is at the end of the step"), r,
                   Deviates(0.009, 0.036, ".018: its skin and slop"),
                   Deviates(0.00135, 0.0054, ".0027: a quarter of its slop"), r}),
-          OneTurnAStep(),
-          AMillionRadians(),
-          ThroughTheVertical()};
+          {"OneTurnAStep",
+           "A hand of length 1 turns 60 times a second, at 60 steps a second; r = .1 at rest, .5 from the "
+           "centre, at eleven places around it: velocity and place after a step, relative to the speed",
+           "hit within the turn, by 2 V = 369",
+           g_cEightRoundings,
+           {Deviates(0.99, 1.01, "missed: it looks at the end of the step only"), Right(),
+            Deviates(0.99, 1.01, "missed at some places: it turns by pi/2 a step at most; counted"),
+            Deviates(0.0006, 0.0025, ".0012: a quarter of its slop"), Right()},
+           [](eColumn column) { return OneTurnAStep(column); },
+           "angle at the end of the step: the same as before, nothing has moved",
+           [] {
+             return std::abs(std::remainder(2.0 * std::numbers::pi * 60.0 / 60.0, 2.0 * std::numbers::pi)) <
+                            0.1
+                        ? 1.0
+                        : 0.0;
+           }},
+          {"AMillionRadians",
+           "A segment from (1, 0) to (2, 0), turned about the origin to 1e6 rad: its angle, and its ends",
+           "1e6 mod 2 pi = 5.92562114 rad; both radii kept",
+           {1e-12, 8 * g_fFloatRounding, "1e-12; engines 8 roundings of 1: one of the angle"},
+           g_stdAllRight,
+           MillionRadians,
+           "1e6 rad summed up in float, by 2 pi / 60 a step: .0625 rad apart there",
+           [] {
+             float angle = 0.0f;
+             const float step = 6.2831853f / 60.0f;
+             const int steps = 9549297;
+             for (int i = 0; i < steps; ++i)
+               angle += step;
+             return std::abs(angle - steps * static_cast<double>(step));
+           }},
+          {"ThroughTheVertical",
+           "A segment solid on one side, turned to the vertical, a rounding to either side of it, .001 and "
+           ".1 rad from it, up and down; r = .1 at 6 units/s to the solid side and to the open one: "
+           "velocity, relative",
+           "bounces off the solid side, passes from the open one: it does not change sides",
+           {8 * g_fDoubleRounding, 8 * g_fFloatRounding, "8 roundings"},
+           g_stdAllRight,
+           [](eColumn column) { return ThroughTheVertical(column); },
+           "normal from the ends, the left one first: turns by 180 degrees at the vertical",
+           [] { return NaiveThroughTheVertical(); }}};
 }
 
 } // namespace Shapes::HardCases

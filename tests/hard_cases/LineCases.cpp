@@ -9,7 +9,6 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const std::string g_sLineGroup = "Lines in float";
 const std::string g_sLibrary = "no engine crosses lines";
 constexpr float g_fInfinite = std::numeric_limits<float>::infinity();
 
@@ -46,8 +45,6 @@ CHardCase ClosestPoint(const Vector2& p0, const Vector2& p1, const CDynamicCircl
   const CVec2d foot = FootAt50Digits(p0, p1, q.cast<CFifty>()).cast<double>();
   const CVec2d met = MetAt50Digits(p0, p1, ball).cast<double>();
   CHardCase c;
-  c.m_sGroup = g_sLineGroup;
-  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
   c.m_fnError = [=](eColumn column) {
     const double error = Distance(Shoot(column, shot).m_vPOI, met);
     if (column != eColumn::Native) return error;
@@ -67,9 +64,7 @@ CHardCase OfAHorizontalSegment() {
   Of(c, eColumn::Box2D) = Off(0.005, "off by .005: its skin");
   c.m_sInput = "segment (0, 0)-(1, 0), q = (.5, .5); met by a ball r = .25 from q";
   c.m_sRight = "(.5, 0)";
-  c.m_fBound = 4.0 * g_fEps;
-  c.m_fFloatBound = 4.0 * g_fFloatEps;
-  c.m_sBound = "4 roundings";
+  c.m_cBound = {4.0 * g_fEps, 4.0 * g_fFloatEps, "4 roundings"};
   c.m_sControl = "crossing with the line of gradient -1 / 0: NaN";
   return c;
 }
@@ -81,9 +76,7 @@ CHardCase OfANearlyVerticalSegment() {
   Of(c, eColumn::Box2D) = Off(0.005, "off by .005: its skin");
   c.m_sInput = "segment (500, 0)-(500.001, 600), q = (510, 300); met by a ball r = 9.5 from q, v = (-10, 0)";
   c.m_sRight = "(500.0005, 300.0000167)";
-  c.m_fBound = 8.0 * 1000.0 * g_fEps;
-  c.m_fFloatBound = 1e-3;
-  c.m_sBound = "8 roundings of 1000: 1.8e-12; engines 1e-3";
+  c.m_cBound = {8.0 * 1000.0 * g_fEps, 1e-3, "8 roundings of 1000: 1.8e-12; engines 1e-3"};
   c.m_sControl = "crossing with the line of gradient -1/m: (500.0005, 288), off by 12";
   return c;
 }
@@ -95,10 +88,8 @@ double ErrorOfNoCrossing(const CLine& a, const CLine& b) {
 
 CHardCase NoCrossing() {
   CHardCase c;
-  c.m_sGroup = g_sLineGroup;
   c.m_sRight = "no point: (Inf, Inf), which nothing in the library uses";
-  c.m_fBound = c.m_fFloatBound = 0.0;
-  c.m_sBound = "exact";
+  c.m_cBound = g_cBits;
   c.m_stdExpect = {Right(), NotAsked(g_sLibrary), NotAsked(g_sLibrary), NotAsked(g_sLibrary),
                    NotAsked(g_sLibrary)};
   return c;
@@ -146,7 +137,6 @@ CHardCase BetweenVerticalSegments() {
   const CAnswer right{CFifty(0.5), {CFifty(-1), CFifty(0)}, {CFifty(-1), CFifty(0)}};
   const CAnswer left{CFifty(0.5), {CFifty(1), CFifty(0)}, {CFifty(1), CFifty(0)}};
   CHardCase c = ShotCase(shot, right);
-  c.m_sGroup = g_sLineGroup;
   c.m_sName = "BallBetweenVerticalSegmentsGivenUpAndDown";
   Of(c, eColumn::Native) = Off(0.125, "as if t = .625: the way after the impact is lost");
   Of(c, eColumn::Box2D) = Off(0.00031, "as if t = .5003: its skin");

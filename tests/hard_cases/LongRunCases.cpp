@@ -11,7 +11,6 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const char* const g_sLongRunGroup = "Long runs";
 constexpr std::uint64_t g_nLongRunSeed = 20240613;
 
 /// Impacts of a run: a million natively, a tenth of that elsewhere.
@@ -41,31 +40,6 @@ double SpeedDrift(eColumn column) {
     }
   }
   return worst;
-}
-
-CHardCase MillionReflections() {
-  return {
-      g_sLongRunGroup,
-      "MillionReflections",
-      "r = .5 in boxes of 1.2 that are turned by .1, .3, .7 and 1.1 rad, v = (3, 4), a million reflections "
-      "natively, 100,000 elsewhere: largest change of the speed, relative",
-      "0",
-      1e-11,
-      64 * g_fFloatRounding,
-      "1e-11; engines 64 roundings, 3.8e-6: of the million some 1,000, their root, could add up",
-      {Right(), Right(), Right(), Right(), Right()},
-      SpeedDrift,
-      "a normal whose length is wrong by a rounding: it counts at each reflection",
-      [] {
-        float x = 3.0f, y = 4.0f;
-        const float nx = 0.6f, ny = 0.8f * (1.0f + 0x1p-23f);
-        for (int i = 0; i < 1000000; ++i) {
-          const float d = 2.0f * (x * nx + y * ny);
-          x -= d * nx;
-          y -= d * ny;
-        }
-        return std::abs(std::hypot(static_cast<double>(x), static_cast<double>(y)) / 5.0 - 1.0);
-      }};
 }
 
 // ---- Momentum.
@@ -98,28 +72,6 @@ double MomentumDrift(eColumn column) {
     worst = Worst(worst, (momentum() - before).norm());
   }
   return impacts < count * 9 / 10 ? g_fNever : worst / carried * std::sqrt(1e6 / count);
-}
-
-CHardCase MillionPairImpacts() {
-  return {g_sLongRunGroup,
-          "MillionPairImpacts",
-          "Masses 1 and 3, e = 1, put together again after each impact, at a random angle, a million times "
-          "natively, "
-          "100,000 (times the root of 10) elsewhere: change of the momentum, relative",
-          "0",
-          1e-12,
-          4 * 1000 * g_fFloatRounding,
-          "1e-12; engines 4 x 1,000 roundings: they add up as the root of their number",
-          {Right(), Right(), Right(), Right(), Right()},
-          MomentumDrift,
-          "each ball is answered with the velocity that the other one has by then",
-          [] {
-            double v0 = 1.0, v1 = -0.5;
-            const double before = v0 + 3.0 * v1;
-            v0 -= 2.0 * 3.0 / 4.0 * (v0 - v1);
-            v1 += 2.0 * 1.0 / 4.0 * (v0 - v1);
-            return std::abs(v0 + 3.0 * v1 - before) / 2.5;
-          }};
 }
 
 // ---- Determinism.
@@ -177,55 +129,72 @@ std::vector<int> Shuffled() {
   return order;
 }
 
-CHardCase TheSameTwice() {
-  return {
-      g_sLongRunGroup,
-      "TheSameTwice",
-      "16 boxes with a turning hand and two balls each, gravity, 240 steps, made and run twice: numbers of "
-      "128 "
-      "that differ",
-      "none",
-      0.0,
-      0.0,
-      "bit for bit",
-      {Right(), Right(), Right(), Right(), Right()},
-      [](eColumn column) { return CountDifferent(RunBoxes(column, InOrder()), RunBoxes(column, InOrder())); },
-      "random numbers that go on where the last run stopped",
-      [] {
-        Tests::CRandom random(g_nLongRunSeed);
-        const Vector2 a = random.Direction(), b = random.Direction();
-        return CountDifferent({a.x(), a.y()}, {b.x(), b.y()});
-      }};
-}
-
-CHardCase AddedInAnotherOrder() {
-  return {g_sLongRunGroup,
-          "AddedInAnotherOrder",
-          "The same boxes, added in a random order",
-          "none: what does not meet does not matter",
-          0.0,
-          0.0,
-          "bit for bit",
-          {Right(), Right(), Right(), Right(), Right()},
-          [](eColumn column) {
-            return CountDifferent(RunBoxes(column, InOrder()), RunBoxes(column, Shuffled()));
-          },
-          "the mean velocity of all, summed up in float in the order of adding, taken off each",
-          [] {
-            const auto mean = [](const std::vector<int>& order) {
-              float sum = 0.0f;
-              for (const int cell : order)
-                sum += 0.1f + 0.37f * static_cast<float>(cell * cell);
-              return sum / 16.0f;
-            };
-            return CountDifferent({mean(InOrder())}, {mean(Shuffled())});
-          }};
-}
-
 } // namespace
 
 std::vector<CHardCase> LongRunCases() {
-  return {MillionReflections(), MillionPairImpacts(), TheSameTwice(), AddedInAnotherOrder()};
+  return {{"MillionReflections",
+           "r = .5 in boxes of 1.2 that are turned by .1, .3, .7 and 1.1 rad, v = (3, 4), a million "
+           "reflections natively, 100,000 elsewhere: largest change of the speed, relative",
+           "0",
+           {1e-11, 64 * g_fFloatRounding,
+            "1e-11; engines 64 roundings, 3.8e-6: of the million some 1,000, their root, could add up"},
+           g_stdAllRight,
+           SpeedDrift,
+           "a normal whose length is wrong by a rounding: it counts at each reflection",
+           [] {
+             float x = 3.0f, y = 4.0f;
+             const float nx = 0.6f, ny = 0.8f * (1.0f + 0x1p-23f);
+             for (int i = 0; i < 1000000; ++i) {
+               const float d = 2.0f * (x * nx + y * ny);
+               x -= d * nx;
+               y -= d * ny;
+             }
+             return std::abs(std::hypot(static_cast<double>(x), static_cast<double>(y)) / 5.0 - 1.0);
+           }},
+          {"MillionPairImpacts",
+           "Masses 1 and 3, e = 1, put together again after each impact, at a random angle, a million times "
+           "natively, 100,000 (times the root of 10) elsewhere: change of the momentum, relative",
+           "0",
+           {1e-12, 4 * 1000 * g_fFloatRounding,
+            "1e-12; engines 4 x 1,000 roundings: they add up as the root of their number"},
+           g_stdAllRight,
+           MomentumDrift,
+           "each ball is answered with the velocity that the other one has by then",
+           [] {
+             double v0 = 1.0, v1 = -0.5;
+             const double before = v0 + 3.0 * v1;
+             v0 -= 2.0 * 3.0 / 4.0 * (v0 - v1);
+             v1 += 2.0 * 1.0 / 4.0 * (v0 - v1);
+             return std::abs(v0 + 3.0 * v1 - before) / 2.5;
+           }},
+          {"TheSameTwice",
+           "16 boxes with a turning hand and two balls each, gravity, 240 steps, made and run twice: numbers "
+           "of 128 that differ",
+           "none", g_cBits, g_stdAllRight,
+           [](eColumn column) {
+             return CountDifferent(RunBoxes(column, InOrder()), RunBoxes(column, InOrder()));
+           },
+           "random numbers that go on where the last run stopped",
+           [] {
+             Tests::CRandom random(g_nLongRunSeed);
+             const Vector2 a = random.Direction(), b = random.Direction();
+             return CountDifferent({a.x(), a.y()}, {b.x(), b.y()});
+           }},
+          {"AddedInAnotherOrder", "The same boxes, added in a random order",
+           "none: what does not meet does not matter", g_cBits, g_stdAllRight,
+           [](eColumn column) {
+             return CountDifferent(RunBoxes(column, InOrder()), RunBoxes(column, Shuffled()));
+           },
+           "the mean velocity of all, summed up in float in the order of adding, taken off each",
+           [] {
+             const auto mean = [](const std::vector<int>& order) {
+               float sum = 0.0f;
+               for (const int cell : order)
+                 sum += 0.1f + 0.37f * static_cast<float>(cell * cell);
+               return sum / 16.0f;
+             };
+             return CountDifferent({mean(InOrder())}, {mean(Shuffled())});
+           }}};
 }
 
 } // namespace Shapes::HardCases

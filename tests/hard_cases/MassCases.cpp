@@ -9,8 +9,6 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const char* const g_sMassGroup = "Mass and elasticity";
-
 // ---- Two balls, head on.
 
 /// Off by how much the velocities are, relative to the largest speed; and the momentum, relative to what the
@@ -38,42 +36,6 @@ double WorstPairError(eColumn column, float m0, float v0, float m1, float v1) {
   return Worst(PairError(column, m0, v0, m1, v1), PairError(column, m1, -v1, m0, -v0));
 }
 
-CHardCase AMoteIsHitByABall() {
-  return {g_sMassGroup,
-          "AMoteIsHitByABall",
-          "m = 1 and v = 1 meets m = 1e-12 at rest: velocities and momentum, relative",
-          "1.999999999998 and .999999999998",
-          8 * g_fDoubleRounding,
-          8 * g_fFloatRounding,
-          "8 roundings",
-          {Right(), Right(), Right(), Right(), Right()},
-          [](eColumn column) { return WorstPairError(column, 1.0f, 1.0f, 1e-12f, 0.0f); },
-          "velocity of the light one from the momentum that the heavy one has lost, in float: 0",
-          [] {
-            const volatile float m = 1e-12f, M = 1.0f, v = 1.0f, after = (M - m) / (M + m) * v;
-            return std::abs((M * v - M * after) / m - 2.0) / 2.0;
-          }};
-}
-
-CHardCase HeavyBallsSwap() {
-  const CExpect refused = Refused("m_fMass");
-  return {g_sMassGroup,
-          "HeavyBallsSwap",
-          "m = 1e30 each, v = 1 meets v = -.5",
-          "they swap velocities",
-          8 * g_fDoubleRounding,
-          8 * g_fFloatRounding,
-          "8 roundings",
-          {Right(), Right(), refused, refused, Right()},
-          [](eColumn column) { return WorstPairError(column, 1e30f, 1.0f, 1e30f, -0.5f); },
-          "impulse (1 + e) m M / (m + M) in float: infinite",
-          [] {
-            const volatile float m = 1e30f, M = 1e30f, v = 1.5f;
-            const float impulse = 2.0f * m * M / (m + M) * v;
-            return Distance({1.0 - impulse / m, 0.0}, {-0.5, 0.0});
-          }};
-}
-
 // ---- Elasticity at a wall.
 
 /// (3, -4) onto a floor, and the same turned by any angle.
@@ -96,17 +58,10 @@ double Bounce(eColumn column, float eWall, float eBall) {
 CHardCase AtAWall(const std::string& name, const std::string& e, float eWall, float eBall,
                   const Vector2d& right, const std::string& says, const Vector2d& naive,
                   const std::string& naively) {
-  return {g_sMassGroup,
-          name,
-          "v = (3, -4) onto a floor, e = " + e + "; also turned by 45, 90, .. degrees",
-          says,
-          32 * g_fDoubleRounding,
-          32 * g_fFloatRounding,
-          "32 roundings of 1: 4 of 8",
-          {Right(), Right(), Right(), Right(), Right()},
-          [=](eColumn column) { return Bounce(column, eWall, eBall); },
-          naively,
-          [=] { return Distance(naive, right); }};
+  return {name,          "v = (3, -4) onto a floor, e = " + e + "; also turned by 45, 90, .. degrees",
+          says,          {32 * g_fDoubleRounding, 32 * g_fFloatRounding, "32 roundings of 1: 4 of 8"},
+          g_stdAllRight, [=](eColumn column) { return Bounce(column, eWall, eBall); },
+          naively,       [=] { return Distance(naive, right); }};
 }
 
 // ---- A thousandfold at each impact.
@@ -136,36 +91,51 @@ double Gains(eColumn column) {
   return exact || capped > 0 ? worst : g_fNever;
 }
 
-CHardCase AThousandfoldAtEachImpact() {
-  return {g_sMassGroup,
-          "AThousandfoldAtEachImpact",
-          "Walls of e = 1000, 1 unit/s at first, " + std::to_string(g_nGains) + " impacts: speed, relative",
-          "1000^n up to the limit (1e18; Box2D 1e9, tuned 2.5e8), then cut to that and counted",
-          8 * g_fDoubleRounding,
-          8 * g_fFloatRounding,
-          "8 roundings for each impact",
-          {Right(), Right(), Right(), Right(), Right()},
-          Gains,
-          "v *= 1000 in float: infinite after 13",
-          [] {
-            float v = 1.0f;
-            for (int i = 0; i < g_nGains; ++i)
-              v *= 1000.0f;
-            return std::isinf(v) ? g_fNever : 0.0;
-          }};
-}
-
 } // namespace
 
 std::vector<CHardCase> MassCases() {
-  return {AMoteIsHitByABall(),
-          HeavyBallsSwap(),
+  const CExpect refused = Refused("m_fMass");
+  return {{"AMoteIsHitByABall",
+           "m = 1 and v = 1 meets m = 1e-12 at rest: velocities and momentum, relative",
+           "1.999999999998 and .999999999998",
+           {8 * g_fDoubleRounding, 8 * g_fFloatRounding, "8 roundings"},
+           g_stdAllRight,
+           [](eColumn column) { return WorstPairError(column, 1.0f, 1.0f, 1e-12f, 0.0f); },
+           "velocity of the light one from the momentum that the heavy one has lost, in float: 0",
+           [] {
+             const volatile float m = 1e-12f, M = 1.0f, v = 1.0f, after = (M - m) / (M + m) * v;
+             return std::abs((M * v - M * after) / m - 2.0) / 2.0;
+           }},
+          {"HeavyBallsSwap",
+           "m = 1e30 each, v = 1 meets v = -.5",
+           "they swap velocities",
+           {8 * g_fDoubleRounding, 8 * g_fFloatRounding, "8 roundings"},
+           {Right(), Right(), refused, refused, Right()},
+           [](eColumn column) { return WorstPairError(column, 1e30f, 1.0f, 1e30f, -0.5f); },
+           "impulse (1 + e) m M / (m + M) in float: infinite",
+           [] {
+             const volatile float m = 1e30f, M = 1e30f, v = 1.5f;
+             const float impulse = 2.0f * m * M / (m + M) * v;
+             return Distance({1.0 - impulse / m, 0.0}, {-0.5, 0.0});
+           }},
           AtAWall("NoElasticity", "0", 0.0f, 1.0f, {3, 0}, "(3, 0)", {0, 0}, "v = -e v: (0, 0)"),
           AtAWall("FullElasticity", "1", 1.0f, 1.0f, {3, 4}, "(3, 4)", {-3, 4}, "v = -e v: (-3, 4)"),
           AtAWall("ElasticityAboveOne", "2", 2.0f, 1.0f, {3, 8}, "(3, 8)", {-6, 8}, "v = -e v: (-6, 8)"),
           AtAWall("ElasticitiesMultiply", ".5 and .5", 0.5f, 0.5f, {3, 1}, "(3, 1)", {1.5, 2},
                   "half of v is lost: (1.5, 2)"),
-          AThousandfoldAtEachImpact()};
+          {"AThousandfoldAtEachImpact",
+           "Walls of e = 1000, 1 unit/s at first, " + std::to_string(g_nGains) + " impacts: speed, relative",
+           "1000^n up to the limit (1e18; Box2D 1e9, tuned 2.5e8), then cut to that and counted",
+           {8 * g_fDoubleRounding, 8 * g_fFloatRounding, "8 roundings for each impact"},
+           g_stdAllRight,
+           Gains,
+           "v *= 1000 in float: infinite after 13",
+           [] {
+             float v = 1.0f;
+             for (int i = 0; i < g_nGains; ++i)
+               v *= 1000.0f;
+             return std::isinf(v) ? g_fNever : 0.0;
+           }}};
 }
 
 } // namespace Shapes::HardCases

@@ -8,8 +8,6 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const char* const g_sScaleGroup = "Scale";
-
 // ---- A scene of 1e-23 units.
 
 constexpr float g_fTiny = 1e-23f;
@@ -23,27 +21,6 @@ double Tiny(eColumn column) {
   return Worst(Distance(stepped.GetPos(), {0.0, end}) / r, Distance(stepped.GetVel(), {0.0, v}) / v);
 }
 
-CHardCase ABallOf1eMinus23() {
-  return {
-      g_sScaleGroup,
-      "ABallOf1eMinus23",
-      "r = 1e-23 at (0, 2.5 r), v = (0, -120 r), 2 steps of 1/60 s, onto a point at the origin: place in r, "
-      "velocity relative",
-      "bounces: at (0, 3.5 r)",
-      32 * g_fDoubleRounding,
-      32 * g_fFloatRounding,
-      "32 roundings of 1: 8 of 4",
-      {Deviates(0.45, 0.55, ".5 r short: set back"), Right(),
-       Deviates(4.9, 5.1, "goes through: r is far below its slop of .005"),
-       Deviates(5.4, 5.6, "goes through a step later: r is far below its slop of .005"), Right()},
-      Tiny,
-      "d^2 < r^2 in float, at d = r / 2: r^2 is 0, a miss",
-      [] {
-        const volatile float d = g_fTiny / 2.0f;
-        return d * d < g_fTiny * g_fTiny ? 0.0 : g_fNever;
-      }};
-}
-
 // ---- A radius whose square is no float.
 
 double Huge(eColumn column) {
@@ -51,24 +28,6 @@ double Huge(eColumn column) {
                                      {CDynamicCircleDesc({1e18f, 0.0f}, 2e19f, {1.0f, 0.0f})}));
   stepped.Step();
   return Distance(stepped.GetVel(), {1.0, 0.0});
-}
-
-CHardCase ABallOf2e19() {
-  const CExpect refused = Refused("m_fRadius");
-  return {g_sScaleGroup,
-          "ABallOf2e19",
-          "r = 2e19",
-          "refused: its square is no float",
-          0.0,
-          0.0,
-          "none",
-          {refused, refused, refused, refused, refused},
-          Huge,
-          "a miss if d^2 > r^2 in float: both are infinite at d = 2 r, a hit",
-          [] {
-            const volatile float r = 2e19f, d = 4e19f;
-            return d * d > r * r ? 0.0 : g_fNever;
-          }};
 }
 
 // ---- Far from the origin.
@@ -89,63 +48,72 @@ double NaiveFar(float x) {
   return std::abs(-b - std::sqrt(b * b - c) - 0.9);
 }
 
-CHardCase AnArcAt2To13() {
-  return {g_sScaleGroup,
-          "AnArcAt2To13",
-          "Arc from 350 to 10 degrees, R = 1, about (2^13, 0); r = .1 at (2, 0) from there, v = (-1, 0), two "
-          "steps of 1 s",
-          "hits at .9 s, and is at (2.2, 0) from there, v = (1, 0)",
-          8 * 8192 * 2 * g_fDoubleRounding,
-          8192 * g_fFloatRounding,
-          "8 roundings of 2^14; engines: 1 rounding of 2^13, .0005",
-          {Deviates(0.099, 0.101, ".1 short: set back"), Right(), Deviates(0.0005, 0.0016, ".0008: its skin"),
-           Deviates(0.0009, 0.0035,
-                    ".0018, a step late: its world is 4 times as large, and floats .004 apart there"),
-           Right()},
-          [](eColumn column) { return Far(column, 8192.0f, 0.1f); },
-          "quadratic equation in float, in absolute coordinates",
-          [] { return NaiveFar(8192.0f); }};
-}
-
-CHardCase AnArcAt2To20() {
-  return {g_sScaleGroup,
-          "AnArcAt2To20",
-          "The same about (2^20, 0), where floats are .125 apart: more than r",
-          "the same",
-          1e-9,
-          1048576 * g_fFloatRounding,
-          "1e-9; engines: 1 rounding of 2^20, .0625",
-          {Deviates(0.0725, 0.0775, ".075: set back, to the nearest float"), Right(),
-           Deviates(0.13, 0.53, ".26, a step late: floats are .125 apart, its skin is .01"),
-           Deviates(0.8, 1.35,
-                    "1.1, put back without a bounce: floats are .5 apart in its world, 4 times as large"),
-           Right()},
-          [](eColumn column) { return Far(column, 1048576.0f, 0.1f); },
-          "quadratic equation in float, in absolute coordinates",
-          [] { return NaiveFar(1048576.0f); }};
-}
-
-CHardCase ALargerBallAt2To20() {
-  return {g_sScaleGroup,
-          "ALargerBallAt2To20",
-          "The same with r = .5, four times as much as floats are apart",
-          "hits at .5 s, and is at (3, 0) from there",
-          1e-9,
-          1048576 * g_fFloatRounding,
-          "1e-9; engines: 1 rounding of 2^20, .0625",
-          {Deviates(0.49, 0.51, ".5 short: set back"), Right(),
-           Deviates(0.5, 2.0, "1, a step late: floats are .125 apart, its skin is .01"),
-           Deviates(0.9, 3.5, "1.75 off: its world is 4 times as large, and floats are .5 apart there"),
-           Right()},
-          [](eColumn column) { return Far(column, 1048576.0f, 0.5f); },
-          "quadratic equation in float, in absolute coordinates",
-          [] { return NaiveFar(1048576.0f); }};
-}
-
 } // namespace
 
 std::vector<CHardCase> ScaleCases() {
-  return {ABallOf1eMinus23(), ABallOf2e19(), AnArcAt2To13(), AnArcAt2To20(), ALargerBallAt2To20()};
+  const CExpect refused = Refused("m_fRadius");
+  return {
+      {"ABallOf1eMinus23",
+       "r = 1e-23 at (0, 2.5 r), v = (0, -120 r), 2 steps of 1/60 s, onto a point at the origin: place in r, "
+       "velocity relative",
+       "bounces: at (0, 3.5 r)",
+       {32 * g_fDoubleRounding, 32 * g_fFloatRounding, "32 roundings of 1: 8 of 4"},
+       {Deviates(0.45, 0.55, ".5 r short: set back"), Right(),
+        Deviates(4.9, 5.1, "goes through: r is far below its slop of .005"),
+        Deviates(5.4, 5.6, "goes through a step later: r is far below its slop of .005"), Right()},
+       Tiny,
+       "d^2 < r^2 in float, at d = r / 2: r^2 is 0, a miss",
+       [] {
+         const volatile float d = g_fTiny / 2.0f;
+         return d * d < g_fTiny * g_fTiny ? 0.0 : g_fNever;
+       }},
+      {"ABallOf2e19",
+       "r = 2e19",
+       "refused: its square is no float",
+       g_cBits,
+       {refused, refused, refused, refused, refused},
+       Huge,
+       "a miss if d^2 > r^2 in float: both are infinite at d = 2 r, a hit",
+       [] {
+         const volatile float r = 2e19f, d = 4e19f;
+         return d * d > r * r ? 0.0 : g_fNever;
+       }},
+      {"AnArcAt2To13",
+       "Arc from 350 to 10 degrees, R = 1, about (2^13, 0); r = .1 at (2, 0) from there, v = (-1, 0), two "
+       "steps of 1 s",
+       "hits at .9 s, and is at (2.2, 0) from there, v = (1, 0)",
+       {8 * 8192 * 2 * g_fDoubleRounding, 8192 * g_fFloatRounding,
+        "8 roundings of 2^14; engines: 1 rounding of 2^13, .0005"},
+       {Deviates(0.099, 0.101, ".1 short: set back"), Right(), Deviates(0.0005, 0.0016, ".0008: its skin"),
+        Deviates(0.0009, 0.0035,
+                 ".0018, a step late: its world is 4 times as large, and floats .004 apart there"),
+        Right()},
+       [](eColumn column) { return Far(column, 8192.0f, 0.1f); },
+       "quadratic equation in float, in absolute coordinates",
+       [] { return NaiveFar(8192.0f); }},
+      {"AnArcAt2To20",
+       "The same about (2^20, 0), where floats are .125 apart: more than r",
+       "the same",
+       {1e-9, 1048576 * g_fFloatRounding, "1e-9; engines: 1 rounding of 2^20, .0625"},
+       {Deviates(0.0725, 0.0775, ".075: set back, to the nearest float"), Right(),
+        Deviates(0.13, 0.53, ".26, a step late: floats are .125 apart, its skin is .01"),
+        Deviates(0.8, 1.35,
+                 "1.1, put back without a bounce: floats are .5 apart in its world, 4 times as large"),
+        Right()},
+       [](eColumn column) { return Far(column, 1048576.0f, 0.1f); },
+       "quadratic equation in float, in absolute coordinates",
+       [] { return NaiveFar(1048576.0f); }},
+      {"ALargerBallAt2To20",
+       "The same with r = .5, four times as much as floats are apart",
+       "hits at .5 s, and is at (3, 0) from there",
+       {1e-9, 1048576 * g_fFloatRounding, "1e-9; engines: 1 rounding of 2^20, .0625"},
+       {Deviates(0.49, 0.51, ".5 short: set back"), Right(),
+        Deviates(0.5, 2.0, "1, a step late: floats are .125 apart, its skin is .01"),
+        Deviates(0.9, 3.5, "1.75 off: its world is 4 times as large, and floats are .5 apart there"),
+        Right()},
+       [](eColumn column) { return Far(column, 1048576.0f, 0.5f); },
+       "quadratic equation in float, in absolute coordinates",
+       [] { return NaiveFar(1048576.0f); }}};
 }
 
 } // namespace Shapes::HardCases

@@ -132,10 +132,7 @@ CHardCase ShotCase(const CShot& shot, const CAnswer& answer) {
   CHardCase c;
   const double size = std::max(
       {1.0, static_cast<double>(answer.m_fTime), static_cast<double>(answer.m_vVel.cwiseAbs().maxCoeff())});
-  c.m_fBound = 8.0 * g_fEps * size;
-  c.m_fFloatBound = 8.0 * g_fFloatEps * size;
-  c.m_sBound = "t, n and v' within 8 roundings";
-  c.m_stdExpect = {Right(), Right(), Right(), Right(), Right()};
+  c.m_cBound = {8.0 * g_fEps * size, 8.0 * g_fFloatEps * size, "t, n and v' within 8 roundings"};
   c.m_fnError = [shot, answer](eColumn column) { return ErrorOf(Shoot(column, shot), answer); };
   return c;
 }

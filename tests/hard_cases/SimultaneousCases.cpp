@@ -10,8 +10,6 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const char* const g_sSimultaneousGroup = "Simultaneous";
-
 // ---- Corners.
 
 /// Down the bisector of a corner of `opening` radians at the origin, whose first wall points along `angle`.
@@ -41,52 +39,6 @@ double NaiveCorner(double opening) {
   const Vector2d once = Mirrored(Mirrored(v, n0), n1);
   // As one contact: the mean of both normals, not normalized.
   return Distance(opening > 1.5 ? Mirrored(v, 0.5 * (n0 + n1)) : once, -v);
-}
-
-CHardCase SquareCorner() {
-  return {g_sSimultaneousGroup,
-          "SquareCorner",
-          "r = .1 down the bisector of a corner of 90 degrees, both orders of adding, turned by 0, 30, .. "
-          "degrees: "
-          "velocity, relative",
-          "v' = -v, after 2 reflections",
-          32 * g_fDoubleRounding,
-          32 * g_fFloatRounding,
-          "32 roundings",
-          {Right(), Right(), Right(), Right(), Right()},
-          [](eColumn column) { return WorstCorner(column, 0.5 * std::numbers::pi); },
-          "both as one contact, with the mean of the normals",
-          [] { return NaiveCorner(0.5 * std::numbers::pi); }};
-}
-
-CHardCase SharpCorner() {
-  return {
-      g_sSimultaneousGroup,
-      "SharpCorner",
-      "The same with 60 degrees",
-      "v' = -v, after 3 reflections",
-      32 * g_fFloatRounding,
-      32 * g_fFloatRounding,
-      "32 roundings of a float, to which the opening is rounded",
-      {Right(), Right(), Deviates(0.000025, 0.0001, ".00005: it stops after 8 iterations"), Right(), Right()},
-      [](eColumn column) { return WorstCorner(column, std::numbers::pi / 3.0); },
-      "each wall once, in the order of adding",
-      [] { return NaiveCorner(std::numbers::pi / 3.0); }};
-}
-
-CHardCase NarrowCorner() {
-  return {g_sSimultaneousGroup,
-          "NarrowCorner",
-          "The same with 45 degrees",
-          "v' = -v, after 4 reflections",
-          32 * g_fFloatRounding,
-          32 * g_fFloatRounding,
-          "32 roundings of a float, to which the opening is rounded",
-          {Deviates(1.3, 1.5, "1.4: it answers each wall once, and has set the ball back from both by then"),
-           Right(), Deviates(0.005, 0.02, ".01: it stops after 8 iterations"), Right(), Right()},
-          [](eColumn column) { return WorstCorner(column, std::numbers::pi / 4.0); },
-          "each wall once, in the order of adding",
-          [] { return NaiveCorner(std::numbers::pi / 4.0); }};
 }
 
 // ---- Cradles.
@@ -125,13 +77,10 @@ double NaiveCradle(int count, int moving) {
 
 CHardCase CradleOf(const std::string& name, const std::string& input, const std::string& right, int count,
                    int moving, double shipped, const std::string& figure) {
-  return {g_sSimultaneousGroup,
-          name,
+  return {name,
           input,
           right,
-          1e-12,
-          8 * g_fFloatRounding,
-          "1e-12; engines 8 roundings of 1",
+          g_cEightRoundings,
           {Right(), Right(), Deviates(0.5 * shipped, 1.0, figure), Right(), Right()},
           [=](eColumn column) { return WorstCradle(column, count, moving); },
           "each pair once, from the far end",
@@ -180,13 +129,10 @@ double NaiveOnALine(const std::array<float, g_nOnALine>& places) {
 CHardCase FiveOnALine(const std::string& name, const std::string& input,
                       const std::array<float, g_nOnALine>& places, const CExpect& shipped,
                       const CExpect& tuned) {
-  return {g_sSimultaneousGroup,
-          name,
+  return {name,
           input,
           "10 impacts, n (n - 1) / 2, and the speeds in the other order",
-          1e-14,
-          1e-5,
-          "none; speeds 1e-14, engines 1e-5",
+          {1e-14, 1e-5, "none; speeds 1e-14, engines 1e-5"},
           {Right(), Right(), shipped, tuned, Right()},
           [=](eColumn column) { return OnALine(column, places); },
           "whoever overlaps at the end of a step swaps, approaching or not",
@@ -226,28 +172,6 @@ double Drop(eColumn column) {
   return worst;
 }
 
-CHardCase DropThatComesToRest() {
-  const double step = std::sqrt(2.0 * g_fDropGravity * g_fDropHeight) / g_nDropRate;
-  return {g_sSimultaneousGroup,
-          "DropThatComesToRest",
-          "Drop from 1, g = 9.81, e = .5, 240 steps a second, for 2 s: largest error of the height",
-          "at rest after 1.3545709 s and a way of 5/3",
-          1e-7,
-          step,
-          "1e-7, where r + 1 and e round to; engines: an impact late by one step, .018",
-          {Right(), Right(), Right(), Right(), Right()},
-          Drop,
-          "from impact to impact, without a rule for rest: never gets beyond 1.3546 s",
-          [] {
-            double v = std::sqrt(2.0 * g_fDropGravity * g_fDropHeight), t = v / g_fDropGravity;
-            for (int impact = 0; impact < 100000; ++impact) {
-              v *= g_fDropElasticity;
-              t += 2.0 * v / g_fDropGravity;
-            }
-            return t < 2.0 ? g_fNever : 0.0;
-          }};
-}
-
 // ---- At rest.
 
 /// How far it gets at most from where it was put.
@@ -279,14 +203,11 @@ double NaiveRest(double e) {
 }
 
 CHardCase RestOf(const std::string& name, const std::string& e, float elasticity, const CExpect& shipped) {
-  return {g_sSimultaneousGroup,
-          name,
+  return {name,
           "r = .1 at rest on a segment, g = 9.8, e = " + e +
               ", a million steps natively, 200,000 elsewhere: largest way from its place",
           "0",
-          1e-6,
-          1e-6,
-          "1e-6",
+          {1e-6, 1e-6, "1e-6"},
           {Right(), Right(), shipped, Right(), Right()},
           [=](eColumn column) { return Rest(column, elasticity); },
           "mirrored where it is below the floor, not set back: sinks in",
@@ -296,25 +217,65 @@ CHardCase RestOf(const std::string& name, const std::string& e, float elasticity
 } // namespace
 
 std::vector<CHardCase> SimultaneousCases() {
+  const double step = std::sqrt(2.0 * g_fDropGravity * g_fDropHeight) / g_nDropRate;
   return {
-      SquareCorner(),
-      SharpCorner(),
-      NarrowCorner(),
+      {"SquareCorner",
+       "r = .1 down the bisector of a corner of 90 degrees, both orders of adding, turned by 0, 30, .. "
+       "degrees: velocity, relative",
+       "v' = -v, after 2 reflections",
+       {32 * g_fDoubleRounding, 32 * g_fFloatRounding, "32 roundings"},
+       g_stdAllRight,
+       [](eColumn column) { return WorstCorner(column, 0.5 * std::numbers::pi); },
+       "both as one contact, with the mean of the normals",
+       [] { return NaiveCorner(0.5 * std::numbers::pi); }},
+      {"SharpCorner",
+       "The same with 60 degrees",
+       "v' = -v, after 3 reflections",
+       {32 * g_fFloatRounding, 32 * g_fFloatRounding,
+        "32 roundings of a float, to which the opening is rounded"},
+       {Right(), Right(), Deviates(0.000025, 0.0001, ".00005: it stops after 8 iterations"), Right(),
+        Right()},
+       [](eColumn column) { return WorstCorner(column, std::numbers::pi / 3.0); },
+       "each wall once, in the order of adding",
+       [] { return NaiveCorner(std::numbers::pi / 3.0); }},
+      {"NarrowCorner",
+       "The same with 45 degrees",
+       "v' = -v, after 4 reflections",
+       {32 * g_fFloatRounding, 32 * g_fFloatRounding,
+        "32 roundings of a float, to which the opening is rounded"},
+       {Deviates(1.3, 1.5, "1.4: it answers each wall once, and has set the ball back from both by then"),
+        Right(), Deviates(0.005, 0.02, ".01: it stops after 8 iterations"), Right(), Right()},
+       [](eColumn column) { return WorstCorner(column, std::numbers::pi / 4.0); },
+       "each wall once, in the order of adding",
+       [] { return NaiveCorner(std::numbers::pi / 4.0); }},
       CradleOf("CradleOfFive", "Five balls that touch, the first one comes at speed 1; both orders of adding",
                "(0, 0, 0, 0, 1)", 5, 1, 0.60, ".60: it answers all of them at once"),
       CradleOf("CradleOfFiveTwoComing", "The same, two come", "(0, 0, 0, 1, 1)", 5, 2, 0.77,
                ".77: it answers all of them at once"),
-      FiveOnALine(
-          "FiveOnALine",
-          "Five equal balls on a line, gaps .4, .7, .2 and .9, speeds 5, 4, 3, 2, 1: impacts too many or "
-          "missing",
-          {0.0f, 1.4f, 3.1f, 4.3f, 6.2f},
-          Deviates(0.5, 1.5, "1 missing: two pairs in one step are answered at once"),
-          Deviates(0.5, 1.5, "1 missing: it tells of each pair once a step; the speeds are right")),
+      FiveOnALine("FiveOnALine",
+                  "Five equal balls on a line, gaps .4, .7, .2 and .9, speeds 5, 4, 3, 2, 1: impacts too "
+                  "many or missing",
+                  {0.0f, 1.4f, 3.1f, 4.3f, 6.2f},
+                  Deviates(0.5, 1.5, "1 missing: two pairs in one step are answered at once"),
+                  Deviates(0.5, 1.5, "1 missing: it tells of each pair once a step; the speeds are right")),
       FiveOnALine("FiveOnALineAtOnce", "The same with gaps of .5: all meet at the same time",
                   {0.0f, 1.5f, 3.0f, 4.5f, 6.0f}, Right(),
                   Deviates(5.5, 6.5, "6 missing: it tells of each pair once a step; the speeds are right")),
-      DropThatComesToRest(),
+      {"DropThatComesToRest",
+       "Drop from 1, g = 9.81, e = .5, 240 steps a second, for 2 s: largest error of the height",
+       "at rest after 1.3545709 s and a way of 5/3",
+       {1e-7, step, "1e-7, where r + 1 and e round to; engines: an impact late by one step, .018"},
+       g_stdAllRight,
+       Drop,
+       "from impact to impact, without a rule for rest: never gets beyond 1.3546 s",
+       [] {
+         double v = std::sqrt(2.0 * g_fDropGravity * g_fDropHeight), t = v / g_fDropGravity;
+         for (int impact = 0; impact < 100000; ++impact) {
+           v *= g_fDropElasticity;
+           t += 2.0 * v / g_fDropGravity;
+         }
+         return t < 2.0 ? g_fNever : 0.0;
+       }},
       RestOf("RestWithoutElasticity", "0", 0.0f,
              Deviates(0.0025, 0.01, ".005: lies that much above, in its skin")),
       RestOf("RestOfHalfElasticity", ".5", 0.5f,

@@ -13,9 +13,6 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const std::string g_sValidationGroup = "Inputs that are no numbers, or of no extent";
-constexpr float g_fNoSize = std::numeric_limits<float>::infinity();
-
 using CBall = CDynamicCircleDesc;
 
 // A bounce between a segment and a point, another ball in the way.
@@ -69,107 +66,25 @@ double BallRefusal(eColumn column, const CBall& ball) {
   return Refusal(column, [&](CWorld& world) { world.Add(ball); });
 }
 
+/// @param set  puts the same value into a world in another way, which is refused as well
 CHardCase RefusedBall(const std::string& name, const std::string& input, const CBall& ball,
-                      const std::string& words) {
-  CHardCase c;
-  c.m_sGroup = g_sValidationGroup;
-  c.m_sName = name;
-  c.m_sInput = input;
-  c.m_sRight = "refused; of all else no bit changes";
-  c.m_fBound = c.m_fFloatBound = 0.0;
-  c.m_sBound = "bits";
+                      const std::string& words, const std::string& control,
+                      const std::function<double()>& fnControl,
+                      const std::function<void(CWorld&)>& set = nullptr) {
+  CHardCase c{name, input, "refused; of all else no bit changes", g_cBits, {}, {}, control, fnControl};
   c.m_stdExpect.fill(Refused(words));
-  c.m_fnError = [ball](eColumn column) { return BallRefusal(column, ball); };
-  return c;
-}
-
-CHardCase PlaceThatIsNoNumber() {
-  const CBall ball({g_fNan, 0.0f}, 1.0f);
-  CHardCase c =
-      RefusedBall("BallAtAPlaceThatIsNoNumber", "ball r = 1 at (NaN, 0), point (0, 0); added, or put there",
-                  ball, "m_vPos is (nan, 0)");
-  c.m_fnError = [ball](eColumn column) {
-    // Added to the reference, and to worlds at the end; put there before.
-    if (column != eColumn::Reference) {
-      try {
-        return Refusal(column,
-                       [](CWorld& world) { world.SetPos(world.GetBallIds()[0], Vector2(g_fNan, 0.0f)); });
-      } catch (const std::invalid_argument&) {
-      }
+  c.m_fnError = [ball, set](eColumn column) {
+    try {
+      if (set && column != eColumn::Reference) return Refusal(column, set);
+    } catch (const std::invalid_argument&) {
     }
     return BallRefusal(column, ball);
-  };
-  c.m_sControl = "\"no contact if d >= r\": NaN is a contact, its normal is NaN";
-  c.m_fnControl = [] {
-    const double x = std::numeric_limits<double>::quiet_NaN(), d = std::hypot(x, 0.0);
-    return d >= 1.0 ? 0.0 : x / d;
-  };
-  return c;
-}
-
-CHardCase InfiniteVelocity() {
-  const CBall ball({-3.0f, 0.0f}, 1.0f, {g_fNoSize, 0.0f});
-  CHardCase c =
-      RefusedBall("BallOfInfiniteVelocity", "v = (Inf, 0); added, or set", ball, "m_vVel is (inf, 0)");
-  c.m_fnError = [ball](eColumn column) {
-    if (column != eColumn::Reference) {
-      try {
-        return Refusal(column,
-                       [](CWorld& world) { world.SetVel(world.GetBallIds()[0], Vector2(g_fNoSize, 0.0f)); });
-      } catch (const std::invalid_argument&) {
-      }
-    }
-    return BallRefusal(column, ball);
-  };
-  c.m_sControl = "v - 2 (v.n) n: Inf - Inf";
-  c.m_fnControl = [] {
-    const double v = g_fNever, n = -1.0;
-    return v - 2.0 * (v * n) * n;
-  };
-  return c;
-}
-
-CHardCase NegativeRadius() {
-  CHardCase c = RefusedBall("BallOfNegativeRadius", "ball of r = -1", CBall({0.0f, 3.0f}, -1.0f),
-                            "m_fRadius is -1: expected a number from 0");
-  c.m_sControl = "d < r never holds: the ball is met by nothing";
-  c.m_fnControl = [] {
-    const double r = -1.0, d = 0.0; // right on a point
-    return d < r ? 0.0 : g_fNever;
   };
   return c;
 }
 
 // v' of a ball of mass m that runs into one of mass 1 at rest.
 double AfterImpulse(double m) { return 1.0 - 2.0 * m / (m + 1.0) / m; }
-
-CHardCase NoMass() {
-  CHardCase c = RefusedBall("BallWithoutMass", "ball of m = 0", CBall({0.0f, 3.0f}, 0.1f, {0.0f, 0.0f}, 0.0f),
-                            "m_fMass is 0: expected a number from 1e-36");
-  c.m_sControl = "impulse 2 m v / (m + 1), then divided by m: 0 / 0";
-  c.m_fnControl = [] { return AfterImpulse(0.0); };
-  return c;
-}
-
-CHardCase MassThatIsNoNumber() {
-  CHardCase c = RefusedBall("BallOfAMassThatIsNoNumber", "ball of m = NaN",
-                            CBall({0.0f, 3.0f}, 0.1f, {0.0f, 0.0f}, g_fNan), "m_fMass is nan");
-  c.m_sControl = "the impulse is NaN, for whatever it meets too";
-  c.m_fnControl = [] { return AfterImpulse(std::numeric_limits<double>::quiet_NaN()); };
-  return c;
-}
-
-CHardCase NegativeElasticity() {
-  CHardCase c = RefusedBall("BallOfNegativeElasticity", "ball of e = -1",
-                            CBall({0.0f, 3.0f}, 0.1f, {0.0f, 0.0f}, 1.0f, -1.0f),
-                            "m_fElasticity is -1: expected a number from 0");
-  c.m_sControl = "v - (1 + e) (v.n) n is v: it flies through the wall";
-  c.m_fnControl = [] {
-    const double e = -1.0, vn = -1.0, after = vn - (1.0 + e) * vn;
-    return std::abs(after - 1.0);
-  };
-  return c;
-}
 
 CHardCase NoRadius() {
   const CBall ball({0.0f, 1.0f}, 0.0f, {0.0f, -1.0f});
@@ -178,7 +93,6 @@ CHardCase NoRadius() {
   shot.m_stdBalls = {ball};
   shot.m_fSeconds = 1.25f;
   CHardCase c = ShotCase(shot, MeetFloor(ball));
-  c.m_sGroup = g_sValidationGroup;
   c.m_sName = "BallWithoutRadiusMeetsASegment";
   Of(c, eColumn::Native) = Missed("missed: a radius of 0 overlaps nothing");
   Of(c, eColumn::Box2D) = Off(0.005, "as if t = .995: its skin");
@@ -201,7 +115,6 @@ CHardCase PointLike(const CAnyShapeDesc& shape, float x, float y) {
   shot.m_stdBalls = {ball};
   shot.m_fSeconds = 1.75f;
   CHardCase c = ShotCase(shot, MeetFloor(CBall({x, 2.0f}, 0.5f, {0.0f, -1.0f})));
-  c.m_sGroup = g_sValidationGroup;
   c.m_sRight = "acts as a point: t = 1.5, v' = (0, 1)";
   Of(c, eColumn::Native) = Off(0.125, "as if t = 1.625: the way after the impact is lost");
   Of(c, eColumn::Box2D) = Off(0.01, "as if t = 1.510: it stops a ball .015 deep");
@@ -248,9 +161,52 @@ CHardCase CircleWithoutRadius() {
 } // namespace
 
 std::vector<CHardCase> ValidationCases() {
-  return {PlaceThatIsNoNumber(),         InfiniteVelocity(),   NegativeRadius(), NoMass(),
-          MassThatIsNoNumber(),          NegativeElasticity(), NoRadius(),       SegmentWithoutLength(),
-          SegmentShorterThanItsSquare(), CircleWithoutRadius()};
+  const Vector2 above(0.0f, 3.0f), rest(0.0f, 0.0f);
+  return {RefusedBall(
+              "BallAtAPlaceThatIsNoNumber", "ball r = 1 at (NaN, 0), point (0, 0); added, or put there",
+              CBall({g_fNan, 0.0f}, 1.0f), "m_vPos is (nan, 0)",
+              "\"no contact if d >= r\": NaN is a contact, its normal is NaN",
+              [] {
+                const double x = g_fNan, d = std::hypot(x, 0.0);
+                return d >= 1.0 ? 0.0 : x / d;
+              },
+              [](CWorld& world) {
+                world.SetPos(world.GetBallIds()[0], {g_fNan, 0.0f});
+              }),
+          RefusedBall(
+              "BallOfInfiniteVelocity", "v = (Inf, 0); added, or set",
+              CBall({-3.0f, 0.0f}, 1.0f, {g_fInf, 0.0f}), "m_vVel is (inf, 0)", "v - 2 (v.n) n: Inf - Inf",
+              [] {
+                const double v = g_fNever, n = -1.0;
+                return v - 2.0 * (v * n) * n;
+              },
+              [](CWorld& world) {
+                world.SetVel(world.GetBallIds()[0], {g_fInf, 0.0f});
+              }),
+          RefusedBall("BallOfNegativeRadius", "ball of r = -1", CBall(above, -1.0f),
+                      "m_fRadius is -1: expected a number from 0",
+                      "d < r never holds: the ball is met by nothing",
+                      [] {
+                        const double r = -1.0, d = 0.0; // right on a point
+                        return d < r ? 0.0 : g_fNever;
+                      }),
+          RefusedBall("BallWithoutMass", "ball of m = 0", CBall(above, 0.1f, rest, 0.0f),
+                      "m_fMass is 0: expected a number from 1e-36",
+                      "impulse 2 m v / (m + 1), then divided by m: 0 / 0", [] { return AfterImpulse(0.0); }),
+          RefusedBall("BallOfAMassThatIsNoNumber", "ball of m = NaN", CBall(above, 0.1f, rest, g_fNan),
+                      "m_fMass is nan", "the impulse is NaN, for whatever it meets too",
+                      [] { return AfterImpulse(g_fNan); }),
+          RefusedBall("BallOfNegativeElasticity", "ball of e = -1", CBall(above, 0.1f, rest, 1.0f, -1.0f),
+                      "m_fElasticity is -1: expected a number from 0",
+                      "v - (1 + e) (v.n) n is v: it flies through the wall",
+                      [] {
+                        const double e = -1.0, vn = -1.0, after = vn - (1.0 + e) * vn;
+                        return std::abs(after - 1.0);
+                      }),
+          NoRadius(),
+          SegmentWithoutLength(),
+          SegmentShorterThanItsSquare(),
+          CircleWithoutRadius()};
 }
 
 } // namespace Shapes::HardCases
