@@ -9,12 +9,12 @@ namespace {
 
 class CGuestEffects : public testing::TestWithParam<eProfile> {
 protected:
-  CBox2DWorld& Join(const CEffectChoice& choice = g_cAutomatic) {
+  CWorld& Join(const CEffectChoice& choice = g_cAutomatic) {
     CWorldDesc desc;
     desc.m_cBox2D.m_eProfile = GetParam();
     desc.m_cEffects = choice;
     m_pGuest = MakeWorld(m_cGame, desc);
-    return *m_pGuest;
+    return m_pGuest->GetWorld();
   }
   void Steps(int n) { Tests::Steps(m_cGame, *m_pGuest, n); }
   bool Has(eEffect e) const { return m_pGuest->GetWorld().GetEffects().Has(e); }
@@ -31,41 +31,41 @@ INSTANTIATE_TEST_SUITE_P(, CGuestEffects, testing::Values(eProfile::Shipped, ePr
                          });
 
 TEST_P(CGuestEffects, GravityIsThatOfTheGame) {
-  auto& guest = Join();
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f));
+  CWorld& world = Join();
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0}, 0.1f));
   EXPECT_FALSE(Has(eEffect::Gravity));
   Steps(2);
-  EXPECT_EQ(guest.GetWorld().GetVel(ball), Vector2::Zero());
+  EXPECT_EQ(world.GetVel(ball), Vector2::Zero());
   m_cGame.SetGravity({0, -6});
   EXPECT_TRUE(Has(eEffect::Gravity));
   Steps(3);
-  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), -0.3f, 1e-6f);
+  EXPECT_NEAR(world.GetVel(ball).y(), -0.3f, 1e-6f);
   m_cGame.SetGravity({0, 0});
   EXPECT_FALSE(Has(eEffect::Gravity));
   Steps(2);
-  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), -0.3f, 1e-6f);
+  EXPECT_NEAR(world.GetVel(ball).y(), -0.3f, 1e-6f);
   EXPECT_EQ(CountSubstepsWith(eEffect::Gravity), 3u);
-  EXPECT_EQ(guest.GetWorld().GetStats().m_nBallsAccelerated, 3u);
+  EXPECT_EQ(world.GetStats().m_nBallsAccelerated, 3u);
 }
 
 TEST_P(CGuestEffects, ContinuousIsThatOfTheGameHoweverFastBallsAre) {
-  auto& guest = Join();
-  guest.GetWorld().Add(CLineSegDesc({0, -1}, {0, 1}));
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f));
+  CWorld& world = Join();
+  world.Add(CLineSegDesc({0, -1}, {0, 1}));
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0}, 0.1f));
   for (const float speed : {1.0f, 100.0f})
     for (const bool runs : {true, false}) {
       m_cGame.SetContinuousPhysics(runs);
       EXPECT_EQ(Has(eEffect::Continuous), runs);
       const std::uint64_t ran = CountSubstepsWith(eEffect::Continuous);
-      guest.GetWorld().SetPos(ball, {-0.8f, 0});
-      guest.GetWorld().SetVel(ball, {speed, 0});
+      world.SetPos(ball, {-0.8f, 0});
+      world.SetVel(ball, {speed, 0});
       Steps(3);
       EXPECT_EQ(CountSubstepsWith(eEffect::Continuous), ran + (runs ? 3 : 0));
-      EXPECT_EQ(guest.GetWorld().GetPos(ball).x() > 0, speed > 1 && !runs);
+      EXPECT_EQ(world.GetPos(ball).x() > 0, speed > 1 && !runs);
     }
-  EXPECT_NE(guest.GetWorld().ExplainEffects().find("Continuous: does not run, decided by the world around; "),
+  EXPECT_NE(world.ExplainEffects().find("Continuous: does not run, decided by the world around; "),
             std::string::npos)
-      << guest.GetWorld().ExplainEffects();
+      << world.ExplainEffects();
 }
 
 TEST_P(CGuestEffects, WhatIsTheGamesCanBeNeitherForcedNorForbidden) {
@@ -81,17 +81,17 @@ TEST_P(CGuestEffects, WhatIsTheGamesCanBeNeitherForcedNorForbidden) {
 
 TEST_P(CGuestEffects, EventsAreToldOfTheBodiesOfTheGameAlone) {
   for (const bool forbidden : {false, true}) {
-    auto& guest = Join(forbidden ? CEffectChoice{{}, {eEffect::Events}} : g_cAutomatic);
+    CWorld& world = Join(forbidden ? CEffectChoice{{}, {eEffect::Events}} : g_cAutomatic);
     b2Body* pGround = AddGround(m_cGame);
-    const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -3}));
+    const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -3}));
     std::size_t told = 0;
     for (int i = 0; i < 10; ++i) {
       Steps(1);
-      told += guest.GetWorld().GetContacts().size();
+      told += world.GetContacts().size();
     }
-    EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), 3, 1e-4f);
+    EXPECT_NEAR(world.GetVel(ball).y(), 3, 1e-4f);
     EXPECT_EQ(told > 0, !forbidden);
-    EXPECT_EQ(guest.GetWorld().GetStats().m_nContacts, told);
+    EXPECT_EQ(world.GetStats().m_nContacts, told);
     m_cGame.DestroyBody(pGround);
     m_pGuest.reset();
   }
@@ -99,21 +99,20 @@ TEST_P(CGuestEffects, EventsAreToldOfTheBodiesOfTheGameAlone) {
 
 // The bodies of the game are one, and have no id.
 TEST_P(CGuestEffects, TouchesOfTheBodiesOfTheGameAreTold) {
-  auto& guest = Join({{eEffect::Touches}, {}});
+  CWorld& world = Join({{eEffect::Touches}, {}});
   m_cGame.SetGravity({0, -10});
   AddGround(m_cGame);
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.15f}, 0.1f, {0, 0}, 1, 0));
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.15f}, 0.1f, {0, 0}, 1, 0));
   std::vector<CTouchEvent> told;
   const auto steps = [&](int n) {
     for (int i = 0; i < n; ++i) {
       Steps(1);
-      told.insert(told.end(), guest.GetWorld().GetTouchEvents().begin(),
-                  guest.GetWorld().GetTouchEvents().end());
+      told.insert(told.end(), world.GetTouchEvents().begin(), world.GetTouchEvents().end());
     }
   };
   steps(120);
   EXPECT_EQ(told, (std::vector<CTouchEvent>{{CShapeId(), ball, true}}));
-  guest.GetWorld().SetVel(ball, {0, 3});
+  world.SetVel(ball, {0, 3});
   steps(5);
   ASSERT_EQ(told.size(), 2u);
   EXPECT_EQ(told[1], (CTouchEvent{CShapeId(), ball, false}));
@@ -121,51 +120,51 @@ TEST_P(CGuestEffects, TouchesOfTheBodiesOfTheGameAreTold) {
 
 // A step of the game cannot be cut: the flipper is as slow in it as it has to be.
 TEST_P(CGuestEffects, AFlipperComesToItsStopWithTheStep) {
-  auto& guest = Join(g_cAutomatic);
+  CWorld& world = Join(g_cAutomatic);
   CLineSegDesc desc({0, 0}, {1, 0});
   desc.m_eMotionType = eMotion::Kinematic;
   desc.m_fRotSpeed = 1;
   desc.m_cLimits = CMotionLimits::OfAngle(0, 0.25f);
-  const CShapeId flipper = guest.GetWorld().Add(desc);
+  const CShapeId flipper = world.Add(desc);
   int mine = 0;
-  guest.GetWorld().SetUserPtr(flipper, &mine);
+  world.SetUserPtr(flipper, &mine);
   Steps(2);
-  EXPECT_NEAR(guest.GetWorld().GetOrientation(flipper), 2 * g_fTwoPi * g_fDt, 1e-6f);
+  EXPECT_NEAR(world.GetOrientation(flipper), 2 * g_fTwoPi * g_fDt, 1e-6f);
   Steps(1);
-  EXPECT_EQ(guest.GetWorld().GetOrientation(flipper), 0.25f);
+  EXPECT_EQ(world.GetOrientation(flipper), 0.25f);
   EXPECT_NEAR(FindBody(m_cGame, &mine)->GetAngle(), 0.25f, 1e-6f);
   Steps(10);
-  EXPECT_EQ(guest.GetWorld().GetOrientation(flipper), 0.25f);
+  EXPECT_EQ(world.GetOrientation(flipper), 0.25f);
   EXPECT_NEAR(FindBody(m_cGame, &mine)->GetAngle(), 0.25f, 1e-6f);
 }
 
 TEST_P(CGuestEffects, WithoutEventsTheProductOfElasticitiesStays) {
   CCounting listener;
   m_cGame.SetContactListener(&listener);
-  auto& guest = Join({{}, {eEffect::Events}});
-  guest.GetWorld().Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -3}, 1, 0.8f));
+  CWorld& world = Join({{}, {eEffect::Events}});
+  world.Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -3}, 1, 0.8f));
   Steps(12);
-  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), 1.2f, 1e-4f); // Box2D's larger one is .8
-  EXPECT_GT(listener.m_nPre, 0);                               // the game listens as before
+  EXPECT_NEAR(world.GetVel(ball).y(), 1.2f, 1e-4f); // Box2D's larger one is .8
+  EXPECT_GT(listener.m_nPre, 0);                    // the game listens as before
   m_pGuest.reset();
 }
 
 TEST_P(CGuestEffects, WithoutBallPairsBallsPassThroughEachOtherAndMeetTheGame) {
   for (const bool forbidden : {false, true}) {
-    auto& guest = Join(forbidden ? CEffectChoice{{}, {eEffect::BallPairs}} : g_cAutomatic);
-    const CShapeId left = guest.GetWorld().Add(CDynamicCircleDesc({-0.5f, 3}, 0.1f, {2, 0}));
-    guest.GetWorld().Add(CDynamicCircleDesc({0.5f, 3}, 0.1f, {-2, 0}));
+    CWorld& world = Join(forbidden ? CEffectChoice{{}, {eEffect::BallPairs}} : g_cAutomatic);
+    const CShapeId left = world.Add(CDynamicCircleDesc({-0.5f, 3}, 0.1f, {2, 0}));
+    world.Add(CDynamicCircleDesc({0.5f, 3}, 0.1f, {-2, 0}));
     b2Body* pBox = AddBox(m_cGame, {2, 3}, b2_staticBody);
     Steps(25);
-    EXPECT_NEAR(guest.GetWorld().GetVel(left).x(), forbidden ? 2 : -2, 1e-3f);
+    EXPECT_NEAR(world.GetVel(left).x(), forbidden ? 2 : -2, 1e-3f);
     // Turned off and on it is in the group still.
-    guest.GetWorld().SetCanCollide(left, false);
-    guest.GetWorld().SetCanCollide(left, true);
-    guest.GetWorld().SetPos(left, {0, 3});
-    guest.GetWorld().SetVel(left, {2, 0});
+    world.SetCanCollide(left, false);
+    world.SetCanCollide(left, true);
+    world.SetPos(left, {0, 3});
+    world.SetVel(left, {2, 0});
     Steps(60);
-    EXPECT_LT(guest.GetWorld().GetPos(left).x(), 1.45f); // the box
+    EXPECT_LT(world.GetPos(left).x(), 1.45f); // the box
     m_cGame.DestroyBody(pBox);
     m_pGuest.reset();
   }
@@ -173,60 +172,60 @@ TEST_P(CGuestEffects, WithoutBallPairsBallsPassThroughEachOtherAndMeetTheGame) {
 
 TEST_P(CGuestEffects, WhatIsHeldDoesNotTurnItsBody) {
   for (const bool forbidden : {false, true}) {
-    auto& guest = Join(forbidden ? CEffectChoice{{}, {eEffect::Kinematics}} : g_cAutomatic);
+    CWorld& world = Join(forbidden ? CEffectChoice{{}, {eEffect::Kinematics}} : g_cAutomatic);
     CLineSegDesc desc({0, 0}, {1, 0});
     desc.m_eMotionType = eMotion::Kinematic;
     desc.m_fRotSpeed = 0.5f;
-    const CShapeId flipper = guest.GetWorld().Add(desc);
+    const CShapeId flipper = world.Add(desc);
     int mine = 0;
-    guest.GetWorld().SetUserPtr(flipper, &mine);
+    world.SetUserPtr(flipper, &mine);
     Steps(3);
     const b2Body* pBody = FindBody(m_cGame, &mine);
     EXPECT_NEAR(pBody->GetAngularVelocity(), forbidden ? 0 : g_fPi, 1e-6f);
     EXPECT_NEAR(pBody->GetAngle(), forbidden ? 0 : g_fPi * 3 * g_fDt, 1e-5f);
-    EXPECT_EQ(guest.GetWorld().GetOrientation(flipper) == 0.0f, forbidden);
-    guest.GetWorld().SetRotSpeed(flipper, 0);
+    EXPECT_EQ(world.GetOrientation(flipper) == 0.0f, forbidden);
+    world.SetRotSpeed(flipper, 0);
     const float angle = pBody->GetAngle();
     Steps(3);
     EXPECT_EQ(pBody->GetAngularVelocity(), 0);
     EXPECT_EQ(pBody->GetAngle(), angle);
-    EXPECT_EQ(guest.GetWorld().GetStats().m_nShapesTurned, forbidden ? 0u : 3u);
+    EXPECT_EQ(world.GetStats().m_nShapesTurned, forbidden ? 0u : 3u);
     m_pGuest.reset();
   }
 }
 
 TEST_P(CGuestEffects, AShapeThatTurnsMayBeLostInTheMiddleOfAStep) {
-  auto& guest = Join();
+  CWorld& world = Join();
   CPointDesc desc(Vector2(1, 0));
   desc.m_eMotionType = eMotion::Kinematic;
   desc.m_fRotSpeed = 0.5f;
-  const CShapeId lost = guest.GetWorld().Add(desc), stays = guest.GetWorld().Add(desc);
+  const CShapeId lost = world.Add(desc), stays = world.Add(desc);
   int mine = 0;
-  guest.GetWorld().SetUserPtr(lost, &mine);
+  world.SetUserPtr(lost, &mine);
   Steps(1);
-  const float angle = guest.GetWorld().GetOrientation(stays);
-  guest.PreStep(g_fDt);
+  const float angle = world.GetOrientation(stays);
+  m_pGuest->PreStep(g_fDt);
   m_cGame.DestroyBody(FindBody(m_cGame, &mine));
   m_cGame.Step(g_fDt, 8, 3);
-  guest.PostStep();
-  EXPECT_FALSE(guest.GetWorld().Contains(lost));
-  EXPECT_NEAR(guest.GetWorld().GetOrientation(stays), 2 * angle, 1e-6f);
-  EXPECT_EQ(guest.GetWorld().GetStats().m_nShapesTurned, 3u);
+  m_pGuest->PostStep();
+  EXPECT_FALSE(world.Contains(lost));
+  EXPECT_NEAR(world.GetOrientation(stays), 2 * angle, 1e-6f);
+  EXPECT_EQ(world.GetStats().m_nShapesTurned, 3u);
 }
 
 TEST_P(CGuestEffects, BulletsAreThereForPairsOnly) {
   const bool tuned = GetParam() == eProfile::Tuned;
   for (const bool forbidden : {false, true}) {
-    auto& guest = Join(forbidden ? CEffectChoice{{}, {eEffect::BallPairs}} : g_cAutomatic);
+    CWorld& world = Join(forbidden ? CEffectChoice{{}, {eEffect::BallPairs}} : g_cAutomatic);
     int mine = 0;
-    guest.GetWorld().SetUserPtr(guest.GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f)), &mine);
+    world.SetUserPtr(world.Add(CDynamicCircleDesc({0, 0}, 0.1f)), &mine);
     const b2Body* pBody = FindBody(m_cGame, &mine);
     Steps(1);
     EXPECT_FALSE(pBody->IsBullet());
-    const CShapeId other = guest.GetWorld().Add(CDynamicCircleDesc({1, 0}, 0.1f));
+    const CShapeId other = world.Add(CDynamicCircleDesc({1, 0}, 0.1f));
     Steps(1);
     EXPECT_EQ(pBody->IsBullet(), tuned && !forbidden);
-    guest.GetWorld().Remove(other);
+    world.Remove(other);
     Steps(1);
     EXPECT_FALSE(pBody->IsBullet());
     m_pGuest.reset();

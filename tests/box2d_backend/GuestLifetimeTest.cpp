@@ -11,32 +11,32 @@ namespace {
 void ExpectGone(CTable& table) {
   CBox2DWorld& guest = *table.m_pGuest;
   EXPECT_FALSE(guest.IsAlive());
-  EXPECT_TRUE(guest.GetWorld().Contains(table.m_cBall)); // what was there last can be read
-  EXPECT_EQ(guest.GetWorld().GetBallPositions().size(), 2u);
-  EXPECT_EQ(guest.GetWorld().GetShape(table.m_cArc).GetShapeType(), eShape::Arc);
+  EXPECT_TRUE(table.World().Contains(table.m_cBall)); // what was there last can be read
+  EXPECT_EQ(table.World().GetBallPositions().size(), 2u);
+  EXPECT_EQ(table.World().GetShape(table.m_cArc).GetShapeType(), eShape::Arc);
   for (const auto& f :
        std::vector<std::function<void()>>{[&] { guest.PreStep(g_fDt); }, [&] { guest.PostStep(); },
                                           [&] {
-                                            guest.GetWorld().Add(CPointDesc({0, 0}));
+                                            table.World().Add(CPointDesc({0, 0}));
                                           },
-                                          [&] { guest.GetWorld().Remove(table.m_cBall); },
+                                          [&] { table.World().Remove(table.m_cBall); },
                                           [&] {
-                                            guest.GetWorld().SetPos(table.m_cArc, {0, 0});
+                                            table.World().SetPos(table.m_cArc, {0, 0});
                                           },
                                           [&] {
-                                            guest.GetWorld().SetVel(table.m_cBall, {0, 0});
+                                            table.World().SetVel(table.m_cBall, {0, 0});
                                           },
-                                          [&] { guest.GetWorld().SetUserPtr(table.m_cBall, nullptr); }})
+                                          [&] { table.World().SetUserPtr(table.m_cBall, nullptr); }})
     EXPECT_NE(Thrown(f).find("The b2World is gone"), std::string::npos) << Thrown(f);
-  EXPECT_EQ(guest.GetWorld().GetStats().m_nBodiesLost, 0u);
+  EXPECT_EQ(table.World().GetStats().m_nBodiesLost, 0u);
 }
 
 TEST(GuestLifetimeTest, TheGameDestroysItsWorldFirst) {
   CTable table;
   EXPECT_TRUE(table.m_pGuest->IsAlive());
-  const Vector2 p = table.m_pGuest->GetWorld().GetPos(table.m_cBall);
+  const Vector2 p = table.World().GetPos(table.m_cBall);
   table.m_pGame.reset();
-  EXPECT_EQ(table.m_pGuest->GetWorld().GetPos(table.m_cBall), p);
+  EXPECT_EQ(table.World().GetPos(table.m_cBall), p);
   ExpectGone(table);
 }
 
@@ -57,16 +57,15 @@ TEST(GuestLifetimeTest, AnEmptyGuestNoticesTheEndOfTheWorldToo) {
 
 TEST(GuestLifetimeTest, TheGameDestroysABall) {
   CTable table;
-  CBox2DWorld& guest = *table.m_pGuest;
   table.m_pGame->DestroyBody(table.BodyOfBall());
-  EXPECT_FALSE(guest.GetWorld().Contains(table.m_cBall)); // at once
-  EXPECT_EQ(guest.GetWorld().GetBallPositions().size(), 1u);
-  EXPECT_EQ(guest.GetWorld().GetStats().m_nBodiesLost, 1u);
-  EXPECT_THROW(guest.GetWorld().GetPos(table.m_cBall), std::invalid_argument);
-  EXPECT_THROW(guest.GetWorld().Remove(table.m_cBall), std::invalid_argument);
+  EXPECT_FALSE(table.World().Contains(table.m_cBall)); // at once
+  EXPECT_EQ(table.World().GetBallPositions().size(), 1u);
+  EXPECT_EQ(table.World().GetStats().m_nBodiesLost, 1u);
+  EXPECT_THROW(table.World().GetPos(table.m_cBall), std::invalid_argument);
+  EXPECT_THROW(table.World().Remove(table.m_cBall), std::invalid_argument);
   table.Step(60);
-  EXPECT_TRUE(guest.GetWorld().Contains(table.m_cOther));
-  EXPECT_GT(guest.GetWorld().Add(CDynamicCircleDesc({3, 1}, 0.1f)),
+  EXPECT_TRUE(table.World().Contains(table.m_cOther));
+  EXPECT_GT(table.World().Add(CDynamicCircleDesc({3, 1}, 0.1f)),
             table.m_cOther); // ids are never used again
   table.Step(60);
 }
@@ -74,27 +73,25 @@ TEST(GuestLifetimeTest, TheGameDestroysABall) {
 TEST(GuestLifetimeTest, TheGameDestroysABallInTheMiddleOfAStep) {
   for (const bool beforeBox2D : {true, false}) {
     CTable table;
-    CBox2DWorld& guest = *table.m_pGuest;
-    guest.PreStep(g_fDt);
+    table.m_pGuest->PreStep(g_fDt);
     if (beforeBox2D) table.m_pGame->DestroyBody(table.BodyOfBall());
-    table.m_pGame->Step(g_fDt, 8, 3);
+    table.StepGame(1);
     if (!beforeBox2D) table.m_pGame->DestroyBody(table.BodyOfBall());
-    guest.PostStep();
-    ASSERT_EQ(guest.GetWorld().GetBallIds().size(), 1u);
-    EXPECT_EQ(guest.GetWorld().GetBallIds()[0], table.m_cOther);
-    EXPECT_NEAR(guest.GetWorld().GetPos(table.m_cOther).x(), 0, 0.01f); // and not the place of the other one
+    table.m_pGuest->PostStep();
+    ASSERT_EQ(table.World().GetBallIds().size(), 1u);
+    EXPECT_EQ(table.World().GetBallIds()[0], table.m_cOther);
+    EXPECT_NEAR(table.World().GetPos(table.m_cOther).x(), 0, 0.01f); // and not the place of the other one
     table.Step(10);
   }
 }
 
 TEST(GuestLifetimeTest, TheGameDestroysAShapeOfSeveralFixtures) {
   CTable table;
-  CBox2DWorld& guest = *table.m_pGuest;
-  const auto fixtures = guest.GetWorld().GetStats().m_nArcPieces;
+  const auto fixtures = table.World().GetStats().m_nArcPieces;
   table.m_pGame->DestroyBody(table.BodyOfArc());
-  EXPECT_FALSE(guest.GetWorld().Contains(table.m_cArc));
-  EXPECT_EQ(guest.GetWorld().GetStats().m_nBodiesLost, 1u);
-  EXPECT_LT(guest.GetWorld().GetStats().m_nArcPieces, fixtures);
+  EXPECT_FALSE(table.World().Contains(table.m_cArc));
+  EXPECT_EQ(table.World().GetStats().m_nBodiesLost, 1u);
+  EXPECT_LT(table.World().GetStats().m_nArcPieces, fixtures);
   table.Step(60); // the segment has lost what it went on in
 }
 
@@ -103,10 +100,10 @@ TEST(GuestLifetimeTest, TheGameDestroysAFixture) {
   b2Body* pArc = table.BodyOfArc();
   ASSERT_NE(pArc->GetFixtureList()->GetNext(), nullptr);
   pArc->DestroyFixture(pArc->GetFixtureList());
-  EXPECT_FALSE(table.m_pGuest->GetWorld().Contains(table.m_cArc));
+  EXPECT_FALSE(table.World().Contains(table.m_cArc));
   table.Step(10);
   table.m_pGame->DestroyBody(pArc); // what is left of it is the game's
-  EXPECT_EQ(table.m_pGuest->GetWorld().GetStats().m_nBodiesLost, 1u);
+  EXPECT_EQ(table.World().GetStats().m_nBodiesLost, 1u);
   table.Step(10);
 }
 
@@ -137,8 +134,8 @@ TEST(GuestLifetimeTest, TheGameDestroysAllBodiesButABall) {
     }
     EXPECT_TRUE(table.m_pGuest->IsAlive());
     if (goesOn) table.Step(10);
-    EXPECT_EQ(table.m_pGuest->GetWorld().GetStats().m_nBodiesLost, 4u);
-    table.m_pGuest->GetWorld().Remove(table.m_cBall);
+    EXPECT_EQ(table.World().GetStats().m_nBodiesLost, 4u);
+    table.World().Remove(table.m_cBall);
     EXPECT_TRUE(table.m_pGuest->IsAlive()); // it has made itself another sentinel
     table.m_pGame.reset();
     EXPECT_FALSE(table.m_pGuest->IsAlive());
@@ -155,12 +152,12 @@ TEST(GuestLifetimeTest, TheMemoryOfABodyBecomesOneOfTheGame) {
     b2Body* pBox = AddBox(*table.m_pGame, {3, 1.01f}); // falls onto the segment
     ASSERT_EQ(pBox, pBall);                            // Box2D gives what it got back last
     if (!inTheStep) guest.PreStep(g_fDt);
-    table.m_pGame->Step(g_fDt, 8, 3);
+    table.StepGame(1);
     guest.PostStep();
     table.Step(30);
-    EXPECT_FALSE(guest.GetWorld().Contains(table.m_cBall));
-    EXPECT_EQ(guest.GetWorld().GetStats().m_nBodiesLost, 1u);
-    for (const CContactEvent& event : guest.GetWorld().GetContacts())
+    EXPECT_FALSE(table.World().Contains(table.m_cBall));
+    EXPECT_EQ(table.World().GetStats().m_nBodiesLost, 1u);
+    for (const CContactEvent& event : table.World().GetContacts())
       EXPECT_EQ(event.m_cBall, table.m_cOther);
     const b2Vec2 p = pBox->GetPosition();
     EXPECT_NEAR(p.y, 1.01f, 0.02f);
@@ -181,8 +178,7 @@ TEST(GuestLifetimeTest, TheGuestIsDestroyedFirst) {
   EXPECT_EQ(table.m_pGame->GetBodyCount(), 2);
   // Only the box is left, on the ground.
   EXPECT_EQ(table.m_cListener.m_nBegin - table.m_cListener.m_nEnd, 1);
-  for (int i = 0; i < 60; ++i)
-    table.m_pGame->Step(g_fDt, 8, 3);
+  table.StepGame(60);
 }
 
 TEST(GuestLifetimeTest, AnotherListenerIsNoticedAndPassedOnTo) {
@@ -191,15 +187,15 @@ TEST(GuestLifetimeTest, AnotherListenerIsNoticedAndPassedOnTo) {
   table.m_pGame->SetContactListener(&second);
   table.m_cListener = CCounting();
   table.Step(10);
-  EXPECT_EQ(table.m_pGuest->GetWorld().GetStats().m_nListenersReplaced, 1u);
-  EXPECT_FALSE(table.m_pGuest->GetWorld().GetContacts().empty());
+  EXPECT_EQ(table.World().GetStats().m_nListenersReplaced, 1u);
+  EXPECT_FALSE(table.World().GetContacts().empty());
   EXPECT_GT(second.m_nPre, 0);
   EXPECT_EQ(table.m_cListener.m_nPre, 0);
   table.m_pGame->SetContactListener(nullptr);
   second = CCounting();
   table.Step(10);
-  EXPECT_EQ(table.m_pGuest->GetWorld().GetStats().m_nListenersReplaced, 2u);
-  EXPECT_FALSE(table.m_pGuest->GetWorld().GetContacts().empty());
+  EXPECT_EQ(table.World().GetStats().m_nListenersReplaced, 2u);
+  EXPECT_FALSE(table.World().GetContacts().empty());
   EXPECT_EQ(second.m_nPre, 0);
   table.m_pGuest.reset();
   EXPECT_EQ(Installed(*table.m_pGame), nullptr);
@@ -226,8 +222,7 @@ TEST(GuestLifetimeTest, AListenerMayPassOnToOurs) {
   table.Step(10);
   EXPECT_GT(outer.m_nPre, 0);
   table.m_pGuest.reset();
-  for (int i = 0; i < 10; ++i)
-    table.m_pGame->Step(g_fDt, 8, 3);
+  table.StepGame(10);
 }
 
 TEST(GuestLifetimeTest, AListenerThatIsInstalledInEachStepCostsNothing) {
@@ -239,10 +234,10 @@ TEST(GuestLifetimeTest, AListenerThatIsInstalledInEachStepCostsNothing) {
     table.m_pGuest->PreStep(g_fDt);
     EXPECT_TRUE(i == 0 || Installed(*table.m_pGame) == pOurs);
     pOurs = Installed(*table.m_pGame);
-    table.m_pGame->Step(g_fDt, 8, 3);
+    table.StepGame(1);
     table.m_pGuest->PostStep();
   }
-  EXPECT_EQ(table.m_pGuest->GetWorld().GetStats().m_nListenersReplaced, 10u);
+  EXPECT_EQ(table.World().GetStats().m_nListenersReplaced, 10u);
   table.m_pGuest.reset();
 }
 
@@ -256,15 +251,15 @@ TEST(GuestLifetimeTest, TwoGuestsInOneWorldLeaveInEitherOrder) {
     for (int i = 0; i < 30; ++i) {
       table.m_pGuest->PreStep(g_fDt);
       pSecond->PreStep(g_fDt);
-      table.m_pGame->Step(g_fDt, 8, 3);
+      table.StepGame(1);
       pSecond->PostStep();
       table.m_pGuest->PostStep();
       for (const CContactEvent& event : pSecond->GetWorld().GetContacts())
         strangers += event.m_cBall == ball && event.m_cShape == CShapeId();
     }
     EXPECT_GT(strangers, 0); // the ball of the one falls onto the segment of the other
-    EXPECT_GT(table.m_pGuest->GetWorld().GetStats().m_nContacts, 0u);
-    EXPECT_EQ(table.m_pGuest->GetWorld().GetStats().m_nListenersReplaced +
+    EXPECT_GT(table.World().GetStats().m_nContacts, 0u);
+    EXPECT_EQ(table.World().GetStats().m_nListenersReplaced +
                   pSecond->GetWorld().GetStats().m_nListenersReplaced,
               0u);
     CBox2DWorld& left = firstLeavesFirst ? *pSecond : *table.m_pGuest;
@@ -300,11 +295,10 @@ TEST(GuestLifetimeTest, TheGuestIsDestroyedInTheMiddleOfAStepOfBox2D) {
   const int bodies = table.m_pGame->GetBodyCount();
   acting.m_stdAct = [&] { table.m_pGuest.reset(); };
   table.m_pGuest->PreStep(g_fDt);
-  table.m_pGame->Step(g_fDt, 8, 3);
+  table.StepGame(1);
   ASSERT_EQ(table.m_pGuest, nullptr);
   EXPECT_EQ(table.m_pGame->GetBodyCount(), bodies); // they are the game's now
-  for (int i = 0; i < 30; ++i)
-    table.m_pGame->Step(g_fDt, 8, 3);
+  table.StepGame(30);
   const auto pNext = MakeGuest(*table.m_pGame);
   Steps(*table.m_pGame, *pNext, 10);
   table.m_pGame->DestroyBody(table.BodyOfBall());
@@ -321,8 +315,7 @@ TEST(GuestLifetimeTest, TheGuestIsDestroyedWhileABodyIs) {
   acting.m_stdAct = [&] { table.m_pGuest.reset(); };
   table.m_pGame->DestroyBody(table.m_pBox); // the other ball lies on it
   ASSERT_EQ(table.m_pGuest, nullptr);
-  for (int i = 0; i < 30; ++i)
-    table.m_pGame->Step(g_fDt, 8, 3);
+  table.StepGame(30);
 }
 
 } // namespace

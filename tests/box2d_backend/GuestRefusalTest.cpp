@@ -22,44 +22,44 @@ TEST(GuestRefusalTest, NothingIsChangedInCallbacksOfBox2D) {
     acting.m_stdAct = [&] {
       for (const auto& f : std::vector<std::function<void()>>{
                [&] {
-                 guest.GetWorld().Add(CPointDesc({0, 0}));
+                 table.World().Add(CPointDesc({0, 0}));
                },
                [&] {
-                 guest.GetWorld().Add(CDynamicCircleDesc({0, 0}, 1));
+                 table.World().Add(CDynamicCircleDesc({0, 0}, 1));
                },
-               [&] { guest.GetWorld().Remove(table.m_cBall); },
+               [&] { table.World().Remove(table.m_cBall); },
                [&] {
-                 guest.GetWorld().SetPos(table.m_cBall, {0, 0});
+                 table.World().SetPos(table.m_cBall, {0, 0});
                },
                [&] {
-                 guest.GetWorld().SetVel(table.m_cBall, {9, 9});
+                 table.World().SetVel(table.m_cBall, {9, 9});
                },
-               [&] { guest.GetWorld().SetElasticity(table.m_cArc, 0.1f); },
-               [&] { guest.GetWorld().SetSensor(table.m_cArc, true); },
-               [&] { guest.GetWorld().SetCanCollide(table.m_cArc, false); },
-               [&] { guest.GetWorld().SetUserPtr(table.m_cArc, nullptr); },
+               [&] { table.World().SetElasticity(table.m_cArc, 0.1f); },
+               [&] { table.World().SetSensor(table.m_cArc, true); },
+               [&] { table.World().SetCanCollide(table.m_cArc, false); },
+               [&] { table.World().SetUserPtr(table.m_cArc, nullptr); },
                [&] {
-                 guest.GetWorld().AddCompound(std::vector<CAnyShapeDesc>{CPointDesc({0, 0})}, {0, 0});
+                 table.World().AddCompound(std::vector<CAnyShapeDesc>{CPointDesc({0, 0})}, {0, 0});
                },
                [&] { guest.PreStep(g_fDt); }, [&] { guest.PostStep(); }})
         thrown.push_back(Thrown(f));
-      balls = guest.GetWorld().GetBallPositions().size(); // looking is allowed
+      balls = table.World().GetBallPositions().size(); // looking is allowed
     };
     if (atEnd) {
       table.m_pGame->DestroyBody(table.m_pBox);
     } else {
       guest.PreStep(g_fDt);
-      table.m_pGame->Step(g_fDt, 8, 3);
+      table.StepGame(1);
       guest.PostStep();
     }
     ASSERT_EQ(thrown.size(), 12u);
     for (const std::string& what : thrown)
       EXPECT_NE(what.find("callback of Box2D"), std::string::npos) << what;
     EXPECT_EQ(balls, 2u);
-    EXPECT_EQ(guest.GetWorld().GetElasticity(table.m_cArc), 1);
-    EXPECT_EQ(guest.GetWorld().GetUserPtr(table.m_cArc), &table.m_nUserData[1]);
+    EXPECT_EQ(table.World().GetElasticity(table.m_cArc), 1);
+    EXPECT_EQ(table.World().GetUserPtr(table.m_cArc), &table.m_nUserData[1]);
     table.Step(10);
-    guest.GetWorld().Remove(table.m_cBall); // the control: afterwards it can be done
+    table.World().Remove(table.m_cBall); // the control: afterwards it can be done
     table.m_pGuest.reset();
   }
 }
@@ -71,10 +71,10 @@ TEST(GuestRefusalTest, WhatTheGuestItselfDestroysIsHeardOfButNotActedUpon) {
   table.m_pGame->SetContactListener(&acting);
   table.Step(30);
   std::string thrown;
-  acting.m_stdAct = [&] { thrown = Thrown([&] { table.m_pGuest->GetWorld().Remove(table.m_cSegment); }); };
-  table.m_pGuest->GetWorld().Remove(table.m_cOther);
+  acting.m_stdAct = [&] { thrown = Thrown([&] { table.World().Remove(table.m_cSegment); }); };
+  table.World().Remove(table.m_cOther);
   EXPECT_NE(thrown.find("callback of Box2D"), std::string::npos) << thrown;
-  EXPECT_TRUE(table.m_pGuest->GetWorld().Contains(table.m_cSegment));
+  EXPECT_TRUE(table.World().Contains(table.m_cSegment));
   table.m_pGuest.reset();
 }
 
@@ -86,11 +86,11 @@ TEST(GuestRefusalTest, ADestructionListenerHearsOfFixturesButNothingIsActedUpon)
   } goodbye;
   CTable table;
   std::string thrown;
-  goodbye.m_stdAct = [&] { thrown = Thrown([&] { table.m_pGuest->GetWorld().Remove(table.m_cSegment); }); };
+  goodbye.m_stdAct = [&] { thrown = Thrown([&] { table.World().Remove(table.m_cSegment); }); };
   table.m_pGame->SetDestructionListener(&goodbye);
-  table.m_pGuest->GetWorld().Remove(table.m_cOther);
+  table.World().Remove(table.m_cOther);
   EXPECT_NE(thrown.find("callback of Box2D"), std::string::npos) << thrown;
-  EXPECT_TRUE(table.m_pGuest->GetWorld().Contains(table.m_cSegment));
+  EXPECT_TRUE(table.World().Contains(table.m_cSegment));
   table.m_pGame->SetDestructionListener(nullptr);
 }
 
@@ -100,40 +100,37 @@ TEST(GuestRefusalTest, StepsComeInPairs) {
   EXPECT_NE(Thrown([&] { guest.PostStep(); }).find("without PreStep"), std::string::npos);
   for (const float dt : {0.0f, -1.0f, std::nanf(""), 1e7f})
     EXPECT_THROW(guest.PreStep(dt), std::invalid_argument);
-  const auto steps = guest.GetWorld().GetStats().m_nSteps;
+  const auto steps = table.World().GetStats().m_nSteps;
   guest.PreStep(g_fDt);
   EXPECT_NE(Thrown([&] { guest.PreStep(g_fDt); }).find("called twice"), std::string::npos);
   EXPECT_NE(Thrown([&] {
-              guest.GetWorld().SetPos(table.m_cBall, {0, 0});
+              table.World().SetPos(table.m_cBall, {0, 0});
             }).find("between PreStep and PostStep"),
             std::string::npos);
-  table.m_pGame->Step(g_fDt, 8, 3);
+  table.StepGame(1);
   guest.PostStep();
   EXPECT_NE(Thrown([&] { guest.PostStep(); }).find("without PreStep"), std::string::npos);
-  EXPECT_EQ(guest.GetWorld().GetStats().m_nSteps, steps + 1);
+  EXPECT_EQ(table.World().GetStats().m_nSteps, steps + 1);
 }
 
 TEST(GuestRefusalTest, AStepWithoutPreStepIsTheGamesOwn) {
   CTable table;
-  for (int i = 0; i < 30; ++i) // nothing of an earlier step is used
-    table.m_pGame->Step(g_fDt, 8, 3);
+  table.StepGame(30);
   table.Step(30);
   EXPECT_TRUE(table.m_pGuest->IsAlive());
 }
 
 TEST(GuestRefusalTest, WhatAGuestCannotDoItRefuses) {
   CTable table;
-  CBox2DWorld& guest = *table.m_pGuest;
-  EXPECT_NE(Thrown([&] { guest.GetWorld().Step(); }).find("call PreStep(dt), then b2World::Step(dt, ...)"),
+  EXPECT_NE(Thrown([&] { table.World().Step(); }).find("call PreStep(dt), then b2World::Step(dt, ...)"),
             std::string::npos);
-  EXPECT_NE(Thrown([&] { guest.GetWorld().SaveState(); }).find("neither saved nor loaded"),
-            std::string::npos);
+  EXPECT_NE(Thrown([&] { table.World().SaveState(); }).find("neither saved nor loaded"), std::string::npos);
   const auto pOther = GetBackend(eBackend::Box2D)->MakeWorld(CWorldDesc());
   const CSavedState saved = pOther->SaveState();
-  EXPECT_NE(Thrown([&] { guest.GetWorld().LoadState(saved); }).find("neither saved nor loaded"),
+  EXPECT_NE(Thrown([&] { table.World().LoadState(saved); }).find("neither saved nor loaded"),
             std::string::npos);
-  EXPECT_TRUE(guest.GetWorld().Contains(table.m_cBall));
-  EXPECT_THROW(guest.GetWorld().SetGravity({0, -1}), std::invalid_argument);
+  EXPECT_TRUE(table.World().Contains(table.m_cBall));
+  EXPECT_THROW(table.World().SetGravity({0, -1}), std::invalid_argument);
 
   const int bodies = table.m_pGame->GetBodyCount();
   const b2ContactListener* pListener = Installed(*table.m_pGame);

@@ -114,18 +114,23 @@ struct CTable {
     AddGround(*m_pGame);
     m_pBox = AddBox(*m_pGame, {0, 0.51f});
     m_pGuest = MakeGuest(*m_pGame, e);
-    m_cSegment = m_pGuest->GetWorld().Add(CLineSegDesc({2, 0.5f}, {4, 0.5f}));
-    m_cArc = m_pGuest->GetWorld().Add(
-        CArcDesc({4, 1.5f}, 1, 1.5f * g_fPi, 0.25f * g_fPi)); // goes on in the segment
-    m_cPoint = m_pGuest->GetWorld().Add(CPointDesc({2, 0.5f}));
-    m_cBall = m_pGuest->GetWorld().Add(CDynamicCircleDesc({3, 0.62f}, 0.1f, {1, 0}, 1, 0.5f));
-    m_cOther = m_pGuest->GetWorld().Add(CDynamicCircleDesc({0, 1.15f}, 0.1f, {0, 0}, 1, 0));
-    m_pGuest->GetWorld().SetUserPtr(m_cBall, &m_nUserData[0]);
-    m_pGuest->GetWorld().SetUserPtr(m_cArc, &m_nUserData[1]);
-    m_pGuest->GetWorld().SetUserPtr(m_cOther, &m_nUserData[2]);
+    m_cSegment = World().Add(CLineSegDesc({2, 0.5f}, {4, 0.5f}));
+    m_cArc = World().Add(CArcDesc({4, 1.5f}, 1, 1.5f * g_fPi, 0.25f * g_fPi)); // goes on in the segment
+    m_cPoint = World().Add(CPointDesc({2, 0.5f}));
+    m_cBall = World().Add(CDynamicCircleDesc({3, 0.62f}, 0.1f, {1, 0}, 1, 0.5f));
+    m_cOther = World().Add(CDynamicCircleDesc({0, 1.15f}, 0.1f, {0, 0}, 1, 0));
+    World().SetUserPtr(m_cBall, &m_nUserData[0]);
+    World().SetUserPtr(m_cArc, &m_nUserData[1]);
+    World().SetUserPtr(m_cOther, &m_nUserData[2]);
     Step(10);
   }
+  CWorld& World() { return m_pGuest->GetWorld(); }
   void Step(int n = 1) { Steps(*m_pGame, *m_pGuest, n); }
+  /// Steps that the guest knows nothing of.
+  void StepGame(int n) {
+    for (int i = 0; i < n; ++i)
+      m_pGame->Step(g_fDt, 8, 3);
+  }
   b2Body* BodyOfBall() { return FindBody(*m_pGame, &m_nUserData[0]); }
   b2Body* BodyOfArc() { return FindBody(*m_pGame, &m_nUserData[1]); }
 };

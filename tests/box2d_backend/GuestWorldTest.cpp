@@ -17,9 +17,9 @@ class CGuest : public testing::TestWithParam<eProfile> {
 protected:
   bool IsTuned() const { return GetParam() == eProfile::Tuned; }
   /// Puts Shapes into the game; after the game's own bodies or before them.
-  CBox2DWorld& Join(float unit = 1.0f) {
+  CWorld& Join(float unit = 1.0f) {
     m_pGuest = MakeGuest(m_cGame, GetParam(), unit);
-    return *m_pGuest;
+    return m_pGuest->GetWorld();
   }
   void Steps(int n, float dt = g_fDt) { Tests::Steps(m_cGame, *m_pGuest, n, dt); }
 
@@ -43,7 +43,7 @@ CLineSegDesc Flipper(const Vector2& p0, const Vector2& p1, float revsPerSecond) 
 
 TEST_P(CGuest, ABallPushesABoxAndIsPushed) {
   b2Body* pBox = AddBox(m_cGame, {2, 0});
-  const CShapeId ball = Join().GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f, {4, 0}));
+  const CShapeId ball = Join().Add(CDynamicCircleDesc({0, 0}, 0.1f, {4, 0}));
   Steps(60); // equal masses, and the larger restitution is that of the ball, 1: they exchange velocities
   EXPECT_NEAR(pBox->GetLinearVelocity().x, 4, 1e-4f);
   EXPECT_NEAR(m_pGuest->GetWorld().GetVel(ball).x(), 0, 1e-4f);
@@ -55,7 +55,7 @@ TEST_P(CGuest, ABallPushesABoxAndIsPushed) {
 
 TEST_P(CGuest, WhatIsNotOfShapesIsReportedAsNoShape) {
   AddBox(m_cGame, {2, 0}, b2_staticBody);
-  const CShapeId ball = Join().GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f, {4, 0}));
+  const CShapeId ball = Join().Add(CDynamicCircleDesc({0, 0}, 0.1f, {4, 0}));
   m_pGuest->GetWorld().Add(CLineSegDesc({-2, -1}, {-2, 1}));
   std::vector<CContactEvent> events;
   for (int i = 0; i < 140; ++i) {
@@ -77,32 +77,31 @@ TEST_P(CGuest, ABallBouncesOffTheGroundOfTheGameByTheLargerRestitution) {
   b2Body* pGround = AddGround(m_cGame);
   const auto bounce = [&](float ofBall, float ofGround) {
     pGround->GetFixtureList()->SetRestitution(ofGround);
-    auto& guest = Join();
-    const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {1, -2}, 1, ofBall));
+    CWorld& world = Join();
+    const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {1, -2}, 1, ofBall));
     Steps(30);
-    return Vector2(guest.GetWorld().GetVel(ball));
+    return Vector2(world.GetVel(ball));
   };
   EXPECT_LE((bounce(0.75f, 0.25f) - Vector2(1, 1.5f)).norm(), 1e-4f); // no friction: x stays
   EXPECT_LE((bounce(0.25f, 0.75f) - Vector2(1, 1.5f)).norm(), 1e-4f);
 }
 
 TEST_P(CGuest, TwoOfShapesMeetByTheProductOfTheirElasticities) {
-  auto& guest = Join();
-  guest.GetWorld().Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}, 1, 0.5f));
+  CWorld& world = Join();
+  world.Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}, 1, 0.5f));
   Steps(30);
-  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), 1, 1e-4f);
+  EXPECT_NEAR(world.GetVel(ball).y(), 1, 1e-4f);
 }
 
 TEST_P(CGuest, AFlipperKicksABallAndABox) {
-  auto& guest = Join();
-  guest.GetWorld().Add(Flipper({0, 0}, {2, 0}, 1));
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({1, 0.5f}, 0.1f));
+  CWorld& world = Join();
+  world.Add(Flipper({0, 0}, {2, 0}, 1));
+  const CShapeId ball = world.Add(CDynamicCircleDesc({1, 0.5f}, 0.1f));
   b2Body* pBox = AddBox(m_cGame, {-1.5f, 0});
   Steps(15); // a quarter turn
   // Twice the speed of the surface where it meets the ball, sqrt(1.25 - .01) from the centre.
-  EXPECT_NEAR(guest.GetWorld().GetVel(ball).norm(), 2 * g_fTwoPi * std::sqrt(1.24f),
-              IsTuned() ? 0.05f : 0.5f);
+  EXPECT_NEAR(world.GetVel(ball).norm(), 2 * g_fTwoPi * std::sqrt(1.24f), IsTuned() ? 0.05f : 0.5f);
   EXPECT_EQ(pBox->GetLinearVelocity().Length(), 0);
   Steps(20);
   EXPECT_GT(pBox->GetLinearVelocity().Length(), 1);
@@ -110,21 +109,21 @@ TEST_P(CGuest, AFlipperKicksABallAndABox) {
 
 TEST_P(CGuest, GravityIsThatOfTheGame) {
   m_cGame.SetGravity({0, -10});
-  auto& guest = Join();
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f));
+  CWorld& world = Join();
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0}, 0.1f));
   Steps(30);
-  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), -5, 1e-4f);
+  EXPECT_NEAR(world.GetVel(ball).y(), -5, 1e-4f);
   m_cGame.SetGravity({4, 0});
   Steps(30);
-  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), -5, 1e-4f);
-  EXPECT_NEAR(guest.GetWorld().GetVel(ball).x(), 2, 1e-4f);
-  EXPECT_EQ(guest.GetWorld().GetDesc().m_vGravity, Vector2(0, 0));
+  EXPECT_NEAR(world.GetVel(ball).y(), -5, 1e-4f);
+  EXPECT_NEAR(world.GetVel(ball).x(), 2, 1e-4f);
+  EXPECT_EQ(world.GetDesc().m_vGravity, Vector2(0, 0));
 }
 
 TEST_P(CGuest, StepsMayDifferInLength) {
   m_cGame.SetGravity({0, -10});
-  auto& guest = Join();
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f, {1, 5}));
+  CWorld& world = Join();
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0}, 0.1f, {1, 5}));
   CRandom random(3);
   double t = 0;
   while (t < 1) {
@@ -132,9 +131,9 @@ TEST_P(CGuest, StepsMayDifferInLength) {
     Steps(1, dt);
     t += static_cast<double>(dt);
   }
-  const double off = static_cast<double>(guest.GetWorld().GetPos(ball).y()) - (5 * t - 5 * t * t);
-  EXPECT_NEAR(guest.GetWorld().GetPos(ball).x(), t, 1e-5);
-  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), 5 - 10 * t, 1e-4);
+  const double off = static_cast<double>(world.GetPos(ball).y()) - (5 * t - 5 * t * t);
+  EXPECT_NEAR(world.GetPos(ball).x(), t, 1e-5);
+  EXPECT_NEAR(world.GetVel(ball).y(), 5 - 10 * t, 1e-4);
   if (IsTuned())
     EXPECT_NEAR(off, 0, 1e-5); // on the parabola
   else
@@ -191,15 +190,15 @@ TEST(GuestWorldTest, AGuestAsShippedHasTheBitsOfAWorldOfItsOwn) {
 TEST_P(CGuest, ABallThatLiesOnTheGroundOfTheGameRests) {
   m_cGame.SetGravity({0, -10});
   AddGround(m_cGame);
-  auto& guest = Join();
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, 0}, 1, 0));
+  CWorld& world = Join();
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, 0}, 1, 0));
   Steps(60);
-  const float y = guest.GetWorld().GetPos(ball).y();
+  const float y = world.GetPos(ball).y();
   EXPECT_NEAR(y, 0.1f, 0.02f); // the skins
   for (int i = 0; i < 300; ++i) {
     Steps(1);
-    ASSERT_NEAR(guest.GetWorld().GetPos(ball).y(), y, 1e-3f);
-    ASSERT_NEAR(guest.GetWorld().GetVel(ball).y(), 0, 1e-4f);
+    ASSERT_NEAR(world.GetPos(ball).y(), y, 1e-3f);
+    ASSERT_NEAR(world.GetVel(ball).y(), 0, 1e-4f);
   }
 }
 
@@ -223,16 +222,16 @@ TEST(GuestWorldTest, ATunedElasticDropOnTheGroundOfTheGameKeepsItsHeight) {
 TEST_P(CGuest, TheListenerOfTheGameHearsEverythingAfterShapes) {
   CCounting& listener = m_cListener;
   m_cGame.SetContactListener(&listener);
-  auto& guest = Join();
-  guest.GetWorld().Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}, 1, 0.5f));
+  CWorld& world = Join();
+  world.Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}, 1, 0.5f));
   Steps(30);
   EXPECT_EQ(listener.m_nBegin, 1);
   EXPECT_EQ(listener.m_nEnd, 1);
   EXPECT_GE(listener.m_nPre, 1);
   EXPECT_GE(listener.m_nPost, 1);
   EXPECT_EQ(listener.m_fRestitution, 0.25f); // Shapes has been there before
-  guest.GetWorld().Remove(ball);
+  world.Remove(ball);
   listener = CCounting();
   AddBox(m_cGame, {5, 0});
   AddBox(m_cGame, {5, 0.9f}); // what has nothing to do with Shapes, too
@@ -243,11 +242,11 @@ TEST_P(CGuest, TheListenerOfTheGameHearsEverythingAfterShapes) {
 
 TEST_P(CGuest, NoListenerIsFineToo) {
   m_cGame.SetContactListener(nullptr);
-  auto& guest = Join();
-  guest.GetWorld().Add(CLineSegDesc({-1, 0}, {1, 0}));
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}));
+  CWorld& world = Join();
+  world.Add(CLineSegDesc({-1, 0}, {1, 0}));
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}));
   Steps(30);
-  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), 4, 1e-4f);
+  EXPECT_NEAR(world.GetVel(ball).y(), 4, 1e-4f);
 }
 
 TEST_P(CGuest, WhatTheGameDisablesIsNotReported) {
@@ -257,36 +256,36 @@ TEST_P(CGuest, WhatTheGameDisablesIsNotReported) {
   } listener;
   m_cGame.SetContactListener(&listener);
   AddGround(m_cGame);
-  auto& guest = Join();
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}));
+  CWorld& world = Join();
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}));
   Steps(30);
-  EXPECT_EQ(guest.GetWorld().GetVel(ball).y(), -4);
-  EXPECT_EQ(guest.GetWorld().GetStats().m_nContacts, 0u);
+  EXPECT_EQ(world.GetVel(ball).y(), -4);
+  EXPECT_EQ(world.GetStats().m_nContacts, 0u);
   listener.m_bIsOn = true; // the control
-  guest.GetWorld().SetVel(ball, {0, 4});
+  world.SetVel(ball, {0, 4});
   Steps(30);
-  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), -4, 1e-4f);
-  EXPECT_GE(guest.GetWorld().GetStats().m_nContacts, 1u);
+  EXPECT_NEAR(world.GetVel(ball).y(), -4, 1e-4f);
+  EXPECT_GE(world.GetStats().m_nContacts, 1u);
   m_pGuest.reset(); // before the listener
 }
 
 TEST_P(CGuest, UserDataAreTheUserPointersOfShapes) {
-  auto& guest = Join();
+  CWorld& world = Join();
   int mine = 0, other = 0;
-  const CShapeId arc = guest.GetWorld().Add(CArcDesc({0, 0}, 1, 0, 2)); // two chains
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({3, 0}, 0.1f));
+  const CShapeId arc = world.Add(CArcDesc({0, 0}, 1, 0, 2)); // two chains
+  const CShapeId ball = world.Add(CDynamicCircleDesc({3, 0}, 0.1f));
   for (b2Body* p = m_cGame.GetBodyList(); p != nullptr; p = p->GetNext()) {
     EXPECT_EQ(p->GetUserData().pointer, 0u);
     for (b2Fixture* q = p->GetFixtureList(); q != nullptr; q = q->GetNext())
       EXPECT_EQ(q->GetUserData().pointer, 0u);
   }
-  guest.GetWorld().SetUserPtr(arc, &mine);
-  guest.GetWorld().SetUserPtr(ball, &other);
+  world.SetUserPtr(arc, &mine);
+  world.SetUserPtr(ball, &other);
   ASSERT_EQ(FindBodies(m_cGame, &mine).size(), 1u);
   ASSERT_EQ(FindBodies(m_cGame, &other).size(), 1u);
   for (b2Fixture* p = FindBody(m_cGame, &mine)->GetFixtureList(); p != nullptr; p = p->GetNext())
     EXPECT_EQ(p->GetUserData().pointer, reinterpret_cast<uintptr_t>(&mine));
-  guest.GetWorld().SetPos(arc, {1, 1}); // made anew
+  world.SetPos(arc, {1, 1}); // made anew
   EXPECT_EQ(FindBodies(m_cGame, &mine).size(), 1u);
 }
 
@@ -296,10 +295,10 @@ TEST_P(CGuest, TheFilterOfTheGameIsAsked) {
   } filter;
   AddGround(m_cGame);
   const auto fall = [&] {
-    auto& guest = Join();
-    const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}));
+    CWorld& world = Join();
+    const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}));
     Steps(30);
-    return guest.GetWorld().GetVel(ball).y();
+    return world.GetVel(ball).y();
   };
   EXPECT_NEAR(fall(), 4, 1e-4f);
   m_cGame.SetContactFilter(&filter);
@@ -317,111 +316,109 @@ TEST_P(CGuest, QueriesFindTheShapesAndNothingElse) {
     m_cGame.QueryAABB(&found, {{-1e6f, -1e6f}, {1e6f, 1e6f}});
     return found.m_n;
   };
-  auto& guest = Join();
+  CWorld& world = Join();
   EXPECT_EQ(count(), 0);
-  guest.GetWorld().Add(CLineSegDesc({-1, 0}, {1, 0}));
+  world.Add(CLineSegDesc({-1, 0}, {1, 0}));
   EXPECT_EQ(count(), 1);
 }
 
 TEST_P(CGuest, WhatTheGameDoesToTheBodyOfABallCounts) {
-  auto& guest = Join();
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f));
+  CWorld& world = Join();
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0}, 0.1f));
   int mine = 0;
-  guest.GetWorld().SetUserPtr(ball, &mine);
+  world.SetUserPtr(ball, &mine);
   b2Body* pBody = FindBody(m_cGame, &mine);
   pBody->ApplyLinearImpulseToCenter({3, 0}, true);
   Steps(60);
-  EXPECT_NEAR(guest.GetWorld().GetPos(ball).x(), 3, 1e-4f);
+  EXPECT_NEAR(world.GetPos(ball).x(), 3, 1e-4f);
   pBody->SetTransform({0, 7}, 0);
   Steps(60);
-  EXPECT_LE((guest.GetWorld().GetPos(ball) - Vector2(3, 7)).norm(), 1e-4f);
+  EXPECT_LE((world.GetPos(ball) - Vector2(3, 7)).norm(), 1e-4f);
 }
 
 TEST_P(CGuest, ABallDoesNotSleepAndWakesWhatDoes) {
   m_cGame.SetGravity({0, -10});
   AddGround(m_cGame);
   b2Body* pBox = AddBox(m_cGame, {3, 0.51f});
-  auto& guest = Join();
-  guest.GetWorld().Add(CLineSegDesc({-5, 0.4f}, {0, 0.4f}, 0));
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({-1, 0.51f}, 0.1f));
+  CWorld& world = Join();
+  world.Add(CLineSegDesc({-5, 0.4f}, {0, 0.4f}, 0));
+  const CShapeId ball = world.Add(CDynamicCircleDesc({-1, 0.51f}, 0.1f));
   Steps(120);
   ASSERT_FALSE(pBox->IsAwake()); // the game's bodies sleep as before
   m_cGame.SetGravity({0, 0});
-  guest.GetWorld().SetVel(ball, {5, 0});
+  world.SetVel(ball, {5, 0});
   Steps(60);
   EXPECT_GT(pBox->GetLinearVelocity().x, 1);
 }
 
 TEST_P(CGuest, ContinuousPhysicsMayBeOff) { // nothing that the tuned profile leaves to it is lost
   m_cGame.SetContinuousPhysics(false);
-  auto& guest = Join();
-  guest.GetWorld().Add(CLineSegDesc({-1, 0}, {1, 0}));
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0.503f}, 0.1f, {0, -4}));
+  CWorld& world = Join();
+  world.Add(CLineSegDesc({-1, 0}, {1, 0}));
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.503f}, 0.1f, {0, -4}));
   Steps(30); // .067 a step: less than a diameter
-  EXPECT_NEAR(guest.GetWorld().GetVel(ball).y(), 4, 1e-3f);
+  EXPECT_NEAR(world.GetVel(ball).y(), 4, 1e-3f);
 }
 
 TEST_P(CGuest, SensorsSeeBallsThatFlyThrough) {
-  auto& guest = Join();
+  CWorld& world = Join();
   CLineSegDesc desc({0, -1}, {0, 1});
   desc.m_bIsSensor = true;
-  const CShapeId gate = guest.GetWorld().Add(desc);
-  guest.GetWorld().Add(CLineSegDesc({1, -1}, {1, 1}));
-  const CShapeId ball =
-      guest.GetWorld().Add(CDynamicCircleDesc({-1, 0}, 0.1f, {30, 0})); // 2.5 diameters a step
+  const CShapeId gate = world.Add(desc);
+  world.Add(CLineSegDesc({1, -1}, {1, 1}));
+  const CShapeId ball = world.Add(CDynamicCircleDesc({-1, 0}, 0.1f, {30, 0})); // 2.5 diameters a step
   std::vector<CSensorEvent> events;
   std::size_t contacts = 0;
   for (int i = 0; i < 10; ++i) {
     Steps(1);
-    events.insert(events.end(), guest.GetWorld().GetSensorEvents().begin(),
-                  guest.GetWorld().GetSensorEvents().end());
-    for (const CContactEvent& event : guest.GetWorld().GetContacts())
+    events.insert(events.end(), world.GetSensorEvents().begin(), world.GetSensorEvents().end());
+    for (const CContactEvent& event : world.GetContacts())
       contacts += event.m_bIsSensor;
   }
   const std::vector<CSensorEvent> toAndFro{
       {gate, ball, true}, {gate, ball, false}, {gate, ball, true}, {gate, ball, false}};
   EXPECT_EQ(events, toAndFro);
   EXPECT_GE(contacts, 2u);
-  EXPECT_LT(guest.GetWorld().GetPos(ball).x(), -1);
+  EXPECT_LT(world.GetPos(ball).x(), -1);
 }
 
 TEST_P(CGuest, ASensorLosesABallThatTheGameDestroys) {
-  auto& guest = Join();
+  CWorld& world = Join();
   CCircleDesc desc({0, 0}, 1);
   desc.m_bIsSensor = true;
-  guest.GetWorld().Add(CDynamicCircleDesc({5, 5}, 0.1f)); // its place is taken by the next
-  const CShapeId lost = guest.GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f));
-  const CShapeId stays = guest.GetWorld().Add(CDynamicCircleDesc({0.5f, 0}, 0.1f));
-  const CShapeId zone = guest.GetWorld().Add(desc);
+  world.Add(CDynamicCircleDesc({5, 5}, 0.1f)); // its place is taken by the next
+  const CShapeId lost = world.Add(CDynamicCircleDesc({0, 0}, 0.1f));
+  const CShapeId stays = world.Add(CDynamicCircleDesc({0.5f, 0}, 0.1f));
+  const CShapeId zone = world.Add(desc);
   int mine = 0;
-  guest.GetWorld().SetUserPtr(lost, &mine);
+  world.SetUserPtr(lost, &mine);
   Steps(1);
-  EXPECT_EQ(guest.GetWorld().GetSensorEvents().size(), 2u);
-  guest.PreStep(g_fDt);
+  EXPECT_EQ(world.GetSensorEvents().size(), 2u);
+  m_pGuest->PreStep(g_fDt);
   m_cGame.DestroyBody(FindBody(m_cGame, &mine)); // in the middle of the step
   m_cGame.Step(g_fDt, 8, 3);
-  guest.PostStep();
-  ASSERT_EQ(guest.GetWorld().GetSensorEvents().size(), 1u);
-  EXPECT_EQ(guest.GetWorld().GetSensorEvents()[0], (CSensorEvent{zone, lost, false}));
-  ASSERT_EQ(guest.GetWorld().GetContacts().size(), 1u);
-  EXPECT_EQ(guest.GetWorld().GetContacts()[0].m_cBall, stays);
+  m_pGuest->PostStep();
+  ASSERT_EQ(world.GetSensorEvents().size(), 1u);
+  EXPECT_EQ(world.GetSensorEvents()[0], (CSensorEvent{zone, lost, false}));
+  ASSERT_EQ(world.GetContacts().size(), 1u);
+  EXPECT_EQ(world.GetContacts()[0].m_cBall, stays);
 }
 
 TEST_P(CGuest, WhatBox2DSlowsDownIsCountedByTheLengthOfTheStep) {
-  auto& guest = Join();
-  const CShapeId ball = guest.GetWorld().Add(CDynamicCircleDesc({0, 0}, 0.1f, {100, 0}));
-  const CShapeId flipper = guest.GetWorld().Add(Flipper({0, 50}, {1, 50}, 12));
+  CWorld& world = Join();
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0}, 0.1f, {100, 0}));
+  const CShapeId flipper = world.Add(Flipper({0, 50}, {1, 50}, 12));
   Steps(10);
-  EXPECT_EQ(guest.GetWorld().GetStats().m_nMovesClamped, 0u);
-  EXPECT_EQ(guest.GetWorld().GetStats().m_nTurnsClamped, 0u);
+  EXPECT_EQ(world.GetStats().m_nMovesClamped, 0u);
+  EXPECT_EQ(world.GetStats().m_nTurnsClamped, 0u);
   Steps(1, 1.0f / 40); // 2.5 metres, .6 pi radians
-  EXPECT_EQ(guest.GetWorld().GetStats().m_nMovesClamped, 1u);
-  EXPECT_EQ(guest.GetWorld().GetStats().m_nTurnsClamped, 1u);
-  EXPECT_NEAR(guest.GetWorld().GetVel(ball).x(), 80, 1e-3f);
-  EXPECT_EQ(guest.GetWorld().GetStats().m_nEngineSteps, 11u);
-  EXPECT_EQ(guest.GetWorld().GetStats().m_nSteps, 11u);
-  EXPECT_EQ(guest.GetWorld().GetStats().m_nSubsteps, 11u);
-  EXPECT_GT(guest.GetWorld().GetOrientation(flipper), 0);
+  EXPECT_EQ(world.GetStats().m_nMovesClamped, 1u);
+  EXPECT_EQ(world.GetStats().m_nTurnsClamped, 1u);
+  EXPECT_NEAR(world.GetVel(ball).x(), 80, 1e-3f);
+  EXPECT_EQ(world.GetStats().m_nEngineSteps, 11u);
+  EXPECT_EQ(world.GetStats().m_nSteps, 11u);
+  EXPECT_EQ(world.GetStats().m_nSubsteps, 11u);
+  EXPECT_GT(world.GetOrientation(flipper), 0);
 }
 
 TEST(GuestWorldWayTest, ABallKeepsItsWayFromAnArcOntoTheGroundOfTheGame) {

@@ -10,6 +10,7 @@
 #include <ostream>
 
 #include "../Numbers.h"
+#include "../Steps.h"
 #include "ImportTesting.h"
 
 namespace Shapes {
@@ -111,8 +112,7 @@ protected:
   static Vector2 Play(const CSceneDesc& scene, eBackend backend) {
     const auto pWorld = GetBackend(backend)->MakeWorld(scene.m_cWorld);
     const CShapeId ball = scene.AddTo(*pWorld).back();
-    for (int i = 0; i < g_nSteps; ++i)
-      pWorld->Step();
+    Steps(*pWorld, g_nSteps);
     return pWorld->GetVel(ball);
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What runs of Box2D in a world of its own.
 #include "../Numbers.h"
+#include "../Steps.h"
 
 #include <Shapes/Shapes.h>
 
@@ -32,8 +33,7 @@ CThrow Throw(eProfile profile, const CEffectChoice& choice, float speed, float k
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-1, 0}, 0.1f, {speed, 0}));
   pWorld->SetGravity({kick, 0});
   const int n = kick > 0 ? 1 : speed > 50 ? 2 : 30; // without a wall it would be well behind it then
-  for (int i = 0; i < n; ++i)
-    pWorld->Step();
+  Steps(*pWorld, n);
   return {pWorld->GetPos(ball).x() > 0, pWorld->GetStats().GetSubstepsWith(eEffect::Continuous)};
 }
 
@@ -102,8 +102,7 @@ TEST(OwnedEffectsTest, ContactsCountWhereSomebodyHearsOfThem) {
     CCircleDesc zone({5, 5}, 0.1f);
     zone.m_bIsSensor = sensor;
     pWorld->Add(zone);
-    for (int i = 0; i < 20; ++i)
-      pWorld->Step();
+    Steps(*pWorld, 20);
     EXPECT_LT(pWorld->GetVel(ball).x(), 0);
     EXPECT_EQ(pWorld->GetStats().m_nContacts > 0, sensor);
   }

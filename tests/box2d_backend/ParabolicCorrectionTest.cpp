@@ -303,7 +303,6 @@ double Drift(bool isFollowed) {
 }
 
 TEST(FlightTest, BouncesKeepTheEnergy) {
-  SCOPED_TRACE(testing::Message() << "seed " << g_nFlightSeed);
   // Rounding to float, of which the energy has a few ulp in each step, at random: 1e-7 * sqrt(10000).
   EXPECT_LE(Drift(true), 2e-5);
   EXPECT_GT(Drift(false), 0.01); // the control

@@ -13,8 +13,10 @@
 #include <vector>
 
 #include "../Numbers.h"
+#include "../Steps.h"
 #include "Random.h"
 #include "box2d_backend/TunedExact.h"
+#include "box2d_backend/world/OwnedEngine.h"
 
 namespace Shapes::Tests {
 
@@ -29,6 +31,17 @@ inline std::unique_ptr<CWorld> MakeBox2D(eProfile profile, const Vector2& gravit
   desc.m_vGravity = gravity;
   desc.m_fTimeStep = dt;
   return GetBackend(eBackend::Box2D)->MakeWorld(desc);
+}
+
+/// One whose listener counts contacts if events are forced.
+inline std::unique_ptr<CWorld> MakeBox2D(const Box2D::CTuning& tuning,
+                                         const Vector2& gravity = Vector2::Zero(),
+                                         const CEffects& forced = {}) {
+  CWorldDesc desc;
+  desc.m_vGravity = gravity;
+  desc.m_fTimeStep = g_fDt;
+  desc.m_cEffects.m_cForced = forced;
+  return Box2D::MakeWorld(desc, tuning);
 }
 
 /// In [-most, most].
@@ -110,9 +123,32 @@ public:
   double DirectionError(const CShot& shot) {
     m_pWorld->SetPos(m_cBall, shot.m_vPos);
     m_pWorld->SetVel(m_cBall, shot.m_vVel);
-    for (int i = 0; i < shot.m_nSteps; ++i)
-      m_pWorld->Step();
+    Steps(*m_pWorld, shot.m_nSteps);
     return AngleBetween(m_pWorld->GetVel(m_cBall).cast<double>(), shot.m_vExact);
+  }
+
+  /// Direction errors of n of the shots that `aim` aims.
+  template <class TAim>
+  std::vector<double> Errors(std::size_t n, TAim aim) {
+    std::vector<double> errors;
+    while (errors.size() < n)
+      if (const auto shot = Aim(aim())) errors.push_back(DirectionError(*shot));
+    return errors;
+  }
+
+  /// How many of n shots are off by more than .01 radians and what surfaces that are g_fTunedOffset off
+  /// explain. Shots that a surface so little off turns by more than mostAllowance have no resolution and are
+  /// left out.
+  template <class TAim>
+  int CountWrong(int n, TAim aim, double mostAllowance = std::numeric_limits<double>::infinity()) {
+    int wrong = 0;
+    while (n > 0) {
+      const auto shot = Aim(aim());
+      if (!shot || shot->m_fAllowance > mostAllowance) continue;
+      --n;
+      wrong += DirectionError(*shot) > 0.01 + shot->m_fAllowance;
+    }
+    return wrong;
   }
 
 private:

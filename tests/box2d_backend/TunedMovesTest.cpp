@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// How far and how fast a tuned world moves balls and flippers: fast, slow, and up again after a drop.
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include "box2d_backend/TunedTesting.h"
+
+namespace Shapes::Tests {
+namespace {
+
+/// A flipper of length 1 about the origin, and a ball at rest ahead of it.
+struct CFlipperCase {
+  double m_fRevs, m_fElasticity;
+  double m_fStart;                         // radians
+  double m_fRadius, m_fDistance, m_fAhead; // of the ball: its place in polar coordinates from the flipper
+
+  double Omega() const { return 2 * std::numbers::pi * m_fRevs; }
+  /// When the face meets the ball, and the velocity that the ball has then.
+  double HitTime() const { return (m_fAhead - std::asin(m_fRadius / m_fDistance)) / Omega(); }
+  Vector2d Kick() const {
+    const double s = std::sqrt(m_fDistance * m_fDistance - m_fRadius * m_fRadius); // along the flipper
+    return (1 + m_fElasticity) * Omega() * s * Perp(UnitVector(m_fStart + Omega() * HitTime()));
+  }
+};
+
+CFlipperCase MakeCase(CRandom& random) {
+  CFlipperCase c{};
+  c.m_fRevs = 2 + 18 * random.Unit();
+  c.m_fElasticity = random.Coin() ? 1 : 0.5;
+  c.m_fStart = 360 * g_fDegree * random.Unit();
+  c.m_fRadius = 0.02 + 0.08 * random.Unit();
+  const double nearest = std::max(0.15, 2 * c.m_fRadius);
+  c.m_fDistance = nearest + (0.95 - nearest) * random.Unit();
+  const double clear = std::asin(c.m_fRadius / c.m_fDistance) + 0.05;
+  c.m_fAhead = clear + (2.7 - clear) * random.Unit();
+  return c;
+}
+
+struct CFlipperResult {
+  int m_nMissed = 0;                   // still at rest
+  int m_nBehind = 0;                   // kicked, but seen behind the flipper
+  std::vector<double> m_stdKickErrors; // relative; only where there is no second hit in the step of the first
+};
+
+/// Turns the flipper by 3 radians.
+void Sweep(eProfile profile, const CFlipperCase& c, CFlipperResult& result) {
+  auto pWorld = MakeBox2D(profile);
+  CLineSegDesc desc(Vector2::Zero(), UnitVector(c.m_fStart).cast<float>());
+  desc.m_eMotionType = eMotion::Kinematic;
+  desc.m_fRotSpeed = static_cast<float>(c.m_fRevs);
+  const CShapeId flipper = pWorld->Add(desc);
+  const Vector2d place = c.m_fDistance * UnitVector(c.m_fStart + c.m_fAhead);
+  const CShapeId ball =
+      pWorld->Add(CDynamicCircleDesc(place.cast<float>(), static_cast<float>(c.m_fRadius), Vector2::Zero(), 1,
+                                     static_cast<float>(c.m_fElasticity)));
+  bool isMet = false, isBehind = false;
+  const int steps = static_cast<int>(std::ceil(3 / (c.Omega() * g_fDt)));
+  for (int i = 1; i <= steps; ++i) {
+    pWorld->Step();
+    const Vector2d v = pWorld->GetVel(ball).cast<double>(), p = pWorld->GetPos(ball).cast<double>();
+    const double turnedSinceHit = (i * static_cast<double>(g_fDt) - c.HitTime()) * c.Omega();
+    if (!isMet && v.norm() > 0) {
+      isMet = true;
+      if (turnedSinceHit < 0.7) result.m_stdKickErrors.push_back((v - c.Kick()).norm() / c.Kick().norm());
+    }
+    const Vector2d along = UnitVector(c.m_fStart + pWorld->GetOrientation(flipper));
+    const bool withinReach = p.norm() < 0.9 && along.dot(p) > 0;
+    isBehind = isBehind || (turnedSinceHit > 0 && withinReach && Cross(along, p) < 0);
+  }
+  result.m_nMissed += !isMet;
+  result.m_nBehind += isMet && isBehind;
+}
+
+CFlipperResult Sweeps(eProfile profile) {
+  CRandom random(45);
+  CFlipperResult result;
+  for (int k = 0; k < 2000; ++k)
+    Sweep(profile, MakeCase(random), result);
+  EXPECT_GT(result.m_stdKickErrors.size(), 1000u); // or the kicks say nothing
+  return result;
+}
+
+TEST(TunedFlipperTest, EveryBallIsMetAndKickedAsItShouldBe) {
+  const CFlipperResult result = Sweeps(eProfile::Tuned);
+  EXPECT_EQ(result.m_nMissed, 0);
+  EXPECT_EQ(result.m_nBehind, 0);
+  EXPECT_LE(Quantile(result.m_stdKickErrors, 1), 0.05);
+  const CFlipperResult shipped = Sweeps(eProfile::Shipped); // the control
+  EXPECT_GT(shipped.m_nMissed, 0);
+  EXPECT_GT(shipped.m_nBehind, 0);
+  EXPECT_GT(Quantile(shipped.m_stdKickErrors, 1), 0.1);
+}
+
+TEST(TunedFlipperTest, AGuardedTipKicksAsANakedOneDoes) {
+  // A point at the tip of a bar touches whatever the end of the bar touches. What is hit first is answered,
+  // and the other one must not hold the ball back, though its surface moves as fast.
+  CRandom random(45);
+  double most = 0;
+  int kicks = 0;
+  for (int k = 0; k < 400; ++k) {
+    SCOPED_TRACE(k);
+    const double start = 360 * g_fDegree * random.Unit(), y = 1.2 * random.Unit() - 0.6,
+                 x = -3 - random.Unit();
+    Vector2 v[2];
+    for (const bool guarded : {false, true}) {
+      auto pWorld = MakeBox2D(eProfile::Tuned);
+      std::vector<CAnyShapeDesc> shapes{CLineSegDesc(Vector2(-1, 0), Vector2(1, 0))};
+      if (guarded) shapes.insert(shapes.end(), {CPointDesc(Vector2(-1, 0)), CPointDesc(Vector2(1, 0))});
+      for (const CShapeId id : pWorld->AddCompound(shapes, {0, 0}, 2))
+        pWorld->SetOrientation(id, static_cast<float>(start));
+      const CShapeId ball =
+          pWorld->Add(CDynamicCircleDesc({static_cast<float>(x), static_cast<float>(y)}, 0.1f, {8, 0}));
+      for (int i = 0; i < 60 && pWorld->GetVel(ball).x() == 8; ++i)
+        pWorld->Step();
+      v[guarded] = pWorld->GetVel(ball);
+    }
+    kicks += v[0].x() != 8;
+    most = std::max(most, static_cast<double>((v[0] - v[1]).norm() / v[0].norm()));
+  }
+  EXPECT_GT(kicks, 200);
+  EXPECT_LE(most, 0.01);
+}
+
+TEST(TunedClampTest, AFastBallKeepsItsSpeedBitForBit) {
+  auto pWorld = MakeBox2D(eProfile::Tuned);
+  const Vector2 v(300, 400);
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, v));
+  for (int i = 0; i < 100; ++i) {
+    pWorld->Step();
+    ASSERT_EQ(pWorld->GetVel(ball), v) << "after step " << i;
+  }
+  const Vector2 exact = 100 * g_fDt * v;
+  EXPECT_LE((pWorld->GetPos(ball) - exact).norm(), 1e-3f * exact.norm());
+  EXPECT_EQ(pWorld->GetStats().m_nMovesClamped, 0u);
+  EXPECT_GT(pWorld->GetStats().m_nEngineSteps, pWorld->GetStats().m_nSubsteps);
+}
+
+/// After 6 steps with 500 m/s towards a wall 20 away.
+Vector2 SpeedAfterAWall(CWorld& world) {
+  world.Add(CLineSegDesc({20, -5}, {20, 5}));
+  const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0}, 0.1f, {500, 0}));
+  Steps(world, 6);
+  return world.GetVel(ball);
+}
+
+TEST(TunedClampTest, AFastBallBouncesOffAWallAtItsSpeed) {
+  EXPECT_LE((SpeedAfterAWall(*MakeBox2D(eProfile::Tuned)) - Vector2(-500, 0)).norm(), 500 * 1e-6f);
+  auto pShipped = MakeBox2D(eProfile::Shipped); // the control: it is slowed down, and that is counted
+  EXPECT_LT(SpeedAfterAWall(*pShipped).norm(), 121);
+  EXPECT_GE(pShipped->GetStats().m_nMovesClamped, 1u);
+}
+
+/// How many of 200 balls at rest that a spinner of 30 rev/s, half a turn a step, should hit in its second
+/// quarter turn stay at rest.
+int CountMissed(eProfile profile, std::uint64_t& turnsClamped) {
+  CRandom random(46);
+  int missed = 0;
+  turnsClamped = 0;
+  for (int k = 0; k < 200; ++k) {
+    auto pWorld = MakeBox2D(profile);
+    CLineSegDesc desc(Vector2(0, 0), Vector2(1, 0));
+    desc.m_eMotionType = eMotion::Kinematic;
+    desc.m_fRotSpeed = 30;
+    const CShapeId spinner = pWorld->Add(desc);
+    const Vector2d place = 0.7 * UnitVector(1.8 + random.Unit());
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc(place.cast<float>(), 0.05f));
+    pWorld->Step();
+    missed += pWorld->GetVel(ball).norm() == 0;
+    EXPECT_NEAR(pWorld->GetOrientation(spinner), g_fPi, 1e-5f);
+    turnsClamped += pWorld->GetStats().m_nTurnsClamped;
+  }
+  return missed;
+}
+
+TEST(TunedClampTest, AFastSpinnerTurnsByAllOfItsAngle) {
+  std::uint64_t turnsClamped = 0;
+  EXPECT_EQ(CountMissed(eProfile::Tuned, turnsClamped), 0);
+  EXPECT_EQ(turnsClamped, 0u);
+  EXPECT_EQ(CountMissed(eProfile::Shipped, turnsClamped), 200); // the control: by less, and that is counted
+  EXPECT_EQ(turnsClamped, 200u);
+}
+
+// A ball that is dropped comes back to where its elasticity lets it, for as long as it bounces.
+
+enum class eGround { Segment, Point, Circle, Bowl };
+
+/// Heights of the tops of a ball's way after a drop from a height of 2.
+std::vector<double> Tops(eProfile profile, eGround ground, float rate, float elasticity, float seconds) {
+  auto pWorld = MakeBox2D(profile, {0, -9.81f}, 1 / rate);
+  switch (ground) {
+  case eGround::Segment: pWorld->Add(CLineSegDesc({-1, 0}, {1, 0})); break;
+  case eGround::Point: pWorld->Add(CPointDesc({0, 0})); break;
+  case eGround::Circle: pWorld->Add(CCircleDesc({0, -0.5f}, 0.5f)); break;
+  // So wide that the ball does not leave the middle.
+  case eGround::Bowl: pWorld->Add(CArcDesc({0, 6}, 6, g_fPi, g_fTwoPi)); break;
+  }
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 2.1f}, 0.1f, {0, 0}, 1, elasticity));
+  std::vector<double> tops;
+  double top = 0;
+  bool rises = false;
+  for (int i = 0; i < static_cast<int>(seconds * rate); ++i) {
+    pWorld->Step();
+    const double height = pWorld->GetPos(ball).y() - 0.1;
+    const bool risesNow = pWorld->GetVel(ball).y() > 0;
+    if (risesNow && !rises) top = 0;
+    top = std::max(top, height);
+    if (rises && !risesNow) tops.push_back(top);
+    rises = risesNow;
+  }
+  return tops;
+}
+
+TEST(TunedDropTest, AnElasticBallComesBackFromEveryShape) {
+  for (const eGround ground : {eGround::Segment, eGround::Point, eGround::Circle, eGround::Bowl})
+    for (const float rate : {60.0f, 120.0f, 240.0f}) {
+      SCOPED_TRACE(testing::Message() << "ground " << static_cast<int>(ground) << ", " << rate << " Hz");
+      const float seconds = ground == eGround::Segment ? 300 : 60;
+      const std::vector<double> tops = Tops(eProfile::Tuned, ground, rate, 1, seconds);
+      const double periods = seconds / (2 * std::sqrt(2 * 2 / 9.81));
+      ASSERT_FALSE(tops.empty());
+      EXPECT_NEAR(static_cast<double>(tops.size()), periods, 0.02 * periods + 1);
+      EXPECT_GE(Quantile(tops, 0), 0.99 * 2);
+      EXPECT_LE(Quantile(tops, 1), 1.01 * 2);
+    }
+  EXPECT_GT(Tops(eProfile::Shipped, eGround::Segment, 120, 1, 300).back(), 3); // the control: it climbs
+}
+
+/// The largest relative error of the first ten tops.
+double DecayError(eProfile profile, eGround ground, float rate) {
+  const std::vector<double> tops = Tops(profile, ground, rate, 0.9f, 10);
+  EXPECT_GE(tops.size(), 10u);
+  double most = 0, exact = 2;
+  for (std::size_t k = 0; k < std::min<std::size_t>(10, tops.size()); ++k) {
+    exact *= 0.9 * 0.9;
+    most = std::max(most, std::abs(tops[k] / exact - 1));
+  }
+  return most;
+}
+
+TEST(TunedDropTest, EachBounceKeepsTheSquareOfTheElasticity) {
+  for (const eGround ground : {eGround::Segment, eGround::Point, eGround::Circle, eGround::Bowl})
+    for (const float rate : {60.0f, 120.0f, 240.0f}) {
+      SCOPED_TRACE(testing::Message() << "ground " << static_cast<int>(ground) << ", " << rate << " Hz");
+      EXPECT_LE(DecayError(eProfile::Tuned, ground, rate), 0.02);
+      EXPECT_GT(DecayError(eProfile::Shipped, ground, rate), 0.1); // the control
+    }
+}
+
+// Slow balls bounce too: neither profile has a speed below which they stop.
+
+/// The velocity along y of a ball that comes down on the shape's top at the origin.
+float Rebound(eProfile profile, const CAnyShapeDesc& shape, float speed) {
+  auto pWorld = MakeBox2D(profile);
+  pWorld->Add(shape);
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.1f + 0.0331f}, 0.1f, {0, -speed}));
+  const int steps = static_cast<int>(2 * 0.0331f / speed / g_fDt) + 10;
+  for (int i = 0; i < steps && pWorld->GetVel(ball).y() < 0; ++i)
+    pWorld->Step();
+  return pWorld->GetVel(ball).y();
+}
+
+TEST(TunedSlowTest, ASlowBallReboundsAtItsSpeed) {
+  const CArcDesc hill({0, -1}, 1, 0, 0), bowl({0, 1}, 1, 0, 0);
+  const std::vector<CAnyShapeDesc> shapes{CPointDesc({0, 0}), CLineSegDesc({-1, 0}, {1, 0}),
+                                          CCircleDesc({0, -1}, 1), hill, bowl};
+  for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned})
+    for (std::size_t k = 0; k < (profile == eProfile::Tuned ? 5u : 3u); ++k)
+      for (const float speed : {0.99f, 0.1f, 0.01f}) {
+        SCOPED_TRACE(testing::Message() << "profile " << static_cast<int>(profile) << ", shape " << k);
+        EXPECT_NEAR(Rebound(profile, shapes[k], speed), speed, 1e-5f);
+      }
+  // The control: two chords of the shipped bowl join at its bottom, and the ball gains speed there.
+  EXPECT_GT(std::abs(Rebound(eProfile::Shipped, bowl, 0.99f) - 0.99f), 0.01f);
+}
+
+TEST(TunedSlowTest, Box2DItselfStopsASlowBall) { // the control
+  for (const float speed : {0.99f, 1.01f}) {
+    b2World world(b2Vec2_zero);
+    const b2BodyDef ground;
+    b2EdgeShape edge;
+    edge.SetTwoSided({-1, 0}, {1, 0});
+    world.CreateBody(&ground)->CreateFixture(&edge, 0);
+    b2BodyDef def;
+    def.type = b2_dynamicBody;
+    def.position = {0, 0.15f};
+    def.linearVelocity = {0, -speed};
+    b2Body& ball = *world.CreateBody(&def);
+    b2CircleShape circle;
+    circle.m_radius = 0.1f;
+    ball.CreateFixture(&circle, 1)->SetRestitution(1);
+    for (int i = 0; i < 30; ++i)
+      world.Step(g_fDt, 8, 3);
+    EXPECT_NEAR(ball.GetLinearVelocity().y, speed < 1 ? 0 : speed, 1e-5f);
+  }
+}
+
+} // namespace
+} // namespace Shapes::Tests

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: MIT
+// Balls of a tuned world that roll, rest, pile up, and are pressed by walls.
+#include <gtest/gtest.h>
+
+#include "box2d_backend/TunedTesting.h"
+
+namespace Shapes::Tests {
+namespace {
+
+constexpr double g_fMostOffFloor = 2 * g_fTunedOffset;
+const Vector2 g_vGravity(0, -9.81f);
+
+struct CStay {
+  double m_fOff = 0;   // farthest from where they should be, metres
+  double m_fSpeed = 0; // fastest
+};
+
+/// Rolls along eleven segments in line, over their ten sharedEnds; m_fSpeed is the largest change of speed.
+CStay Roll(eProfile profile, float elasticity) {
+  auto pWorld = MakeBox2D(profile, g_vGravity);
+  for (int i = 0; i < 11; ++i)
+    pWorld->Add(CLineSegDesc({static_cast<float>(i), 0}, {static_cast<float>(i + 1), 0}));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.5f, 0.1f}, 0.1f, {3, 0}, 1, elasticity));
+  CStay stay;
+  for (int i = 0; i < 200; ++i) {
+    pWorld->Step();
+    stay.m_fOff = std::max(stay.m_fOff, std::abs(pWorld->GetPos(ball).y() - 0.1));
+    stay.m_fSpeed = std::max(stay.m_fSpeed, std::abs(pWorld->GetVel(ball).x() - 3.0));
+  }
+  EXPECT_NEAR(pWorld->GetPos(ball).x(), 10.5f, 0.02f); // all the way
+  return stay;
+}
+
+TEST(TunedFloorTest, ABallRollsOverTenJointsAndKeepsItsSpeed) {
+  for (const float elasticity : {0.0f, 0.5f}) {
+    SCOPED_TRACE(elasticity);
+    const CStay stay = Roll(eProfile::Tuned, elasticity);
+    EXPECT_LE(stay.m_fOff, g_fMostOffFloor);
+    EXPECT_LE(stay.m_fSpeed, 1e-4);
+    EXPECT_GT(Roll(eProfile::Shipped, elasticity).m_fOff, g_fMostOffFloor); // the control
+  }
+}
+
+/// Lies for 60 s, after 2 s in which it may bounce if it is dropped.
+CStay Rest(eProfile profile, float elasticity, float drop) {
+  auto pWorld = MakeBox2D(profile, g_vGravity);
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.1f + drop}, 0.1f, {0, 0}, 1, elasticity));
+  CStay stay;
+  for (int i = 0; i < 62 * 60; ++i) {
+    pWorld->Step();
+    if (drop > 0 && i < 2 * 60) continue;
+    stay.m_fOff = std::max(stay.m_fOff, std::abs(pWorld->GetPos(ball).y() - 0.1));
+    stay.m_fSpeed = std::max<double>(stay.m_fSpeed, pWorld->GetVel(ball).norm());
+  }
+  return stay;
+}
+
+TEST(TunedFloorTest, ABallRestsOnTheFloor) {
+  for (const float elasticity : {0.0f, 0.5f})
+    for (const float drop : {0.0f, 0.05f}) {
+      SCOPED_TRACE(testing::Message() << "elasticity " << elasticity << ", from " << drop);
+      const CStay stay = Rest(eProfile::Tuned, elasticity, drop);
+      EXPECT_LE(stay.m_fOff, g_fMostOffFloor);
+      EXPECT_LE(stay.m_fSpeed, 0.01);
+    }
+  EXPECT_GT(Rest(eProfile::Shipped, 0, 0).m_fOff, 2 * g_fMostOffFloor); // the control: above it, or trembling
+  EXPECT_GT(Rest(eProfile::Shipped, 0.5f, 0).m_fSpeed, 0.1);
+}
+
+/// Three balls on a floor between two walls that are a little farther apart than a ball is wide: they lean
+/// against the walls in turn.
+CStay Stack(eProfile profile, float elasticity) {
+  auto pWorld = MakeBox2D(profile, g_vGravity);
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  for (const float x : {-0.105f, 0.105f})
+    pWorld->Add(CLineSegDesc({x, -0.5f}, {x, 2}));
+  std::vector<CShapeId> balls;
+  std::vector<Vector2> places;
+  for (int k = 0; k < 3; ++k) {
+    const float rise = std::sqrt(0.2f * 0.2f - 0.01f * 0.01f);
+    places.push_back({k == 1 ? 0.005f : -0.005f, 0.1f + static_cast<float>(k) * rise});
+    balls.push_back(pWorld->Add(CDynamicCircleDesc(places.back(), 0.1f, {0, 0}, 1, elasticity)));
+  }
+  CStay stay;
+  for (int i = 0; i < 20 * 60; ++i) {
+    pWorld->Step();
+    for (std::size_t k = 0; k < 3; ++k) {
+      stay.m_fOff = std::max<double>(stay.m_fOff, (pWorld->GetPos(balls[k]) - places[k]).norm());
+      if (i > 10 * 60) stay.m_fSpeed = std::max<double>(stay.m_fSpeed, pWorld->GetVel(balls[k]).norm());
+    }
+  }
+  return stay;
+}
+
+TEST(TunedFloorTest, AStackBetweenTwoWallsStays) {
+  for (const float elasticity : {0.0f, 0.5f}) {
+    SCOPED_TRACE(elasticity);
+    const CStay stay = Stack(eProfile::Tuned, elasticity);
+    EXPECT_LE(stay.m_fOff, 3 * g_fMostOffFloor); // three contacts carry the topmost
+    EXPECT_LE(stay.m_fSpeed, 0.01);
+  }
+  EXPECT_GT(Stack(eProfile::Shipped, 0.5f).m_fOff, 3 * g_fMostOffFloor); // the control
+  EXPECT_GT(Stack(eProfile::Shipped, 0.5f).m_fSpeed, 0.1);
+}
+
+constexpr float g_fPileRadius = 0.2f, g_fPileGravity = 10.0f;
+
+enum class eVessel { Box, V, Bowl };
+
+/// A closed vessel, and balls that fall into it.
+struct CVessel {
+  eVessel m_eKind;
+  std::unique_ptr<CWorld> m_pWorld;
+  float m_fSize; // width of a box, half the width and height of a V, radius of a bowl
+
+  CVessel(const Box2D::CTuning& tuning, eVessel kind, int balls, float e, const CEffects& forced = {})
+      : m_eKind(kind) {
+    m_pWorld = MakeBox2D(tuning, {0, -g_fPileGravity}, forced);
+    m_fSize = std::max(2.0f, 3.4f * g_fPileRadius * std::sqrt(static_cast<float>(balls)));
+    const float s = m_fSize;
+    if (kind == eVessel::Bowl) {
+      m_pWorld->Add(CArcDesc({0, 0}, s, 0, 0));
+    } else {
+      const Vector2 left(kind == eVessel::V ? 0 : -0.5f * s, 0), right(-left.x(), 0);
+      const Vector2 top(kind == eVessel::V ? s : 0.5f * s, 2 * s);
+      m_pWorld->Add(CLineSegDesc(left, {-top.x(), top.y()}));
+      m_pWorld->Add(CLineSegDesc(right, top));
+      m_pWorld->Add(CLineSegDesc({-top.x(), top.y()}, top));
+      if (kind == eVessel::Box) m_pWorld->Add(CLineSegDesc(left, right));
+    }
+    CRandom random(83);
+    const float pitch = 2.1f * g_fPileRadius, bottom = kind == eVessel::Box ? 0.6f * pitch
+                                                       : kind == eVessel::V ? s
+                                                                            : -0.55f * s;
+    const int columns = static_cast<int>(s / pitch - 0.5f);
+    for (int i = 0; i < balls; ++i) {
+      const float x = pitch * (static_cast<float>(i % columns) - 0.5f * static_cast<float>(columns - 1));
+      const float y = bottom + pitch * static_cast<float>(i / columns);
+      const float aside = 0.02f * static_cast<float>(random.Unit());
+      CDynamicCircleDesc ball({x + aside, y}, g_fPileRadius,
+                              {static_cast<float>(EitherSign(random, 0.5)), 0});
+      ball.m_fElasticity = e;
+      m_pWorld->Add(ball);
+    }
+  }
+
+  void Step(int steps) { Steps(*m_pWorld, steps); }
+  int CountLost() const {
+    int lost = 0;
+    for (const Vector2& p : m_pWorld->GetBallPositions()) {
+      const float half = m_eKind == eVessel::V ? 0.5f * p.y() : 0.5f * m_fSize;
+      lost += m_eKind == eVessel::Bowl ? !(p.norm() < m_fSize)
+                                       : !(std::abs(p.x()) < half && p.y() > 0 && p.y() < 2 * m_fSize);
+    }
+    return lost;
+  }
+  /// Per mass, above the lowest place.
+  double GetEnergy() const {
+    double energy = 0;
+    for (std::size_t i = 0; i < m_pWorld->GetBallIds().size(); ++i)
+      energy += 0.5 * m_pWorld->GetBallVelocities()[i].squaredNorm() +
+                g_fPileGravity * (m_pWorld->GetBallPositions()[i].y() + m_fSize);
+    return energy;
+  }
+  double GetFastest() const {
+    double most = 0;
+    for (const Vector2& v : m_pWorld->GetBallVelocities())
+      most = std::max<double>(most, v.norm());
+    return most;
+  }
+  /// The largest of two balls, in radii.
+  double GetOverlap() const {
+    const auto p = m_pWorld->GetBallPositions();
+    float most = 0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        most = std::max(most, 2 * g_fPileRadius - (p[i] - p[j]).norm());
+    return most / g_fPileRadius;
+  }
+};
+
+Box2D::CTuning WithoutLastingContact() {
+  Box2D::CTuning tuning = Box2D::g_cTuned;
+  tuning.m_bLastingContact = false;
+  return tuning;
+}
+
+TEST(TunedPileTest, APileSettlesAndLosesNone) {
+  for (const eVessel kind : {eVessel::Box, eVessel::V, eVessel::Bowl})
+    for (const int balls : {10, 50})
+      for (const float e : {0.0f, 0.5f, 0.9f}) {
+        if (balls == 50 && e == 0.0f) continue;
+        SCOPED_TRACE(testing::Message()
+                     << "vessel " << static_cast<int>(kind) << ", " << balls << " balls, e = " << e);
+        CVessel vessel(Box2D::g_cTuned, kind, balls, e);
+        const double first = vessel.GetEnergy();
+        for (int i = 0; i < 60; ++i) {
+          vessel.Step(10);
+          ASSERT_EQ(vessel.CountLost(), 0) << 10 * i;
+          ASSERT_LE(vessel.GetEnergy(), 1.001 * first) << 10 * i;
+        }
+        // What slides in a bowl slides on.
+        EXPECT_LT(vessel.GetFastest(), kind == eVessel::Bowl ? 1.0 : 0.2);
+        EXPECT_LT(vessel.GetOverlap(), 0.1);
+      }
+}
+
+// The bottom of a V at 30 units per second is where most press on one.
+TEST(TunedPileTest, TwoHundredBallsThatFallIntoAWedgeStayInIt) {
+  CVessel vessel(Box2D::g_cTuned, eVessel::V, 200, 0.5f);
+  for (int i = 0; i < 30; ++i) {
+    vessel.Step(10);
+    ASSERT_EQ(vessel.CountLost(), 0) << 10 * i;
+  }
+}
+
+TEST(TunedPileTest, APileIsSolvedAboutAsOftenAsByShippedBox2D) {
+  const auto count = [](const Box2D::CTuning& tuning, eVessel kind, int steps) {
+    CVessel vessel(tuning, kind, 10, 0.5f, {eEffect::Events}); // for the listener, which counts
+    vessel.Step(steps);
+    return static_cast<double>(vessel.m_pWorld->GetStats().m_nEngineContacts);
+  };
+  for (const eVessel kind : {eVessel::Box, eVessel::V, eVessel::Bowl}) {
+    SCOPED_TRACE(static_cast<int>(kind));
+    EXPECT_LT(count(Box2D::g_cTuned, kind, 600), 3 * count(Box2D::g_cShipped, kind, 600));
+  }
+  // The control.
+  EXPECT_GT(count(WithoutLastingContact(), eVessel::V, 300), 10 * count(Box2D::g_cShipped, eVessel::V, 300));
+}
+
+TEST(TunedPileTest, BallsInOnePlaceComeApart) {
+  const auto solve = [](const Box2D::CTuning& tuning, int balls, int steps) {
+    auto pWorld = MakeBox2D(tuning, {0, -g_fPileGravity}, {eEffect::Events});
+    pWorld->Add(CArcDesc({0, 0}, 4, 0, 0));
+    CRandom random(83);
+    for (int i = 0; i < balls; ++i) {
+      CDynamicCircleDesc ball({static_cast<float>(EitherSign(random, 1e-3)), 0}, g_fPileRadius);
+      ball.m_fElasticity = 0.5f;
+      pWorld->Add(ball);
+    }
+    Steps(*pWorld, steps);
+    for (const Vector2& p : pWorld->GetBallPositions())
+      EXPECT_LT(p.norm(), 4);
+    return static_cast<double>(pWorld->GetStats().m_nEngineContacts);
+  };
+  EXPECT_LT(solve(Box2D::g_cTuned, 60, 120), 2 * solve(Box2D::g_cShipped, 60, 120));
+  EXPECT_GT(solve(WithoutLastingContact(), 12, 12), 10 * solve(Box2D::g_cShipped, 12, 12)); // the control
+}
+
+constexpr std::uint64_t g_nCrushSeed = 47;
+constexpr float g_fCrushRadius = 0.2f, g_fWallSpeed = 2;
+
+struct CCrush {
+  float m_fFastest = 0;
+  float m_fOverlap = 0; // radii, at the end
+};
+
+// Twenty balls on a floor, between two walls that close until nine are where six have room, stay there for
+// two seconds, open, and close again, three times.
+CCrush Crush(const Box2D::CTuning& tuning, std::uint64_t seed) {
+  const auto pWorld = MakeBox2D(tuning, {0, -10});
+  pWorld->Add(CLineSegDesc({-3, 0}, {3, 0}));
+  CShapeId walls[2];
+  for (const int side : {-1, 1}) {
+    const float x = 2.2f * static_cast<float>(side);
+    CLineSegDesc wall({x, 0.05f}, {x, 9});
+    wall.m_eMotionType = eMotion::Kinematic;
+    walls[side > 0] = pWorld->Add(wall);
+  }
+  CRandom random(seed);
+  for (int i = 0; i < 20; ++i) {
+    const float aside = static_cast<float>(EitherSign(random, 0.01));
+    CDynamicCircleDesc ball(
+        {-0.94f + 0.47f * static_cast<float>(i % 5) + aside, 0.4f + 0.5f * static_cast<float>(i / 5)},
+        g_fCrushRadius);
+    ball.m_fElasticity = 0.5f;
+    pWorld->Add(ball);
+  }
+  CCrush crush;
+  const auto play = [&](float inward, int steps) {
+    for (const int side : {-1, 1})
+      pWorld->SetVel(walls[side > 0], {-static_cast<float>(side) * inward, 0});
+    for (int i = 0; i < steps; ++i) {
+      pWorld->Step();
+      for (const Vector2& v : pWorld->GetBallVelocities())
+        crush.m_fFastest = std::max(crush.m_fFastest, v.norm());
+    }
+  };
+  for (int round = 0; round < 3; ++round) {
+    play(g_fWallSpeed, 33);
+    play(0, 120);
+    if (round < 2) play(-g_fWallSpeed, 33);
+  }
+  const auto p = pWorld->GetBallPositions();
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      crush.m_fOverlap = std::max(crush.m_fOverlap, 2 - (p[i] - p[j]).norm() / g_fCrushRadius);
+  return crush;
+}
+
+TEST(TunedCrushTest, BallsThatWallsPressTogetherAreNeitherShotOutNorStayInEachOther) {
+  for (std::uint64_t seed = g_nCrushSeed; seed < g_nCrushSeed + 4; ++seed) {
+    SCOPED_TRACE(seed);
+    const CCrush crush = Crush(Box2D::g_cTuned, seed);
+    EXPECT_LT(crush.m_fFastest, 5 * g_fWallSpeed);
+    EXPECT_LT(crush.m_fOverlap, 0.15f);
+  }
+  EXPECT_GT(Crush(WithoutLastingContact(), g_nCrushSeed + 1).m_fOverlap, 0.3f); // the control
+}
+
+// Runs of ten seconds in which one of three balls gets out of a ring with a bar that turns in it and leaves
+// them too little room.
+int CountLostToABar(eSides sides, int runs) {
+  CRandom random(g_nCrushSeed);
+  int lost = 0;
+  for (int run = 0; run < runs; ++run) {
+    const auto pWorld = MakeBox2D(eProfile::Tuned, {0, 0}, 1 / 60.0f);
+    CArcDesc ring({0, 0}, 1, 0, 0);
+    ring.m_eSides = sides;
+    pWorld->Add(ring);
+    CLineSegDesc bar({-0.75f, 0}, {0.75f, 0});
+    bar.m_eMotionType = eMotion::Kinematic;
+    bar.m_fRotSpeed = 1;
+    pWorld->Add(bar);
+    for (int i = 0; i < 3; ++i) {
+      const float vx = static_cast<float>(EitherSign(random, 1)),
+                  vy = static_cast<float>(EitherSign(random, 1));
+      pWorld->Add(CDynamicCircleDesc({0.5f * static_cast<float>(i - 1), 0.35f}, 0.15f, {vx, vy}, 1, 0.7f));
+    }
+    Steps(*pWorld, 600);
+    lost += std::any_of(pWorld->GetBallPositions().begin(), pWorld->GetBallPositions().end(),
+                        [](const Vector2& p) { return !(p.norm() < 1); });
+  }
+  return lost;
+}
+
+TEST(TunedCrushTest, ABallThatABarSqueezesStaysInItsRing) {
+  EXPECT_EQ(CountLostToABar(eSides::Both, 10), 0);
+  EXPECT_GT(CountLostToABar(eSides::Back, 3), 0); // the control: a ball may be on its way through this one
+}
+
+} // namespace
+} // namespace Shapes::Tests
