@@ -17,12 +17,13 @@
 #include <utility>
 
 #include "../Numbers.h"
-#include "Random.h"
+#include "geometry/Cases.h"
 
 namespace Shapes::Box2D {
 namespace {
 
 using Tests::CRandom;
+using Tests::ForEachCase;
 
 CFixtureShapes Make(const CShape& shape, float sagitta = g_fSagittaTolerance) {
   return CFixtureShapes::Make(shape, shape.GetPos(), CScale(1.0f), sagitta);
@@ -112,15 +113,13 @@ TEST(PiecesTest, LengthsAreTakenInMetres) {
 }
 
 TEST(PiecesTest, TheSagittaIsWithinTheToleranceAndNoFewerChordsWouldDo) {
-  CRandom random(11);
   int byTolerance = 0;
-  for (int k = 0; k < 20000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+  ForEachCase(11, 20000, [&](CRandom& random, int) {
     const CRandomArc made(random);
     const double R = made.m_fRadius, span = made.m_cArc.GetSpan();
     const int n =
         CountArcPieces(made.m_fRadius, made.m_cArc.GetSpan(), made.m_cArc.IsFullCircle(), made.m_fSagitta);
-    if (n == 0) continue;
+    if (n == 0) return;
     const auto sagitta = [&](int fixtures) { return R * (1 - std::cos(span / fixtures / 2)); };
     const bool chordsAreShort = R * span / n < 2.3 * static_cast<double>(g_fShortestEdge);
     if (!chordsAreShort && n < g_nMaxArcPieces) {
@@ -130,15 +129,13 @@ TEST(PiecesTest, TheSagittaIsWithinTheToleranceAndNoFewerChordsWouldDo) {
       EXPECT_GT(sagitta(n - 1), made.m_fSagitta * (1 - 1e-5)) << "R = " << R << ", span = " << span;
       ++byTolerance;
     }
-  }
+  });
   EXPECT_GT(byTolerance, 10000);
 }
 
 TEST(PiecesTest, VerticesAreOnTheCircleAndFarEnoughApart) {
-  CRandom random(12);
   int chains = 0;
-  for (int k = 0; k < 5000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+  ForEachCase(12, 5000, [&](CRandom& random, int) {
     const CRandomArc made(random);
     const CFixtureShapes fixtures = Make(made.m_cArc, made.m_fSagitta);
     const double R = made.m_fRadius;
@@ -157,16 +154,14 @@ TEST(PiecesTest, VerticesAreOnTheCircleAndFarEnoughApart) {
         EXPECT_GE(Norm(v[i] - previous), g_fShortestEdge - (atEnd ? 2 * atPlace : onCircle));
       }
     }
-  }
+  });
   EXPECT_GT(chains, 6000);
 }
 
 TEST(PiecesTest, VerticesFarFromTheOriginAreNotTooCloseForBox2D) {
   // About a rotation centre that is far away coordinates have large steps, and neighbours round to the same
   // ones. Box2D would stop the program.
-  CRandom random(15);
-  for (int k = 0; k < 2000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+  ForEachCase(15, 2000, [&](CRandom& random, int) {
     const CArc arc = CRandomArc::Make(random, {0, 0}, random.Scale(-7, 2));
     const Vector2 origin = random.Scale(10, 25) * random.Direction();
     const CFixtureShapes fixtures = CFixtureShapes::Make(arc, origin, CScale(1), g_fSagittaTolerance);
@@ -176,7 +171,7 @@ TEST(PiecesTest, VerticesFarFromTheOriginAreNotTooCloseForBox2D) {
       for (std::size_t i = chain.m_bClosed ? 0 : 1; i < v.size(); ++i)
         ASSERT_GT(Norm(v[i] - (i == 0 ? v.back() : v[i - 1])), b2_linearSlop);
     }
-  }
+  });
 }
 
 TEST(PiecesTest, TheEndsOfAChainAreTheEndsOfTheArc) {
@@ -205,9 +200,7 @@ TEST(PiecesTest, AFullCircleIsALoop) {
 }
 
 TEST(PiecesTest, TheSolidSideOfEachEdgeOfAnArcIsTheRightOne) {
-  CRandom random(13);
-  for (int k = 0; k < 500; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+  ForEachCase(13, 500, [&](CRandom& random, int) {
     const CRandomArc made(random);
     const CFixtureShapes fixtures = Make(made.m_cArc, made.m_fSagitta);
     for (std::size_t c = 0; c < fixtures.m_stdChains.size(); ++c) {
@@ -217,7 +210,7 @@ TEST(PiecesTest, TheSolidSideOfEachEdgeOfAnArcIsTheRightOne) {
         EXPECT_EQ(b2Dot(right, 0.5f * (v[i] + v[i - 1])) > 0, c == 0); // the first chain is the outside
       }
     }
-  }
+  });
 }
 
 TEST(PiecesTest, SidesOfAnArcAreSolidAsAsked) {
@@ -235,11 +228,9 @@ TEST(PiecesTest, SidesOfAnArcAreSolidAsAsked) {
 }
 
 TEST(PiecesTest, SidesOfASegmentAreSolidAsAskedInEveryDirection) {
-  CRandom random(14);
-  for (int k = 0; k < 1000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+  ForEachCase(14, 1000, [&](CRandom& random, int) {
     CLineSegDesc desc(random.InSquare(5), random.InSquare(5));
-    if ((desc.GetEndPt1() - desc.GetEndPt0()).norm() < 0.5f) continue;
+    if ((desc.GetEndPt1() - desc.GetEndPt0()).norm() < 0.5f) return;
     for (const eSides sides : {eSides::Both, eSides::Front, eSides::Back}) {
       desc.m_eSides = sides;
       const CLineSeg seg(desc);
@@ -254,7 +245,7 @@ TEST(PiecesTest, SidesOfASegmentAreSolidAsAskedInEveryDirection) {
           seg.GetEndPt1() - seg.GetPos() + 0.05f * (seg.GetEndPt1() - seg.GetPos()).normalized();
       EXPECT_EQ(Touches(fixtures, beyond + n), sides != eSides::Back);
     }
-  }
+  });
 }
 
 TEST(PiecesTest, AKinematicSegmentKeepsItsSolidSideAsItTurns) {
@@ -320,16 +311,14 @@ TEST(PiecesTest, EverySkinIsAsAsked) {
 }
 
 TEST(PiecesTest, TheSkinsOfAnArcReachBeyondItAsAskedAndNotMuchFarther) {
-  CRandom random(16);
   int arcs = 0, fewChords = 0;
   double farthest = 0;
-  for (int k = 0; k < 1000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+  ForEachCase(16, 1000, [&](CRandom& random, int) {
     const CRandomArc made(random);
     const CArc& arc = made.m_cArc;
     const CFixtureShapes fixtures = MakeWithSkin(arc, made.m_fSagitta);
     const int n = fixtures.m_nArcPieces;
-    if (n == 0 || n > 200) continue;
+    if (n == 0 || n > 200) return;
     ++arcs, fewChords += n <= 3;
     ASSERT_EQ(fixtures.m_stdEdges.size(), static_cast<std::size_t>(n));
     EXPECT_TRUE(fixtures.m_stdChains.empty() && fixtures.m_stdCircles.empty());
@@ -351,7 +340,7 @@ TEST(PiecesTest, TheSkinsOfAnArcReachBeyondItAsAskedAndNotMuchFarther) {
         EXPECT_LE(out, 2 * sagitta + rounding);
         if (sagitta > 100 * rounding) farthest = std::max(farthest, out / sagitta);
       }
-  }
+  });
   EXPECT_GT(arcs, 500);
   EXPECT_GT(fewChords, 50);
   EXPECT_GT(farthest, 1.4); // the bound is not idle

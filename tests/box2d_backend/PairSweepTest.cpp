@@ -11,12 +11,13 @@
 #include <cmath>
 
 #include "../Numbers.h"
-#include "Random.h"
+#include "geometry/Cases.h"
 
 namespace Shapes::Box2D {
 namespace {
 
 using Tests::CRandom;
+using Tests::ForEachCase;
 
 // b2TimeOfImpact stops when the distance of the centres or centre lines is the sum of both radii less 3 slops
 // of .005, within a quarter of a slop. The radius of an edge is .01, that of a circle its own. So a ball
@@ -52,9 +53,7 @@ protected:
 };
 
 TEST_F(CPairSweepTest, TheSetbackFromASegmentIsExactWithinTheSlop) {
-  CRandom random(21);
-  for (int k = 0; k < 5000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+  ForEachCase(21, 5000, [&](CRandom& random, int) {
     const Vector2 t = random.Direction(), n = perp(t);
     CLineSeg seg(CLineSegDesc(-3 * t, 3 * t));
     const float gap = random.Uniform(0.02f, 1), depth = random.Uniform(0.02f, 5),
@@ -70,13 +69,11 @@ TEST_F(CPairSweepTest, TheSetbackFromASegmentIsExactWithinTheSlop) {
     EXPECT_NEAR(depth - c.m_fSetback, g_fIntoEdge, g_fStopTolerance + g_fRounding);
     // The point touched is on the line, as deep as the ball sank.
     EXPECT_NEAR(c.m_vPOI.dot(nhat), -g_fIntoEdge, g_fStopTolerance + g_fRounding);
-  }
+  });
 }
 
 TEST_F(CPairSweepTest, TheSetbackFromACircleIsExactWithinTheSlop) {
-  CRandom random(22);
-  for (int k = 0; k < 5000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+  ForEachCase(22, 5000, [&](CRandom& random, int) {
     const Vector2 nhat = random.Direction();
     const float R = random.Coin() ? 0.0f : random.Uniform(0.1f, 1); // 0: a point
     CCircle circle(CCircleDesc({0, 0}, R));
@@ -88,13 +85,11 @@ TEST_F(CPairSweepTest, TheSetbackFromACircleIsExactWithinTheSlop) {
     ASSERT_TRUE(CollidePair(c));
     EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-4f);
     EXPECT_NEAR(depth - c.m_fSetback, g_fIntoCircle, g_fStopTolerance + g_fRounding);
-  }
+  });
 }
 
 TEST_F(CPairSweepTest, AnObliqueImpactIsOnTheWayOfTheBall) {
-  CRandom random(23);
-  for (int k = 0; k < 5000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+  ForEachCase(23, 5000, [&](CRandom& random, int) {
     CCircle circle(CCircleDesc({0, 0}, 0.5f));
     // The way passes the centre at up to .8 of the sum of the radii.
     const Vector2 dir = random.Direction();
@@ -109,14 +104,12 @@ TEST_F(CPairSweepTest, AnObliqueImpactIsOnTheWayOfTheBall) {
     EXPECT_LT((p - from).norm(), way.norm() + g_fRounding);
     EXPECT_LT(p.dot(dir), 0); // the near side, not the far one
     EXPECT_NEAR(c.m_fSetback, (p - ball.GetPos()).dot(c.m_vNorm), g_fRounding);
-  }
+  });
 }
 
 TEST_F(CPairSweepTest, TheSetbackFromAnArcIsExactWithinTheSlopAndTheSagitta) {
-  CRandom random(24);
   CArc arc(CArcDesc({0, 0}, 1, 0, g_fPi));
-  for (int k = 0; k < 2000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+  ForEachCase(24, 2000, [&](CRandom& random, int) {
     const Vector2 u = AngleToVector(random.Uniform(0.1f, g_fPi - 0.1f));
     const bool outside = random.Coin();
     const float side = outside ? 1.0f : -1.0f, gap = random.Uniform(0.03f, 0.5f),
@@ -133,13 +126,11 @@ TEST_F(CPairSweepTest, TheSetbackFromAnArcIsExactWithinTheSlopAndTheSagitta) {
     const float oblique = (1 - std::cos(angle)) * depth;
     EXPECT_GE(depth - c.m_fSetback, least - g_fRounding);
     EXPECT_LE(depth - c.m_fSetback, most + oblique + g_fRounding);
-  }
+  });
 }
 
 TEST_F(CPairSweepTest, BothBallsAreFollowed) {
-  CRandom random(25);
-  for (int k = 0; k < 2000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+  ForEachCase(25, 2000, [&](CRandom& random, int) {
     // Head on; each makes its part of the way, and they would have passed through each other.
     const Vector2 nhat = random.Direction();
     const float wayA = random.Uniform(0, 2), wayB = random.Uniform(0, 2) + 0.5f;
@@ -151,7 +142,7 @@ TEST_F(CPairSweepTest, BothBallsAreFollowed) {
     const float time = (0.3f + g_fIntoCircle) / (wayA + wayB);
     EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-4f);
     EXPECT_NEAR(c.m_fSetback, (1 - time) * (wayA + wayB), g_fStopTolerance + g_fRounding);
-  }
+  });
 }
 
 TEST_F(CPairSweepTest, ATurningFlipperIsFollowed) {

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "../Numbers.h"
-#include "Random.h"
 #include "box2d_backend/TunedExact.h"
+#include "geometry/Cases.h"
 
 namespace Shapes::Tests {
 namespace {
@@ -124,22 +124,18 @@ struct CCase {
 };
 
 TEST(FlightTest, AFreeBallLandsOnItsParabola) {
-  CRandom random(g_nFlightSeed);
-  for (int k = 0; k < 1000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << g_nFlightSeed << ", case " << k);
+  ForEachCase(g_nFlightSeed, 1000, [&](CRandom& random, int) {
     const CCase c(random);
     CParabola exact{c.m_vPos, c.m_vVel, c.m_vGravity};
     CStep step(c.m_vPos, c.m_vVel, c.m_vGravity, c.m_fStep);
     exact.Move(c.m_fStep);
     step.Land();
     ExpectLanded(step, exact, exact.m_vVel.norm() + c.m_vVel.norm());
-  }
+  });
 }
 
 TEST(FlightTest, TheDeviationIsTheParabolaLessTheStraightWay) {
-  CRandom random(g_nFlightSeed);
-  for (int k = 0; k < 1000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << g_nFlightSeed << ", case " << k);
+  ForEachCase(g_nFlightSeed, 1000, [&](CRandom& random, int) {
     const CCase c(random);
     const double part = random.Unit();
     CParabola exact{c.m_vPos, c.m_vVel, c.m_vGravity};
@@ -151,14 +147,12 @@ TEST(FlightTest, TheDeviationIsTheParabolaLessTheStraightWay) {
     EXPECT_LE((step.m_vPos + dp - exact.m_vPos).norm(), 1e-14 * (1 + exact.m_vPos.norm()));
     EXPECT_LE((step.m_vVel + dv - exact.m_vVel).norm(), 1e-14 * (1 + exact.m_vVel.norm()));
     EXPECT_GT(dv.norm(), 0);
-  }
+  });
 }
 
 TEST(FlightTest, ABouncedBallLandsOnItsParabola) {
-  CRandom random(g_nFlightSeed);
   double worst = 0, without = 0;
-  for (int k = 0; k < 5000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << g_nFlightSeed << ", case " << k);
+  ForEachCase(g_nFlightSeed, 5000, [&](CRandom& random, int) {
     const CCase c(random, 1.6f);
     const double at = random.Unit() * c.m_fStep, early = random.Coin() ? 0.2 * random.Unit() * c.m_fStep : 0;
     CParabola exact{c.m_vPos, c.m_vVel, c.m_vGravity};
@@ -179,15 +173,13 @@ TEST(FlightTest, ABouncedBallLandsOnItsParabola) {
                       (step.m_vVel + dv - exact.m_vVel).norm() / fastest});
     step.Land();
     ExpectLanded(step, exact, fastest);
-  }
+  });
   EXPECT_LE(worst, g_fParabolaError); // measured: 2.6e-7
   EXPECT_GT(without, 0.01);           // the control: the other half of the kick alone
 }
 
 TEST(FlightTest, TwoBouncesInAStepAreTwo) {
-  CRandom random(g_nFlightSeed);
-  for (int k = 0; k < 5000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << g_nFlightSeed << ", case " << k);
+  ForEachCase(g_nFlightSeed, 5000, [&](CRandom& random, int) {
     const CCase c(random);
     const double at0 = 0.5 * random.Unit() * c.m_fStep, at1 = at0 + 0.5 * random.Unit() * c.m_fStep;
     CParabola exact{c.m_vPos, c.m_vVel, c.m_vGravity};
@@ -204,13 +196,11 @@ TEST(FlightTest, TwoBouncesInAStepAreTwo) {
     exact.Move(c.m_fStep - at1);
     step.Land();
     ExpectLanded(step, exact, 4 * c.m_vVel.norm());
-  }
+  });
 }
 
 TEST(FlightTest, TwoBallsBounceByTheirMasses) {
-  CRandom random(g_nFlightSeed);
-  for (int k = 0; k < 5000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << g_nFlightSeed << ", case " << k);
+  ForEachCase(g_nFlightSeed, 5000, [&](CRandom& random, int) {
     const CCase c(random);
     const double h = c.m_fStep, m0 = random.Scale(-5, 5), m1 = random.Scale(-5, 5), e = random.Unit();
     const double at0 = 0.5 * random.Unit() * h, at1 = at0 + 0.5 * random.Unit() * h;
@@ -251,7 +241,7 @@ TEST(FlightTest, TwoBallsBounceByTheirMasses) {
       pStep->Land();
       ExpectLanded(*pStep, *pExact, fastest);
     }
-  }
+  });
 }
 
 TEST(FlightTest, WhatLiesIsNotPressedIntoWhatItLiesOn) {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "../Numbers.h"
-#include "Random.h"
 #include "box2d_backend/TunedExact.h"
+#include "geometry/Cases.h"
 
 namespace Shapes::Tests {
 namespace {
@@ -205,10 +205,8 @@ TEST(JointsTest, TheBendOfAnArcIsToTheLeftFromItsFirstEnd) {
 
 TEST(JointsTest, TheBendLeadsAlongTheNeighbour) {
   // From the end along the tangent, with that curvature: that is where the arc is.
-  CRandom random(63);
   int found = 0;
-  for (int k = 0; k < 2000; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+  ForEachCase(63, 2000, [&](CRandom& random, int) {
     CTable table;
     const float R = random.Scale(-2, 3), a0 = random.Uniform(0, 6.28f), span = random.Uniform(0.5f, 6);
     const Vector2 c = random.InSquare(10);
@@ -218,7 +216,7 @@ TEST(JointsTest, TheBendLeadsAlongTheNeighbour) {
     const Vector2 p = end == 0 ? arc.GetEndPt0() : arc.GetEndPt1();
     const CShapeId seg = table.Segment(p, p + random.VectorOfLength(1, 2));
     const auto sharedEnds = table.Find();
-    if (!sharedEnds.contains(seg)) continue; // the other end of the arc is too near
+    if (!sharedEnds.contains(seg)) return; // the other end of the arc is too near
     ++found;
     const CSharedEnds& ofSeg = sharedEnds.at(seg);
     const CSharedEnd& joint = ofSeg[0] ? *ofSeg[0] : *ofSeg[1];
@@ -228,7 +226,7 @@ TEST(JointsTest, TheBendLeadsAlongTheNeighbour) {
     const Vector2d there = from + std::sin(s) / std::abs(bend) * t + (1 - std::cos(s)) / bend * Perp(t);
     EXPECT_NEAR((there - c.cast<double>()).norm(), static_cast<double>(R), 16e-7 * (10 + double(R)));
     EXPECT_TRUE(arc.PtInSector(there.cast<float>()));
-  }
+  });
   EXPECT_GT(found, 1900);
 }
 

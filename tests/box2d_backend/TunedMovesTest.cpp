@@ -94,10 +94,9 @@ TEST(TunedFlipperTest, EveryBallIsMetAndKickedAsItShouldBe) {
 TEST(TunedFlipperTest, AGuardedTipKicksAsANakedOneDoes) {
   // A point at the tip of a bar touches whatever the end of the bar touches. What is hit first is answered,
   // and the other one must not hold the ball back, though its surface moves as fast.
-  CRandom random(45);
   double most = 0;
   int kicks = 0;
-  for (int k = 0; k < 400; ++k) {
+  ForEachCase(45, 400, [&](CRandom& random, int k) {
     SCOPED_TRACE(k);
     const double start = 360 * g_fDegree * random.Unit(), y = 1.2 * random.Unit() - 0.6,
                  x = -3 - random.Unit();
@@ -116,7 +115,7 @@ TEST(TunedFlipperTest, AGuardedTipKicksAsANakedOneDoes) {
     }
     kicks += v[0].x() != 8;
     most = std::max(most, static_cast<double>((v[0] - v[1]).norm() / v[0].norm()));
-  }
+  });
   EXPECT_GT(kicks, 200);
   EXPECT_LE(most, 0.01);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/AabbTree.h"
 
-#include "../Random.h"
+#include "Cases.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@ namespace Shapes::Geometry {
 namespace {
 
 using Tests::CRandom;
+using Tests::ForEachCase;
 
 std::vector<std::uint32_t> Sorted(std::vector<std::uint32_t> v) {
   std::sort(v.begin(), v.end());
@@ -145,19 +146,18 @@ TEST(AabbTree, IdenticalBoxesAreAllFound) {
 }
 
 TEST(Padded, LeavesRoomForTheRoundingOfAKernel) {
-  CRandom random(243);
-  for (int i = 0; i < 10000; ++i) {
+  ForEachCase(243, 10000, [&](CRandom& random, int) {
     const CAabb2D box = RandomBox(random, random.Scale(-10, 40));
     const float margin = random.Coin() ? 0.0f : random.Scale(-10, 40);
     const CAabb2D padded = Padded(box, margin);
     const double size = std::max({std::abs(box.GetTopLeft().x()), std::abs(box.GetTopLeft().y()),
                                   std::abs(box.GetBottomRt().x()), std::abs(box.GetBottomRt().y())});
     const double least = static_cast<double>(margin) + 8 * 0x1p-23 * (size + static_cast<double>(margin));
-    EXPECT_LE(padded.GetTopLeft().x(), box.GetTopLeft().x() - least) << "seed " << random.GetSeed();
-    EXPECT_GE(padded.GetTopLeft().y(), box.GetTopLeft().y() + least) << "seed " << random.GetSeed();
-    EXPECT_GE(padded.GetBottomRt().x(), box.GetBottomRt().x() + least) << "seed " << random.GetSeed();
-    EXPECT_LE(padded.GetBottomRt().y(), box.GetBottomRt().y() - least) << "seed " << random.GetSeed();
-  }
+    EXPECT_LE(padded.GetTopLeft().x(), box.GetTopLeft().x() - least);
+    EXPECT_GE(padded.GetTopLeft().y(), box.GetTopLeft().y() + least);
+    EXPECT_GE(padded.GetBottomRt().x(), box.GetBottomRt().x() + least);
+    EXPECT_LE(padded.GetBottomRt().y(), box.GetBottomRt().y() - least);
+  });
 }
 
 } // namespace

@@ -59,10 +59,8 @@ CTrial ClearTrial(CRandom& random) {
 }
 
 TEST(SweepTurning, TheGapIsOpenUntilTheImpactAndClosedThen) {
-  CRandom random(61);
   int hits = 0, misses = 0;
-  for (int i = 0; i < 4000; ++i) {
-    SCOPED_TRACE("seed 61 trial " + std::to_string(i));
+  ForEachCase(61, 4000, [&](CRandom& random, int) {
     const CTrial trial = ClearTrial(random);
     const CSweepOracle oracle = MakeOracle(trial);
     const double bound = GapBound(trial);
@@ -76,7 +74,7 @@ TEST(SweepTurning, TheGapIsOpenUntilTheImpactAndClosedThen) {
     for (int k = 1; k <= 1000; ++k)
       least = std::min(least, oracle.Gap(end * k / 1000.0L));
     ASSERT_GE(static_cast<double>(least), -bound);
-    if (!met) continue;
+    if (!met) return;
     ASSERT_LE(static_cast<double>(oracle.Gap(end)), bound);
     // The point of impact is on the shape, and the ball there.
     ASSERT_LE(static_cast<double>(oracle.DistanceOf(impact.m_vPOI, end)), 2.0 * bound);
@@ -85,7 +83,7 @@ TEST(SweepTurning, TheGapIsOpenUntilTheImpactAndClosedThen) {
     // With the velocity of the surface the ball approaches as fast as the gap closes.
     const double approach = -(trial.m_cMotion.m_vVel - impact.m_vSurface).dot(impact.m_vNorm);
     ASSERT_GT(approach, 0.0);
-  }
+  });
   EXPECT_GT(hits, 1000);
   EXPECT_GT(misses, 1000);
 }
@@ -115,21 +113,19 @@ TEST(SweepTurning, NewtonMissesImpacts) {
 
 // The same shape, turned before.
 TEST(SweepTurning, TheLegMayBeginLater) {
-  CRandom random(63);
   int hits = 0;
-  for (int i = 0; i < 2000; ++i) {
-    SCOPED_TRACE("seed 63 trial " + std::to_string(i));
+  ForEachCase(63, 2000, [&](CRandom& random, int) {
     const CTrial trial = ClearTrial(random);
     const double start = random.Unit();
     CImpact later, turned;
     const eSweep found = Sweep(trial.m_cShape, trial.m_cMotion, start, later);
     ASSERT_EQ(found, Sweep(RotatedFor(trial.m_cShape, start), trial.m_cMotion, 0.0, turned));
-    if (found != eSweep::Impact) continue;
+    if (found != eSweep::Impact) return;
     ++hits;
     ASSERT_EQ(later.m_fTime, turned.m_fTime);
     ASSERT_EQ(later.m_vPOI, turned.m_vPOI);
     ASSERT_EQ(later.m_vNorm, turned.m_vNorm);
-  }
+  });
   EXPECT_GT(hits, 400);
 }
 

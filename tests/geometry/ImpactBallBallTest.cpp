@@ -22,10 +22,8 @@ void RandomBalls(CRandom& random, CMotion& other, CMotion& ball) {
 }
 
 TEST(ImpactBallBall, AgreesWith50Digits) {
-  CRandom random(50);
   int hits = 0, misses = 0, ambiguous = 0;
-  for (int i = 0; i < 20000; ++i) {
-    SCOPED_TRACE("seed 50 trial " + std::to_string(i));
+  ForEachCase(50, 20000, [&](CRandom& random, int) {
     CMotion other, ball;
     RandomBalls(random, other, ball);
     CImpact impact;
@@ -48,10 +46,10 @@ TEST(ImpactBallBall, AgreesWith50Digits) {
       ++ambiguous;
       ASSERT_TRUE(metLarger && (!met || static_cast<double>(larger.m_fTime) <= impact.m_fTime + 1e-15));
       ASSERT_TRUE(!metSmaller || (met && static_cast<double>(smaller.m_fTime) >= impact.m_fTime - 1e-15));
-      continue;
+      return;
     }
     ++(met ? hits : misses);
-    if (!met) continue;
+    if (!met) return;
     ASSERT_GT(approach, 0.0);
     const Vector2d n(static_cast<double>(exact.m_vNorm.x()), static_cast<double>(exact.m_vNorm.y()));
     ASSERT_LE((impact.m_vNorm - n).norm() * (other.m_fRadius + ball.m_fRadius),
@@ -59,17 +57,15 @@ TEST(ImpactBallBall, AgreesWith50Digits) {
     ASSERT_EQ(impact.m_vSurface, other.m_vVel);
     const Vector2d p = other.m_vPos + other.m_vVel * impact.m_fTime;
     ASSERT_NEAR((impact.m_vPOI - p).norm(), other.m_fRadius, 2.0 * bound);
-  }
+  });
   EXPECT_GT(hits, 4000);
   EXPECT_GT(misses, 4000);
   EXPECT_LT(ambiguous, 200);
 }
 
 TEST(ImpactBallBall, SwappingTheBallsChangesSignsOnly) {
-  CRandom random(51);
   int hits = 0;
-  for (int i = 0; i < 5000; ++i) {
-    SCOPED_TRACE("seed 51 trial " + std::to_string(i));
+  ForEachCase(51, 5000, [&](CRandom& random, int) {
     CMotion other, ball;
     RandomBalls(random, other, ball);
     CImpact a, b;
@@ -79,11 +75,11 @@ TEST(ImpactBallBall, SwappingTheBallsChangesSignsOnly) {
     CImpact c, d;
     ASSERT_EQ(OverlapBallBall(other, ball, c, depthA), OverlapBallBall(ball, other, d, depthB));
     ASSERT_EQ(depthA, depthB);
-    if (found != eSweep::Impact) continue;
+    if (found != eSweep::Impact) return;
     ++hits;
     ASSERT_EQ(a.m_fTime, b.m_fTime);
     ASSERT_EQ(a.m_vNorm, -b.m_vNorm);
-  }
+  });
   EXPECT_GT(hits, 1000);
 }
 

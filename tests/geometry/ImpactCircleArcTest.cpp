@@ -59,10 +59,8 @@ TEST(ImpactCircleArc, InANarrowGapBothEndsStopTheBall) {
 
 // Quarter turns have the same bits but for signs and places.
 TEST(ImpactCircleArc, QuarterTurnsChangeNothing) {
-  CRandom random(43);
   int hits = 0;
-  for (int i = 0; i < 5000; ++i) {
-    SCOPED_TRACE("seed 43 trial " + std::to_string(i));
+  ForEachCase(43, 5000, [&](CRandom& random, int) {
     const CTrial trial = RandomTrial(random, eShape::Arc, eSides::Both);
     CTrial turned = trial;
     for (Vector2d* v : {&turned.m_cShape.m_vCenter, &turned.m_cShape.m_vPt0, &turned.m_cShape.m_vPt1,
@@ -71,12 +69,12 @@ TEST(ImpactCircleArc, QuarterTurnsChangeNothing) {
     CImpact a, b;
     const eSweep found = Sweep(trial.m_cShape, trial.m_cMotion, 0.0, a);
     ASSERT_EQ(found, Sweep(turned.m_cShape, turned.m_cMotion, 0.0, b));
-    if (found != eSweep::Impact) continue;
+    if (found != eSweep::Impact) return;
     ++hits;
     ASSERT_EQ(a.m_fTime, b.m_fTime);
     ASSERT_EQ(Perp(a.m_vNorm), b.m_vNorm);
     ASSERT_EQ(a.m_fCurve, b.m_fCurve);
-  }
+  });
   EXPECT_GT(hits, 1000);
 }
 

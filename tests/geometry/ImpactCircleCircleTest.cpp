@@ -53,9 +53,7 @@ TEST(ImpactCircleCircle, TheCurveTellsHowSoonABallComesBack) {
 // A ball that overlaps the ring from inside, and goes inward by less than it overlaps, is met where it begins
 // to approach again.
 TEST(ImpactCircleCircle, AnOverlappingBallIsNotLost) {
-  CRandom random(33);
-  for (int i = 0; i < 5000; ++i) {
-    SCOPED_TRACE("seed 33 trial " + std::to_string(i));
+  ForEachCase(33, 5000, [&](CRandom& random, int) {
     const double r = 0.05 + 0.9 * random.Unit(), depth = r * 0.99 * random.Unit(), far = 1.0 - r + depth;
     const double angle = 6.28 * random.Unit(), inward = 1.57 * random.Unit();
     const Vector2d u(std::cos(angle), std::sin(angle));
@@ -67,15 +65,13 @@ TEST(ImpactCircleCircle, AnOverlappingBallIsNotLost) {
     ASSERT_NEAR(p.norm(), std::max(1.0 - r, closest), 1e-7);
     ASSERT_GE(impact.m_vNorm.dot(u), -1.0);
     ASSERT_LE(impact.m_vNorm.dot(motion.m_vVel), 1e-7);
-  }
+  });
 }
 
 // A ball in a ring, for a thousand bounces that keep its speed, never gets out.
 TEST(ImpactCircleCircle, ABallInARingStaysThere) {
-  CRandom random(34);
   const CShapeGeometry ring = Ring(1);
-  for (int i = 0; i < 50; ++i) {
-    SCOPED_TRACE("seed 34 trial " + std::to_string(i));
+  ForEachCase(34, 50, [&](CRandom& random, int) {
     CMotion motion{random.InSquare(0.4f).cast<double>(), random.Direction().cast<double>(),
                    random.Coin() ? 0.3 : 0.0, 10.0};
     for (int k = 0; k < 1000; ++k) {
@@ -85,7 +81,7 @@ TEST(ImpactCircleCircle, ABallInARingStaysThere) {
       motion.m_vVel -= 2.0 * motion.m_vVel.dot(impact.m_vNorm) * impact.m_vNorm;
       ASSERT_LE(motion.m_vPos.norm() + motion.m_fRadius, 1.0 + 1e-12);
     }
-  }
+  });
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 // way: coordinates, radii and speeds from denormal floats to 1e18 and beyond, no speed, no time, no extent.
 #include "geometry/TimeOfImpact.h"
 
-#include "../Random.h"
+#include "Cases.h"
 
 #include <Shapes/Shapes.h>
 
@@ -18,6 +18,7 @@ namespace Shapes::Geometry {
 namespace {
 
 using Tests::CRandom;
+using Tests::ForEachCase;
 
 // Of any size, and often a special one.
 float AnySize(CRandom& random) {
@@ -78,10 +79,8 @@ protected:
 };
 
 TEST_F(CSweepExtremes, ShapesAreAnsweredByNumbers) {
-  CRandom random(18);
   int met = 0, unknown = 0, overlaps = 0;
-  for (int i = 0; i < 40000 && !HasFailure(); ++i) {
-    SCOPED_TRACE("seed 18 trial " + std::to_string(i));
+  ForEachCase(18, 40000, [&](CRandom& random, int) {
     const std::unique_ptr<CShape> shape = AnyShape(random);
     const double speeds[] = {0.0, 0.0, 1e-30, 10.0, 1e3, 6.3e9};
     const double speed = speeds[random.Below(6)], start = random.Coin() ? 0.0 : 1e6 * random.Unit();
@@ -103,17 +102,15 @@ TEST_F(CSweepExtremes, ShapesAreAnsweredByNumbers) {
       EXPECT_TRUE(depth > 0.0 && std::isfinite(depth));
     }
     EXPECT_FALSE(Raised());
-  }
+  });
   EXPECT_GT(met, 4000);
   EXPECT_GT(overlaps, 1000);
   RecordProperty("unknown", unknown);
 }
 
 TEST_F(CSweepExtremes, BallsAreAnsweredByNumbers) {
-  CRandom random(19);
   int met = 0;
-  for (int i = 0; i < 40000 && !HasFailure(); ++i) {
-    SCOPED_TRACE("seed 19 trial " + std::to_string(i));
+  ForEachCase(19, 40000, [&](CRandom& random, int) {
     const CMotion other = AnyLeg(random), ball = AnyLeg(random);
     std::feclearexcept(FE_ALL_EXCEPT);
     CImpact impact;
@@ -127,7 +124,7 @@ TEST_F(CSweepExtremes, BallsAreAnsweredByNumbers) {
       EXPECT_TRUE(depth > 0.0 && std::isfinite(depth));
     }
     EXPECT_FALSE(Raised());
-  }
+  });
   EXPECT_GT(met, 4000);
 }
 

@@ -50,9 +50,7 @@ TEST(ImpactLineSegCircle, AOneSidedSegmentIsOpenFromBehind) {
 // A point flies into the face again and again, and stays on its side: whatever the rounding of where it is,
 // it is met by the face that it has seen first.
 TEST(ImpactLineSegCircle, ABallWithoutRadiusStaysOnItsSide) {
-  CRandom random(23);
-  for (int i = 0; i < 5000; ++i) {
-    SCOPED_TRACE("seed 23 trial " + std::to_string(i));
+  ForEachCase(23, 5000, [&](CRandom& random, int) {
     const CShapeGeometry seg = RandomOutline(random, eShape::LineSeg, eSides::Both, false);
     const Vector2d foot = seg.m_vPt0 + random.Unit() * (seg.m_vPt1 - seg.m_vPt0);
     const Vector2d p = foot + seg.m_vFront * (0.1 + random.Unit());
@@ -66,14 +64,12 @@ TEST(ImpactLineSegCircle, ABallWithoutRadiusStaysOnItsSide) {
     ASSERT_EQ(Sweep(seg, again, 0.0, impact), eSweep::Impact);
     ASSERT_LE(impact.m_fTime * again.m_vVel.norm(), GapBound({seg, again}));
     ASSERT_GT(impact.m_vNorm.dot(seg.m_vFront), 0.99);
-  }
+  });
 }
 
 // A ball that lies on a face slides off over the end, with no impact there whatever the rounding.
 TEST(ImpactLineSegCircle, ABallSlidesOffOverTheEnd) {
-  CRandom random(25);
-  for (int i = 0; i < 5000; ++i) {
-    SCOPED_TRACE("seed 25 trial " + std::to_string(i));
+  ForEachCase(25, 5000, [&](CRandom& random, int) {
     CShapeGeometry seg = RandomOutline(random, eShape::LineSeg, eSides::Both, false);
     const double r = 0.05 + random.Unit(), share = random.Unit();
     const Vector2d along = seg.m_vPt1 - seg.m_vPt0;
@@ -82,15 +78,13 @@ TEST(ImpactLineSegCircle, ABallSlidesOffOverTheEnd) {
     EXPECT_EQ(Sweep(seg, motion, 0.0, impact), eSweep::None);
     seg.m_eSides = eSides::Front;
     ASSERT_EQ(Sweep(seg, motion, 0.0, impact), eSweep::None);
-  }
+  });
 }
 
 // Swapped ends, and a mirror: the same bits, or those of the mirror.
 TEST(ImpactLineSegCircle, EndsMayBeSwappedAndAllMirrored) {
-  CRandom random(24);
   int hits = 0;
-  for (int i = 0; i < 5000; ++i) {
-    SCOPED_TRACE("seed 24 trial " + std::to_string(i));
+  ForEachCase(24, 5000, [&](CRandom& random, int) {
     const CTrial trial = RandomTrial(random, eShape::LineSeg, eSides::Both);
     CTrial mirrored = trial;
     for (Vector2d* v : {&mirrored.m_cShape.m_vCenter, &mirrored.m_cShape.m_vPt0, &mirrored.m_cShape.m_vPt1,
@@ -100,10 +94,10 @@ TEST(ImpactLineSegCircle, EndsMayBeSwappedAndAllMirrored) {
     CImpact a, b;
     ASSERT_EQ(Sweep(trial.m_cShape, trial.m_cMotion, 0.0, a),
               Sweep(mirrored.m_cShape, mirrored.m_cMotion, 0.0, b));
-    if (!(a.m_fTime < trial.m_cMotion.m_fDuration)) continue;
+    if (!(a.m_fTime < trial.m_cMotion.m_fDuration)) return;
     ++hits;
     ASSERT_NEAR(a.m_fTime, b.m_fTime, GapBound(trial) / -a.m_vNorm.dot(trial.m_cMotion.m_vVel));
-  }
+  });
   EXPECT_GT(hits, 1000);
 }
 

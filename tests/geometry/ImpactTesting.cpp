@@ -177,10 +177,8 @@ CAnswer Ask(const CTrial& trial, double more) {
 
 template <class T>
 void ExpectAgrees(eShape type, eSides sides, bool turns, std::uint64_t seed, int trials) {
-  CRandom random(seed);
   int hits = 0, misses = 0, ambiguous = 0, unanswered = 0;
-  for (int i = 0; i < trials; ++i) {
-    SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(i));
+  ForEachCase(seed, trials, [&](CRandom& random, int) {
     const CTrial trial = RandomTrial(random, type, sides, turns);
     const CMotion& motion = trial.m_cMotion;
     // What is let go in the beginning is met a bit later or earlier, or by another part.
@@ -191,7 +189,7 @@ void ExpectAgrees(eShape type, eSides sides, bool turns, std::uint64_t seed, int
     const bool covers =
         motion.m_fRadius >= whole.m_fRadius && (motion.m_vPos - whole.m_vCenter).norm() < whole.m_fRadius;
     const bool overlaps = Overlap(whole, motion, 0.0, impact, depth) || covers;
-    if (overlaps && (turns || OverlapsInside(trial))) continue;
+    if (overlaps && (turns || OverlapsInside(trial))) return;
     const eSweep found = Sweep(trial.m_cShape, motion, 0.0, impact);
     ASSERT_NE(found, eSweep::OutOfIterations);
     const bool met = found == eSweep::Impact;
@@ -200,9 +198,9 @@ void ExpectAgrees(eShape type, eSides sides, bool turns, std::uint64_t seed, int
       exact = Ask<T>(trial, 0.0);
     } catch (const std::runtime_error&) { // an arc that turns about its own centre, a slow ball beside it
       ++unanswered;
-      continue;
+      return;
     }
-    if (exact.m_bBegins) continue; // it was let go at first
+    if (exact.m_bBegins) return; // it was let go at first
     const double bound = GapBound(trial);
     const Vector2d surface = met ? impact.m_vSurface : Vector2d(Vector2d::Zero());
     const double approach = met ? -(motion.m_vVel - surface).dot(impact.m_vNorm) : 0.0;
@@ -220,10 +218,10 @@ void ExpectAgrees(eShape type, eSides sides, bool turns, std::uint64_t seed, int
       ASSERT_TRUE(time >= first - slack && time <= last + slack)
           << "at " << time << " instead of " << larger.m_fTime << " .. " << exact.m_fTime << " .. "
           << smaller.m_fTime;
-      continue;
+      return;
     }
     ++(met ? hits : misses);
-    if (!met) continue;
+    if (!met) return;
     ASSERT_GT(approach, 0.0);
     ASSERT_NEAR(impact.m_vNorm.norm(), 1.0, 8.0 * 0x1p-52);
     const Vector2d center = motion.m_vPos + motion.m_vVel * impact.m_fTime;
@@ -234,10 +232,10 @@ void ExpectAgrees(eShape type, eSides sides, bool turns, std::uint64_t seed, int
     const double turning =
         std::abs(trial.m_cShape.m_fTurnSpeed) * (trial.m_cShape.m_fSize + motion.m_fRadius);
     const double speed = (motion.m_vVel - surface).norm() + turning;
-    if (overlaps) continue; // perhaps several parts
+    if (overlaps) return; // perhaps several parts
     ASSERT_LE((impact.m_vNorm - exact.m_vNorm).norm() * least, 2.0 * (error * speed + bound));
     ASSERT_LE((center - impact.m_vPOI - motion.m_fRadius * impact.m_vNorm).norm(), 2.0 * bound);
-  }
+  });
   EXPECT_GT(hits, trials / 20);
   EXPECT_GT(misses, trials / 20);
   EXPECT_LT(ambiguous, trials / 100);

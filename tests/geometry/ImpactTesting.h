@@ -4,7 +4,7 @@
 
 #include "geometry/TimeOfImpact.h"
 
-#include "../Random.h"
+#include "Cases.h"
 #include "reference/Scalar.h"
 #include "reference/Sweep.h"
 
@@ -16,6 +16,7 @@ namespace Shapes::Geometry {
 
 using Compare::CFifty;
 using Tests::CRandom;
+using Tests::ForEachCase;
 
 /// A motion, and the shape that it may meet.
 struct CTrial {

@@ -6,12 +6,13 @@
 #include <cmath>
 
 #include "../../src/geometry/VisitShape.h"
-#include "Random.h"
+#include "geometry/Cases.h"
 
 namespace Shapes::Geometry {
 namespace {
 
 using Tests::CRandom;
+using Tests::ForEachCase;
 
 Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
 
@@ -52,10 +53,8 @@ double Search(const CShape& shape, const CMotion& motion) {
 
 // The control is the way without gravity.
 TEST(ParabolicMotion, FindsTheFirstImpactOnAParabola) {
-  CRandom random(17);
-  SCOPED_TRACE(random.GetSeed());
   int impacts = 0, others = 0;
-  for (int i = 0; i < 1200; ++i) {
+  ForEachCase(17, 1200, [&](CRandom& random, int i) {
     const Vector2 p = random.InSquare(1);
     const float r = random.Uniform(0.2f, 1.0f), a = random.Uniform(0, 6.28f);
     std::unique_ptr<CShape> pShape;
@@ -71,7 +70,7 @@ TEST(ParabolicMotion, FindsTheFirstImpactOnAParabola) {
     motion.m_vPos = Wide(random.InSquare(2));
     motion.m_vVel = Wide(random.VectorOfLength(0, 4));
     motion.m_vAcc = Wide(random.VectorOfLength(0, 12));
-    if (DistanceTo(*pShape, motion.m_vPos) <= motion.m_fRadius) continue; // begins in it
+    if (DistanceTo(*pShape, motion.m_vPos) <= motion.m_fRadius) return; // begins in it
     const double exact = Search(*pShape, motion);
     CImpact impact;
     const CShapeGeometry geometry = MakeShapeGeometry(*pShape, 0.0);
@@ -82,7 +81,7 @@ TEST(ParabolicMotion, FindsTheFirstImpactOnAParabola) {
       if (found == eSweep::Impact) {
         EXPECT_LT(std::abs(motion.VelAt(impact.m_fTime).dot(impact.m_vNorm)), 0.01) << i;
       }
-      continue;
+      return;
     }
     ++impacts;
     ASSERT_EQ(found, eSweep::Impact) << i;
@@ -98,7 +97,7 @@ TEST(ParabolicMotion, FindsTheFirstImpactOnAParabola) {
     CImpact other;
     others +=
         Sweep(geometry, straight, 0.0, other) != eSweep::Impact || std::abs(other.m_fTime - exact) > 1e-3;
-  }
+  });
   EXPECT_GT(impacts, 100);
   EXPECT_GT(others, impacts / 2);
 }
@@ -119,10 +118,8 @@ TEST(ParabolicMotion, ABallThatIsThrownUpMeetsTheFloorThatItLeft) {
 
 // By differences of the gap, for a shape that turns and a ball that falls.
 TEST(ParabolicMotion, TheGapClosesAsItsSecondDerivativeSays) {
-  CRandom random(29);
-  SCOPED_TRACE(random.GetSeed());
   int impacts = 0;
-  for (int i = 0; i < 1200; ++i) {
+  ForEachCase(29, 1200, [&](CRandom& random, int i) {
     const CCircle disc(CCircleDesc(random.InSquare(1), random.Uniform(0.1f, 0.5f)));
     const CLineSeg bar(CLineSegDesc(random.InSquare(1), random.InSquare(1)));
     CShapeGeometry o = MakeShapeGeometry(i % 2 == 0 ? static_cast<const CShape&>(disc) : bar, 0.0);
@@ -139,15 +136,15 @@ TEST(ParabolicMotion, TheGapClosesAsItsSecondDerivativeSays) {
              0.1;
     };
     CImpact impact;
-    if (!(gap(0.0) > 0.0) || Sweep(o, motion, 0.0, impact) != eSweep::Impact) continue;
+    if (!(gap(0.0) > 0.0) || Sweep(o, motion, 0.0, impact) != eSweep::Impact) return;
     const double t = impact.m_fTime, h = 1e-4;
     const double closing = -(gap(t + h) - 2.0 * gap(t) + gap(t - h)) / (h * h);
     // At an end of the bar the second derivative jumps.
     const double later = -(gap(t + 2 * h) - 2.0 * gap(t + h) + gap(t)) / (h * h);
-    if (std::abs(later - closing) > 0.01 * (1.0 + std::abs(closing))) continue;
+    if (std::abs(later - closing) > 0.01 * (1.0 + std::abs(closing))) return;
     ++impacts;
     EXPECT_NEAR(impact.m_fClosing, closing, 0.02 * (1.0 + std::abs(closing))) << i;
-  }
+  });
   EXPECT_GT(impacts, 50);
 }
 

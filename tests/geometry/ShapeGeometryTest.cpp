@@ -2,7 +2,7 @@
 #include "geometry/ShapeGeometry.h"
 
 #include "../Numbers.h"
-#include "../Random.h"
+#include "Cases.h"
 
 #include <Shapes/Shapes.h>
 
@@ -15,6 +15,7 @@ namespace Shapes::Geometry {
 namespace {
 
 using Tests::CRandom;
+using Tests::ForEachCase;
 
 CLineSegDesc RandomLineSeg(CRandom& random) {
   const Vector2 p = random.InSquare(1.0f), q = random.InSquare(1.0f);
@@ -36,9 +37,7 @@ CArcDesc RandomArc(CRandom& random) {
 
 // However a segment has turned: its normal is the shape's, and across it.
 TEST(Outline, TheFrontOfASegmentIsThatOfTheShape) {
-  CRandom random(80);
-  for (int i = 0; i < 2000; ++i) {
-    SCOPED_TRACE("seed 80 trial " + std::to_string(i));
+  ForEachCase(80, 2000, [&](CRandom& random, int) {
     CKinematicLineSeg seg(RandomLineSeg(random));
     seg.SetOrientation(random.Uniform(0.0f, 6.28f));
     const CShapeGeometry o = MakeShapeGeometry(seg, 0.0);
@@ -49,14 +48,12 @@ TEST(Outline, TheFrontOfASegmentIsThatOfTheShape) {
     const bool inOrder = o.m_vPt0 == Wide(seg.GetEndPt0()) && o.m_vPt1 == Wide(seg.GetEndPt1());
     const bool swapped = o.m_vPt1 == Wide(seg.GetEndPt0()) && o.m_vPt0 == Wide(seg.GetEndPt1());
     ASSERT_TRUE(inOrder || swapped);
-  }
+  });
 }
 
 TEST(Outline, TheEndsOfAnArcAreOnItsCircleAndItsSectorIsThatOfTheShape) {
-  CRandom random(81);
   int inside = 0;
-  for (int i = 0; i < 2000; ++i) {
-    SCOPED_TRACE("seed 81 trial " + std::to_string(i));
+  ForEachCase(81, 2000, [&](CRandom& random, int) {
     const CArc arc(RandomArc(random));
     const CShapeGeometry o = MakeShapeGeometry(arc, 0.0);
     const double R = static_cast<double>(arc.GetRadius());
@@ -72,7 +69,7 @@ TEST(Outline, TheEndsOfAnArcAreOnItsCircleAndItsSectorIsThatOfTheShape) {
       ASSERT_EQ(InSector(o, x, 0.0), arc.PtInSector(p));
       inside += arc.PtInSector(p);
     }
-  }
+  });
   EXPECT_GT(inside, 10000);
 }
 
@@ -89,9 +86,7 @@ TEST(Outline, FullAndAlmostFullArcsAreToldApart) {
 
 // Where the shape goes by its own rotation, in float.
 TEST(Outline, ItTurnsAsTheShapeDoes) {
-  CRandom random(82);
-  for (int i = 0; i < 2000; ++i) {
-    SCOPED_TRACE("seed 82 trial " + std::to_string(i));
+  ForEachCase(82, 2000, [&](CRandom& random, int) {
     const float revs = random.Uniform(-3.0f, 3.0f), dt = random.Uniform(0.0f, 0.3f);
     const double w = 2.0 * std::numbers::pi * static_cast<double>(revs), t = static_cast<double>(dt);
     CKinematicArc arc(RandomArc(random));
@@ -113,7 +108,7 @@ TEST(Outline, ItTurnsAsTheShapeDoes) {
     // Nothing of it is ever farther away than its size.
     for (const Vector2d& p : {a.m_vCenter, a.m_vPt0, a.m_vPt1})
       ASSERT_LE(p.cwiseAbs().maxCoeff(), a.m_fSize * (1.0 + 8.0 * 0x1p-52));
-  }
+  });
 }
 
 TEST(Outline, WhatIsRoundAboutItsOwnCentreStaysButItsSurfaceMoves) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/Turn.h"
 
-#include "../Random.h"
+#include "Cases.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
@@ -15,6 +15,7 @@ namespace Shapes::Geometry {
 namespace {
 
 using Tests::CRandom;
+using Tests::ForEachCase;
 // Enough for angles of which 60 bits are whole turns.
 using CHundred = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>>;
 
@@ -34,15 +35,14 @@ double WorstErrorOf(double angle) {
 }
 
 TEST(Turn, ErrsByAtMostAnUlp) {
-  CRandom random(281);
   double worst = 0.0;
-  for (int i = 0; i < 20000; ++i) {
+  ForEachCase(281, 20000, [&](CRandom& random, int) {
     const double scale = std::ldexp(1.0, static_cast<int>(random.Below(50)) - 30);
     const double angle = scale * static_cast<double>(random.Uniform(-1.0f, 1.0f));
     const double error = WorstErrorOf(angle);
-    ASSERT_LE(error, 1.0) << angle << " seed " << random.GetSeed();
+    ASSERT_LE(error, 1.0) << angle;
     worst = std::max(worst, error);
-  }
+  });
   EXPECT_GT(worst, 0.5) << "nothing is rounded";
 }
 
@@ -61,12 +61,11 @@ TEST(Turn, ControlOfTwoPartsOfAQuarterTurn) {
 }
 
 TEST(Turn, OfHugeAnglesErrsByAtMostAnUlpToo) {
-  CRandom random(282);
-  for (int i = 0; i < 2000; ++i) {
+  ForEachCase(282, 2000, [&](CRandom& random, int) {
     const double size = std::ldexp(1.0, 20 + static_cast<int>(random.Below(60)));
     const double angle = size * static_cast<double>(random.Uniform(-2.0f, 2.0f));
-    ASSERT_LE(WorstErrorOf(angle), 1.0) << angle << " seed " << random.GetSeed();
-  }
+    ASSERT_LE(WorstErrorOf(angle), 1.0) << angle;
+  });
 }
 
 TEST(Turn, IsExactWhereItCanBe) {

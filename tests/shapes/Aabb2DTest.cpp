@@ -2,7 +2,7 @@
 #include <Shapes/Aabb2D.h>
 
 #include "../Numbers.h"
-#include "../Random.h"
+#include "../geometry/Cases.h"
 
 #include "traps/Traps.h"
 
@@ -15,6 +15,7 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
+using Tests::ForEachCase;
 
 // A number on a coarse grid, so that edges often coincide.
 float Coarse(CRandom& random) { return 0.25f * static_cast<float>(random.Below(41)) - 5.0f; }
@@ -79,9 +80,8 @@ TEST(Aabb2D, GrowingGivesTheSmallestBoxAroundAllPoints) {
 }
 
 TEST(Aabb2D, BoxesMeetExactlyIfBothTheirShadowsOverlap) {
-  CRandom random(22);
   int met = 0, touching = 0;
-  for (int i = 0; i < 200000; ++i) {
+  ForEachCase(22, 200000, [&](CRandom& random, int) {
     const float ax0 = Coarse(random), ax1 = Coarse(random), ay0 = Coarse(random), ay1 = Coarse(random);
     const float bx0 = Coarse(random), bx1 = Coarse(random), by0 = Coarse(random), by1 = Coarse(random);
     const CAabb2D a = Box(ax0, ay0, ax1, ay1), b = Box(bx0, by0, bx1, by1);
@@ -89,11 +89,11 @@ TEST(Aabb2D, BoxesMeetExactlyIfBothTheirShadowsOverlap) {
       return std::max(std::min(b0, b1) - std::max(a0, a1), std::min(a0, a1) - std::max(b0, b1));
     };
     const float apart = std::max(gap(ax0, ax1, bx0, bx1), gap(ay0, ay1, by0, by1));
-    ASSERT_EQ(a && b, apart <= 0.0f) << "seed " << random.GetSeed() << " trial " << i;
+    ASSERT_EQ(a && b, apart <= 0.0f);
     ASSERT_EQ(b && a, a && b);
     met += apart <= 0.0f;
     touching += apart == 0.0f;
-  }
+  });
   EXPECT_GT(met, 20000); // the trial is of use: both answers occur, and edges that coincide
   EXPECT_LT(met, 180000);
   EXPECT_GT(touching, 2000);

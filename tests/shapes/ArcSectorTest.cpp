@@ -3,7 +3,7 @@
 #include <Shapes/Arc.h>
 
 #include "../Numbers.h"
-#include "../Random.h"
+#include "../geometry/Cases.h"
 #include "MakeShapes.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +14,7 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
+using Tests::ForEachCase;
 
 CArc RandomArc(CRandom& random) {
   const float r = random.Scale(-4, 4), a0 = random.Uniform(0.0f, 6.28f), a1 = random.Uniform(0.0f, 6.28f);
@@ -21,13 +22,12 @@ CArc RandomArc(CRandom& random) {
 }
 
 TEST(ArcSector, TheCentreAndRaysOfAnyLengthAreInsideWithinRounding) {
-  CRandom random(93);
-  for (int i = 0; i < 20000; ++i) {
+  ForEachCase(93, 20000, [&](CRandom& random, int) {
     const CArc arc = RandomArc(random);
     EXPECT_TRUE(arc.PtInSector(arc.GetPos()));
     for (const Vector2& end : {arc.GetEndPt0(), arc.GetEndPt1()})
-      EXPECT_TRUE(arc.PtInSector(random.Scale(-8, 8) * end)) << "seed " << random.GetSeed();
-  }
+      EXPECT_TRUE(arc.PtInSector(random.Scale(-8, 8) * end));
+  });
 }
 
 TEST(ArcSector, WhatIsOppositeToAShortArcIsOutside) {

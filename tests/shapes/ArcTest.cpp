@@ -3,7 +3,7 @@
 #include <Shapes/Arc.h>
 
 #include "../Numbers.h"
-#include "../Random.h"
+#include "../geometry/Cases.h"
 #include "MakeShapes.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +15,7 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
+using Tests::ForEachCase;
 
 float Degrees(float a) { return a * g_fPi / 180.0f; }
 Vector2d OnCircle(const CArc& arc, double a) {
@@ -60,15 +61,14 @@ TEST(Arc, AnglesAreReducedAndStayBelowTwoPi) {
   CArcDesc desc({0.0f, 0.0f}, 1.0f, -1e-9f, 7.0f);
   EXPECT_EQ(desc.GetAngle0(), 0.0f);
   EXPECT_NEAR(desc.GetAngle1(), 7.0 - g_fPi2, g_fUlp);
-  CRandom random(81);
-  for (int i = 0; i < 10000; ++i) {
+  ForEachCase(81, 10000, [&](CRandom& random, int) {
     const float a0 = random.Uniform(-100.0f, 100.0f), a1 = random.Uniform(-100.0f, 100.0f);
     desc.SetAngles(a0, a1);
     for (const float a : {desc.GetAngle0(), desc.GetAngle1()}) {
       EXPECT_GE(a, 0.0f);
-      EXPECT_LT(static_cast<double>(a), g_fPi2) << "seed " << random.GetSeed();
+      EXPECT_LT(static_cast<double>(a), g_fPi2);
     }
-  }
+  });
 }
 
 TEST(Arc, EqualAnglesAreTheFullCircle) {
@@ -96,12 +96,11 @@ TEST(Arc, AnglesAWholeTurnApartAreTheFullCircle) {
 }
 
 TEST(Arc, SwappingTheAnglesGivesTheComplement) {
-  CRandom random(83);
-  for (int i = 0; i < 2000; ++i) {
+  ForEachCase(83, 2000, [&](CRandom& random, int) {
     const float a0 = random.Uniform(0.0f, 6.28f), a1 = random.Uniform(0.0f, 6.28f);
-    if (std::abs(a0 - a1) < 0.01f) continue;
+    if (std::abs(a0 - a1) < 0.01f) return;
     const CArc arc = Arc({1.0f, 2.0f}, 3.0f, a0, a1), rest = Arc({1.0f, 2.0f}, 3.0f, a1, a0);
-    EXPECT_NEAR(arc.GetSpan() + rest.GetSpan(), g_fPi2, 8 * g_fUlp) << "seed " << random.GetSeed();
+    EXPECT_NEAR(arc.GetSpan() + rest.GetSpan(), g_fPi2, 8 * g_fUlp);
     EXPECT_EQ(arc.GetEndPt0(), rest.GetEndPt1());
     EXPECT_EQ(arc.GetEndPt1(), rest.GetEndPt0());
     Vector2 t0, t1, s0, s1;
@@ -113,10 +112,10 @@ TEST(Arc, SwappingTheAnglesGivesTheComplement) {
       const float a = random.Uniform(0.0f, 6.28f);
       if (std::abs(a - a0) < 1e-4f || std::abs(a - a1) < 1e-4f) continue;
       const Vector2 p = OnCircle(arc, a).cast<float>();
-      EXPECT_NE(arc.PtInSector(p), rest.PtInSector(p)) << "seed " << random.GetSeed();
+      EXPECT_NE(arc.PtInSector(p), rest.PtInSector(p));
       EXPECT_EQ(arc.PtInSector(p), a0 < a1 ? a0 < a && a < a1 : a > a0 || a < a1); // acute, obtuse
     }
-  }
+  });
 }
 
 TEST(Arc, ClosestPtIsOnTheCircleInTheSectorAndAnEndOutside) {
@@ -165,8 +164,7 @@ TEST(KinematicArc, TurnsFromItsPoseAtConstruction) {
 }
 
 TEST(KinematicArc, KeepsItsSpanAndItsSectorAtEveryAngle) {
-  CRandom random(86);
-  for (int i = 0; i < 2000; ++i) {
+  ForEachCase(86, 2000, [&](CRandom& random, int) {
     const CArcDesc desc = RandomArc(random, 4);
     CKinematicArc arc(desc);
     const float span = arc.GetSpan();
@@ -174,7 +172,7 @@ TEST(KinematicArc, KeepsItsSpanAndItsSectorAtEveryAngle) {
     arc.Rotate(centre, random.Uniform(-100.0f, 100.0f));
     EXPECT_EQ(arc.GetSpan(), span);
     EXPECT_EQ(arc.IsFullCircle(), desc.GetAngle0() == desc.GetAngle1());
-    EXPECT_TRUE(arc.PtInSector(arc.GetEndPt0())) << "seed " << random.GetSeed();
+    EXPECT_TRUE(arc.PtInSector(arc.GetEndPt0()));
     EXPECT_TRUE(arc.PtInSector(arc.GetEndPt1()));
     // Far from its ends, the middle is in and what is opposite to it is out.
     const double middle = arc.GetAngle0() + 0.5 * static_cast<double>(span);
@@ -182,10 +180,9 @@ TEST(KinematicArc, KeepsItsSpanAndItsSectorAtEveryAngle) {
       EXPECT_TRUE(arc.PtInSector(OnCircle(arc, middle).cast<float>()));
     }
     if (span < 6.2f) {
-      EXPECT_FALSE(arc.PtInSector(OnCircle(arc, middle + g_fPi2 / 2).cast<float>()))
-          << "span " << span << " seed " << random.GetSeed();
+      EXPECT_FALSE(arc.PtInSector(OnCircle(arc, middle + g_fPi2 / 2).cast<float>())) << "span " << span;
     }
-  }
+  });
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 #include <Shapes/LineSeg.h>
 
 #include "../Numbers.h"
-#include "../Random.h"
+#include "../geometry/Cases.h"
 
 #include <gtest/gtest.h>
 
@@ -13,19 +13,19 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
+using Tests::ForEachCase;
 
 TEST(LineSeg, FirstEndIsTheLeftOneWhateverOrderTheyAreGivenIn) {
-  CRandom random(51);
-  for (int i = 0; i < 1000; ++i) {
+  ForEachCase(51, 1000, [&](CRandom& random, int) {
     const Vector2 a = random.InSquare(10.0f), b = random.InSquare(10.0f);
     const CLineSeg ab(CLineSegDesc(a, b)), ba(CLineSegDesc(b, a));
-    EXPECT_LE(ab.GetEndPt0().x(), ab.GetEndPt1().x()) << "seed " << random.GetSeed();
+    EXPECT_LE(ab.GetEndPt0().x(), ab.GetEndPt1().x());
     EXPECT_EQ(ab.GetEndPt0(), ba.GetEndPt0());
     EXPECT_EQ(ab.GetEndPt1(), ba.GetEndPt1());
     EXPECT_EQ(ab.GetNormal(), ba.GetNormal());
     EXPECT_EQ(ab.GetPos(), ba.GetPos());
     EXPECT_GE(ab.GetNormal().y(), 0.0f); // so the front is never the lower side
-  }
+  });
 }
 
 TEST(LineSeg, OfEqualXTheLowerEndIsFirst) {
@@ -54,18 +54,17 @@ TEST(LineSeg, DescriptorKeepsEndsAndPositionTogether) {
 }
 
 TEST(LineSeg, TangentsPointInwardAndTheNormalIsCounterclockwise) {
-  CRandom random(52);
-  for (int i = 0; i < 1000; ++i) {
+  ForEachCase(52, 1000, [&](CRandom& random, int) {
     const Vector2 a = random.InSquare(10.0f), b = random.InSquare(10.0f);
     const CLineSeg seg(CLineSegDesc(a, b));
     Vector2 t0, t1;
     seg.GetTangents(t0, t1);
     EXPECT_EQ(t0, -t1);
-    EXPECT_NEAR(Wide(t0).norm(), 1.0, 2 * g_fUlp) << "seed " << random.GetSeed();
+    EXPECT_NEAR(Wide(t0).norm(), 1.0, 2 * g_fUlp);
     EXPECT_EQ(seg.GetNormal(), perp(t0));
     EXPECT_GT((seg.GetEndPt1() - seg.GetEndPt0()).dot(t0), 0.0f);
     EXPECT_GT((seg.GetEndPt0() - seg.GetEndPt1()).dot(t1), 0.0f);
-  }
+  });
 }
 
 TEST(LineSeg, OneWithoutLengthActsAsAPoint) {
@@ -90,10 +89,9 @@ TEST(LineSeg, OneWhoseLengthSquaredUnderflowsStillHasADirection) {
 TEST(LineSeg, EndTestNeedsTangentsThatPointInward) {
   // Whether the foot of the perpendicular is between the ends, by (q - p0).t0 and (q - p1).t1. With both
   // tangents pointing the same way the second condition is turned round.
-  CRandom random(53);
   int wrong = 0, between = 0;
   constexpr int n = 200000;
-  for (int i = 0; i < n; ++i) {
+  ForEachCase(53, n, [&](CRandom& random, int) {
     const Vector2 a = random.InSquare(1.0f), b = random.InSquare(1.0f);
     const CLineSeg seg(CLineSegDesc(a, b));
     const Vector2 q = random.InSquare(1.0f);
@@ -101,14 +99,14 @@ TEST(LineSeg, EndTestNeedsTangentsThatPointInward) {
     seg.GetTangents(t0, t1);
     const Vector2d d = Wide(seg.GetEndPt1()) - Wide(seg.GetEndPt0());
     const double s = (Wide(q) - Wide(seg.GetEndPt0())).dot(d) / d.squaredNorm();
-    if (std::abs(s) < 1e-5 || std::abs(s - 1.0) < 1e-5) continue; // rounding decides
+    if (std::abs(s) < 1e-5 || std::abs(s - 1.0) < 1e-5) return; // rounding decides
     const bool truth = s > 0.0 && s < 1.0;
     const bool inward = (q - seg.GetEndPt0()).dot(t0) >= 0.0f && (q - seg.GetEndPt1()).dot(t1) >= 0.0f;
     const bool naive = (q - seg.GetEndPt0()).dot(t0) >= 0.0f && (q - seg.GetEndPt1()).dot(t0) >= 0.0f;
-    ASSERT_EQ(inward, truth) << "seed " << random.GetSeed();
+    ASSERT_EQ(inward, truth);
     wrong += naive != truth;
     between += truth;
-  }
+  });
   RecordProperty("naive_wrong", wrong);
   EXPECT_GT(between, n / 10);
   EXPECT_NEAR(wrong, 151833, 5 * std::sqrt(0.25 * n)); // three quarters of all

@@ -3,7 +3,7 @@
 #include <Shapes/LineSeg.h>
 
 #include "../Numbers.h"
-#include "../Random.h"
+#include "../geometry/Cases.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,7 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
+using Tests::ForEachCase;
 
 TEST(Line, InterceptsFollowTheirFormulas) {
   const CLine line({2.0f, 1.0f}, 0.5f); // y = x/2, x = 2y
@@ -55,12 +56,11 @@ TEST(Line, VerticalLineIsComputedWithoutItsGradient) {
 }
 
 TEST(Line, ParallelLinesHaveNoIntersection) {
-  CRandom random(32);
-  for (int i = 0; i < 1000; ++i) {
+  ForEachCase(32, 1000, [&](CRandom& random, int) {
     const float m = random.SignedScale(-30, 30);
     const CLine a(random.InSquare(100.0f), m), b(random.InSquare(100.0f), m);
-    EXPECT_EQ(a.Intersect(b), Vector2(g_fInf, g_fInf)) << m << " seed " << random.GetSeed();
-  }
+    EXPECT_EQ(a.Intersect(b), Vector2(g_fInf, g_fInf)) << m;
+  });
   // Vertical lines of either sign of infinity are parallel, though their gradients are not equal.
   EXPECT_EQ(CLine({1.0f, 0.0f}, g_fInf).Intersect(CLine({2.0f, 0.0f}, -g_fInf)), Vector2(g_fInf, g_fInf));
   EXPECT_EQ(CLine({1.0f, 0.0f}, 0.0f).Intersect(CLine({1.0f, 3.0f}, -0.0f)), Vector2(g_fInf, g_fInf));

@@ -2,7 +2,7 @@
 #include <Shapes/ShapeMath.h>
 
 #include "../Numbers.h"
-#include "../Random.h"
+#include "../geometry/Cases.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,7 @@ namespace Shapes {
 namespace {
 
 using Tests::CRandom;
+using Tests::ForEachCase;
 
 // The macro as a bare if: what it swallows is shown below.
 #define NaiveFailIf(x)                                                                                       \
@@ -61,13 +62,12 @@ TEST(ShapeMath, FailIfConditionsCanRefuseNan) {
 TEST(ShapeMath, PerpTurnsCounterclockwiseAndIsExact) {
   EXPECT_EQ(perp({1.0f, 0.0f}), Vector2(0.0f, 1.0f));
   EXPECT_EQ(perp({0.0f, 1.0f}), Vector2(-1.0f, 0.0f));
-  CRandom random(11);
-  for (int i = 0; i < 1000; ++i) {
+  ForEachCase(11, 1000, [&](CRandom& random, int) {
     const Vector2 v = random.Vector(-60, 60);
-    EXPECT_EQ(perp(perp(v)), -v) << "seed " << random.GetSeed();
+    EXPECT_EQ(perp(perp(v)), -v);
     EXPECT_EQ(Length(perp(v)), Length(v));
     EXPECT_EQ(v.dot(perp(v)), 0.0f);
-  }
+  });
 }
 
 TEST(ShapeMath, CrossIsPositiveCounterclockwise) {
@@ -111,14 +111,13 @@ TEST(ShapeMath, NormalizeAngleStaysBelowTwoPiInFloat) {
   EXPECT_GE(Wide(naive), 2 * EIGEN_PI);
   EXPECT_EQ(NormalizeAngle(-1e-9f), 0.0f);
   EXPECT_FALSE(std::signbit(NormalizeAngle(-0.0f)));
-  CRandom random(17);
-  for (int i = 0; i < 100000; ++i) {
+  ForEachCase(17, 100000, [&](CRandom& random, int) {
     const float a = random.SignedScale(-149, 127);
     const float n = NormalizeAngle(a);
     EXPECT_GE(n, 0.0f) << a;
-    EXPECT_LT(Wide(n), 2 * EIGEN_PI) << a << " seed " << random.GetSeed();
+    EXPECT_LT(Wide(n), 2 * EIGEN_PI) << a;
     EXPECT_EQ(NormalizeAngle(n), n) << a;
-  }
+  });
   for (const float a : {g_fTwoPi, -g_fTwoPi, std::nextafter(g_fTwoPi, 0.0f), -std::nextafter(g_fTwoPi, 0.0f)})
     EXPECT_LT(Wide(NormalizeAngle(a)), 2 * EIGEN_PI) << a;
 }
