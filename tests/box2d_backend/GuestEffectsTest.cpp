@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Effects of a world in a game's b2World: some are the game's, and the world says what is true.
+#include "Descs.h"
 #include "box2d_backend/GuestTesting.h"
 
 #include <gtest/gtest.h>
@@ -181,10 +182,7 @@ TEST_P(CGuestEffects, WithoutBallPairsBallsPassThroughEachOtherAndMeetTheGame) {
 TEST_P(CGuestEffects, WhatIsHeldDoesNotTurnItsBody) {
   for (const bool forbidden : {false, true}) {
     CWorld& world = Join(forbidden ? CEffectChoice{{}, {eEffect::Kinematics}} : g_cAutomatic);
-    CLineSegDesc desc({0, 0}, {1, 0});
-    desc.m_eMotionType = eMotion::Kinematic;
-    desc.m_fRotSpeed = 0.5f;
-    const CShapeId flipper = world.Add(desc);
+    const CShapeId flipper = world.Add(Turning(CLineSegDesc({0, 0}, {1, 0}), 0.5f));
     int mine = 0;
     world.SetUserPtr(flipper, &mine);
     Steps(3);
@@ -204,10 +202,8 @@ TEST_P(CGuestEffects, WhatIsHeldDoesNotTurnItsBody) {
 
 TEST_P(CGuestEffects, AShapeThatTurnsMayBeLostInTheMiddleOfAStep) {
   CWorld& world = Join();
-  CPointDesc desc(Vector2(1, 0));
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_fRotSpeed = 0.5f;
-  const CShapeId lost = world.Add(desc), stays = world.Add(desc);
+  const CShapeId lost = world.Add(Turning(CPointDesc(Vector2(1, 0)), 0.5f)),
+                 stays = world.Add(Turning(CPointDesc(Vector2(1, 0)), 0.5f));
   int mine = 0;
   world.SetUserPtr(lost, &mine);
   Steps(1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shapes in a game's own b2World: what they do there, and what the game sees of them.
+#include "Descs.h"
 #include "GuestTesting.h"
 
 #include "Random.h"
@@ -324,9 +325,7 @@ TEST_P(CGuest, ABallDoesNotSleepAndWakesWhatDoes) {
 
 TEST_P(CGuest, SensorsSeeBallsThatFlyThrough) {
   CWorld& world = Join();
-  CLineSegDesc desc({0, -1}, {0, 1});
-  desc.m_bIsSensor = true;
-  const CShapeId gate = world.Add(desc);
+  const CShapeId gate = world.Add(Sensor(CLineSegDesc({0, -1}, {0, 1})));
   world.Add(CLineSegDesc({1, -1}, {1, 1}));
   const CShapeId ball = world.Add(CDynamicCircleDesc({-1, 0}, 0.1f, {30, 0})); // 2.5 diameters a step
   std::vector<CSensorEvent> events;

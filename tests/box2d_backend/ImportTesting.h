@@ -76,8 +76,4 @@ std::vector<TDesc> GetAll(const CSceneDesc& scene) {
   return all;
 }
 
-inline bool HasNote(const CSceneDesc& scene, const std::string& note) {
-  return std::find(scene.m_stdNotes.begin(), scene.m_stdNotes.end(), note) != scene.m_stdNotes.end();
-}
-
 } // namespace Shapes

@@ -2,6 +2,7 @@
 // Box2D ends the process where it asserts, and Debian's library keeps its asserts. What is at the border of
 // what it bears is stepped, in both profiles, and everything stays a number; what is beyond is refused.
 #include "../Numbers.h"
+#include "Descs.h"
 
 #include "Tolerances.h"
 
@@ -210,11 +211,8 @@ TEST_P(CNoAssert, TheFastestSurfaceAndTheLargestElasticityGiveASpeedThatIsANumbe
       m_cDesc.m_cBox2D.m_fLengthUnit = unit;
       m_cDesc.m_fTimeStep = dt;
       Make();
-      CLineSegDesc desc({-Unit(), 0}, {Unit(), 0}, g_fMaxElasticity);
-      desc.m_eMotionType = eMotion::Kinematic;
-      desc.m_vRotCenter = {-0.9f * MaxLength(), 0};
-      desc.m_fRotSpeed = g_fMaxRotSpeed;
-      m_pWorld->Add(desc);
+      m_pWorld->Add(Turning(CLineSegDesc({-Unit(), 0}, {Unit(), 0}, g_fMaxElasticity), g_fMaxRotSpeed,
+                            Vector2{-0.9f * MaxLength(), 0}));
       m_pWorld->SetGravity({0, -MaxSpeed()});
       m_pWorld->Add(
           CDynamicCircleDesc({0, 0.1f * Unit()}, 0.1f * Unit(), {0, 0}, g_fMaxBox2DMass, g_fMaxElasticity));
@@ -265,9 +263,7 @@ TEST_P(CNoAssert, BouncyBallsInEachOtherStayNumbers) {
 TEST_P(CNoAssert, WhatTouchesIsMovedChangedAndRemoved) {
   Make();
   const CShapeId seg = m_pWorld->Add(CLineSegDesc({-1, 0}, {0, 0}));
-  CLineSegDesc desc({0, 0}, {1, 0});
-  desc.m_eMotionType = eMotion::Kinematic;
-  const CShapeId flipper = m_pWorld->Add(desc);
+  const CShapeId flipper = m_pWorld->Add(Turning(CLineSegDesc({0, 0}, {1, 0})));
   const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f, {0, -1}));
   const CShapeId other = m_pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -1}));
   const std::vector<std::function<void()>> changes = {

@@ -2,6 +2,7 @@
 // What runs of Box2D in a world of its own.
 #include "../Numbers.h"
 #include "../Steps.h"
+#include "Descs.h"
 
 #include <Shapes/Shapes.h>
 
@@ -115,9 +116,7 @@ TEST(OwnedEffectsTest, SensorsSeeTheWayBackWithoutEvents) {
     CLineSegDesc desc({0, -1}, {0, 1});
     desc.m_bIsSensor = !wall;
     pWorld->Add(desc);
-    CLineSegDesc gate({-0.3f, -1}, {-0.3f, 1});
-    gate.m_bIsSensor = true;
-    const CShapeId id = pWorld->Add(gate);
+    const CShapeId id = pWorld->Add(Sensor(CLineSegDesc({-0.3f, -1}, {-0.3f, 1})));
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-0.6f, 0}, 0.1f, {60, 0}));
     pWorld->Step();
     EXPECT_EQ(pWorld->GetPos(ball).x() < -0.4f, wall); // 1 a step: .5 to the wall, .5 back

@@ -3,6 +3,7 @@
 // changed of the way Box2D ships.
 #include "../Numbers.h"
 #include "../Steps.h"
+#include "Descs.h"
 
 #include <Shapes/Shapes.h>
 
@@ -45,9 +46,7 @@ TEST(OwnedWorldTest, APoseBeyondTheLimitsIsRefusedByEachSetter) {
     pWorld->SetPos(id, {1e8f - 2000, 0}); // the control
     EXPECT_EQ(pWorld->GetPos(id), Vector2(1e8f - 2000, 0));
   }
-  CLineSegDesc desc({0, 0}, {9e7f, 9e7f});
-  desc.m_eMotionType = eMotion::Kinematic;
-  const CShapeId lever = pWorld->Add(desc);
+  const CShapeId lever = pWorld->Add(Turning(CLineSegDesc({0, 0}, {9e7f, 9e7f})));
   EXPECT_THROW(pWorld->SetOrientation(lever, -g_fPi / 4), std::invalid_argument);
   EXPECT_EQ(pWorld->GetOrientation(lever), 0.0f);
   pWorld->SetOrientation(lever, g_fPi / 2); // the control
@@ -107,10 +106,7 @@ TEST(OwnedWorldTest, ClampedMovesAreCounted) {
 
 TEST(OwnedWorldTest, ClampedTurnsAreCounted) {
   auto pWorld = Make();
-  CLineSegDesc desc({0, 0}, {1, 0});
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_fRotSpeed = 14; // 1.47 rad a step
-  const CShapeId id = pWorld->Add(desc);
+  const CShapeId id = pWorld->Add(Turning(CLineSegDesc({0, 0}, {1, 0}), 14)); // 1.47 rad a step
   Steps(*pWorld, 10);
   EXPECT_EQ(pWorld->GetStats().m_nTurnsClamped, 0u);
   pWorld->SetRotSpeed(id, -16); // 1.68 rad, more than pi / 2
@@ -237,9 +233,7 @@ std::size_t StepAndCountSensorHits(CWorld& world) {
 
 TEST(OwnedWorldTest, ASensorThatBecomesSolidInTouchIsNoSensorAnyMore) {
   auto pWorld = Make();
-  CCircleDesc desc({0, 0}, 1);
-  desc.m_bIsSensor = true;
-  const CShapeId zone = pWorld->Add(desc);
+  const CShapeId zone = pWorld->Add(Sensor(CCircleDesc({0, 0}, 1)));
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.95f}, 0.1f));
   EXPECT_EQ(StepAndCountSensorHits(*pWorld), 1u);
   EXPECT_EQ(StepAndCountSensorHits(*pWorld), 1u); // for as long as they touch
@@ -281,9 +275,7 @@ TEST(OwnedWorldTest, AShapeAddedDuringTheRunIsMet) {
 
 TEST(OwnedWorldTest, AKinematicShapeIsMetWhereItWasPut) {
   auto pWorld = Make();
-  CLineSegDesc desc({0, 0}, {1, 0});
-  desc.m_eMotionType = eMotion::Kinematic;
-  const CShapeId flipper = pWorld->Add(desc);
+  const CShapeId flipper = pWorld->Add(Turning(CLineSegDesc({0, 0}, {1, 0})));
   const CShapeId ball = AddBall(*pWorld);
   const auto isMetAt = [&](float x) { return Throw(*pWorld, ball, {x, 0.5f}, {0, -4}).y() > 3.9f; };
   const auto isMetFromTheSideAt = [&](float y) {
@@ -323,10 +315,7 @@ TEST(OwnedWorldTest, ATurningShapeIsMetWhereTheLibrarySaysItIs) {
   // A bar that turns for 500 steps, a little more than 3 turns and a quarter: the angle that Box2D adds up
   // has to stay with the library's, which is reduced to one turn.
   auto pWorld = Make();
-  CLineSegDesc desc({-1, 0}, {1, 0});
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_fRotSpeed = 3.25f * 60 / 500;
-  const CShapeId bar = pWorld->Add(desc);
+  const CShapeId bar = pWorld->Add(Turning(CLineSegDesc({-1, 0}, {1, 0}), 3.25f * 60 / 500));
   Steps(*pWorld, 500);
   EXPECT_NEAR(pWorld->GetOrientation(bar), 0.5f * g_fPi, 1e-3f);
   pWorld->SetRotSpeed(bar, 0);

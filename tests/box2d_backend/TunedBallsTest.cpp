@@ -3,6 +3,7 @@
 // times in a step.
 #include <gtest/gtest.h>
 
+#include "box2d_backend/Descs.h"
 #include "box2d_backend/TunedTesting.h"
 
 namespace Shapes::Tests {
@@ -255,9 +256,7 @@ TEST(TunedMisfitTest, ABallFarBelowTheSlopStaysInARoom) {
 TEST(TunedMisfitTest, ABallFarBelowTheSlopGoesThroughTheOpenSide) {
   for (const eSides sides : {eSides::Front, eSides::Back}) {
     auto pWorld = MakeBox2D(eProfile::Tuned, {0, -10}, 1 / 60.0f);
-    CLineSegDesc floor({-9, 0}, {9, 0});
-    floor.m_eSides = sides;
-    pWorld->Add(floor);
+    pWorld->Add(Sided(CLineSegDesc({-9, 0}, {9, 0}), sides));
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 1e-5f, {1, 0}, 1, 0.0f));
     Steps(*pWorld, 60);
     EXPECT_EQ(pWorld->GetPos(ball).y() < -1, sides == eSides::Back);

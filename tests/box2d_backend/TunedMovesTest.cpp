@@ -3,6 +3,7 @@
 #include <box2d/box2d.h>
 #include <gtest/gtest.h>
 
+#include "box2d_backend/Descs.h"
 #include "box2d_backend/TunedTesting.h"
 
 namespace Shapes::Tests {
@@ -45,10 +46,8 @@ struct CFlipperResult {
 /// Turns the flipper by 3 radians.
 void Sweep(eProfile profile, const CFlipperCase& c, CFlipperResult& result) {
   auto pWorld = MakeBox2D(profile);
-  CLineSegDesc desc(Vector2::Zero(), UnitVector(c.m_fStart).cast<float>());
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_fRotSpeed = static_cast<float>(c.m_fRevs);
-  const CShapeId flipper = pWorld->Add(desc);
+  const CShapeId flipper = pWorld->Add(Turning(
+      CLineSegDesc(Vector2::Zero(), UnitVector(c.m_fStart).cast<float>()), static_cast<float>(c.m_fRevs)));
   const Vector2d place = c.m_fDistance * UnitVector(c.m_fStart + c.m_fAhead);
   const CShapeId ball =
       pWorld->Add(CDynamicCircleDesc(place.cast<float>(), static_cast<float>(c.m_fRadius), Vector2::Zero(), 1,
@@ -157,10 +156,7 @@ int CountMissed(eProfile profile, std::uint64_t& turnsClamped) {
   turnsClamped = 0;
   for (int k = 0; k < 200; ++k) {
     auto pWorld = MakeBox2D(profile);
-    CLineSegDesc desc(Vector2(0, 0), Vector2(1, 0));
-    desc.m_eMotionType = eMotion::Kinematic;
-    desc.m_fRotSpeed = 30;
-    const CShapeId spinner = pWorld->Add(desc);
+    const CShapeId spinner = pWorld->Add(Turning(CLineSegDesc(Vector2(0, 0), Vector2(1, 0)), 30));
     const Vector2d place = 0.7 * UnitVector(1.8 + random.Unit());
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc(place.cast<float>(), 0.05f));
     pWorld->Step();

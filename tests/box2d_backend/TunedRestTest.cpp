@@ -2,6 +2,7 @@
 // Balls of a tuned world that roll, rest, pile up, and are pressed by walls.
 #include <gtest/gtest.h>
 
+#include "box2d_backend/Descs.h"
 #include "box2d_backend/TunedTesting.h"
 
 namespace Shapes::Tests {
@@ -264,9 +265,7 @@ CCrush Crush(const Box2D::CTuning& tuning, std::uint64_t seed) {
   CShapeId walls[2];
   for (const int side : {-1, 1}) {
     const float x = 2.2f * static_cast<float>(side);
-    CLineSegDesc wall({x, 0.05f}, {x, 9});
-    wall.m_eMotionType = eMotion::Kinematic;
-    walls[side > 0] = pWorld->Add(wall);
+    walls[side > 0] = pWorld->Add(Turning(CLineSegDesc({x, 0.05f}, {x, 9})));
   }
   CRandom random(seed);
   for (int i = 0; i < 20; ++i) {
@@ -316,13 +315,8 @@ int CountLostToABar(eSides sides, int runs) {
   int lost = 0;
   for (int run = 0; run < runs; ++run) {
     const auto pWorld = MakeBox2D(eProfile::Tuned, {0, 0}, 1 / 60.0f);
-    CArcDesc ring({0, 0}, 1, 0, 0);
-    ring.m_eSides = sides;
-    pWorld->Add(ring);
-    CLineSegDesc bar({-0.75f, 0}, {0.75f, 0});
-    bar.m_eMotionType = eMotion::Kinematic;
-    bar.m_fRotSpeed = 1;
-    pWorld->Add(bar);
+    pWorld->Add(Sided(CArcDesc({0, 0}, 1, 0, 0), sides));
+    pWorld->Add(Turning(CLineSegDesc({-0.75f, 0}, {0.75f, 0}), 1));
     for (int i = 0; i < 3; ++i) {
       const float vx = static_cast<float>(EitherSign(random, 1)),
                   vy = static_cast<float>(EitherSign(random, 1));

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "box2d_backend/Descs.h"
 #include "box2d_backend/TunedTesting.h"
 
 namespace Shapes::Tests {
@@ -93,10 +94,7 @@ TEST(TuningTest, CutsAreAsManyAsASpeedNeeds) {
 TEST(TuningTest, CutsAreAsManyAsATurnNeeds) {
   const auto count = [](float revsPerSecond, float reach) {
     auto pWorld = MakeBox2D(g_cTuned);
-    CLineSegDesc desc(Vector2(0, 0), Vector2(reach, 0));
-    desc.m_eMotionType = eMotion::Kinematic;
-    desc.m_fRotSpeed = revsPerSecond;
-    pWorld->Add(desc);
+    pWorld->Add(Turning(CLineSegDesc(Vector2(0, 0), Vector2(reach, 0)), revsPerSecond));
     Steps(*pWorld, 6);
     EXPECT_EQ(pWorld->GetStats().m_nTurnsClamped, 0u);
     return pWorld->GetStats().m_nEngineSteps;

@@ -18,11 +18,9 @@ float Degrees(double degrees) { return static_cast<float>(degrees * g_fDegree); 
 
 // The ball r = .1 that comes from the right to the arc R = 1 about the origin; met at t = .9.
 CShot FromTheRight(float a0, float a1, const Vector2& direction = {1.0f, 0.0f}) {
-  CShot shot;
-  shot.m_stdShapes = {CArcDesc({0.0f, 0.0f}, 1.0f, a0, a1)};
-  shot.m_stdBalls = {CDynamicCircleDesc(2.0f * direction, 0.1f, -direction)};
-  shot.m_fSeconds = 0.925f;
-  return shot;
+  return {{CArcDesc({0.0f, 0.0f}, 1.0f, a0, a1)},
+          {CDynamicCircleDesc(2.0f * direction, 0.1f, -direction)},
+          0.925f};
 }
 
 CHardCase ArcCase(const CShot& shot) {
@@ -175,10 +173,9 @@ CHardCase TooLargeInside() {
   c.m_fnError = [](eColumn column) {
     double error = 0.0;
     for (const float v : {0.5f, -0.5f, 0.0f}) {
-      CShot shot;
-      shot.m_stdShapes = {CArcDesc({0.0f, 0.0f}, 1.0f, 0.0f, 0.0f)};
-      shot.m_stdBalls = {CDynamicCircleDesc({0.25f, 0.0f}, 1.5f, {v, 0.0f})};
-      shot.m_fSeconds = 0.25f;
+      CShot shot{{CArcDesc({0.0f, 0.0f}, 1.0f, 0.0f, 0.0f)},
+                 {CDynamicCircleDesc({0.25f, 0.0f}, 1.5f, {v, 0.0f})},
+                 0.25f};
       error = std::max(error, ErrorOfFlight(Shoot(column, shot), shot));
     }
     return error;
@@ -209,10 +206,9 @@ CHardCase BoxOfAShortArc() {
 }
 
 CHardCase AtTheTopOfAShortArc() {
-  CShot shot;
-  shot.m_stdShapes = {CArcDesc({0.0f, 0.0f}, 1.0f, Degrees(80.0), Degrees(100.0))};
-  shot.m_stdBalls = {CDynamicCircleDesc({0.0f, 1.5f}, 0.1f, {0.0f, -1.0f})};
-  shot.m_fSeconds = 0.41f;
+  CShot shot{{CArcDesc({0.0f, 0.0f}, 1.0f, Degrees(80.0), Degrees(100.0))},
+             {CDynamicCircleDesc({0.0f, 1.5f}, 0.1f, {0.0f, -1.0f})},
+             0.41f};
   CHardCase c = ShotCase(shot, MeetDisc(shot.m_stdBalls[0], 1.0f));
   c.m_sName = "BallAtTheTopOfAShortArc";
   Of(c, eColumn::Native) = Off(0.005, "as if t = .405: the way after the impact is lost");

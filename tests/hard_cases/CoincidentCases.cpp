@@ -25,11 +25,10 @@ constexpr float g_fStep = 0.25f;
 // Largest error of the normal, of the velocity after, and of the setback, which is to be r.
 double ErrorOnTheSpot(eColumn column, const COnTheSpot& c) {
   const bool native = column == eColumn::Native;
-  CShot shot;
-  shot.m_stdShapes = {c.m_cShape};
-  shot.m_stdBalls = {
-      CDynamicCircleDesc(native ? Vector2(-g_fStep * c.m_vVel) : Vector2::Zero(), g_fRadius, c.m_vVel)};
-  shot.m_fSeconds = g_fStep;
+  CShot shot{
+      {c.m_cShape},
+      {CDynamicCircleDesc(native ? Vector2(-g_fStep * c.m_vVel) : Vector2::Zero(), g_fRadius, c.m_vVel)},
+      g_fStep};
   const CSeen seen = Shoot(column, shot);
   // The reference leaves what overlaps where it is, and tells how deep it is; worlds put it back.
   const double flown = native ? 0.0 : static_cast<double>(g_fStep);
@@ -58,11 +57,7 @@ CHardCase OnTheSpot(const std::string& name, const std::string& input, const std
 }
 
 CShot InFullArc(float R, float r, const Vector2& v, float seconds, const Vector2& p = Vector2::Zero()) {
-  CShot shot;
-  shot.m_stdShapes = {CArcDesc({0.0f, 0.0f}, R, 0.0f, 0.0f)};
-  shot.m_stdBalls = {CDynamicCircleDesc(p, r, v)};
-  shot.m_fSeconds = seconds;
-  return shot;
+  return {{CArcDesc({0.0f, 0.0f}, R, 0.0f, 0.0f)}, {CDynamicCircleDesc(p, r, v)}, seconds};
 }
 
 CHardCase InTheMiddle() {

@@ -14,10 +14,7 @@ namespace {
 
 // A ball r = 1 that flies past the point (0, 0), from 10 units away.
 CShot Past(float y) {
-  CShot shot;
-  shot.m_stdShapes = {CPointDesc({0.0f, 0.0f})};
-  shot.m_stdBalls = {CDynamicCircleDesc({-10.0f, y}, 1.0f, {1.0f, 0.0f})};
-  shot.m_fSeconds = 10.5f;
+  CShot shot{{CPointDesc({0.0f, 0.0f})}, {CDynamicCircleDesc({-10.0f, y}, 1.0f, {1.0f, 0.0f})}, 10.5f};
   shot.m_nBox2DSteps = 7;
   return shot;
 }
@@ -148,11 +145,8 @@ CFifty MeetOnParabola(const CDynamicCircleDesc& ball, const Vector2& g, double a
 }
 
 CHardCase OnAParabola() {
-  CShot shot;
-  shot.m_stdShapes = {CPointDesc({0.0f, 0.0f})};
-  shot.m_stdBalls = {CDynamicCircleDesc({-1.0f, 0.5f}, 0.3f, {3.0f, 0.0f})};
+  CShot shot{{CPointDesc({0.0f, 0.0f})}, {CDynamicCircleDesc({-1.0f, 0.5f}, 0.3f, {3.0f, 0.0f})}, 0.3f};
   shot.m_vGravity = {0.0f, -9.8f};
-  shot.m_fSeconds = 0.3f;
   shot.m_nSteps = 18;
   CHardCase c;
   c.m_sName = "BallOnAParabolaMeetsAPoint";

@@ -37,10 +37,7 @@ CVec2d FootByGradients(const Vector2& p0, const Vector2& p1, const Vector2& q) {
 
 // Where the ball meets the segment is the point closest to its centre. The library is asked for that, too.
 CHardCase ClosestPoint(const Vector2& p0, const Vector2& p1, const CDynamicCircleDesc& ball, float seconds) {
-  CShot shot;
-  shot.m_stdShapes = {CLineSegDesc(p0, p1)};
-  shot.m_stdBalls = {ball};
-  shot.m_fSeconds = seconds;
+  CShot shot{{CLineSegDesc(p0, p1)}, {ball}, seconds};
   const Vector2 q = ball.m_vPos;
   const CVec2d foot = FootAt50Digits(p0, p1, q.cast<CFifty>()).cast<double>();
   const CVec2d met = MetAt50Digits(p0, p1, ball).cast<double>();
@@ -130,10 +127,9 @@ CHardCase OfVerticalLines() {
 }
 
 CHardCase BetweenVerticalSegments() {
-  CShot shot;
-  shot.m_stdShapes = {CLineSegDesc({-1.0f, -1.0f}, {-1.0f, 1.0f}), CLineSegDesc({1.0f, 1.0f}, {1.0f, -1.0f})};
-  shot.m_stdBalls = {CDynamicCircleDesc({0.0f, 0.0f}, 0.5f, {1.0f, 0.0f})};
-  shot.m_fSeconds = 0.75f;
+  CShot shot{{CLineSegDesc({-1.0f, -1.0f}, {-1.0f, 1.0f}), CLineSegDesc({1.0f, 1.0f}, {1.0f, -1.0f})},
+             {CDynamicCircleDesc({0.0f, 0.0f}, 0.5f, {1.0f, 0.0f})},
+             0.75f};
   const CAnswer right{CFifty(0.5), {CFifty(-1), CFifty(0)}, {CFifty(-1), CFifty(0)}};
   const CAnswer left{CFifty(0.5), {CFifty(1), CFifty(0)}, {CFifty(1), CFifty(0)}};
   CHardCase c = ShotCase(shot, right);

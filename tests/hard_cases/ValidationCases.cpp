@@ -88,10 +88,7 @@ double AfterImpulse(double m) { return 1.0 - 2.0 * m / (m + 1.0) / m; }
 
 CHardCase NoRadius() {
   const CBall ball({0.0f, 1.0f}, 0.0f, {0.0f, -1.0f});
-  CShot shot;
-  shot.m_stdShapes = {CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f})};
-  shot.m_stdBalls = {ball};
-  shot.m_fSeconds = 1.25f;
+  CShot shot{{CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f})}, {ball}, 1.25f};
   CHardCase c = ShotCase(shot, MeetFloor(ball));
   c.m_sName = "BallWithoutRadiusMeetsASegment";
   Of(c, eColumn::Native) = Missed("missed: a radius of 0 overlaps nothing");
@@ -110,10 +107,7 @@ CHardCase NoRadius() {
 // The ball falls straight onto something at height y that acts as a point.
 CHardCase PointLike(const CAnyShapeDesc& shape, float x, float y) {
   const CBall ball({x, y + 2.0f}, 0.5f, {0.0f, -1.0f});
-  CShot shot;
-  shot.m_stdShapes = {shape};
-  shot.m_stdBalls = {ball};
-  shot.m_fSeconds = 1.75f;
+  CShot shot{{shape}, {ball}, 1.75f};
   CHardCase c = ShotCase(shot, MeetFloor(CBall({x, 2.0f}, 0.5f, {0.0f, -1.0f})));
   c.m_sRight = "acts as a point: t = 1.5, v' = (0, 1)";
   Of(c, eColumn::Native) = Off(0.125, "as if t = 1.625: the way after the impact is lost");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Circles, and their tangents through a point and common to two of them.
 #include <Shapes/Circle.h>
 
 #include "../Numbers.h"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace Shapes {
 namespace {
@@ -58,6 +60,143 @@ TEST(Circle, ClosestPtIsOnTheNearSide) {
 
 TEST(Circle, ClosestPtOfTheCentreIsTheTop) {
   EXPECT_EQ(Circle({1.0f, 1.0f}, 2.0f).ClosestPt({1.0f, 1.0f}), Vector2(1.0f, 3.0f));
+}
+
+// How far |q - u| is from r.
+double OffCircle(const Vector2d& u, double r, const Vector2d& q) { return std::abs((q - u).norm() - r); }
+
+TEST(CircleTangents, LengthIsTheSideOfARightTriangle) {
+  // Circle of radius 1 at (5, 2), tangents through the origin.
+  const Vector2d u(5.0, 2.0);
+  const double r = 1.0, d = u.norm(), phi = std::atan2(u.y(), u.x());
+  const auto residual = [&](double delta, double direction) {
+    return OffCircle(u, r, delta * Vector2d(std::cos(direction), std::sin(direction)));
+  };
+  const double right = std::sqrt((d - r) * (d + r)), theta = std::atan2(r, right);
+  const double squared = d * d - r * r; // no root taken
+  EXPECT_NEAR(residual(squared, phi + std::atan2(r, squared)), 21.62, 0.01);
+  EXPECT_LE(residual(right, phi + theta), 1e-15);
+
+  // The second angle: theta - phi is its mirror image.
+  EXPECT_NEAR(residual(right, theta - phi), 2.02, 0.01);
+  EXPECT_LE(residual(right, phi - theta), 1e-15);
+
+  // arctan of a quotient: a circle on the left looks like one on the right.
+  const double naivePhi = std::atan(2.0 / -5.0);
+  EXPECT_GT(
+      OffCircle({-5.0, 2.0}, r, right * Vector2d(std::cos(naivePhi + theta), std::sin(naivePhi + theta))),
+      5.0);
+
+  Vector2 p0, p1;
+  ASSERT_TRUE(Circle({5.0f, 2.0f}, 1.0f).Tangents({0.0f, 0.0f}, p0, p1));
+  EXPECT_LE(OffCircle(u, r, Wide(p0)), 8 * g_fUlp * d);
+  EXPECT_LE(OffCircle(u, r, Wide(p1)), 8 * g_fUlp * d);
+  EXPECT_NEAR(Wide(p0).norm(), right, 8 * g_fUlp * d);
+}
+
+TEST(CircleTangents, ThroughAPointOfTheCircleTouchThere) {
+  Vector2 p0, p1;
+  ASSERT_TRUE(Circle({0.0f, 0.0f}, 5.0f).Tangents({3.0f, 4.0f}, p0, p1));
+  EXPECT_EQ(p0, Vector2(3.0f, 4.0f));
+  EXPECT_EQ(p1, Vector2(3.0f, 4.0f));
+}
+
+TEST(CircleTangents, ThroughAPointInsideDoNotExist) {
+  Vector2 p0(7.0f, 7.0f), p1(8.0f, 8.0f);
+  EXPECT_FALSE(Circle({0.0f, 0.0f}, 5.0f).Tangents({3.0f, 3.9f}, p0, p1));
+  EXPECT_FALSE(Circle({0.0f, 0.0f}, 5.0f).Tangents({0.0f, 0.0f}, p0, p1));
+  EXPECT_FALSE(Circle({0.0f, 0.0f}, 0.0f).Tangents({0.0f, 0.0f}, p0, p1));
+  const CWithoutTraps onPurpose;
+  EXPECT_FALSE(Circle({0.0f, 0.0f}, 5.0f).Tangents({std::nanf(""), 9.0f}, p0, p1));
+  EXPECT_EQ(p0, Vector2(7.0f, 7.0f)); // untouched
+  EXPECT_EQ(p1, Vector2(8.0f, 8.0f));
+}
+
+TEST(CircleTangents, OfACircleWithoutExtentMeetInItsCentre) {
+  Vector2 p0, p1;
+  ASSERT_TRUE(Circle({3.0f, 4.0f}, 0.0f).Tangents({0.0f, 0.0f}, p0, p1));
+  EXPECT_LE((p0 - Vector2(3.0f, 4.0f)).norm(), 8 * g_fUlp * 5);
+  EXPECT_EQ(p0, p1);
+}
+
+TEST(CircleTangents, ScaleWithTheirCircle) {
+  // Powers of two change no digits, however small or large.
+  Vector2 a0, a1;
+  ASSERT_TRUE(Circle({1.5f, 0.25f}, 0.75f).Tangents({-2.0f, 1.0f}, a0, a1));
+  for (const int exponent : {-80, -59, -21, -20, -1, 1, 20, 21, 57, 58}) {
+    const float s = std::ldexp(1.0f, exponent);
+    Vector2 p0, p1;
+    ASSERT_TRUE(Circle(s * Vector2(1.5f, 0.25f), s * 0.75f).Tangents(s * Vector2(-2.0f, 1.0f), p0, p1));
+    EXPECT_EQ(p0, s * a0) << "2^" << exponent;
+    EXPECT_EQ(p1, s * a1) << "2^" << exponent;
+  }
+}
+
+TEST(CircleTangents, OfEqualCirclesAreParallelToTheWayBetweenThem) {
+  // By way of the point to which both circles shrink: its tangents touch a circle of radius 0, whose radii
+  // have no direction.
+  const double shrunk = 0.0;
+  EXPECT_TRUE(std::isnan(shrunk / shrunk));
+
+  const CCircle a = Circle({0.0f, 0.0f}, 2.0f), b = Circle({10.0f, 0.0f}, 2.0f);
+  CLineSegDesc t0, t1, first;
+  ASSERT_TRUE(a.Tangents(&b, t0, t1) && a.Tangent(&b, first));
+  EXPECT_EQ(first.GetEndPt0(), t0.GetEndPt0());
+  EXPECT_EQ(first.GetEndPt1(), t0.GetEndPt1());
+  EXPECT_EQ(t0.GetEndPt0(), Vector2(0.0f, -2.0f));
+  EXPECT_EQ(t0.GetEndPt1(), Vector2(10.0f, -2.0f));
+  EXPECT_EQ(t1.GetEndPt0(), Vector2(0.0f, 2.0f));
+  EXPECT_EQ(t1.GetEndPt1(), Vector2(10.0f, 2.0f));
+}
+
+TEST(CircleTangents, OfNestedOrInternallyTouchingCirclesDoNotExist) {
+  const CCircle a = Circle({0.0f, 0.0f}, 5.0f);
+  CLineSegDesc t0({7.0f, 7.0f}, {8.0f, 8.0f}), t1 = t0;
+  for (const CCircle& b : {Circle({1.0f, 0.0f}, 2.0f), Circle({3.0f, 0.0f}, 2.0f), Circle({0.0f, 0.0f}, 5.0f),
+                           Circle({0.0f, 0.0f}, 0.0f), Circle({3.0f, 4.0f}, 0.0f)}) {
+    EXPECT_FALSE(a.Tangents(&b, t0, t1));
+    EXPECT_FALSE(b.Tangents(&a, t0, t1));
+    EXPECT_FALSE(a.Tangent(&b, t0));
+  }
+  EXPECT_EQ(t0.GetEndPt0(), Vector2(7.0f, 7.0f)); // untouched
+  EXPECT_EQ(t1.GetEndPt1(), Vector2(8.0f, 8.0f));
+}
+
+TEST(CircleTangents, OfACircleAndAPointAreTheTangentsThroughThatPoint) {
+  const CCircle a = Circle({5.0f, 2.0f}, 1.0f), b = Circle({0.0f, 0.0f}, 0.0f);
+  CLineSegDesc t0, t1;
+  ASSERT_TRUE(a.Tangents(&b, t0, t1));
+  Vector2 p0, p1;
+  ASSERT_TRUE(a.Tangents(b.GetPos(), p0, p1));
+  // Right of the way from a to b is left of the way from b to a.
+  EXPECT_LE((t0.GetEndPt1() - p0).norm(), 8 * g_fUlp * 6);
+  EXPECT_LE((t1.GetEndPt1() - p1).norm(), 8 * g_fUlp * 6);
+}
+
+TEST(CircleTangents, SwappingTheCirclesSwapsTheTangents) {
+  const CCircle a = Circle({1.0f, 2.0f}, 3.0f), b = Circle({-6.0f, 5.0f}, 1.0f);
+  CLineSegDesc t0, t1, s0, s1;
+  ASSERT_TRUE(a.Tangents(&b, t0, t1));
+  ASSERT_TRUE(b.Tangents(&a, s0, s1));
+  EXPECT_LE((t0.GetEndPt0() - s1.GetEndPt0()).norm(), 8 * g_fUlp * 14);
+  EXPECT_LE((t0.GetEndPt1() - s1.GetEndPt1()).norm(), 8 * g_fUlp * 14);
+  EXPECT_LE((t1.GetEndPt0() - s0.GetEndPt0()).norm(), 8 * g_fUlp * 14);
+}
+
+TEST(CircleTangents, OnlyTheEndsOfTheDescriptorsAreSet) {
+  CLineSegDesc t0({0.0f, 0.0f}, {1.0f, 0.0f}, 0.25f), t1;
+  t0.m_eSides = eSides::Back;
+  const CCircle b = Circle({9.0f, 0.0f}, 1.0f);
+  ASSERT_TRUE(Circle({0.0f, 0.0f}, 2.0f).Tangents(&b, t0, t1));
+  EXPECT_EQ(t0.m_fElasticity, 0.25f);
+  EXPECT_EQ(t0.m_eSides, eSides::Back);
+  EXPECT_EQ(t0.m_vPos, Vector2(t0.GetEndPt0() + 0.5f * (t0.GetEndPt1() - t0.GetEndPt0())));
+}
+
+TEST(CircleTangents, WithoutAnotherCircleAreRefused) {
+  CLineSegDesc t0, t1;
+  EXPECT_THROW(Circle({0.0f, 0.0f}, 1.0f).Tangents(nullptr, t0, t1), std::invalid_argument);
+  EXPECT_THROW(Circle({0.0f, 0.0f}, 1.0f).Tangent(nullptr, t0), std::invalid_argument);
 }
 
 } // namespace

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Descriptions of shapes in one expression.
+#pragma once
+
+#include "../Sensors.h"
+
+namespace Shapes {
+
+/// Kinematic, turning so many times a second about a centre.
+template <class TDesc>
+TDesc Turning(TDesc desc, float revsPerSecond = 0, const Vector2& center = Vector2::Zero()) {
+  desc.m_eMotionType = eMotion::Kinematic;
+  desc.m_fRotSpeed = revsPerSecond;
+  desc.m_vRotCenter = center;
+  return desc;
+}
+
+/// Solid on these sides.
+template <class TDesc>
+TDesc Sided(TDesc desc, eSides sides) {
+  desc.m_eSides = sides;
+  return desc;
+}
+
+} // namespace Shapes
