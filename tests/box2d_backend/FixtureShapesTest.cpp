@@ -213,20 +213,6 @@ TEST(PiecesTest, TheSolidSideOfEachEdgeOfAnArcIsTheRightOne) {
   });
 }
 
-TEST(PiecesTest, SidesOfAnArcAreSolidAsAsked) {
-  const Vector2 outside(0, 1.05f), inside(0, 0.95f);
-  const CFixtureShapes both = Make(MakeArc(1, 0, g_fPi)), front = Make(MakeArc(1, 0, g_fPi, eSides::Front)),
-                       back = Make(MakeArc(1, 0, g_fPi, eSides::Back));
-  EXPECT_EQ(both.m_stdChains.size(), 2u);
-  ASSERT_EQ(front.m_stdChains.size(), 1u);
-  ASSERT_EQ(back.m_stdChains.size(), 1u);
-  EXPECT_TRUE(Touches(both, outside) && Touches(both, inside));
-  EXPECT_TRUE(Touches(front, outside));
-  EXPECT_FALSE(Touches(front, inside));
-  EXPECT_FALSE(Touches(back, outside));
-  EXPECT_TRUE(Touches(back, inside));
-}
-
 TEST(PiecesTest, SidesOfASegmentAreSolidAsAskedInEveryDirection) {
   ForEachCase(14, 1000, [&](CRandom& random, int) {
     CLineSegDesc desc(random.InSquare(5), random.InSquare(5));
@@ -246,20 +232,6 @@ TEST(PiecesTest, SidesOfASegmentAreSolidAsAskedInEveryDirection) {
       EXPECT_EQ(Touches(fixtures, beyond + n), sides != eSides::Back);
     }
   });
-}
-
-TEST(PiecesTest, AKinematicSegmentKeepsItsSolidSideAsItTurns) {
-  CLineSegDesc desc({0, 0}, {1, 0});
-  desc.m_eSides = eSides::Front;
-  desc.m_eMotionType = eMotion::Kinematic;
-  CKinematicLineSeg seg(desc);
-  for (int k = 0; k < 32; ++k) {
-    seg.SetOrientation(g_fTwoPi * static_cast<float>(k) / 32);
-    const CFixtureShapes fixtures = CFixtureShapes::Make(seg, {0, 0}, CScale(1), g_fSagittaTolerance);
-    const Vector2 n = 0.05f * seg.GetNormal();
-    EXPECT_TRUE(Touches(fixtures, seg.GetPos() + n)) << k;
-    EXPECT_FALSE(Touches(fixtures, seg.GetPos() - n)) << k;
-  }
 }
 
 TEST(PiecesTest, WhatIsTooSmallForBox2DBecomesAPointOrACircle) {
@@ -378,15 +350,18 @@ TEST(PiecesTest, TheEdgesOfAFullCircleClose) {
     EXPECT_NEAR(Norm(edge.m_vertex1), Norm(fixtures.m_stdEdges[1].m_vertex1), 8 * 2 * g_fUlp);
 }
 
-TEST(PiecesTest, SidesOfAnArcWithASkinAreSolidAsAsked) {
+TEST(PiecesTest, SidesOfAnArcAreSolidAsAskedWithASkinAndWithout) {
   for (const auto& [a0, a1] : {std::pair(0.0f, g_fPi), std::pair(0.0f, 0.0f), std::pair(1.0f, 6.5f)})
     for (int i = 0; i < 24; ++i) {
       const float angle = 1.1f + 1.9f * static_cast<float>(i) / 24;
       const Vector2 outside = 1.05f * AngleToVector(angle), inside = 0.95f * AngleToVector(angle);
       for (const eSides sides : {eSides::Both, eSides::Front, eSides::Back}) {
-        const CFixtureShapes fixtures = MakeWithSkin(MakeArc(1, a0, a1, sides));
-        EXPECT_EQ(Touches(fixtures, outside), sides != eSides::Back) << angle;
-        EXPECT_EQ(Touches(fixtures, inside), sides != eSides::Front) << angle;
+        const CArc arc = MakeArc(1, a0, a1, sides);
+        EXPECT_EQ(Make(arc).m_stdChains.size(), sides == eSides::Both ? 2u : 1u);
+        for (const CFixtureShapes& fixtures : {Make(arc), MakeWithSkin(arc)}) {
+          EXPECT_EQ(Touches(fixtures, outside), sides != eSides::Back) << angle;
+          EXPECT_EQ(Touches(fixtures, inside), sides != eSides::Front) << angle;
+        }
       }
     }
 }

@@ -38,9 +38,7 @@ TEST(SweepTurning, AgreesWith50Digits) {
 CSweepOracle MakeOracle(const CTrial& trial) {
   const CShapeGeometry& o = trial.m_cShape;
   const CMotion& motion = trial.m_cMotion;
-  const Compare::CShapeGeometry<double> f{o.m_eShapeType, o.m_eSides, o.m_bFull, o.m_bWide,
-                                          o.m_vCenter,    o.m_vPt0,   o.m_vPt1,  o.m_fRadius};
-  return {f,
+  return {ForReference(o),
           {o.m_vRotCenter, o.m_fTurnSpeed},
           {motion.m_vPos, motion.m_vVel, motion.m_fRadius},
           motion.m_fDuration};

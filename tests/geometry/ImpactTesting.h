@@ -37,6 +37,9 @@ double GapBound(const CTrial& trial);
 /// such a ball go for good if its way does not lead inward by as much as it overlaps.
 bool OverlapsInside(const CTrial& trial);
 
+inline Compare::CShapeGeometry<double> ForReference(const CShapeGeometry& o) {
+  return {o.m_eShapeType, o.m_eSides, o.m_bFull, o.m_bWide, o.m_vCenter, o.m_vPt0, o.m_vPt1, o.m_fRadius};
+}
 template <class T>
 Compare::CVec<T> To(const Vector2d& v) {
   return {T(v.x()), T(v.y())};
@@ -46,9 +49,7 @@ template <class T>
 bool SweepExactly(const CTrial& trial, Compare::CHit<T>& hit, double more = 0.0) {
   const CShapeGeometry& o = trial.m_cShape;
   const CMotion& motion = trial.m_cMotion;
-  const Compare::CShapeGeometry<double> f{o.m_eShapeType, o.m_eSides, o.m_bFull, o.m_bWide,
-                                          o.m_vCenter,    o.m_vPt0,   o.m_vPt1,  o.m_fRadius};
-  return Compare::Sweep<T>(f.template Cast<T>(), {To<T>(o.m_vRotCenter), T(o.m_fTurnSpeed)},
+  return Compare::Sweep<T>(ForReference(o).template Cast<T>(), {To<T>(o.m_vRotCenter), T(o.m_fTurnSpeed)},
                            {To<T>(motion.m_vPos), To<T>(motion.m_vVel), T(motion.m_fRadius) + T(more)},
                            T(motion.m_fDuration), hit);
 }

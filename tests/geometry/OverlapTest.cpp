@@ -13,10 +13,8 @@ namespace {
 const eShape g_eTypes[] = {eShape::Point, eShape::LineSeg, eShape::Circle, eShape::Arc};
 
 double Distance(const CShapeGeometry& o, const CMotion& motion, const Vector2d& p) {
-  const Compare::CShapeGeometry<double> f{o.m_eShapeType, o.m_eSides, o.m_bFull, o.m_bWide,
-                                          o.m_vCenter,    o.m_vPt0,   o.m_vPt1,  o.m_fRadius};
   return static_cast<double>(
-      Compare::Tests::CSweepOracle(f, {}, {motion.m_vPos, motion.m_vVel, motion.m_fRadius}, 1.0)
+      Compare::Tests::CSweepOracle(ForReference(o), {}, {motion.m_vPos, motion.m_vVel, motion.m_fRadius}, 1.0)
           .DistanceOf(p, 0));
 }
 
