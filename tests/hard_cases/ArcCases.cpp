@@ -33,19 +33,6 @@ CHardCase ArcCase(const CShot& shot) {
 // When angles decide: the time, or never.
 double TimeByAngles(bool isInside) { return isInside ? 0.0 : g_fNever; }
 
-CHardCase AcrossZero() {
-  CHardCase c = ArcCase(FromTheRight(Degrees(350.0), Degrees(10.0)));
-  c.m_sName = "ArcAcrossAngleZero";
-  Of(c, eColumn::Box2D) = Off(2e-5, "as if t = .90002: it meets a corner of its chords");
-  c.m_sInput = "arc R = 1 from 350 to 10 degrees; ball r = .1 at (2, 0), v = (-1, 0); one step of .925";
-  c.m_sControl = "in the sector if a0 <= a <= a1: never";
-  c.m_fnControl = [] {
-    const double a0 = 350.0 * g_fDegree, a1 = 10.0 * g_fDegree, a = std::atan2(0.0, 1.0);
-    return TimeByAngles(a0 <= a && a <= a1);
-  };
-  return c;
-}
-
 CHardCase EqualAngles() {
   CHardCase c = ArcCase(FromTheRight(0.0f, 0.0f));
   c.m_sName = "ArcOfEqualAnglesIsTheFullCircle";
@@ -86,22 +73,6 @@ double ErrorOfTinyAngle(eColumn column) {
   const float largest = std::max(
       {std::abs(NormalizeAngle(angle)), std::abs(shape.GetAngle0()), pWorld->GetOrientation(turned)});
   return static_cast<double>(largest);
-}
-
-CHardCase TinyNegativeAngle() {
-  CHardCase c;
-  c.m_sName = "TinyNegativeAngleStaysBelowAFullTurn";
-  c.m_sInput = "angle -1e-9 in float (reference: -1e-17), of an arc and of an orientation";
-  c.m_sRight = "in [0, 2 pi): 0";
-  c.m_cBound = g_cBits;
-  c.m_fnError = ErrorOfTinyAngle;
-  c.m_sControl = "a + 2 pi in float: 6.2831855, above 2 pi";
-  c.m_fnControl = [] {
-    const volatile float a = -1e-9f;
-    const float turned = a + g_fTwoPi;
-    return static_cast<double>(turned);
-  };
-  return c;
 }
 
 CHardCase ShortArc() {
@@ -150,85 +121,88 @@ CHardCase ThroughTheOpening() {
   shot.m_stdBalls[0].m_vPos = {3.0f, 0.0f};
   shot.m_fSeconds = 3.925f;
   shot.m_nBox2DSteps = 2;
-  CHardCase c = ShotCase(shot, MeetRing(shot.m_stdBalls[0], 1.0f));
-  c.m_sName = "BallThroughTheOpeningOfAnArc";
-  Of(c, eColumn::Native) = Off(0.0125, "as if t = 3.9125: the way after the impact is lost");
-  Of(c, eColumn::Box2D) = Off(0.146, "v' off by .15 radians: it bounces off a chord");
-  c.m_sInput =
-      "arc R = 1 from 45 to 315 degrees; ball r = .1 at (3, 0), v = (-1, 0); one step of 3.925, on Box2D two";
-  c.m_sRight = "enters and meets the far side from inside: t = 3.9, n = (1, 0)";
-  c.m_sControl = "the first root of the full circle: t = 1.9";
-  c.m_fnControl = [] { return 3.9 - 1.9; };
-  return c;
-}
-
-CHardCase TooLargeInside() {
-  CHardCase c;
-  c.m_sName = "BallTooLargeInsideAFullArc";
-  c.m_sInput =
-      "full arc R = 1, ball r = 1.5 inside at (.25, 0), v = (.5, 0), (-.5, 0) and 0; one step of .25";
-  c.m_sRight = "it cannot touch the inside: ignored, it flies on";
-  c.m_cBound = {1e-12, 2.0 * g_fFloatEps, "1e-12 of p and v; engines 2 roundings"};
-  Of(c, eColumn::Box2D) = Off(2.6, "thrown out through the arc, by 2.6 units in the step");
-  c.m_fnError = [](eColumn column) {
-    double error = 0.0;
-    for (const float v : {0.5f, -0.5f, 0.0f}) {
-      CShot shot{{CArcDesc({0.0f, 0.0f}, 1.0f, 0.0f, 0.0f)},
-                 {CDynamicCircleDesc({0.25f, 0.0f}, 1.5f, {v, 0.0f})},
-                 0.25f};
-      error = std::max(error, ErrorOfFlight(Shoot(column, shot), shot));
-    }
-    return error;
-  };
-  c.m_sControl = "overlaps if R - d < r, put to d = R - r = -.5: to the other side and back in every step";
-  c.m_fnControl = [] {
-    const double d = 0.25, R = 1.0, r = 1.5;
-    return R - d < r ? std::abs((R - r) - d) : 0.0;
-  };
-  return c;
-}
-
-CHardCase BoxOfAShortArc() {
-  CHardCase c;
-  c.m_sName = "BoxOfAnArcAcrossItsTop";
-  c.m_sInput = "arc R = 1 from 80 to 100 degrees: its box";
-  c.m_sRight = "up to y = 1";
-  c.m_cBound = {g_fFloatEps, g_fFloatEps, "1 rounding of float"};
-  c.m_stdExpect = {Right(), Right(), Right(), Right(), NotAsked("keeps its boxes to itself")};
-  c.m_fnError = [](eColumn column) {
-    const auto pWorld = MakeWorld(column, Desc(column));
-    const CShapeId arc = pWorld->Add(CArcDesc({0.0f, 0.0f}, 1.0f, Degrees(80.0), Degrees(100.0)));
-    return std::abs(static_cast<double>(pWorld->GetShape(arc).GetAABB().GetTopLeft().y()) - 1.0);
-  };
-  c.m_sControl = "box of the ends: y = .98481";
-  c.m_fnControl = [] { return 1.0 - std::max(std::sin(80.0 * g_fDegree), std::sin(100.0 * g_fDegree)); };
-  return c;
+  return Named(
+      ShotCase(shot, MeetRing(shot.m_stdBalls[0], 1.0f)), "BallThroughTheOpeningOfAnArc",
+      "arc R = 1 from 45 to 315 degrees; ball r = .1 at (3, 0), v = (-1, 0); one step of 3.925, on Box2D two",
+      "enters and meets the far side from inside: t = 3.9, n = (1, 0)",
+      {{eColumn::Native, Off(0.0125, "as if t = 3.9125: the way after the impact is lost")},
+       {eColumn::Box2D, Off(0.146, "v' off by .15 radians: it bounces off a chord")}},
+      "the first root of the full circle: t = 1.9", [] { return 3.9 - 1.9; });
 }
 
 CHardCase AtTheTopOfAShortArc() {
   CShot shot{{CArcDesc({0.0f, 0.0f}, 1.0f, Degrees(80.0), Degrees(100.0))},
              {CDynamicCircleDesc({0.0f, 1.5f}, 0.1f, {0.0f, -1.0f})},
              0.41f};
-  CHardCase c = ShotCase(shot, MeetDisc(shot.m_stdBalls[0], 1.0f));
-  c.m_sName = "BallAtTheTopOfAShortArc";
-  Of(c, eColumn::Native) = Off(0.005, "as if t = .405: the way after the impact is lost");
-  Of(c, eColumn::Box2D) = Off(2e-5, "as if t = .40002: it meets a corner of its chords");
-  c.m_sInput =
-      "the same arc; ball r = .1 at (0, 1.5), v = (0, -1); one step of .41, so it is .01 too deep at most";
-  c.m_sRight = "t = .4, n = (0, 1)";
-  c.m_sControl = "box of the ends: the ball is .005 above it at the end";
-  c.m_fnControl = [] {
-    const double low = 1.5 - 0.41 - 0.1, top = std::sin(80.0 * g_fDegree);
-    return low <= top ? 0.0 : g_fNever;
-  };
-  return c;
+  return Named(
+      ShotCase(shot, MeetDisc(shot.m_stdBalls[0], 1.0f)), "BallAtTheTopOfAShortArc",
+      "the same arc; ball r = .1 at (0, 1.5), v = (0, -1); one step of .41, so it is .01 too deep at most",
+      "t = .4, n = (0, 1)",
+      {{eColumn::Native, Off(0.005, "as if t = .405: the way after the impact is lost")},
+       {eColumn::Box2D, Off(2e-5, "as if t = .40002: it meets a corner of its chords")}},
+      "box of the ends: the ball is .005 above it at the end", [] {
+        const double low = 1.5 - 0.41 - 0.1, top = std::sin(80.0 * g_fDegree);
+        return low <= top ? 0.0 : g_fNever;
+      });
 }
 
 } // namespace
 
 std::vector<CHardCase> ArcCases() {
-  return {AcrossZero(),        EqualAngles(),    TinyNegativeAngle(), ShortArc(),           Slit(),
-          ThroughTheOpening(), TooLargeInside(), BoxOfAShortArc(),    AtTheTopOfAShortArc()};
+  return {
+      Named(ArcCase(FromTheRight(Degrees(350.0), Degrees(10.0))), "ArcAcrossAngleZero",
+            "arc R = 1 from 350 to 10 degrees; ball r = .1 at (2, 0), v = (-1, 0); one step of .925", {},
+            {{eColumn::Box2D, Off(2e-5, "as if t = .90002: it meets a corner of its chords")}},
+            "in the sector if a0 <= a <= a1: never",
+            [] {
+              const double a0 = 350.0 * g_fDegree, a1 = 10.0 * g_fDegree, a = std::atan2(0.0, 1.0);
+              return TimeByAngles(a0 <= a && a <= a1);
+            }),
+      EqualAngles(),
+      {"TinyNegativeAngleStaysBelowAFullTurn",
+       "angle -1e-9 in float (reference: -1e-17), of an arc and of an orientation", "in [0, 2 pi): 0",
+       g_cBits, g_stdAllRight, ErrorOfTinyAngle, "a + 2 pi in float: 6.2831855, above 2 pi",
+       [] {
+         const volatile float a = -1e-9f;
+         const float turned = a + g_fTwoPi;
+         return static_cast<double>(turned);
+       }},
+      ShortArc(),
+      Slit(),
+      ThroughTheOpening(),
+      {"BallTooLargeInsideAFullArc",
+       "full arc R = 1, ball r = 1.5 inside at (.25, 0), v = (.5, 0), (-.5, 0) and 0; one step of .25",
+       "it cannot touch the inside: ignored, it flies on",
+       {1e-12, 2.0 * g_fFloatEps, "1e-12 of p and v; engines 2 roundings"},
+       {Right(), Right(), Off(2.6, "thrown out through the arc, by 2.6 units in the step"), Right(), Right()},
+       [](eColumn column) {
+         double error = 0.0;
+         for (const float v : {0.5f, -0.5f, 0.0f}) {
+           CShot shot{{CArcDesc({0.0f, 0.0f}, 1.0f, 0.0f, 0.0f)},
+                      {CDynamicCircleDesc({0.25f, 0.0f}, 1.5f, {v, 0.0f})},
+                      0.25f};
+           error = std::max(error, ErrorOfFlight(Shoot(column, shot), shot));
+         }
+         return error;
+       },
+       "overlaps if R - d < r, put to d = R - r = -.5: to the other side and back in every step",
+       [] {
+         const double d = 0.25, R = 1.0, r = 1.5;
+         return R - d < r ? std::abs((R - r) - d) : 0.0;
+       }},
+      {"BoxOfAnArcAcrossItsTop",
+       "arc R = 1 from 80 to 100 degrees: its box",
+       "up to y = 1",
+       {g_fFloatEps, g_fFloatEps, "1 rounding of float"},
+       {Right(), Right(), Right(), Right(), NotAsked("keeps its boxes to itself")},
+       [](eColumn column) {
+         const auto pWorld = MakeWorld(column, Desc(column));
+         const CShapeId arc = pWorld->Add(CArcDesc({0.0f, 0.0f}, 1.0f, Degrees(80.0), Degrees(100.0)));
+         return std::abs(static_cast<double>(pWorld->GetShape(arc).GetAABB().GetTopLeft().y()) - 1.0);
+       },
+       "box of the ends: y = .98481",
+       [] { return 1.0 - std::max(std::sin(80.0 * g_fDegree), std::sin(100.0 * g_fDegree)); }},
+      AtTheTopOfAShortArc()};
 }
 
 } // namespace Shapes::HardCases

@@ -64,40 +64,17 @@ CHardCase InTheMiddle() {
   const CShot flight = InFullArc(2.0f, 0.5f, {1.0f, 0.0f}, 1.75f),
               rest = InFullArc(2.0f, 0.5f, {0.0f, 0.0f}, 1.75f);
   const CAnswer answer = MeetRing(flight.m_stdBalls[0], 2.0f);
-  CHardCase c;
-  c.m_sName = "CentreInTheMiddleOfAFullArc";
-  c.m_sInput =
-      "ball r = .5 in the middle of a full arc R = 2: at rest, and with v = (1, 0); one step of 1.75";
-  c.m_sRight = "at rest no contact; else the gap is 1.5: t = 1.5, n = (-1, 0), v' = (-1, 0)";
-  c.m_cBound = {1e-12, 8.0 * 1.5 * g_fFloatEps, "1e-12 of t, n and v'; engines 8 roundings"};
-  Of(c, eColumn::Native) = Off(0.125, "as if t = 1.625: the way after the impact is lost");
-  Of(c, eColumn::Box2D) = Off(0.12, "v' off by .12 radians: it bounces off a chord");
-  c.m_fnError = [=](eColumn column) {
-    return std::max(ErrorOfFlight(Shoot(column, rest), rest), ErrorOf(Shoot(column, flight), answer));
-  };
-  c.m_sControl = "closest point: R p over the length of p, 0 / 0";
-  c.m_fnControl = NoDirection;
-  return c;
-}
-
-CHardCase InAnArcOfItsSize() {
-  CHardCase c;
-  c.m_sName = "BallInTheMiddleOfAFullArcOfItsOwnSize";
-  c.m_sInput = "ball r = 1 in the middle of a full arc R = 1: at rest, and with v = (1, 0); one step of .25";
-  c.m_sRight = "it has no room inside, so it has no inner contact: flies on";
-  c.m_cBound = {1e-12, 2.0 * g_fFloatEps, "1e-12 of p and v; engines 2 roundings"};
-  Of(c, eColumn::Box2D) = Off(8.6, "thrown out through the arc, with 8.6 times its speed");
-  c.m_fnError = [](eColumn column) {
-    double error = 0.0;
-    for (const Vector2& v : {Vector2(0.0f, 0.0f), Vector2(1.0f, 0.0f)}) {
-      const CShot shot = InFullArc(1.0f, 1.0f, v, 0.25f);
-      error = std::max(error, ErrorOfFlight(Shoot(column, shot), shot));
-    }
-    return error;
-  };
-  c.m_sControl = "n = -p over its length: 0 / 0";
-  c.m_fnControl = NoDirection;
-  return c;
+  return {"CentreInTheMiddleOfAFullArc",
+          "ball r = .5 in the middle of a full arc R = 2: at rest, and with v = (1, 0); one step of 1.75",
+          "at rest no contact; else the gap is 1.5: t = 1.5, n = (-1, 0), v' = (-1, 0)",
+          {1e-12, 8.0 * 1.5 * g_fFloatEps, "1e-12 of t, n and v'; engines 8 roundings"},
+          {Off(0.125, "as if t = 1.625: the way after the impact is lost"), Right(),
+           Off(0.12, "v' off by .12 radians: it bounces off a chord"), Right(), Right()},
+          [=](eColumn column) {
+            return std::max(ErrorOfFlight(Shoot(column, rest), rest), ErrorOf(Shoot(column, flight), answer));
+          },
+          "closest point: R p over the length of p, 0 / 0",
+          NoDirection};
 }
 
 // How far two balls of r = .5 that are on each other at rest are from where they belong after a step.
@@ -115,45 +92,54 @@ double ErrorOfParting(eColumn column, float m0, float m1) {
                    Distance(w0 * p0 + w1 * p1, CVec2d::Zero()), rest});
 }
 
-CHardCase TwoBallsOnEachOther() {
-  CHardCase c;
-  c.m_sName = "TwoBallsAtOnePlace";
-  c.m_sInput = "two balls r = .5 of m = 1 and 3, both at rest at (0, 0); one step of 1/60";
-  c.m_sRight = "apart by .75 and .25 along one line; the centre of mass stays, v' = 0";
-  c.m_cBound = {1e-12, 2.0 * g_fFloatEps, "1e-12 of p and v; engines 2 roundings"};
-  c.m_stdExpect = {Right(), Right(), Right(), Right(), NotAsked("leaves what overlaps where it is")};
-  Of(c, eColumn::Box2D) = Off(0.75, "they stay on each other for good");
-  Of(c, eColumn::Tuned) = Off(0.64, "apart by .11 and .04, right after some steps");
-  c.m_fnError = [](eColumn column) { return ErrorOfParting(column, 1.0f, 3.0f); };
-  c.m_sControl = "n = p1 - p0 over its length: 0 / 0";
-  c.m_fnControl = NoDirection;
-  return c;
-}
-
 } // namespace
 
 std::vector<CHardCase> CoincidentCases() {
   const CLineSegDesc seg({-1.0f, 0.0f}, {1.0f, 0.0f});
   const CExpect notSetBack = Off(0.5, "n and v' right, set back by 0 instead of .5");
-  return {OnTheSpot("CentreExactlyOnAPoint", "ball r = .5, its centre on the point, v = (1, 0)",
-                    "against v: n = (-1, 0), setback r, v' = (-1, 0)",
-                    {CPointDesc({0.0f, 0.0f}), {1.0f, 0.0f}, {-1.0, 0.0}, {-1.0, 0.0}},
-                    Missed("flies on: its normal there is always (1, 0)"), notSetBack,
-                    "n = p over its length: 0 / 0"),
-          OnTheSpot("CentreExactlyOnASegmentFromAbove",
-                    "ball r = .5, its centre on the segment (-1, 0)-(1, 0), v = (1, -1)",
-                    "to where it came from: n = (0, 1), setback r, v' = (1, 1)",
-                    {seg, {1.0f, -1.0f}, {0.0, 1.0}, {1.0, 1.0}},
-                    Missed("flies on: its normal there is always (0, -1)"), notSetBack,
-                    "n = q - foot over its length: 0 / 0"),
-          OnTheSpot("CentreExactlyOnASegmentFromBelow", "the same from below, v = (1, 1)",
-                    "n = (0, -1), setback r, v' = (1, -1)", {seg, {1.0f, 1.0f}, {0.0, -1.0}, {1.0, -1.0}},
-                    Off(0.376, "n and v' right by chance: that is its normal there; set back by .12 instead "
-                               "of .5"),
-                    Missed("flies on: it takes it to be above"), "n = q - foot over its length: 0 / 0"),
-          InTheMiddle(),
-          InAnArcOfItsSize(),
-          TwoBallsOnEachOther()};
+  return {
+      OnTheSpot("CentreExactlyOnAPoint", "ball r = .5, its centre on the point, v = (1, 0)",
+                "against v: n = (-1, 0), setback r, v' = (-1, 0)",
+                {CPointDesc({0.0f, 0.0f}), {1.0f, 0.0f}, {-1.0, 0.0}, {-1.0, 0.0}},
+                Missed("flies on: its normal there is always (1, 0)"), notSetBack,
+                "n = p over its length: 0 / 0"),
+      OnTheSpot("CentreExactlyOnASegmentFromAbove",
+                "ball r = .5, its centre on the segment (-1, 0)-(1, 0), v = (1, -1)",
+                "to where it came from: n = (0, 1), setback r, v' = (1, 1)",
+                {seg, {1.0f, -1.0f}, {0.0, 1.0}, {1.0, 1.0}},
+                Missed("flies on: its normal there is always (0, -1)"), notSetBack,
+                "n = q - foot over its length: 0 / 0"),
+      OnTheSpot("CentreExactlyOnASegmentFromBelow", "the same from below, v = (1, 1)",
+                "n = (0, -1), setback r, v' = (1, -1)", {seg, {1.0f, 1.0f}, {0.0, -1.0}, {1.0, -1.0}},
+                Off(0.376, "n and v' right by chance: that is its normal there; set back by .12 instead "
+                           "of .5"),
+                Missed("flies on: it takes it to be above"), "n = q - foot over its length: 0 / 0"),
+      InTheMiddle(),
+      {"BallInTheMiddleOfAFullArcOfItsOwnSize",
+       "ball r = 1 in the middle of a full arc R = 1: at rest, and with v = (1, 0); one step of .25",
+       "it has no room inside, so it has no inner contact: flies on",
+       {1e-12, 2.0 * g_fFloatEps, "1e-12 of p and v; engines 2 roundings"},
+       {Right(), Right(), Off(8.6, "thrown out through the arc, with 8.6 times its speed"), Right(), Right()},
+       [](eColumn column) {
+         double error = 0.0;
+         for (const Vector2& v : {Vector2(0.0f, 0.0f), Vector2(1.0f, 0.0f)}) {
+           const CShot shot = InFullArc(1.0f, 1.0f, v, 0.25f);
+           error = std::max(error, ErrorOfFlight(Shoot(column, shot), shot));
+         }
+         return error;
+       },
+       "n = -p over its length: 0 / 0",
+       NoDirection},
+      {"TwoBallsAtOnePlace",
+       "two balls r = .5 of m = 1 and 3, both at rest at (0, 0); one step of 1/60",
+       "apart by .75 and .25 along one line; the centre of mass stays, v' = 0",
+       {1e-12, 2.0 * g_fFloatEps, "1e-12 of p and v; engines 2 roundings"},
+       {Right(), Right(), Off(0.75, "they stay on each other for good"),
+        Off(0.64, "apart by .11 and .04, right after some steps"),
+        NotAsked("leaves what overlaps where it is")},
+       [](eColumn column) { return ErrorOfParting(column, 1.0f, 3.0f); },
+       "n = p1 - p0 over its length: 0 / 0",
+       NoDirection}};
 }
 
 } // namespace Shapes::HardCases

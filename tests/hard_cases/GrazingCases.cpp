@@ -44,54 +44,51 @@ CAnswer PastAt50Digits(double y) {
 CHardCase JustTouching() {
   const double y = 1.0 - 1e-12;
   const float yFloat = 1.0f - 0x1p-24f;
-  CHardCase c;
-  c.m_sName = "BallThatJustTouchesAPoint";
-  c.m_sInput = "point (0, 0); ball r = 1 at (-10, 1 - 1e-12), in float (-10, 1 - 6e-8), v = (1, 0)";
-  c.m_sRight = "t = 9.99999858578644 (float: 9.99965473), turned by 2.8e-6 (6.9e-4) radians";
-  c.m_cBound = {
-      2e-9, 8.0 * 10.0 * g_fFloatEps,
-      "t, n and v' within 2e-9, a rounding of 10 over the slope sqrt(2e-12); engines 8 roundings of 10"};
-  Of(c, eColumn::Native) = Missed("flies past: at the end of the step it is beyond");
-  Of(c, eColumn::Box2D) = Missed("flies past: it stops a ball only where it is .015 deep");
-  Of(c, eColumn::Tuned) = Missed("flies past: so slight an overlap does not stop Box2D");
-  c.m_fnError = [=](eColumn column) {
-    if (column == eColumn::Reference) return ErrorOf(PastInDouble(y), PastAt50Digits(y));
-    CSeen seen = Shoot(column, Past(yFloat));
-    // Where it was met tells the time better than so small a change of velocity.
-    if (std::isfinite(seen.m_fTime)) seen.m_fTime = seen.m_fContactTime;
-    return ErrorOf(seen, PastAt50Digits(static_cast<double>(yFloat)));
-  };
-  c.m_sControl = "quadratic in float, -b - sqrt(b b - (d.d - r r)): all digits cancel";
-  c.m_fnControl = [=] {
-    const volatile float dd = 100.0f + yFloat * yFloat; // as a processor without wider registers has it
-    const float cc = dd - 1.0f, root = std::sqrt(std::max(0.0f, 100.0f - cc));
-    return std::abs(static_cast<double>(
-        10.0f - root - static_cast<float>(PastAt50Digits(static_cast<double>(yFloat)).m_fTime)));
-  };
-  return c;
+  return {"BallThatJustTouchesAPoint",
+          "point (0, 0); ball r = 1 at (-10, 1 - 1e-12), in float (-10, 1 - 6e-8), v = (1, 0)",
+          "t = 9.99999858578644 (float: 9.99965473), turned by 2.8e-6 (6.9e-4) radians",
+          {2e-9, 8.0 * 10.0 * g_fFloatEps,
+           "t, n and v' within 2e-9, a rounding of 10 over the slope sqrt(2e-12); engines 8 roundings of 10"},
+          {Missed("flies past: at the end of the step it is beyond"), Right(),
+           Missed("flies past: it stops a ball only where it is .015 deep"),
+           Missed("flies past: so slight an overlap does not stop Box2D"), Right()},
+          [=](eColumn column) {
+            if (column == eColumn::Reference) return ErrorOf(PastInDouble(y), PastAt50Digits(y));
+            CSeen seen = Shoot(column, Past(yFloat));
+            // Where it was met tells the time better than so small a change of velocity.
+            if (std::isfinite(seen.m_fTime)) seen.m_fTime = seen.m_fContactTime;
+            return ErrorOf(seen, PastAt50Digits(static_cast<double>(yFloat)));
+          },
+          "quadratic in float, -b - sqrt(b b - (d.d - r r)): all digits cancel",
+          [=] {
+            const volatile float dd =
+                100.0f + yFloat * yFloat; // as a processor without wider registers has it
+            const float cc = dd - 1.0f, root = std::sqrt(std::max(0.0f, 100.0f - cc));
+            return std::abs(static_cast<double>(
+                10.0f - root - static_cast<float>(PastAt50Digits(static_cast<double>(yFloat)).m_fTime)));
+          }};
 }
 
 CHardCase JustMissing() {
   const float yFloat = 1.0f + 0x1p-23f;
-  CHardCase c;
-  c.m_sName = "BallThatJustMissesAPoint";
-  c.m_sInput = "the same at (-10, 1 + 1e-12), in float (-10, 1 + 1.2e-7)";
-  c.m_sRight = "flies past";
-  c.m_cBound = {1e-12, 8.0 * g_fFloatEps, "1e-12 of p and v; engines 8 roundings"};
-  c.m_fnError = [=](eColumn column) {
-    const CShot shot = Past(yFloat);
-    if (column != eColumn::Reference) return ErrorOfFlight(Shoot(column, shot), shot);
-    const CSeen seen = PastInDouble(1.0 + 1e-12);
-    if (seen.m_nContacts > 0) return g_fNever;
-    return std::max(Distance(seen.m_vVel, {1.0, 0.0}), Distance(seen.m_vPos, {0.5, 1.0 + 1e-12}));
-  };
-  c.m_sControl = "the same quadratic: a root of 0 is taken for a touch";
-  c.m_fnControl = [=] {
-    const volatile float dd = 100.0f + yFloat * yFloat;
-    const float cc = dd - 1.0f;
-    return 100.0f - cc >= 0.0f ? g_fNever : 0.0;
-  };
-  return c;
+  return {"BallThatJustMissesAPoint",
+          "the same at (-10, 1 + 1e-12), in float (-10, 1 + 1.2e-7)",
+          "flies past",
+          {1e-12, 8.0 * g_fFloatEps, "1e-12 of p and v; engines 8 roundings"},
+          g_stdAllRight,
+          [=](eColumn column) {
+            const CShot shot = Past(yFloat);
+            if (column != eColumn::Reference) return ErrorOfFlight(Shoot(column, shot), shot);
+            const CSeen seen = PastInDouble(1.0 + 1e-12);
+            if (seen.m_nContacts > 0) return g_fNever;
+            return std::max(Distance(seen.m_vVel, {1.0, 0.0}), Distance(seen.m_vPos, {0.5, 1.0 + 1e-12}));
+          },
+          "the same quadratic: a root of 0 is taken for a touch",
+          [=] {
+            const volatile float dd = 100.0f + yFloat * yFloat;
+            const float cc = dd - 1.0f;
+            return 100.0f - cc >= 0.0f ? g_fNever : 0.0;
+          }};
 }
 
 constexpr int g_nSlideSteps = 10000;
@@ -108,27 +105,6 @@ double ErrorOfSliding(eColumn column) {
                       Distance(stepped.GetVel(), {1.0, 0.0})});
   }
   return error;
-}
-
-CHardCase Sliding() {
-  CHardCase c;
-  c.m_sName = "BallThatSlidesAlongASegment";
-  c.m_sInput =
-      "segment (-1, 0)-(200, 0); ball r = .1 at (0, .1), v = (1, 0), no gravity; 10,000 steps of 1/60";
-  c.m_sRight = "y and v keep their bits";
-  c.m_cBound = {1e-12, 1e-12, "1e-12 of y and v, less than a rounding of float"};
-  Of(c, eColumn::Box2D) = Off(0.005, "lifted by .005: its skin");
-  c.m_fnError = ErrorOfSliding;
-  c.m_sControl = "normal by its angle, cos(pi / 2) = -4.4e-8 in float: v is off by 8.7e-8";
-  c.m_fnControl = [] {
-    const float a = g_fPi / 2.0f;
-    const Vector2 n(std::cos(a), std::sin(a));
-    Vector2 v(1.0f, 0.0f);
-    for (int i = 0; i < g_nSlideSteps; ++i)
-      if (v.dot(n) < 0.0f) v -= 2.0f * v.dot(n) * n;
-    return static_cast<double>(v.y());
-  };
-  return c;
 }
 
 // Time at which |p + v t + g t^2 / 2| falls to R, by halving, between 0 and where it is closest or later.
@@ -148,22 +124,20 @@ CHardCase OnAParabola() {
   CShot shot{{CPointDesc({0.0f, 0.0f})}, {CDynamicCircleDesc({-1.0f, 0.5f}, 0.3f, {3.0f, 0.0f})}, 0.3f};
   shot.m_vGravity = {0.0f, -9.8f};
   shot.m_nSteps = 18;
-  CHardCase c;
-  c.m_sName = "BallOnAParabolaMeetsAPoint";
-  c.m_sInput = "point (0, 0); ball r = .3 at (-1, .5), v = (3, 0), gravity (0, -9.8); 60 steps a second";
-  c.m_sRight = "t = .254193423748269";
   const CFifty right = MeetOnParabola(shot.m_stdBalls[0], shot.m_vGravity, 0.3);
-  c.m_cBound = {1e-12, 8.0 * g_fFloatEps, "1e-12 of t; engines 8 roundings"};
-  Of(c, eColumn::Native) =
-      Off(0.0047, ".0047 early: met at the end of the step, and v changes once in a step");
-  Of(c, eColumn::Box2D) = Off(0.00066, ".0007 late: v changes once in a step, and it stops a ball .015 deep");
-  c.m_fnError = [=](eColumn column) {
-    const double error = std::abs(Shoot(column, shot).m_fContactTime - static_cast<double>(right));
-    return std::isfinite(error) ? error : g_fNever;
-  };
-  c.m_sControl = "straight on with its first velocity: .2 above the point, missed";
-  c.m_fnControl = [] { return 0.5 < 0.3 ? 0.0 : g_fNever; };
-  return c;
+  return {"BallOnAParabolaMeetsAPoint",
+          "point (0, 0); ball r = .3 at (-1, .5), v = (3, 0), gravity (0, -9.8); 60 steps a second",
+          "t = .254193423748269",
+          {1e-12, 8.0 * g_fFloatEps, "1e-12 of t; engines 8 roundings"},
+          {Off(0.0047, ".0047 early: met at the end of the step, and v changes once in a step"), Right(),
+           Off(0.00066, ".0007 late: v changes once in a step, and it stops a ball .015 deep"), Right(),
+           Right()},
+          [=](eColumn column) {
+            const double error = std::abs(Shoot(column, shot).m_fContactTime - static_cast<double>(right));
+            return std::isfinite(error) ? error : g_fNever;
+          },
+          "straight on with its first velocity: .2 above the point, missed",
+          [] { return 0.5 < 0.3 ? 0.0 : g_fNever; }};
 }
 
 CHardCase TwoThatFall() {
@@ -174,26 +148,41 @@ CHardCase TwoThatFall() {
   shot.m_fSeconds = 0.45f;
   shot.m_nSteps = 27;
   const CAnswer answer = MeetDisc(shot.m_stdBalls[0], 0.25f);
-  CHardCase c = ShotCase(shot, answer);
-  c.m_sName = "TwoBallsThatFallTogether";
-  Of(c, eColumn::Native) = Off(0.70, "v' off by .18 radians: n is that at the end of the step");
-  Of(c, eColumn::Box2D) =
-      Off(0.70, "v' off by .18 radians: it does not sweep balls, n is that at the end of the step");
-  c.m_sInput =
-      "balls r = .25 at (-2, .3), v = (4, 0), and at (0, 0) at rest, gravity (0, -9.8); 27 steps of 1/60";
-  c.m_sRight = "gravity cancels: t = .4, n = (-.8, .6), relative v' = (-1.12, 3.84)";
-  c.m_sControl = "only the first one falls in the equation: t = .55";
-  c.m_fnControl = [=] {
-    const CDynamicCircleDesc first({-2.0f, 0.3f}, 0.5f, {4.0f, 0.0f});
-    return static_cast<double>(MeetOnParabola(first, {0.0f, -9.8f}, 0.45) - answer.m_fTime);
-  };
-  return c;
+  return Named(
+      ShotCase(shot, answer), "TwoBallsThatFallTogether",
+      "balls r = .25 at (-2, .3), v = (4, 0), and at (0, 0) at rest, gravity (0, -9.8); 27 steps of 1/60",
+      "gravity cancels: t = .4, n = (-.8, .6), relative v' = (-1.12, 3.84)",
+      {{eColumn::Native, Off(0.70, "v' off by .18 radians: n is that at the end of the step")},
+       {eColumn::Box2D,
+        Off(0.70, "v' off by .18 radians: it does not sweep balls, n is that at the end of the step")}},
+      "only the first one falls in the equation: t = .55", [=] {
+        const CDynamicCircleDesc first({-2.0f, 0.3f}, 0.5f, {4.0f, 0.0f});
+        return static_cast<double>(MeetOnParabola(first, {0.0f, -9.8f}, 0.45) - answer.m_fTime);
+      });
 }
 
 } // namespace
 
 std::vector<CHardCase> GrazingCases() {
-  return {JustTouching(), JustMissing(), Sliding(), OnAParabola(), TwoThatFall()};
+  return {JustTouching(),
+          JustMissing(),
+          {"BallThatSlidesAlongASegment",
+           "segment (-1, 0)-(200, 0); ball r = .1 at (0, .1), v = (1, 0), no gravity; 10,000 steps of 1/60",
+           "y and v keep their bits",
+           {1e-12, 1e-12, "1e-12 of y and v, less than a rounding of float"},
+           {Right(), Right(), Off(0.005, "lifted by .005: its skin"), Right(), Right()},
+           ErrorOfSliding,
+           "normal by its angle, cos(pi / 2) = -4.4e-8 in float: v is off by 8.7e-8",
+           [] {
+             const float a = g_fPi / 2.0f;
+             const Vector2 n(std::cos(a), std::sin(a));
+             Vector2 v(1.0f, 0.0f);
+             for (int i = 0; i < g_nSlideSteps; ++i)
+               if (v.dot(n) < 0.0f) v -= 2.0f * v.dot(n) * n;
+             return static_cast<double>(v.y());
+           }},
+          OnAParabola(),
+          TwoThatFall()};
 }
 
 } // namespace Shapes::HardCases

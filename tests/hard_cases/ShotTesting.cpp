@@ -128,6 +128,19 @@ CExpect Missed(const std::string& reason) { return Deviates(g_fNever, g_fNever, 
 
 CExpect& Of(CHardCase& c, eColumn column) { return c.m_stdExpect[static_cast<std::size_t>(column)]; }
 
+CHardCase Named(CHardCase c, const std::string& name, const std::string& input, const std::string& right,
+                const std::vector<std::pair<eColumn, CExpect>>& deviations, const std::string& control,
+                const std::function<double()>& fnControl) {
+  c.m_sName = name;
+  c.m_sInput = input;
+  if (!right.empty()) c.m_sRight = right;
+  for (const auto& [column, expect] : deviations)
+    Of(c, column) = expect;
+  c.m_sControl = control;
+  c.m_fnControl = fnControl;
+  return c;
+}
+
 CHardCase ShotCase(const CShot& shot, const CAnswer& answer) {
   CHardCase c;
   const double size = std::max(

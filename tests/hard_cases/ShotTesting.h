@@ -71,6 +71,10 @@ CExpect Off(double figure, const std::string& figureAndReason);
 /// What is not met at all.
 CExpect Missed(const std::string& reason);
 CExpect& Of(CHardCase& c, eColumn column);
+/// The rest of a case whose bound and error are known. @param right  "": that of c
+CHardCase Named(CHardCase c, const std::string& name, const std::string& input, const std::string& right,
+                const std::vector<std::pair<eColumn, CExpect>>& deviations, const std::string& control,
+                const std::function<double()>& fnControl);
 
 /// A case whose right answer is time, normal and velocity, each within 8 roundings.
 CHardCase ShotCase(const CShot& shot, const CAnswer& answer);

@@ -89,19 +89,16 @@ double AfterImpulse(double m) { return 1.0 - 2.0 * m / (m + 1.0) / m; }
 CHardCase NoRadius() {
   const CBall ball({0.0f, 1.0f}, 0.0f, {0.0f, -1.0f});
   CShot shot{{CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f})}, {ball}, 1.25f};
-  CHardCase c = ShotCase(shot, MeetFloor(ball));
-  c.m_sName = "BallWithoutRadiusMeetsASegment";
-  Of(c, eColumn::Native) = Missed("missed: a radius of 0 overlaps nothing");
-  Of(c, eColumn::Box2D) = Off(0.005, "as if t = .995: its skin");
-  c.m_sInput = "ball r = 0 at (0, 1), v = (0, -1); segment (-1, 0)-(1, 0); one step of 1.25";
-  c.m_sRight = "t = 1, v' = (0, 1)";
-  c.m_sControl = "d < r with r = 0 never holds: missed";
-  c.m_fnControl = [] {
-    for (int i = 0; i <= 1000; ++i) // times up to 2, the right one among them
-      if (std::abs(1.0 - i * 0.002) < 0.0) return 0.0;
-    return g_fNever;
-  };
-  return c;
+  return Named(ShotCase(shot, MeetFloor(ball)), "BallWithoutRadiusMeetsASegment",
+               "ball r = 0 at (0, 1), v = (0, -1); segment (-1, 0)-(1, 0); one step of 1.25",
+               "t = 1, v' = (0, 1)",
+               {{eColumn::Native, Missed("missed: a radius of 0 overlaps nothing")},
+                {eColumn::Box2D, Off(0.005, "as if t = .995: its skin")}},
+               "d < r with r = 0 never holds: missed", [] {
+                 for (int i = 0; i <= 1000; ++i) // times up to 2, the right one among them
+                   if (std::abs(1.0 - i * 0.002) < 0.0) return 0.0;
+                 return g_fNever;
+               });
 }
 
 // The ball falls straight onto something at height y that acts as a point.
@@ -115,92 +112,75 @@ CHardCase PointLike(const CAnyShapeDesc& shape, float x, float y) {
   return c;
 }
 
-CHardCase SegmentWithoutLength() {
-  CHardCase c = PointLike(CLineSegDesc({1.0f, 1.0f}, {1.0f, 1.0f}), 1.0f, 1.0f);
-  c.m_sName = "SegmentWithoutLengthIsAPoint";
-  c.m_sInput = "segment (1, 1)-(1, 1); ball r = .5 at (1, 3), v = (0, -1); one step of 1.75";
-  c.m_sControl = "share of the length (q - p0).s / s.s: 0 / 0";
-  c.m_fnControl = [] {
-    const CVec2d q(0.0, 2.0), s(0.0, 0.0);
-    return q.dot(s) / s.dot(s);
-  };
-  return c;
-}
-
-CHardCase SegmentShorterThanItsSquare() {
-  CHardCase c = PointLike(CLineSegDesc({0.0f, 0.0f}, {1e-30f, 0.0f}), 0.0f, 0.0f);
-  c.m_sName = "SegmentWhoseLengthSquaredIsNothing";
-  c.m_sInput = "segment (0, 0)-(1e-30, 0); ball r = .5 at (0, 2), v = (0, -1); one step of 1.75";
-  c.m_sControl = "normal s / sqrt(s.s) in float: 1e-60 is 0, NaN";
-  c.m_fnControl = [] {
-    const volatile float s = 1e-30f, none = 0.0f; // as a processor without wider registers has it
-    const float square = s * s;
-    return static_cast<double>(none / std::sqrt(square));
-  };
-  return c;
-}
-
-CHardCase CircleWithoutRadius() {
-  CHardCase c = PointLike(CCircleDesc({0.0f, 0.0f}, 0.0f), 0.0f, 0.0f);
-  c.m_sName = "CircleWithoutRadiusIsAPoint";
-  c.m_sInput = "circle R = 0 at (0, 0); ball r = .5 at (0, 2), v = (0, -1); one step of 1.75";
-  c.m_sControl = "normal (POI - centre) / R: 0 / 0";
-  c.m_fnControl = [] {
-    const double R = 0.0, poi = R * 1.0;
-    return poi / R;
-  };
-  return c;
-}
-
 } // namespace
 
 std::vector<CHardCase> ValidationCases() {
   const Vector2 above(0.0f, 3.0f), rest(0.0f, 0.0f);
-  return {RefusedBall(
-              "BallAtAPlaceThatIsNoNumber", "ball r = 1 at (NaN, 0), point (0, 0); added, or put there",
-              CBall({g_fNan, 0.0f}, 1.0f), "m_vPos is (nan, 0)",
-              "\"no contact if d >= r\": NaN is a contact, its normal is NaN",
-              [] {
-                const double x = g_fNan, d = std::hypot(x, 0.0);
-                return d >= 1.0 ? 0.0 : x / d;
-              },
-              [](CWorld& world) {
-                world.SetPos(world.GetBallIds()[0], {g_fNan, 0.0f});
-              }),
-          RefusedBall(
-              "BallOfInfiniteVelocity", "v = (Inf, 0); added, or set",
-              CBall({-3.0f, 0.0f}, 1.0f, {g_fInf, 0.0f}), "m_vVel is (inf, 0)", "v - 2 (v.n) n: Inf - Inf",
-              [] {
-                const double v = g_fNever, n = -1.0;
-                return v - 2.0 * (v * n) * n;
-              },
-              [](CWorld& world) {
-                world.SetVel(world.GetBallIds()[0], {g_fInf, 0.0f});
-              }),
-          RefusedBall("BallOfNegativeRadius", "ball of r = -1", CBall(above, -1.0f),
-                      "m_fRadius is -1: expected a number from 0",
-                      "d < r never holds: the ball is met by nothing",
-                      [] {
-                        const double r = -1.0, d = 0.0; // right on a point
-                        return d < r ? 0.0 : g_fNever;
-                      }),
-          RefusedBall("BallWithoutMass", "ball of m = 0", CBall(above, 0.1f, rest, 0.0f),
-                      "m_fMass is 0: expected a number from 1e-36",
-                      "impulse 2 m v / (m + 1), then divided by m: 0 / 0", [] { return AfterImpulse(0.0); }),
-          RefusedBall("BallOfAMassThatIsNoNumber", "ball of m = NaN", CBall(above, 0.1f, rest, g_fNan),
-                      "m_fMass is nan", "the impulse is NaN, for whatever it meets too",
-                      [] { return AfterImpulse(g_fNan); }),
-          RefusedBall("BallOfNegativeElasticity", "ball of e = -1", CBall(above, 0.1f, rest, 1.0f, -1.0f),
-                      "m_fElasticity is -1: expected a number from 0",
-                      "v - (1 + e) (v.n) n is v: it flies through the wall",
-                      [] {
-                        const double e = -1.0, vn = -1.0, after = vn - (1.0 + e) * vn;
-                        return std::abs(after - 1.0);
-                      }),
-          NoRadius(),
-          SegmentWithoutLength(),
-          SegmentShorterThanItsSquare(),
-          CircleWithoutRadius()};
+  return {
+      RefusedBall(
+          "BallAtAPlaceThatIsNoNumber", "ball r = 1 at (NaN, 0), point (0, 0); added, or put there",
+          CBall({g_fNan, 0.0f}, 1.0f), "m_vPos is (nan, 0)",
+          "\"no contact if d >= r\": NaN is a contact, its normal is NaN",
+          [] {
+            const double x = g_fNan, d = std::hypot(x, 0.0);
+            return d >= 1.0 ? 0.0 : x / d;
+          },
+          [](CWorld& world) {
+            world.SetPos(world.GetBallIds()[0], {g_fNan, 0.0f});
+          }),
+      RefusedBall(
+          "BallOfInfiniteVelocity", "v = (Inf, 0); added, or set", CBall({-3.0f, 0.0f}, 1.0f, {g_fInf, 0.0f}),
+          "m_vVel is (inf, 0)", "v - 2 (v.n) n: Inf - Inf",
+          [] {
+            const double v = g_fNever, n = -1.0;
+            return v - 2.0 * (v * n) * n;
+          },
+          [](CWorld& world) {
+            world.SetVel(world.GetBallIds()[0], {g_fInf, 0.0f});
+          }),
+      RefusedBall("BallOfNegativeRadius", "ball of r = -1", CBall(above, -1.0f),
+                  "m_fRadius is -1: expected a number from 0",
+                  "d < r never holds: the ball is met by nothing",
+                  [] {
+                    const double r = -1.0, d = 0.0; // right on a point
+                    return d < r ? 0.0 : g_fNever;
+                  }),
+      RefusedBall("BallWithoutMass", "ball of m = 0", CBall(above, 0.1f, rest, 0.0f),
+                  "m_fMass is 0: expected a number from 1e-36",
+                  "impulse 2 m v / (m + 1), then divided by m: 0 / 0", [] { return AfterImpulse(0.0); }),
+      RefusedBall("BallOfAMassThatIsNoNumber", "ball of m = NaN", CBall(above, 0.1f, rest, g_fNan),
+                  "m_fMass is nan", "the impulse is NaN, for whatever it meets too",
+                  [] { return AfterImpulse(g_fNan); }),
+      RefusedBall("BallOfNegativeElasticity", "ball of e = -1", CBall(above, 0.1f, rest, 1.0f, -1.0f),
+                  "m_fElasticity is -1: expected a number from 0",
+                  "v - (1 + e) (v.n) n is v: it flies through the wall",
+                  [] {
+                    const double e = -1.0, vn = -1.0, after = vn - (1.0 + e) * vn;
+                    return std::abs(after - 1.0);
+                  }),
+      NoRadius(),
+      Named(PointLike(CLineSegDesc({1.0f, 1.0f}, {1.0f, 1.0f}), 1.0f, 1.0f), "SegmentWithoutLengthIsAPoint",
+            "segment (1, 1)-(1, 1); ball r = .5 at (1, 3), v = (0, -1); one step of 1.75", {}, {},
+            "share of the length (q - p0).s / s.s: 0 / 0",
+            [] {
+              const CVec2d q(0.0, 2.0), s(0.0, 0.0);
+              return q.dot(s) / s.dot(s);
+            }),
+      Named(PointLike(CLineSegDesc({0.0f, 0.0f}, {1e-30f, 0.0f}), 0.0f, 0.0f),
+            "SegmentWhoseLengthSquaredIsNothing",
+            "segment (0, 0)-(1e-30, 0); ball r = .5 at (0, 2), v = (0, -1); one step of 1.75", {}, {},
+            "normal s / sqrt(s.s) in float: 1e-60 is 0, NaN",
+            [] {
+              const volatile float s = 1e-30f, none = 0.0f; // as a processor without wider registers has it
+              const float square = s * s;
+              return static_cast<double>(none / std::sqrt(square));
+            }),
+      Named(PointLike(CCircleDesc({0.0f, 0.0f}, 0.0f), 0.0f, 0.0f), "CircleWithoutRadiusIsAPoint",
+            "circle R = 0 at (0, 0); ball r = .5 at (0, 2), v = (0, -1); one step of 1.75", {}, {},
+            "normal (POI - centre) / R: 0 / 0", [] {
+              const double R = 0.0, poi = R * 1.0;
+              return poi / R;
+            })};
 }
 
 } // namespace Shapes::HardCases
