@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-#include "../Random.h"
+#include "../geometry/Cases.h"
 
 namespace Shapes::Box2D {
 namespace {
@@ -94,8 +94,7 @@ TEST(FitElasticitiesTest, NoneIsAboveTheLimit) {
 
 // What is known to be possible: one restitution for all balls, whatever the shapes have.
 TEST(FitElasticitiesTest, BallsOfOneRestitutionAreAlwaysReproduced) {
-  Tests::CRandom random(1);
-  for (int n = 0; n < 2000; ++n) {
+  Tests::ForEachCase(1, 2000, [&](Tests::CRandom& random, int) {
     const bool ballsMeet = random.Coin();
     CKinds kinds{{g_bBall, random.Scale(-10, 1)}};
     CPairs pairs;
@@ -104,14 +103,13 @@ TEST(FitElasticitiesTest, BallsOfOneRestitutionAreAlwaysReproduced) {
       kinds.push_back({g_bShape, random.Below(4) == 0 ? 0.0f : random.Scale(-10, 1)});
       pairs.push_back({0, i});
     }
-    ASSERT_EQ(CountWrong(kinds, pairs), 0u) << "seed " << random.GetSeed() << ", case " << n;
-  }
+    ASSERT_EQ(CountWrong(kinds, pairs), 0u);
+  });
 }
 
 // And this too: each ball meets shapes of its own only, or shapes that have more than every ball.
 TEST(FitElasticitiesTest, ShapesThatHaveMoreThanEveryBallAreReproduced) {
-  Tests::CRandom random(2);
-  for (int n = 0; n < 2000; ++n) {
+  Tests::ForEachCase(2, 2000, [&](Tests::CRandom& random, int) {
     CKinds kinds;
     CPairs pairs;
     for (std::size_t i = 0; i < 4; ++i)
@@ -121,15 +119,14 @@ TEST(FitElasticitiesTest, ShapesThatHaveMoreThanEveryBallAreReproduced) {
       for (std::size_t j = 0; j < 4; ++j)
         if (random.Coin()) pairs.push_back({j, i});
     }
-    ASSERT_EQ(CountWrong(kinds, pairs), 0u) << "seed " << random.GetSeed() << ", case " << n;
-  }
+    ASSERT_EQ(CountWrong(kinds, pairs), 0u);
+  });
 }
 
 // Three kinds of balls, one of each, that all meet: e0 = e1 = sqrt(r1), e2 = r2 / e1 for r0 <= r1 <= r2. Four
 // are possible only if the two in the middle are equal.
 TEST(FitElasticitiesTest, AFewBallsOfDifferentRestitution) {
-  Tests::CRandom random(3);
-  for (int n = 0; n < 1000; ++n) {
+  Tests::ForEachCase(3, 1000, [&](Tests::CRandom& random, int) {
     CKinds kinds;
     CPairs pairs;
     std::vector<float> r;
@@ -140,13 +137,13 @@ TEST(FitElasticitiesTest, AFewBallsOfDifferentRestitution) {
         pairs.push_back({j, i});
     }
     const CPairs ofThree(pairs.begin(), pairs.begin() + 3);
-    ASSERT_EQ(CountWrong(kinds, ofThree), 0u) << "seed " << random.GetSeed() << ", case " << n;
+    ASSERT_EQ(CountWrong(kinds, ofThree), 0u);
     std::sort(r.begin(), r.end());
-    ASSERT_EQ(CountWrong(kinds, pairs) > 0, r[2] > r[1] * 1.00001f) << "seed " << random.GetSeed();
+    ASSERT_EQ(CountWrong(kinds, pairs) > 0, r[2] > r[1] * 1.00001f);
     for (CBounceKind& kind : kinds)
       if (kind.m_fRestitution == r[2]) kind.m_fRestitution = r[1];
-    ASSERT_EQ(CountWrong(kinds, pairs), 0u) << "seed " << random.GetSeed() << ", case " << n;
-  }
+    ASSERT_EQ(CountWrong(kinds, pairs), 0u);
+  });
 }
 
 // Where pairs with shapes alone can all be reproduced, pairs of balls take none of them away.

@@ -92,7 +92,7 @@ TEST(GuestRefusalTest, StepsComeInPairs) {
   guest.PreStep(g_fDt);
   EXPECT_NE(Thrown([&] { guest.PreStep(g_fDt); }).find("called twice"), std::string::npos);
   EXPECT_NE(Thrown([&] {
-              table.World().SetPos(table.m_cBall, {0, 0});
+              table.World().SetPos(table.m_cBall, Vector2(0, 0));
             }).find("between PreStep and PostStep"),
             std::string::npos);
   table.StepGame(1);

@@ -267,20 +267,12 @@ TEST_P(CNoAssert, WhatTouchesIsMovedChangedAndRemoved) {
   const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f, {0, -1}));
   const CShapeId other = m_pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -1}));
   const std::vector<std::function<void()>> changes = {
-      [&] {
-        m_pWorld->SetPos(ball, {0, 0});
-      },
+      [&] { m_pWorld->SetPos(ball, Vector2(0, 0)); },
       [&] { m_pWorld->SetPos(other, m_pWorld->GetPos(ball)); },
-      [&] {
-        m_pWorld->SetVel(ball, {MaxSpeed(), 0});
-      },
-      [&] {
-        m_pWorld->SetPos(flipper, {0, 0.1f});
-      },
+      [&] { m_pWorld->SetVel(ball, Vector2(MaxSpeed(), 0)); },
+      [&] { m_pWorld->SetPos(flipper, Vector2(0, 0.1f)); },
       [&] { m_pWorld->SetOrientation(flipper, 1e9f); },
-      [&] {
-        m_pWorld->SetRotCenter(flipper, {0, MaxLength()});
-      },
+      [&] { m_pWorld->SetRotCenter(flipper, Vector2(0, MaxLength())); },
       [&] { m_pWorld->SetRotSpeed(flipper, g_fMaxRotSpeed); },
       [&] { m_pWorld->SetRotSpeed(flipper, g_fDenormal); },
       [&] { m_pWorld->SetElasticity(flipper, g_fMaxElasticity); },

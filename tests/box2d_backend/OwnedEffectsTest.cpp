@@ -46,12 +46,7 @@ TEST(OwnedEffectsTest, AFastBallGetsThroughNoWallUnlessContinuousIsForbidden) {
     EXPECT_TRUE(Throw(profile, g_cApproximate, 70).m_bIsThrough);
     EXPECT_EQ(Throw(profile, g_cApproximate, 70).m_nContinuous, 0u);
     EXPECT_FALSE(Throw(profile, g_cContinuous, 70).m_bIsThrough);
-  }
-}
-
-TEST(OwnedEffectsTest, ASlowBallIsSweptToo) {
-  for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned}) {
-    EXPECT_FALSE(Throw(profile, g_cAutomatic, 2.999f).m_bIsThrough);
+    EXPECT_FALSE(Throw(profile, g_cAutomatic, 2.999f).m_bIsThrough); // slow ones are swept, too
     EXPECT_EQ(Throw(profile, g_cAutomatic, 2.999f).m_nContinuous, 30u);
     EXPECT_EQ(Throw(profile, g_cApproximate, 2.999f).m_nContinuous, 0u);
   }

@@ -270,7 +270,7 @@ TEST(OwnedWorldTest, AKinematicShapeIsMetWhereItWasPut) {
   const CShapeId ball = AddBall(*pWorld);
   const auto isMetAt = [&](float x) { return Throw(*pWorld, ball, {x, 0.5f}, {0, -4}).y() > 3.9f; };
   const auto isMetFromTheSideAt = [&](float y) {
-    return Throw(*pWorld, ball, {-0.5f, y}, {4, 0}).x() < -3.9f;
+    return Throw(*pWorld, ball, Vector2(-0.5f, y), Vector2(4, 0)).x() < -3.9f;
   };
   EXPECT_TRUE(isMetAt(0.5f));
   pWorld->SetPos(flipper, {3, 0}); // its middle

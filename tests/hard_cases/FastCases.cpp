@@ -218,7 +218,7 @@ std::vector<CHardCase> FastCases() {
        LeavesAnOverlap,
        "v - 2 (v.n) n whenever they overlap: sent back in",
        [] {
-         return Distance(Mirrored(g_vLeaving.cast<double>(), {0.0, 1.0}), g_vLeaving.cast<double>());
+         return Distance(Mirrored(g_vLeaving.cast<double>(), Vector2d(0.0, 1.0)), g_vLeaving.cast<double>());
        }},
       {"AMillionUnitsASecond",
        "r = .1 at (0, 1), v = (0, -1e6), 1/60 s, onto a segment on y = 0: place and velocity, relative",

@@ -134,9 +134,7 @@ std::vector<CHardCase> JointCases() {
            {Deviates(1.5, 1.7, "passes: its ends are open"), Right(), Right(), Right(), Right()},
            [](eColumn column) { return NakedEnd(column, false); },
            "the foot of the perpendicular is not on the segment: no hit",
-           [] {
-             return Distance({0.0, -1.0}, {-0.96, 0.28});
-           }},
+           [] { return Distance(Vector2d(0.0, -1.0), Vector2d(-0.96, 0.28)); }},
           {"GuardedEnd",
            "The same with a guard point on the end",
            "the same",
@@ -145,9 +143,7 @@ std::vector<CHardCase> JointCases() {
             Right()},
            [](eColumn column) { return NakedEnd(column, true); },
            "segments before points, each on its own: the same miss, without the point",
-           [] {
-             return Distance({0.0, -1.0}, {-0.96, 0.28});
-           }},
+           [] { return Distance(Vector2d(0.0, -1.0), Vector2d(-0.96, 0.28)); }},
           {"VertexAndGuard",
            "A guard point on the end of a segment; r = .1 straight onto it, from 33 directions of the half "
            "circle away from the segment: contacts more than one",
@@ -157,7 +153,8 @@ std::vector<CHardCase> JointCases() {
            Vertex,
            "each shape reflects what overlaps it, approaching or not: twice, v' = v",
            [] {
-             return Distance(Mirrored(Mirrored({0.0, -6.0}, {0.0, 1.0}), {0.0, 1.0}), {0.0, 6.0});
+             return Distance(Mirrored(Mirrored(Vector2d(0.0, -6.0), Vector2d(0.0, 1.0)), Vector2d(0.0, 1.0)),
+                             Vector2d(0.0, 6.0));
            }},
           IntoTheSectorOfAnArc(false),
           IntoTheSectorOfAnArc(true)};

@@ -102,12 +102,10 @@ TEST(Validate, Radius) {
     ExpectRefused("m_fRadius", text, [v = value] { CCircle shape(CCircleDesc({0.0f, 0.0f}, v)); });
     ExpectRefused("m_fRadius", text, [v = value] { CKinematicCircle shape(CCircleDesc({0.0f, 0.0f}, v)); });
     ExpectRefused("m_fRadius", text, [v = value] { CArc shape(CArcDesc({0.0f, 0.0f}, v, 0.0f, 1.0f)); });
-    ExpectRefused("m_fRadius", text, [v = value] {
-      CKinematicArc shape(CArcDesc({0.0f, 0.0f}, v, 0.0f, 1.0f));
-    });
-    ExpectRefused("m_fRadius", text, [v = value] {
-      CDynamicCircle shape(CDynamicCircleDesc({0.0f, 0.0f}, v));
-    });
+    ExpectRefused("m_fRadius", text,
+                  [v = value] { CKinematicArc shape(CArcDesc(Vector2(0.0f, 0.0f), v, 0.0f, 1.0f)); });
+    ExpectRefused("m_fRadius", text,
+                  [v = value] { CDynamicCircle shape(CDynamicCircleDesc(Vector2(0.0f, 0.0f), v)); });
   }
 }
 
@@ -115,9 +113,8 @@ TEST(Validate, ArcAngles) {
   for (const auto& [value, text] : g_stdNotFinite) {
     ExpectRefused("m_fAngle0", text, [v = value] { CArc shape(CArcDesc({0.0f, 0.0f}, 1.0f, v, 1.0f)); });
     ExpectRefused("m_fAngle1", text, [v = value] { CArc shape(CArcDesc({0.0f, 0.0f}, 1.0f, 1.0f, v)); });
-    ExpectRefused("m_fAngle0", text, [v = value] {
-      CKinematicArc shape(CArcDesc({0.0f, 0.0f}, 1.0f, v, v));
-    });
+    ExpectRefused("m_fAngle0", text,
+                  [v = value] { CKinematicArc shape(CArcDesc(Vector2(0.0f, 0.0f), 1.0f, v, v)); });
   }
 }
 
@@ -145,7 +142,7 @@ TEST(Validate, SegmentEnds) {
 
 TEST(Validate, VelocityAndMass) {
   const auto ball = [](const Vector2& v, float m) {
-    CDynamicCircle shape(CDynamicCircleDesc({0.0f, 0.0f}, 1.0f, v, m));
+    CDynamicCircle shape(CDynamicCircleDesc(Vector2(0.0f, 0.0f), 1.0f, v, m));
   };
   for (const auto& [value, text] : NotFiniteAnd({{g_fHuge, g_sHuge}})) {
     ExpectRefused("m_vVel", "(" + text + ", 0)", [&, v = value] { ball({v, 0.0f}, 1.0f); });
@@ -200,9 +197,7 @@ TEST(Validate, MessageSaysFieldValueAndWhatIsExpected) {
   EXPECT_EQ(Refusal([] { RequirePositive("m_fX", 0.0f, 2.0f); }),
             "m_fX is 0: expected a number above 0, up to 2");
   EXPECT_EQ(Refusal([] { RequireFinite("m_fX", g_fNan); }), "m_fX is nan: expected a finite number");
-  EXPECT_EQ(Refusal([] {
-              RequireVector("m_vX", {g_fInf, 1.0f}, 2.0f);
-            }),
+  EXPECT_EQ(Refusal([] { RequireVector("m_vX", Vector2(g_fInf, 1.0f), 2.0f); }),
             "m_vX is (inf, 1): expected finite coordinates of at most 2 in size");
   EXPECT_EQ(Refusal([] { RequireRange("m_fX", 2.0f, 0.0f, 2.0f); }), "");
   EXPECT_EQ(Refusal([] { RequireVector("m_vX", {2.0f, -2.0f}, 2.0f); }), "");
