@@ -5,6 +5,7 @@
 
 #include "box2d_backend/Descs.h"
 #include "box2d_backend/TunedTesting.h"
+#include "geometry/Cases.h"
 
 namespace Shapes::Tests {
 namespace {
@@ -95,8 +96,7 @@ TEST(TunedFlipperTest, AGuardedTipKicksAsANakedOneDoes) {
   // and the other one must not hold the ball back, though its surface moves as fast.
   double most = 0;
   int kicks = 0;
-  ForEachCase(45, 400, [&](CRandom& random, int k) {
-    SCOPED_TRACE(k);
+  ForEachCase(45, 400, [&](CRandom& random, int) {
     const double start = 360 * g_fDegree * random.Unit(), y = 1.2 * random.Unit() - 0.6,
                  x = -3 - random.Unit();
     Vector2 v[2];
