@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Effects of a world in a game's b2World: some are the game's, and the world says what is true.
-#include "Descs.h"
+#include "../Descs.h"
 #include "box2d_backend/GuestTesting.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shapes in a game's own b2World: what they do there, and what the game sees of them.
-#include "Descs.h"
+#include "../Descs.h"
 #include "GuestTesting.h"
 
 #include "Random.h"

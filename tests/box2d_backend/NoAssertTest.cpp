@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Box2D ends the process where it asserts, and Debian's library keeps its asserts. What is at the border of
 // what it bears is stepped, in both profiles, and everything stays a number; what is beyond is refused.
+#include "../Descs.h"
 #include "../Numbers.h"
-#include "Descs.h"
 
 #include "Tolerances.h"
 

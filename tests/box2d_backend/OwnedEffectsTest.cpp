@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What runs of Box2D in a world of its own.
+#include "../Descs.h"
 #include "../Numbers.h"
 #include "../Steps.h"
-#include "Descs.h"
 
 #include <Shapes/Shapes.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is particular to a world on Box2D: its scale, its limits, what stands for shapes in it, and what was
 // changed of the way Box2D ships.
+#include "../Descs.h"
 #include "../Numbers.h"
 #include "../Steps.h"
-#include "Descs.h"
 
 #include <Shapes/Shapes.h>
 

@@ -3,7 +3,7 @@
 // times in a step.
 #include <gtest/gtest.h>
 
-#include "box2d_backend/Descs.h"
+#include "../Descs.h"
 #include "box2d_backend/TunedTesting.h"
 
 namespace Shapes::Tests {

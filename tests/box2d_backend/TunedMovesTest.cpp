@@ -3,7 +3,7 @@
 #include <box2d/box2d.h>
 #include <gtest/gtest.h>
 
-#include "box2d_backend/Descs.h"
+#include "../Descs.h"
 #include "box2d_backend/TunedTesting.h"
 #include "geometry/Cases.h"
 

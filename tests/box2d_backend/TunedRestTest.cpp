@@ -2,7 +2,7 @@
 // Balls of a tuned world that roll, rest, pile up, and are pressed by walls.
 #include <gtest/gtest.h>
 
-#include "box2d_backend/Descs.h"
+#include "../Descs.h"
 #include "box2d_backend/TunedTesting.h"
 
 namespace Shapes::Tests {

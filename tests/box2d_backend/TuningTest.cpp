@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "box2d_backend/Descs.h"
+#include "../Descs.h"
 #include "box2d_backend/TunedTesting.h"
 
 namespace Shapes::Tests {

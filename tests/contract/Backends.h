@@ -2,8 +2,8 @@
 // The engines that were built, for tests that run on each of them.
 #pragma once
 
+#include "../Descs.h"
 #include "../Numbers.h"
-#include "../Sensors.h"
 #include "../Steps.h"
 #include "Random.h"
 
@@ -101,15 +101,6 @@ inline std::vector<CContactEvent> Impacts(CWorld& world, int n) {
   std::vector<CContactEvent> impacts = Told(world, n, &CWorld::GetContacts);
   std::erase_if(impacts, [](const CContactEvent& event) { return !(event.m_fSpeed > 0); });
   return impacts;
-}
-
-/// Turns about `center`.
-template <class TDesc>
-TDesc Turning(TDesc desc, float revsPerSecond, const Vector2& center = Vector2::Zero()) {
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_fRotSpeed = revsPerSecond;
-  desc.m_vRotCenter = center;
-  return desc;
 }
 
 /// Ways in which a shape and a ball that touch come apart between two steps.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sensors on an engine that does as the test says: paths with vertices within a substep.
-#include "../Sensors.h"
+#include "../Descs.h"
 
 #include "world/WorldCore.h"
 

@@ -2,7 +2,7 @@
 // Descriptions of shapes in one expression.
 #pragma once
 
-#include "../Sensors.h"
+#include <Shapes/Circle.h>
 
 namespace Shapes {
 
@@ -20,6 +20,17 @@ template <class TDesc>
 TDesc Sided(TDesc desc, eSides sides) {
   desc.m_eSides = sides;
   return desc;
+}
+
+/// Detects only.
+template <class TDesc>
+TDesc Sensor(TDesc desc) {
+  desc.m_bIsSensor = true;
+  return desc;
+}
+
+inline CCircleDesc MakeZone(const Vector2& p = Vector2::Zero(), float r = 1) {
+  return Sensor(CCircleDesc(p, r));
 }
 
 } // namespace Shapes
