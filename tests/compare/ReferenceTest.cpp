@@ -31,6 +31,16 @@ TEST(Reference, ResponseKeepsTheTangentialPart) { // and reverses e of the norma
   }
 }
 
+TEST(Reference, TwoBallsBounceByTheProductOfTheirElasticities) {
+  for (const float first : {.25f, .5f}) {
+    CExact reference = Make({}, {CDynamicCircleDesc({-1, 0}, .25f, {1, 0}, 1, first),
+                                 CDynamicCircleDesc({1, 0}, .25f, {-1, 0}, 1, .75f - first)});
+    EXPECT_EQ(Carry(reference, 1).size(), 1u);
+    EXPECT_NEAR(reference.GetBall(0).m_vVel.x(), -.125, 1e-15);
+    EXPECT_NEAR(reference.GetBall(1).m_vVel.x(), .125, 1e-15);
+  }
+}
+
 TEST(Reference, MeetsWhatTheFiltersLetMeet) {
   for (const bool meet : {true, false}) {
     CLineSegDesc wall = Wall({1, -1}, {1, 1});
