@@ -4,6 +4,7 @@
 #include "../../Tolerances.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace Shapes::Box2D {
@@ -28,13 +29,16 @@ void ForNeighbours(CBodies& bodies, const CBody& ball, F f) {
       if (CBody* pOther = bodies.Find(*p->other); pOther != nullptr) f(*pOther);
 }
 
-// Whether gravity keeps two balls that touch together.
-bool ArePressed(const CBody& a, const CBody& b, float gravityStep) {
-  if (!(a.m_fElasticity * b.m_fElasticity < 1.0f)) return false;
+float ApproachSpeed(const CBody& a, const CBody& b) {
   b2Vec2 n = b.m_pBody->GetPosition() - a.m_pBody->GetPosition();
   n.Normalize();
-  const float speed = b2Dot(b.m_pBody->GetLinearVelocity() - a.m_pBody->GetLinearVelocity(), n);
-  return std::abs(speed) < static_cast<float>(g_fRestingSpeed) * gravityStep;
+  return b2Dot(a.m_pBody->GetLinearVelocity() - b.m_pBody->GetLinearVelocity(), n);
+}
+
+// Whether gravity keeps two balls that touch together.
+bool ArePressed(const CBody& a, const CBody& b, float gravityStep) {
+  FailIf(!(a.m_fElasticity * b.m_fElasticity < 1.0f));
+  return std::abs(ApproachSpeed(a, b)) < static_cast<float>(g_fRestingSpeed) * gravityStep;
 }
 
 } // namespace
@@ -74,7 +78,20 @@ float FindLastingContacts(CBodies& bodies, const b2Vec2& g, float h) {
   return mass * g.Length();
 }
 
-void PushOutOfShapes(CBodies& bodies) {
+float CountLastingSubsteps(CBodies& bodies, float dt) {
+  float parts = 1.0f;
+  for (const CBody* pBall : bodies.GetBalls())
+    if (pBall->m_bIsLasting)
+      ForNeighbours(bodies, *pBall, [&](const CBody& other) {
+        if (!other.m_bIsLasting) return;
+        const float depth = dt * ApproachSpeed(*pBall, other) - std::max(0.0f, GapOf(*pBall, other));
+        const float most = g_fLastingMove * std::min(pBall->m_fRadius, other.m_fRadius);
+        parts = std::max(parts, depth / most);
+      });
+  return std::min(parts, g_fMostLastingSubsteps);
+}
+
+void PushOutOfShapes(CBodies& bodies, const b2Vec2& g) {
   for (CBody* pBall : bodies.GetBalls()) {
     if (!pBall->m_bIsLasting) continue;
     const b2Vec2 start = pBall->m_pBody->GetPosition();
@@ -95,7 +112,13 @@ void PushOutOfShapes(CBodies& bodies) {
         ++pushed;
       }
     }
-    if (!(p == start)) pBall->m_pBody->SetTransform(p, 0.0f);
+    if (p == start) continue;
+    pBall->m_pBody->SetTransform(p, 0.0f);
+    // Pushed upwards, the ball loses the energy that it gained by its fall into the shape.
+    const b2Vec2 v = pBall->m_pBody->GetLinearVelocity();
+    const float gained = 2.0f * b2Dot(g, start - p), square = v.LengthSquared();
+    if (gained > 0.0f && square > 0.0f)
+      pBall->m_pBody->SetLinearVelocity(std::sqrt(std::max(0.0f, 1.0f - gained / square)) * v);
   }
 }
 

@@ -16,7 +16,12 @@ namespace Shapes::Box2D {
 /// @return the weight of all balls in lasting contact, newtons
 float FindLastingContacts(CBodies& bodies, const b2Vec2& g, float h);
 
+/// Parts into which dt seconds have to be cut so that the balls that were in lasting contact in the last
+/// step, which are not swept, get little deeper into each other in each: 1 .. g_fMostLastingSubsteps.
+float CountLastingSubsteps(CBodies& bodies, float dt);
+
 /// After each b2World::Step: no ball in lasting contact remains in a shape, even if others push it there.
-void PushOutOfShapes(CBodies& bodies);
+/// @param g  gravity in metres, 0 if balls do not follow parabolas: no ball gains energy by being lifted
+void PushOutOfShapes(CBodies& bodies, const b2Vec2& g);
 
 } // namespace Shapes::Box2D

@@ -142,7 +142,7 @@ void CStepper::BeginSubstep() {
   if (m_cRunning.Has(eEffect::Gravity)) m_cStats.m_nBallsAccelerated += m_cState.m_cBalls.Size();
 }
 
-unsigned CStepper::CountSubsteps(float dt) const {
+unsigned CStepper::CountSubsteps(float dt) {
   const CBallArrays& b = m_cState.m_cBalls;
   float fastest = 0.0f, bounciest = 0.0f, lightest = g_fMaxMass, heaviest = 0.0f, parts = 1.0f;
   for (std::size_t i = 0; i < b.Size(); ++i) {
@@ -173,6 +173,7 @@ unsigned CStepper::CountSubsteps(float dt) const {
   const float way =
       (fastest + Length(m_cScale.FromMetres(GetGravity())) * dt) * dt * most + 2.0f * surfaceTravel;
   parts = std::max(parts, m_cScale.ToMetres(way) / (g_fSafeMove * b2_maxTranslation));
+  if (m_cTuning.m_bLastingContact) parts = std::max(parts, CountLastingSubsteps(m_cBodies, dt));
   return static_cast<unsigned>(std::min(std::ceil(parts), static_cast<float>(g_nMaxAdaptiveSubsteps)));
 }
 
@@ -197,7 +198,7 @@ void CStepper::AfterStep() {
   if (!HasParabolas() && !m_cTuning.m_bExactContacts) return;
   for (CBody* pBall : m_cBodies.GetBalls())
     CPreSolveOverride::Land(*pBall);
-  if (m_cTuning.m_bLastingContact) PushOutOfShapes(m_cBodies);
+  if (m_cTuning.m_bLastingContact) PushOutOfShapes(m_cBodies, HasParabolas() ? GetGravity() : b2Vec2_zero);
   if (m_cTuning.m_bExactContacts) KeepBallsOnTheirSide(m_cBodies);
 }
 

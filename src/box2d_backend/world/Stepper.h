@@ -59,7 +59,7 @@ public:
 
   void BeginSubstep();
   /// Parts into which dt seconds have to be cut so that Box2D slows nothing down.
-  unsigned CountSubsteps(float dt) const;
+  unsigned CountSubsteps(float dt);
   /// Before each b2World::Step of h seconds, and after it.
   void BeforeStep(float h);
   void AfterStep();

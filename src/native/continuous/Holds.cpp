@@ -4,7 +4,6 @@
 #include "../../Tolerances.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace Shapes::Native {
@@ -13,26 +12,22 @@ namespace {
 using Geometry::Cross;
 
 // The point closest to x with n . point >= b for all: it is x, on one of the lines, or where two cross. What
-// rounding violates is no violation. If there is none, the one that goes into shapes least, and then into
-// balls.
+// rounding violates is no violation; if all are violated, the one that is violated least.
 template <class F>
 Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound) {
-  using CRank = std::array<double, 3>; // excess into shapes and into balls, and how far from x
   Vector2d best = x;
-  CRank bestRank;
-  bestRank.fill(std::numeric_limits<double>::infinity());
+  double bestExcess = std::numeric_limits<double>::infinity(), bestSquare = bestExcess;
   const auto offer = [&](const Vector2d& p) {
-    const double size = x.cwiseAbs().maxCoeff() + p.cwiseAbs().maxCoeff();
-    CRank rank{0.0, 0.0, (p - x).squaredNorm()};
-    for (const CHold& hold : holds) {
-      const double excess = bound(hold) - hold.m_vNorm.dot(p);
-      if (excess <= 16.0 * std::numeric_limits<double>::epsilon() * size) continue;
-      rank[hold.m_bIsBall] = std::max(rank[hold.m_bIsBall], excess);
-    }
-    if (rank < bestRank) best = p, bestRank = rank;
+    double excess = 0.0, size = x.cwiseAbs().maxCoeff() + p.cwiseAbs().maxCoeff();
+    for (const CHold& hold : holds)
+      excess = std::max(excess, bound(hold) - hold.m_vNorm.dot(p));
+    if (excess <= 16.0 * std::numeric_limits<double>::epsilon() * size) excess = 0.0;
+    const double square = (p - x).squaredNorm();
+    if (excess < bestExcess || (excess == bestExcess && square < bestSquare))
+      best = p, bestExcess = excess, bestSquare = square;
   };
   offer(x);
-  if (bestRank[0] == 0.0 && bestRank[1] == 0.0) return x;
+  if (bestExcess == 0.0) return x;
   for (std::size_t i = 0; i < holds.size(); ++i) {
     const Vector2d& n = holds[i].m_vNorm;
     offer(x + (bound(holds[i]) - n.dot(x)) * n);

@@ -35,8 +35,7 @@ public:
   void Add(const CHold& hold);
 
   /// The velocity closest to v that goes into none of them, and the acceleration closest to a. By Gauss's
-  /// principle of least constraint that is the one of a ball without friction. Where there is none the ball
-  /// is squeezed: into balls sooner than into shapes.
+  /// principle of least constraint that is the one of a ball without friction.
   Vector2d ConstrainVel(const Vector2d& v) const;
   Vector2d ConstrainAcc(const Vector2d& a) const;
   /// Takes out those that a ball of this velocity goes into faster than by `error`: it meets them anew.
