@@ -114,7 +114,6 @@ void CContinuous::Hold(CMoving& ball, const CHold& hold) {
   ball.m_cHolds.Add(hold);
   ball.m_vVel += (hold.m_fSpeed - hold.m_vNorm.dot(ball.m_vVel)) * hold.m_vNorm;
   ball.m_vVel = ball.m_cHolds.ConstrainVel(ball.m_vVel);
-  ball.m_cHolds.DropBroken(ball.m_vVel, g_fRestingError * m_cResting.GetSlow());
   ball.m_vAcc = ball.m_cHolds.ConstrainAcc(ball.m_vFall);
   ball.m_cHolds.DropPulling(ball.m_vAcc, ball.m_vFall);
   ball.m_bIsMoved = true;
@@ -247,7 +246,6 @@ void CContinuous::Rest(CMoving& ball, CMoving& other, const Vector2d& n) {
                       up.dot(lower.m_vAcc) - bend, std::numeric_limits<double>::infinity(),
                       lower.m_nVersion});
   upper.m_vVel = upper.m_cHolds.ConstrainVel(upper.m_vVel);
-  upper.m_cHolds.DropBroken(upper.m_vVel, g_fRestingError * m_cResting.GetSlow());
   upper.m_vAcc = upper.m_cHolds.ConstrainAcc(upper.m_vFall);
 }
 

@@ -4,6 +4,7 @@
 #include "../../Tolerances.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace Shapes::Native {
@@ -12,22 +13,26 @@ namespace {
 using Geometry::Cross;
 
 // The point closest to x with n . point >= b for all: it is x, on one of the lines, or where two cross. What
-// rounding violates is no violation; if all are violated, the one that is violated least.
+// rounding violates is no violation. If there is none, the one that goes into shapes least, and then into
+// balls.
 template <class F>
 Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound) {
+  using CRank = std::array<double, 3>; // excess into shapes and into balls, and how far from x
   Vector2d best = x;
-  double bestExcess = std::numeric_limits<double>::infinity(), bestSquare = bestExcess;
+  CRank bestRank;
+  bestRank.fill(std::numeric_limits<double>::infinity());
   const auto offer = [&](const Vector2d& p) {
-    double excess = 0.0, size = x.cwiseAbs().maxCoeff() + p.cwiseAbs().maxCoeff();
-    for (const CHold& hold : holds)
-      excess = std::max(excess, bound(hold) - hold.m_vNorm.dot(p));
-    if (excess <= 16.0 * std::numeric_limits<double>::epsilon() * size) excess = 0.0;
-    const double square = (p - x).squaredNorm();
-    if (excess < bestExcess || (excess == bestExcess && square < bestSquare))
-      best = p, bestExcess = excess, bestSquare = square;
+    const double size = x.cwiseAbs().maxCoeff() + p.cwiseAbs().maxCoeff();
+    CRank rank{0.0, 0.0, (p - x).squaredNorm()};
+    for (const CHold& hold : holds) {
+      const double excess = bound(hold) - hold.m_vNorm.dot(p);
+      if (excess <= 16.0 * std::numeric_limits<double>::epsilon() * size) continue;
+      rank[hold.m_bIsBall] = std::max(rank[hold.m_bIsBall], excess);
+    }
+    if (rank < bestRank) best = p, bestRank = rank;
   };
   offer(x);
-  if (bestExcess == 0.0) return x;
+  if (bestRank[0] == 0.0 && bestRank[1] == 0.0) return x;
   for (std::size_t i = 0; i < holds.size(); ++i) {
     const Vector2d& n = holds[i].m_vNorm;
     offer(x + (bound(holds[i]) - n.dot(x)) * n);
@@ -68,12 +73,6 @@ Vector2d CHolds::ConstrainVel(const Vector2d& v) const {
 
 Vector2d CHolds::ConstrainAcc(const Vector2d& a) const {
   return Closest(a, Get(), [](const CHold& hold) { return hold.m_fAcc; });
-}
-
-void CHolds::DropBroken(const Vector2d& v, double error) {
-  const auto end = m_stdHolds.begin() + static_cast<std::ptrdiff_t>(m_nSize);
-  const auto isBroken = [&](const CHold& hold) { return hold.m_vNorm.dot(v) < hold.m_fSpeed - error; };
-  m_nSize = static_cast<std::size_t>(std::remove_if(m_stdHolds.begin(), end, isBroken) - m_stdHolds.begin());
 }
 
 void CHolds::DropPulling(const Vector2d& acc, const Vector2d& free) {

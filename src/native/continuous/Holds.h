@@ -35,11 +35,10 @@ public:
   void Add(const CHold& hold);
 
   /// The velocity closest to v that goes into none of them, and the acceleration closest to a. By Gauss's
-  /// principle of least constraint that is the one of a ball without friction.
+  /// principle of least constraint that is the one of a ball without friction. Where there is none the ball
+  /// is squeezed: into balls sooner than into shapes.
   Vector2d ConstrainVel(const Vector2d& v) const;
   Vector2d ConstrainAcc(const Vector2d& a) const;
-  /// Takes out those that a ball of this velocity goes into faster than by `error`: it meets them anew.
-  void DropBroken(const Vector2d& v, double error);
   /// Takes out those that would have to pull a ball that is accelerated by `acc` instead of by `free`.
   void DropPulling(const Vector2d& acc, const Vector2d& free);
 

@@ -192,7 +192,6 @@ void CRestingContacts::Solve(std::vector<CMoving>& balls) {
     if (c.m_bIsBall) continue;
     ball.m_cHolds.Add(
         {c.m_nOther, false, c.m_vNorm, c.m_fSpeed, 0.0, std::abs(c.m_fRadius + ball.m_fRadius)});
-    ball.m_cHolds.DropBroken(ball.m_vVel, g_fRestingError * m_fSlow);
   }
 }
 
