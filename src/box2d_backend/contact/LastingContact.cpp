@@ -86,7 +86,7 @@ float CountLastingSubsteps(CBodies& bodies, float dt) {
         if (!other.m_bIsLasting) return;
         const float depth = dt * ApproachSpeed(*pBall, other) - std::max(0.0f, GapOf(*pBall, other));
         const float most = g_fLastingMove * std::min(pBall->m_fRadius, other.m_fRadius);
-        parts = std::max(parts, depth / most);
+        if (depth > parts * most) parts = most > 0.0f ? depth / most : g_fMostLastingSubsteps; // a point
       });
   return std::min(parts, g_fMostLastingSubsteps);
 }
