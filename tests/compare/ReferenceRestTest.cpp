@@ -173,7 +173,7 @@ TEST(ReferenceRest, NearMissesAreCounted) {
 // momentum is what the shapes gave. The controls are elasticities a little below and above 1.
 TEST(ReferenceRest, TablesKeepBallsApartAndEnergyFromGrowing) {
   enum eTable { Elastic, Dull, Lively, Piles, Batted, Tables };
-  std::size_t bounces = 0, pairs = 0, slides = 0, rests = 0, gains = 0;
+  std::size_t bounces = 0, pairs = 0, slides = 0, rests = 0, gains = 0, jams = 0;
   for (std::uint64_t seed = 0; seed < 4 * Tables; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     CRandom random(seed);
@@ -217,7 +217,15 @@ TEST(ReferenceRest, TablesKeepBallsApartAndEnergyFromGrowing) {
     std::size_t own = 0; // bounces of this table
     for (int step = 0; step < 400; ++step) {
       SCOPED_TRACE(step);
-      for (const CExactEvent<double>& event : Carry(reference, 1.0 / 60)) {
+      CEvents events;
+      try {
+        events = Carry(reference, 1.0 / 60);
+      } catch (const std::runtime_error& error) { // a jam, of which it says that it gives up
+        ASSERT_TRUE(table == Piles || table == Batted) << error.what();
+        ++jams;
+        break;
+      }
+      for (const CExactEvent<double>& event : events) {
         ASSERT_FALSE(event.m_bOverlapped);
         ++own;
         pairs += event.m_bIsBall;
@@ -262,6 +270,7 @@ TEST(ReferenceRest, TablesKeepBallsApartAndEnergyFromGrowing) {
   EXPECT_GT(slides, 500u);
   EXPECT_GT(rests, 200u);
   EXPECT_GT(gains, 10u);
+  EXPECT_LE(jams, 2u);
 }
 
 TEST(ReferenceRest, RefusesWhatTheLibraryRefuses) {
