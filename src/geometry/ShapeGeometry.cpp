@@ -38,8 +38,6 @@ void SetArc(CShapeGeometry& o, const CArc& arc) {
   o.m_vPt1 += o.m_fRadius * e1;
 }
 
-double Largest(const Vector2d& v) { return v.cwiseAbs().maxCoeff(); }
-
 } // namespace
 
 CShapeGeometry MakeShapeGeometry(const CShape& shape, double turnSpeed) {

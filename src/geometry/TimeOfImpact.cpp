@@ -67,6 +67,34 @@ eSweep Sweep(const CShapeGeometry& shape, const CMotion& moving, double start, C
   return found;
 }
 
+bool IsOutOfWay(const CShapeGeometry& shape, const CMotion& moving, double start, double reach) {
+  FailIf(shape.m_fTurnSpeed != 0.0);
+  const CMotion motion = Relative(moving, shape, start);
+  const Vector2d p = motion.m_vPos, way = motion.m_vVel * motion.m_fDuration,
+                 fall = motion.m_vAcc * (0.5 * motion.m_fDuration * motion.m_fDuration);
+  const double size = Largest(p) + Largest(way) + Largest(fall) + shape.m_fSize;
+  const double far = motion.m_fRadius + reach + g_fFarRounding * size;
+  // Along w, from a point of the shape beyond which nothing of it comes, |w| is the distance at first.
+  const auto isPassed = [&](const Vector2d& w, double distance) {
+    const double square = w.squaredNorm();
+    const double least = square + std::min(0.0, w.dot(way)) + std::min(0.0, w.dot(fall));
+    return least > 0.0 && least * least > distance * distance * square;
+  };
+  if (shape.m_eShapeType == eShape::LineSeg) {
+    const Vector2d along = shape.m_vPt1 - shape.m_vPt0, from0 = p - shape.m_vPt0;
+    const double length = along.squaredNorm(), share = along.dot(from0);
+    if (!(share > 0.0)) return isPassed(from0, far);
+    if (!(share < length)) return isPassed(p - shape.m_vPt1, far);
+    return isPassed(shape.m_vFront.dot(from0) * shape.m_vFront, far);
+  }
+  // A point is a circle without radius.
+  const Vector2d w = p - shape.m_vCenter;
+  if (isPassed(w, shape.m_fRadius + far)) return true;
+  // What falls is farthest from the centre at an end of the chord, or by the sagitta beyond that.
+  const double inner = shape.m_fRadius - far - 0.25 * (std::abs(fall.x()) + std::abs(fall.y()));
+  return inner > 0.0 && std::max(w.squaredNorm(), (w + way + fall).squaredNorm()) < inner * inner;
+}
+
 bool Near(const CShapeGeometry& shape, const CMotion& moving, double start, double reach, CImpact& impact,
           double& gap) {
   const CMotion ball = Relative(moving, shape, start);

@@ -68,6 +68,12 @@ enum class eSweep {
 /// no more than that.
 eSweep Sweep(const CShapeGeometry& shape, const CMotion& motion, double start, CImpact& impact);
 
+/// Whether surely the ball stays farther than `reach` from the shape, told without a root: Sweep finds no
+/// impact then. By the component of the motion away from the shape's closest point, or from the centre of
+/// what is round; inside a circle by how far from the centre the ends of the motion are. False for turning
+/// shapes. Roundings of the kernels are allowed for.
+bool IsOutOfWay(const CShapeGeometry& shape, const CMotion& motion, double start, double reach);
+
 /// Two balls on motions that begin at the same time, until the shorter one ends. The normal points to `ball`,
 /// the surface is that of `other`. None or Impact. Swapping the balls changes signs only.
 eSweep ImpactBallBall(const CMotion& other, const CMotion& ball, CImpact& impact);

@@ -32,6 +32,9 @@ CVec<T> Perp(const CVec<T>& v) {
 }
 inline Vector2d Perp(const Vector2d& v) { return Perp<double>(v); }
 
+/// Magnitude of the larger coordinate.
+inline double Largest(const Vector2d& v) { return v.cwiseAbs().maxCoeff(); }
+
 // These divide only what can be divided: a compiler may compute what is not needed, and that must not raise
 // an exception either.
 

@@ -51,25 +51,33 @@ double Search(const CShape& shape, const CMotion& motion) {
   return std::numeric_limits<double>::infinity();
 }
 
+std::unique_ptr<CShape> MakeRandomShape(CRandom& random, int i, const Vector2& origin) {
+  const Vector2 p = origin + random.InSquare(1);
+  const float r = random.Uniform(0.2f, 1.0f), a = random.Uniform(0, 6.28f);
+  switch (i % 4) {
+  case 0: return std::make_unique<CPoint>(CPointDesc(p));
+  case 1: return std::make_unique<CLineSeg>(CLineSegDesc(p, p + random.VectorOfLength(0.1f, 2)));
+  case 2: return std::make_unique<CCircle>(CCircleDesc(p, r));
+  default: return std::make_unique<CArc>(CArcDesc(p, r, a, random.Uniform(0, 6.28f)));
+  }
+}
+
+CMotion MakeRandomMotion(CRandom& random) {
+  CMotion motion;
+  motion.m_fRadius = static_cast<double>(random.Uniform(0, 0.15f));
+  motion.m_fDuration = 1.0;
+  motion.m_vPos = Wide(random.InSquare(2));
+  motion.m_vVel = Wide(random.VectorOfLength(0, 4));
+  motion.m_vAcc = Wide(random.VectorOfLength(0, 12));
+  return motion;
+}
+
 // The control is the way without gravity.
 TEST(ParabolicMotion, FindsTheFirstImpactOnAParabola) {
   int impacts = 0, others = 0;
   ForEachCase(17, 1200, [&](CRandom& random, int i) {
-    const Vector2 p = random.InSquare(1);
-    const float r = random.Uniform(0.2f, 1.0f), a = random.Uniform(0, 6.28f);
-    std::unique_ptr<CShape> pShape;
-    switch (i % 4) {
-    case 0: pShape = std::make_unique<CPoint>(CPointDesc(p)); break;
-    case 1: pShape = std::make_unique<CLineSeg>(CLineSegDesc(p, p + random.VectorOfLength(0.1f, 2))); break;
-    case 2: pShape = std::make_unique<CCircle>(CCircleDesc(p, r)); break;
-    default: pShape = std::make_unique<CArc>(CArcDesc(p, r, a, random.Uniform(0, 6.28f)));
-    }
-    CMotion motion;
-    motion.m_fRadius = static_cast<double>(random.Uniform(0, 0.15f));
-    motion.m_fDuration = 1.0;
-    motion.m_vPos = Wide(random.InSquare(2));
-    motion.m_vVel = Wide(random.VectorOfLength(0, 4));
-    motion.m_vAcc = Wide(random.VectorOfLength(0, 12));
+    const std::unique_ptr<CShape> pShape = MakeRandomShape(random, i, Vector2::Zero());
+    const CMotion motion = MakeRandomMotion(random);
     if (DistanceTo(*pShape, motion.m_vPos) <= motion.m_fRadius) return; // begins in it
     const double exact = Search(*pShape, motion);
     CImpact impact;
@@ -100,6 +108,47 @@ TEST(ParabolicMotion, FindsTheFirstImpactOnAParabola) {
   });
   EXPECT_GT(impacts, 100);
   EXPECT_GT(others, impacts / 2);
+}
+
+// The control is a ball that stands still. The test has to tell so of most of those that stay away, or it is
+// of no use.
+TEST(ParabolicMotion, ABallThatIsOutOfTheWayStaysAway) {
+  int away = 0, told = 0, wrong = 0;
+  ForEachCase(23, 8000, [&](CRandom& random, int i) {
+    const Vector2 origin = i % 8 < 4 ? Vector2(0, 0) : Vector2(1e5f, -3e4f);
+    const std::unique_ptr<CShape> pShape = MakeRandomShape(random, i, origin);
+    CShapeGeometry o = MakeShapeGeometry(*pShape, 0.0);
+    o.m_vVel = Wide(random.VectorOfLength(0, 2));
+    CMotion motion = MakeRandomMotion(random);
+    motion.m_vPos += Wide(origin);
+    motion.m_fDuration = static_cast<double>(random.Scale(-6, 0));
+    const double start = random.Unit(), reach = random.Coin() ? 0.0 : 0.1 * random.Unit();
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= 200; ++k) {
+      const double t = motion.m_fDuration * k / 200;
+      nearest = std::min(nearest, DistanceTo(*pShape, motion.PosAt(t) - (start + t) * o.m_vVel));
+    }
+    const bool isOut = IsOutOfWay(o, motion, start, reach);
+    ASSERT_FALSE(isOut && nearest <= motion.m_fRadius + reach) << nearest;
+    CImpact impact;
+    ASSERT_FALSE(isOut && Sweep(o, motion, start, impact) != eSweep::None);
+    away += nearest > motion.m_fRadius + reach;
+    told += isOut;
+    CMotion standing = motion;
+    standing.m_vVel = o.m_vVel;
+    standing.m_vAcc = Vector2d::Zero();
+    wrong += IsOutOfWay(o, standing, start, reach) && nearest <= motion.m_fRadius + reach;
+  });
+  EXPECT_GT(told, 0.8 * away) << "of " << away;
+  EXPECT_GT(wrong, 200);
+}
+
+TEST(ParabolicMotion, NothingIsOutOfTheWayOfAShapeThatTurns) {
+  CShapeGeometry o = MakeShapeGeometry(CLineSeg(CLineSegDesc({0, 0}, {1, 0})), 0.0);
+  const CMotion motion{{50, 50}, {0, 0}, 0.1, 1.0};
+  EXPECT_TRUE(IsOutOfWay(o, motion, 0.0, 0.0));
+  o.m_fTurnSpeed = 1.0;
+  EXPECT_FALSE(IsOutOfWay(o, motion, 0.0, 0.0));
 }
 
 TEST(ParabolicMotion, ABallThatIsThrownUpMeetsTheFloorThatItLeft) {

@@ -34,6 +34,7 @@ void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs
     std::fill(balls.m_stdCalm.begin(), balls.m_stdCalm.end(), 0.0f);
   balls.m_stdPrevPos = balls.m_stdPos;
   if (IsFalling() && AllSleep(balls) && !shapes.IsAnyMoving()) return;
+  m_fSagitta = CMotion{Vector2d::Zero(), Vector2d::Zero(), 0.0, m_fStep, m_vGravity}.GetSagitta();
   m_cResting.Begin(m_vGravity, m_fStep);
   shapes.BoxKinematic(dt);
   shapes.MakeGeometries(dt);
@@ -48,25 +49,6 @@ void CContinuous::MoveTogether() {
   TakeBalls();
   FollowBalls();
   PutBalls();
-}
-
-// A ball that does not meet others: they need not move at the same time.
-void CContinuous::MoveAlone(std::size_t i) {
-  if (!m_pBalls->IsSolid(i)) return MoveFreely(i);
-  const CMotion motion = GetFreeMotion(i);
-  const CDiscGrid::CDisc disc = GetDisc(motion, motion.GetSagitta());
-  if (IsAsleep(i)) {
-    if (!MovesNear(disc)) return;
-    m_pBalls->m_stdCalm[i] = 0.0f;
-  }
-  if (m_pShapes->IsClear(disc.m_vCenter, disc.m_fRadius)) {
-    m_pBalls->m_stdCalm[i] = 0.0f;
-    return MoveFreely(i);
-  }
-  m_stdBalls.clear();
-  Take(i, disc);
-  FollowBalls();
-  PutTaken();
 }
 
 // Those that were taken, from impact to impact until the substep ends.

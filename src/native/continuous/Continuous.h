@@ -82,10 +82,12 @@ private:
   void MoveTogether();
   void MoveAlone(std::size_t i);
   void MoveFreely(std::size_t i);
+  void MoveFreely(std::size_t i, const CMotion& motion);
   void FollowBalls();
   void TakeBalls();
   void FindDiscs();
   void FindInvolved();
+  bool IsInTheOpen(const CMotion& motion, const CDiscGrid::CDisc& disc);
   bool MovesNear(const CDiscGrid::CDisc& disc) const;
   void TakeSolid(std::uint32_t k);
   void Take(std::size_t i, const CDiscGrid::CDisc& disc);
@@ -164,6 +166,7 @@ private:
   double m_fFastest =
       0.0; // ball at the beginning, or surface that was met, of it g_fSqueezed times the speed
   Vector2d m_vGravity = Vector2d::Zero();
+  double m_fSagitta = 0.0; // of a motion that nothing deflects
   bool m_bIsFalling = false;
   bool m_bCapsSpeeds = false; // gravity can take a ball beyond g_fMaxSpeed
   bool m_bPairs = false;

@@ -43,12 +43,11 @@ CDiscGrid::CDisc CContinuous::GetDisc(const CMotion& motion, double sagitta) {
 
 void CContinuous::FindDiscs() {
   m_stdDiscs.resize(m_stdSolid.size());
-  const double sagitta = CMotion{Vector2d::Zero(), Vector2d::Zero(), 0.0, m_fStep, m_vGravity}.GetSagitta();
   double fastest = 0.0; // squared
   for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k) {
     const CMotion motion = GetFreeMotion(m_stdSolid[k]);
     fastest = std::max(fastest, motion.m_vVel.squaredNorm());
-    m_stdDiscs[k] = GetDisc(motion, sagitta);
+    m_stdDiscs[k] = GetDisc(motion, m_fSagitta);
   }
   m_fFastest = std::sqrt(fastest);
 }
@@ -70,7 +69,6 @@ void CContinuous::FindInvolved() {
   };
   const auto look = [&](std::uint32_t k) {
     const CDiscGrid::CDisc& disc = m_stdDiscs[k];
-    if (!m_pShapes->IsClear(disc.m_vCenter, disc.m_fRadius)) m_stdIsInvolved[k] = 1;
     const auto begin = static_cast<std::ptrdiff_t>(m_stdNear.size());
     m_cDiscGrid.FindNear(disc.m_vCenter, disc.m_fRadius + reach, [&](std::uint32_t other) {
       if (other == k) return false;
@@ -82,6 +80,7 @@ void CContinuous::FindInvolved() {
     std::sort(m_stdNear.begin() + begin, m_stdNear.end());
     m_stdNear.erase(std::unique(m_stdNear.begin() + begin, m_stdNear.end()), m_stdNear.end());
     m_stdNearOf[k] = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(m_stdNear.size())};
+    if (!m_stdIsInvolved[k] && !IsInTheOpen(GetFreeMotion(m_stdSolid[k]), disc)) m_stdIsInvolved[k] = 1;
   };
   for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k)
     if (!anySleeps || !IsAsleep(m_stdSolid[k]))
@@ -90,6 +89,17 @@ void CContinuous::FindInvolved() {
       wake(k);
   for (std::size_t w = 0; w < m_stdWoken.size(); ++w)
     look(m_stdWoken[w]);
+}
+
+// Whether surely no shape touches the ball or is on its way, where this disc is around that.
+bool CContinuous::IsInTheOpen(const CMotion& motion, const CDiscGrid::CDisc& disc) {
+  if (m_pShapes->IsClear(disc.m_vCenter, disc.m_fRadius)) return true;
+  m_pShapes->FindNear(disc.m_vCenter, disc.m_fRadius, m_stdShapesFound);
+  return std::all_of(m_stdShapesFound.begin(), m_stdShapesFound.end(), [&](std::uint32_t order) {
+    const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
+    const double size = SizeOf(motion.m_vPos, motion.m_fRadius) + geometry.m_fSize;
+    return IsOutOfWay(geometry, motion, 0.0, Rounding(size));
+  });
 }
 
 // Whether a shape moves near a ball that sleeps, with this disc.
@@ -193,10 +203,29 @@ void CContinuous::Put(const Vector2d& p, Vector2d v, std::size_t i) {
 }
 
 // A ball that nothing comes near.
-void CContinuous::MoveFreely(std::size_t i) {
+void CContinuous::MoveFreely(std::size_t i) { MoveFreely(i, GetFreeMotion(i)); }
+
+void CContinuous::MoveFreely(std::size_t i, const CMotion& motion) {
   if (!IsFalling()) return Move(m_pBalls->m_stdPos[i], m_pBalls->m_stdVel[i], static_cast<float>(m_fStep));
-  const CMotion motion = GetFreeMotion(i);
   Put(motion.PosAt(m_fStep), motion.VelAt(m_fStep), i);
+}
+
+// A ball that does not meet others: they need not move at the same time.
+void CContinuous::MoveAlone(std::size_t i) {
+  const CMotion motion = GetFreeMotion(i);
+  if (!m_pBalls->IsSolid(i)) return MoveFreely(i, motion);
+  const CDiscGrid::CDisc disc = GetDisc(motion, m_fSagitta);
+  float& calm = m_pBalls->m_stdCalm[i];
+  if (IsAsleep(i) && !MovesNear(disc)) return;
+  if (IsAsleep(i)) calm = 0.0f;
+  if (IsInTheOpen(motion, disc)) {
+    calm = 0.0f;
+    return MoveFreely(i, motion);
+  }
+  m_stdBalls.clear();
+  Take(i, disc);
+  FollowBalls();
+  PutTaken();
 }
 
 void CContinuous::PutBalls() {

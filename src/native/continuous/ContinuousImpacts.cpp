@@ -48,12 +48,10 @@ void CContinuous::FindNextShape(CMoving& ball) {
 // Of those that were found.
 void CContinuous::FindShapeImpacts(CMoving& ball) {
   const CMotion motion = GetMotion(ball);
-  const double t = motion.m_fDuration, way = (Norm(motion.m_vVel) + 0.5 * t * Norm(motion.m_vAcc)) * t;
   for (const std::uint32_t order : m_stdShapesFound) {
     if (!m_pShapes->Get(order).m_pShape->GetCanCollide() || ball.m_cHolds.HasShape(order)) continue;
     const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
-    const double together = motion.m_fRadius + way + t * Norm(geometry.m_vVel);
-    if (IsFarFrom(geometry, motion.m_vPos, ball.m_fTime, together)) continue;
+    if (IsOutOfWay(geometry, motion, ball.m_fTime, 0.0)) continue;
     ++m_pStats->m_nSweeps;
     CNext found;
     found.m_nOther = order;
