@@ -5,13 +5,21 @@
 
 namespace Shapes::Compare {
 
-bool IsResponse(const CContactEvent& event) {
+namespace {
+
+bool IsBounce(const CContactEvent& event) {
   return !event.m_bIsSensor && (event.m_fSpeed > 0.0f || event.m_fSetback > 0.0f);
 }
 
-std::size_t CountResponses(const CWorld& world) {
+} // namespace
+
+bool IsResponse(const CContactEvent& event) {
+  return IsBounce(event) || (!event.m_bIsSensor && event.m_fImpulse > 0.0f);
+}
+
+std::size_t CountBounces(const CWorld& world) {
   const auto contacts = world.GetContacts();
-  return static_cast<std::size_t>(std::count_if(contacts.begin(), contacts.end(), IsResponse));
+  return static_cast<std::size_t>(std::count_if(contacts.begin(), contacts.end(), IsBounce));
 }
 
 std::optional<CResponse> AsSeenBy(const CContactEvent& event, CShapeId ball) {

@@ -9,12 +9,12 @@
 
 namespace Shapes::Compare {
 
-/// Whether an event was a response: it changed the velocity or the position of a ball. Box2D also reports
-/// balls that leave, and sensors are reported by both.
+/// Whether an event was a response: it changed the velocity or the position of a ball, also of one that lies.
+/// Box2D also reports balls that leave, and sensors are reported by both.
 bool IsResponse(const CContactEvent& event);
 
-/// How many responses there were in the last step.
-std::size_t CountResponses(const CWorld& world);
+/// How many responses to balls that approached there were in the last step.
+std::size_t CountBounces(const CWorld& world);
 
 /// A response as one of its balls sees it.
 struct CResponse {

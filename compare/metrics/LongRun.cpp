@@ -82,7 +82,7 @@ public:
       const double way = GetSpeed() * dt;
       m_cGame.Step();
       if (m_cGame.GetEscaped() + m_cGame.GetNotFinite() > 0) break;
-      run.m_nBounces += CountResponses(m_cGame.GetWorld());
+      run.m_nBounces += CountBounces(m_cGame.GetWorld());
       run.m_fSeconds += dt;
       m_fWay += way;
       m_stdSamples.push_back({m_cEnergy.GetSum(m_cGame.GetWorld()), GetMomentum()});
