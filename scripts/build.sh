@@ -8,7 +8,8 @@ build_packages=(cmake ninja-build g++ libeigen3-dev libbox2d-dev libgtest-dev li
 # The tests that need more than a compiler: report.html is tested in a browser, JSON schemas by a validator.
 test_packages=(chromium-headless-shell python3-jsonschema)
 # The rest of what .ci/run does. With ccache, configurations that differ in a few files share the others.
-ci_packages=(git ccache clang clang-tidy clang-format libclang-rt-14-dev libc++-dev libc++abi-dev help2man jq)
+ci_packages=(git ccache clang clang-tidy clang-format libclang-rt-14-dev libc++-dev libc++abi-dev help2man jq
+             libtbb-dev)
 
 # Arguments for cmake: a compiler cache where there is one. Precompiled headers need to be told to it.
 export CCACHE_SLOPPINESS=pch_defines,time_macros

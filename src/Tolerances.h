@@ -241,6 +241,11 @@ inline constexpr float g_fGridReach = 4.5f;
 /// Questions to the tree before the grid is made. Among few shapes they cost little, and for a few trials of
 /// a ball it would not pay.
 inline constexpr std::size_t g_nAskedBeforeGrid = 1024;
+/// Substeps that the grid of shapes has to last before threads share it, for which all of its cells are
+/// filled.
+inline constexpr unsigned g_nBeforeSharing = 16;
+/// Lanes for each thread, and balls in a lane at least.
+inline constexpr std::size_t g_nLanesPerThread = 4, g_nLeastInLane = 512;
 /// Shapes that have moved since the grid was made, and are looked at one by one; beyond it the tree is asked.
 inline constexpr std::size_t g_nMostLoose = 16;
 /// Rounds in which a ball that overlaps several shapes is set back from all of them: it stays in the last one

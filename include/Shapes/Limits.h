@@ -35,6 +35,9 @@ inline constexpr float g_fMaxRotSpeed = 1e9f;
 /// Most substeps in one step: 64 times the most that shapes-compare tries.
 inline constexpr unsigned g_nMaxSubsteps = 4096;
 
+/// Most threads that a world may use.
+inline constexpr unsigned g_nMaxThreads = 256;
+
 /// Most impacts of a ball in a substep where Continuous runs: bounds time. After as many a ball stays for the
 /// rest of the substep, or goes along with the moving shape that it touched last, and
 /// CWorldStats::m_nBallsHalted counts it. In a pile of balls under gravity the limit is a sixteenth of this.

@@ -37,6 +37,10 @@ public:
   float m_fTimeStep = 1.0f / 60.0f;     ///< Seconds per Step, above 0.
   unsigned m_nSubsteps = 1;             ///< Equal parts into which a Step is cut, 1 .. g_nMaxSubsteps.
   CEffectChoice m_cEffects;             ///< No effect may be both forced and forbidden.
+  /// Threads that may share a Step, 1 .. g_nMaxThreads. What comes out is the same bits. Native uses them for
+  /// thousands of balls that do not meet each other (BallPairs does not run), if the library was built with
+  /// SHAPES_WITH_THREADS; otherwise, and on Box2D, one does it all.
+  unsigned m_nThreads = 1;
   CBox2DSettings m_cBox2D;
 };
 

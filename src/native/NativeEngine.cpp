@@ -59,7 +59,6 @@ void CNativeEngine::Plan(CEffects running) {
     add(Runs(eEffect::Kinematics), &CNativeEngine::MoveShapes);
     return;
   }
-  add(Runs(eEffect::Gravity), &CNativeEngine::Accelerate);
   add(Runs(eEffect::Kinematics), &CNativeEngine::MoveShapes);
   add(Runs(eEffect::Kinematics), &CNativeEngine::BoxShapes);
   add(true, &CNativeEngine::MoveBalls);
@@ -75,7 +74,6 @@ void CNativeEngine::Substep(float dt) {
     const std::vector<float>& radius = m_cState.m_cBalls.m_stdRadius;
     m_fLargestRadius = radius.empty() ? 0.0f : *std::max_element(radius.begin(), radius.end());
     m_bFilters = HasFilters();
-    m_cContinuous.SetFilters(m_bFilters);
   }
   m_cBroadPhase.SetRadius(m_fLargestRadius);
   for (const CStage stage : m_stdStages)
@@ -89,16 +87,6 @@ bool CNativeEngine::HasFilters() const {
                      [&](const CShapeEntry& entry) { return isOther(entry.m_pShape->GetFilter()); });
 }
 
-void CNativeEngine::Accelerate(float dt) {
-  CBallArrays& b = m_cState.m_cBalls;
-  for (Vector2& v : b.m_stdVel)
-    Shapes::Accelerate(v, m_cState.m_vGravity, dt);
-  Stats().m_nBallsAccelerated += b.Size();
-  if (!CanExceedMaxSpeed(m_cState.m_vGravity * dt)) return;
-  for (Vector2& v : b.m_stdVel)
-    Count(CapSpeed(v));
-}
-
 void CNativeEngine::MoveShapes(float dt) {
   for (CShape* pShape : m_stdKinematic) {
     Stats().m_nShapesTurned += pShape->GetMoving();
@@ -110,11 +98,56 @@ void CNativeEngine::BoxShapes(float) { m_cBroadPhase.BoxKinematic(); }
 
 void CNativeEngine::MoveBalls(float dt) {
   CBallArrays& b = m_cState.m_cBalls;
-  b.m_stdPrevPos = b.m_stdPos;
-  for (std::size_t i = 0; i < b.Size(); ++i) {
-    Move(b.m_stdPos[i], b.m_stdVel[i], dt);
-    Stats().m_nMovesLost += b.m_stdPos[i] == b.m_stdPrevPos[i] && b.m_stdVel[i] != Vector2::Zero();
-  }
+  const bool falls = Runs(eEffect::Gravity);
+  const bool canExceed = falls && CanExceedMaxSpeed(m_cState.m_vGravity * dt);
+  if (falls) Stats().m_nBallsAccelerated += b.Size();
+  ForEachLane([&, gravity = m_cState.m_vGravity](CLane& lane, std::size_t begin, std::size_t end) {
+    // Of their own, so that the loop need not look for them after each ball.
+    Vector2 *pPos = b.m_stdPos.data(), *pPrevPos = b.m_stdPrevPos.data(), *pVel = b.m_stdVel.data();
+    std::uint64_t capped = 0, lost = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (falls) Accelerate(pVel[i], gravity, dt);
+      if (canExceed) capped += CapSpeed(pVel[i]);
+      pPrevPos[i] = pPos[i];
+      Move(pPos[i], pVel[i], dt);
+      lost += pPos[i] == pPrevPos[i] && pVel[i] != Vector2::Zero();
+    }
+    lane.m_cStats.m_nSpeedsCapped += capped;
+    lane.m_cStats.m_nMovesLost += lost;
+  });
+}
+
+// Into which the balls are cut.
+std::size_t CNativeEngine::CountLanes() {
+  const std::size_t lanes = m_cLanes.Count(m_cState.m_cBalls.Size());
+  return lanes > 1 && m_cBroadPhase.MakeShareable() ? lanes : 1;
+}
+
+// Calls f(lane, begin, end) for all balls, and takes the contacts and the counts of the lanes in their order.
+template <class F>
+void CNativeEngine::ForEachLane(const F& f) {
+  const std::size_t n = m_cState.m_cBalls.Size(), lanes = CountLanes();
+  if (lanes == 1)
+    f(First(), 0, n);
+  else
+    m_cLanes.ForEach(
+        n, lanes, [&](std::size_t k, std::size_t begin, std::size_t end) { f(m_stdLanes[k], begin, end); });
+  for (std::size_t k = 0; k < lanes; ++k)
+    Take(m_stdLanes[k]);
+}
+
+void CNativeEngine::Take(CLane& lane) {
+  const CWorldStats stats = std::exchange(lane.m_cStats, CWorldStats());
+  Stats().m_nShapeTests += stats.m_nShapeTests;
+  Stats().m_nSweeps += stats.m_nSweeps;
+  Stats().m_nBallsSwept += stats.m_nBallsSwept;
+  Stats().m_nBallsHalted += stats.m_nBallsHalted;
+  Stats().m_nMovesLost += stats.m_nMovesLost;
+  Stats().m_nContacts += stats.m_nContacts;
+  Stats().m_nSpeedsCapped += stats.m_nSpeedsCapped;
+  for (const CContactEvent& event : lane.m_stdContacts)
+    m_cWorld.Report(event);
+  lane.m_stdContacts.clear();
 }
 
 CBall CNativeEngine::Ball(std::size_t i) const {
@@ -126,48 +159,47 @@ template <bool TReports>
 void CNativeEngine::CollideWithShapes(float) {
   const CBallArrays& b = m_cState.m_cBalls;
   if (m_cBroadPhase.Size() == 0) return;
-  for (std::size_t i = 0; i < b.Size(); ++i)
-    if (!m_cBroadPhase.IsClear(b.m_stdPos[i], b.m_stdRadius[i]) && b.IsSolid(i))
-      CollideWithShapesOf<TReports>(i);
+  ForEachLane([&](CLane& lane, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (!m_cBroadPhase.IsClear(b.m_stdPos[i], b.m_stdRadius[i]) && b.IsSolid(i))
+        CollideWithShapesOf<TReports>(i, lane);
+  });
 }
 
-void CNativeEngine::CollectShapes(std::size_t ball, float reach) {
-  m_cBroadPhase.FindNear(m_cState.m_cBalls.m_stdPos[ball], reach, m_stdCandidates);
-  if (m_bFilters) LeaveOutShapes(ball);
-}
-
-// Those that the ball does not meet.
-void CNativeEngine::LeaveOutShapes(std::size_t ball) {
-  std::erase_if(m_stdCandidates, [&](std::uint32_t order) {
+// Those that the ball meets.
+void CNativeEngine::CollectShapes(std::size_t ball, float reach, std::vector<std::uint32_t>& orders) {
+  m_cBroadPhase.FindNear(m_cState.m_cBalls.m_stdPos[ball], reach, orders);
+  if (!m_bFilters) return;
+  std::erase_if(orders, [&](std::uint32_t order) {
     return !DoMeet(m_cState.m_cBalls.m_stdFilter[ball], m_cBroadPhase.Get(order).m_pShape->GetFilter());
   });
 }
 
 template <bool TReports>
-void CNativeEngine::CollideWithShapesOf(std::size_t ball) {
+void CNativeEngine::CollideWithShapesOf(std::size_t ball, CLane& lane) {
   const CBallArrays& b = m_cState.m_cBalls;
+  std::vector<std::uint32_t>& orders = lane.m_stdCandidates;
   const float slack = g_fCandidateSlack * b.m_stdRadius[ball], reach = b.m_stdRadius[ball] + slack;
   Vector2 collectedAt = b.m_stdPos[ball];
-  CollectShapes(ball, reach);
-  for (std::size_t k = 0; k < m_stdCandidates.size(); ++k) {
-    const std::uint32_t order = m_stdCandidates[k];
-    CollideWithShape<TReports>(ball, m_cBroadPhase.Get(order));
+  CollectShapes(ball, reach, orders);
+  for (std::size_t k = 0; k < orders.size(); ++k) {
+    const std::uint32_t order = orders[k];
+    CollideWithShape<TReports>(ball, m_cBroadPhase.Get(order), lane);
     if ((b.m_stdPos[ball] - collectedAt).squaredNorm() <= slack * slack) continue;
     // A response has moved the ball out of the reach of what was collected: the rest again, from where it is
     // now.
     collectedAt = b.m_stdPos[ball];
-    CollectShapes(ball, reach);
-    k = static_cast<std::size_t>(std::upper_bound(m_stdCandidates.begin(), m_stdCandidates.end(), order) -
-                                 m_stdCandidates.begin()) -
-        1;
+    CollectShapes(ball, reach, orders);
+    const auto next = std::upper_bound(orders.begin(), orders.end(), order);
+    k = static_cast<std::size_t>(next - orders.begin()) - 1;
   }
 }
 
 template <bool TReports>
-void CNativeEngine::CollideWithShape(std::size_t i, const CShapeEntry& entry) {
+void CNativeEngine::CollideWithShape(std::size_t i, const CShapeEntry& entry, CLane& lane) {
   const CShape& shape = *entry.m_pShape;
   if (!shape.GetCanCollide()) return;
-  ++Stats().m_nShapeTests;
+  ++lane.m_cStats.m_nShapeTests;
   CHit hit;
   if (!Collide(shape, Ball(i), hit)) return;
 
@@ -176,12 +208,12 @@ void CNativeEngine::CollideWithShape(std::size_t i, const CShapeEntry& entry) {
   const float e = b.m_stdElasticity[i] * shape.GetElasticity();
   if constexpr (TReports) {
     const float speed = ApproachSpeed(b.m_stdVel[i], surface, hit.m_vNorm);
-    m_cWorld.Report({entry.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback, speed, false,
-                     ImpulseOf(b.m_stdMass[i], e, speed)});
+    lane.m_stdContacts.push_back({entry.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback, speed,
+                                  false, ImpulseOf(b.m_stdMass[i], e, speed)});
   }
-  ++Stats().m_nContacts;
+  ++lane.m_cStats.m_nContacts;
   RespondKinematic(hit.m_vNorm, hit.m_fSetback, e, surface, b.m_stdPos[i], b.m_stdVel[i]);
-  Count(CapSpeed(b.m_stdVel[i]));
+  lane.m_cStats.m_nSpeedsCapped += CapSpeed(b.m_stdVel[i]);
 }
 
 // A disc around each ball with some margin, so that not every response has to update the grid.
@@ -205,30 +237,31 @@ void CNativeEngine::MoveInDiscGrid(std::uint32_t i) {
 
 void CNativeEngine::CollectBalls(std::uint32_t i, std::uint32_t first) {
   const CBallArrays& b = m_cState.m_cBalls;
-  m_stdCandidates.clear();
+  std::vector<std::uint32_t>& balls = First().m_stdCandidates;
+  balls.clear();
   m_cDiscGrid.FindNear(b.m_stdPos[i], b.m_stdRadius[i], [&](std::uint32_t j) {
     const float reach = (b.m_stdRadius[i] + b.m_stdRadius[j]) * (1.0f + g_fBoxPadding);
     if (j >= first && b.IsSolid(j) && (b.m_stdPos[j] - b.m_stdPos[i]).cwiseAbs().maxCoeff() <= reach)
-      m_stdCandidates.push_back(j);
+      balls.push_back(j);
     return false;
   });
-  if (m_stdCandidates.empty()) return;
+  if (balls.empty()) return;
   if (m_bFilters)
-    std::erase_if(m_stdCandidates,
-                  [&](std::uint32_t j) { return !DoMeet(b.m_stdFilter[i], b.m_stdFilter[j]); });
-  std::sort(m_stdCandidates.begin(), m_stdCandidates.end());
-  m_stdCandidates.erase(std::unique(m_stdCandidates.begin(), m_stdCandidates.end()), m_stdCandidates.end());
+    std::erase_if(balls, [&](std::uint32_t j) { return !DoMeet(b.m_stdFilter[i], b.m_stdFilter[j]); });
+  std::sort(balls.begin(), balls.end());
+  balls.erase(std::unique(balls.begin(), balls.end()), balls.end());
 }
 
 template <bool TReports>
 void CNativeEngine::CollideBalls(float) {
   const CBallArrays& b = m_cState.m_cBalls;
+  const std::vector<std::uint32_t>& balls = First().m_stdCandidates;
   BuildDiscGrid();
   for (std::uint32_t i = 0; i + 1 < b.Size(); ++i) {
     if (!b.IsSolid(i)) continue;
     CollectBalls(i, i + 1);
-    for (std::size_t k = 0; k < m_stdCandidates.size(); ++k) {
-      const std::uint32_t j = m_stdCandidates[k];
+    for (std::size_t k = 0; k < balls.size(); ++k) {
+      const std::uint32_t j = balls[k];
       if (!CollideWithBall<TReports>(i, j)) continue;
       MoveInDiscGrid(i);
       MoveInDiscGrid(j);
@@ -262,12 +295,35 @@ bool CNativeEngine::CollideWithBall(std::size_t i, std::size_t j) {
 void CNativeEngine::Sweep(float dt) {
   const Vector2 gravity = Runs(eEffect::Gravity) ? m_cState.m_vGravity : Vector2(Vector2::Zero());
   if (Runs(eEffect::Gravity)) Stats().m_nBallsAccelerated += m_cState.m_cBalls.Size();
-  m_cContinuous.Step(m_cState.m_cBalls, m_cBroadPhase, Runs(eEffect::BallPairs), gravity, dt, Stats());
-  for (const CContinuous::CPathVertex& vertex : m_cContinuous.GetPathVertices())
+  const bool pairs = Runs(eEffect::BallPairs);
+  CContinuous& all = First().m_cContinuous;
+  if (CountLanes() == 1 || pairs) {
+    all.SetFilters(m_bFilters);
+    all.Step(m_cState.m_cBalls, m_cBroadPhase, pairs, gravity, dt, Stats());
+  } else {
+    SweepInLanes(gravity, dt);
+  }
+  for (const CContinuous::CPathVertex& vertex : all.GetPathVertices())
     m_cWorld.AddPathVertex(vertex.m_nBall, vertex.m_vPos, vertex.m_fPart);
   if (!Runs(eEffect::Events)) return;
-  for (const CContactEvent& event : m_cContinuous.GetContacts())
+  for (const CContactEvent& event : all.GetContacts())
     m_cWorld.Report(event);
+}
+
+// Balls that do not meet each other. The first lane collects what came of it.
+void CNativeEngine::SweepInLanes(const Vector2& gravity, float dt) {
+  const auto begin = [&](CLane& lane) {
+    lane.m_cContinuous.SetFilters(m_bFilters);
+    lane.m_cContinuous.Begin(m_cState.m_cBalls, m_cBroadPhase, false, gravity, dt, lane.m_cStats);
+  };
+  begin(First());
+  if (!First().m_cContinuous.Prepare()) return;
+  ForEachLane([&](CLane& lane, std::size_t first, std::size_t end) {
+    if (&lane != &First()) begin(lane);
+    lane.m_cContinuous.MoveAlone(first, end);
+  });
+  for (std::size_t k = 1; k < CountLanes(); ++k)
+    First().m_cContinuous.Append(m_stdLanes[k].m_cContinuous);
 }
 
 namespace {

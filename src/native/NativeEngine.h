@@ -3,12 +3,14 @@
 
 #include "../world/WorldCore.h"
 
+#include "Lanes.h"
 #include "broadphase/DiscGrid.h"
 #include "broadphase/StaticBroadPhase.h"
 #include "continuous/Continuous.h"
 #include "narrowphase/Collide.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace Shapes::Native {
@@ -20,7 +22,11 @@ namespace Shapes::Native {
 /// must fail.
 class CNativeEngine final : public CEngine {
 public:
-  explicit CNativeEngine(CWorldCore& world) : m_cWorld(world), m_cState(world.GetState()) {}
+  explicit CNativeEngine(CWorldCore& world)
+      : m_cWorld(world),
+        m_cState(world.GetState()),
+        m_cLanes(world.GetDesc().m_nThreads),
+        m_stdLanes(m_cLanes.Count(std::numeric_limits<std::size_t>::max())) {}
 
   void Added(CShapeId id) override;
   void Removed(CShapeId id) override;
@@ -28,21 +34,28 @@ public:
   void Plan(CEffects running) override;
   void Substep(float dt) override;
   /// A world that goes on and one that is loaded take the same steps.
-  void Saved() override { m_cContinuous.Forget(); }
+  void Saved() override { First().m_cContinuous.Forget(); }
   void Loaded() override {
     m_bShapesChanged = m_bBallsChanged = true;
-    m_cContinuous.Forget();
+    First().m_cContinuous.Forget();
   }
 
 private:
+  // Where a thread works, and what came of it.
+  struct CLane {
+    CContinuous m_cContinuous;
+    std::vector<std::uint32_t> m_stdCandidates;
+    std::vector<CContactEvent> m_stdContacts;
+    CWorldStats m_cStats; // of the stage
+  };
   using CStage = void (CNativeEngine::*)(float);
 
   bool Runs(eEffect e) const { return m_cRunning.Has(e); }
+  CLane& First() { return m_stdLanes.front(); }
   void UpdateBroadPhase();
   CWorldStats& Stats() { return m_cWorld.Stats(); }
 
   // Stages.
-  void Accelerate(float dt);
   void MoveShapes(float dt);
   void BoxShapes(float dt);
   void MoveBalls(float dt);
@@ -51,11 +64,16 @@ private:
   template <bool TReports>
   void CollideBalls(float dt);
   void Sweep(float dt);
+  void SweepInLanes(const Vector2& gravity, float dt);
 
+  std::size_t CountLanes();
+  template <class F>
+  void ForEachLane(const F& f);
+  void Take(CLane& lane);
   template <bool TReports>
-  void CollideWithShapesOf(std::size_t ball);
+  void CollideWithShapesOf(std::size_t ball, CLane& lane);
   template <bool TReports>
-  void CollideWithShape(std::size_t ball, const CShapeEntry& entry);
+  void CollideWithShape(std::size_t ball, const CShapeEntry& entry, CLane& lane);
   template <bool TReports>
   bool CollideWithBall(std::size_t i, std::size_t j);
 
@@ -63,8 +81,7 @@ private:
   void BuildDiscGrid();
   void MoveInDiscGrid(std::uint32_t i);
   bool HasFilters() const;
-  void CollectShapes(std::size_t ball, float reach);
-  void LeaveOutShapes(std::size_t ball);
+  void CollectShapes(std::size_t ball, float reach, std::vector<std::uint32_t>& orders);
   void CollectBalls(std::uint32_t i, std::uint32_t first);
   void Count(bool capped) { Stats().m_nSpeedsCapped += capped; }
 
@@ -80,10 +97,10 @@ private:
   bool m_bFilters = false; // some meet not all
   CStaticBroadPhase m_cBroadPhase;
   std::vector<CShape*> m_stdKinematic; // sensors too
-  CContinuous m_cContinuous;
+  CLanes m_cLanes;
+  std::vector<CLane> m_stdLanes; // the first does what is not shared
   CDiscGrid m_cDiscGrid;
   std::vector<CDiscGrid::CDisc> m_stdDiscs; // the last one of each ball in it
-  std::vector<std::uint32_t> m_stdCandidates;
 };
 
 } // namespace Shapes::Native

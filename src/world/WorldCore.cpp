@@ -37,6 +37,7 @@ CWorld::CImpl::CImpl(const CWorldDesc& desc, const CWorldLimits& limits, CEffect
   RequireVector("m_vGravity", desc.m_vGravity, limits.m_fMaxSpeed);
   RequirePositive("m_fTimeStep", desc.m_fTimeStep, g_fMaxTimeStep);
   RequireCount("m_nSubsteps", desc.m_nSubsteps, g_nMaxSubsteps);
+  RequireCount("m_nThreads", desc.m_nThreads, g_nMaxThreads);
   RequireRange("m_fTimeStep / m_nSubsteps", GetSubstep(desc), g_fMinTimeStep, g_fMaxTimeStep);
   RequirePositive("m_fSagittaTolerance", box2D.m_fSagittaTolerance, g_fMaxLength);
   if (box2D.m_eProfile != eProfile::Shipped && box2D.m_eProfile != eProfile::Tuned)

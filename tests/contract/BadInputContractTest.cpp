@@ -152,6 +152,7 @@ TEST_P(CBadInputContract, WorldDescriptionsAreChecked) {
       },
       "m_fLengthUnit", "-1");
   refuse([](auto& d) { d.m_nSubsteps = 0; }, "m_nSubsteps", "0");
+  refuse([](auto& d) { d.m_nThreads = 0; }, "m_nThreads", "0");
   refuse([](auto& d) { d.m_cBox2D.m_fLengthUnit = 0; }, "m_fLengthUnit", "0");
   refuse([](auto& d) { d.m_cBox2D.m_fSagittaTolerance = -1; }, "m_fSagittaTolerance", "-1");
   refuse([](auto& d) { d.m_cBox2D.m_nVelocityIterations = 0; }, "m_nVelocityIterations", "0");

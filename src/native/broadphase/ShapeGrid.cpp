@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace Shapes::Native {
 namespace {
@@ -91,6 +92,13 @@ void CShapeGrid::Fill(std::uint32_t column, std::uint32_t row) {
       }
       cell.m_nSize = static_cast<std::uint32_t>(m_stdEntries.size()) - cell.m_nBegin;
     }
+}
+
+void CShapeGrid::FillAll() {
+  if (std::exchange(m_bIsFull, true)) return;
+  for (std::uint32_t row = 0; row < m_nRows; row += g_nBlock)
+    for (std::uint32_t column = 0; column < m_nColumns; column += g_nBlock)
+      if (m_stdCells[std::size_t{row} * m_nColumns + column].m_nBegin == g_nEmpty) Fill(column, row);
 }
 
 // Enters a shape in those cells of a square of cells from which it is within reach.

@@ -28,6 +28,8 @@ public:
   bool Build(std::span<const CPlaced> shapes, const Geometry::CAabbTree& tree, float reach);
   void Clear() { *this = CShapeGrid(); }
   bool IsBuilt() const { return !m_stdCells.empty(); }
+  /// Fills all cells: from then on questions change nothing.
+  void FillAll();
   float GetReach() const { return m_fReach; }
   /// Whether surely no shape comes within r of p; it tells so of most places that are clear.
   bool IsClear(const Vector2& p, float r) {
@@ -106,6 +108,7 @@ private:
   Vector2 m_vOrigin = Vector2::Zero(), m_vExtent = Vector2::Zero();
   float m_fCellSize = 0.0f, m_fCellsPerUnit = 0.0f;
   std::uint32_t m_nColumns = 0, m_nRows = 0;
+  bool m_bIsFull = false; // all cells are filled
   float m_fReach = 0.0f;
   float m_fPad = 0.0f;                   // what roundings may add up to
   std::vector<std::uint32_t> m_stdFound; // of a block, and where in it

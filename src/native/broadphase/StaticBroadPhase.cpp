@@ -79,7 +79,7 @@ void CStaticBroadPhase::Update(const CShapeEntry& entry) {
   m_bIsBoxedAtRest = false;
   group.m_stdBoxes[i] = BoxOf(shape);
   if (m_cGrid.IsBuilt() && &group == &m_cStatic) {
-    m_nAsked = 0;
+    m_nAsked = m_nLasted = 0;
     m_bIsGridComplete = false;
     if (std::find(m_stdLoose.begin(), m_stdLoose.end(), order) == m_stdLoose.end())
       m_stdLoose.push_back(order);
@@ -119,7 +119,7 @@ bool CStaticBroadPhase::MovesNear(const CAabb2D& box) const {
 }
 
 void CStaticBroadPhase::Query(const CAabb2D& box, std::vector<std::uint32_t>& orders) {
-  ++m_nAsked;
+  CountQuestion();
   for (const CGroup* pGroup : {&m_cStatic, &m_cKinematic})
     Query(*pGroup, box, orders);
 }
@@ -135,14 +135,23 @@ void CStaticBroadPhase::DropGrid() {
   m_cGrid.Clear();
   m_stdLoose.clear();
   m_bIsGridComplete = false;
-  m_nAsked = 0;
+  m_nAsked = m_nLasted = 0;
+}
+
+bool CStaticBroadPhase::MakeShareable() {
+  FailIf(m_nLasted < g_nBeforeSharing);
+  m_cGrid.FillAll();
+  return true;
 }
 
 void CStaticBroadPhase::SetRadius(float radius) {
   const float reach = g_fGridReach * radius;
   if (m_cGrid.IsBuilt() && !(radius <= m_cGrid.GetReach() && m_cGrid.GetReach() <= g_fGridReach * reach))
     DropGrid();
-  if (m_cGrid.IsBuilt() && m_stdLoose.empty()) return;
+  if (IsGridLasting()) {
+    m_nLasted += m_nLasted < g_nBeforeSharing;
+    return;
+  }
   if (m_nAsked < g_nAskedBeforeGrid) return;
   DropGrid();
   std::vector<CShapeGrid::CPlaced> shapes;
@@ -163,7 +172,7 @@ bool CStaticBroadPhase::IsClearOfOthers(const Vector2& p, float r) const {
 
 void CStaticBroadPhase::FindNear(const Vector2& p, float r, std::vector<std::uint32_t>& orders) {
   orders.clear();
-  ++m_nAsked;
+  CountQuestion();
   const bool isInGrid = m_cGrid.IsBuilt() && r <= m_cGrid.GetReach();
   if (isInGrid) m_cGrid.ForEachNear(p, r, [&orders](std::uint32_t order) { orders.push_back(order); });
   if (isInGrid && m_bIsGridComplete) return;

@@ -40,6 +40,9 @@ public:
   /// Takes this for the radius of the largest ball that is to be looked for: before FindNear and IsClear, in
   /// each substep.
   void SetRadius(float radius);
+  /// Whether questions change nothing until SetRadius is called or a shape changes, so that threads may ask
+  /// at the same time. They do once the grid has lasted for some substeps.
+  bool MakeShareable();
   /// The orders of all shapes that come within r of p, and maybe some others, ascending.
   void FindNear(const Vector2& p, float r, std::vector<std::uint32_t>& orders);
   /// Whether surely none of them does: quicker.
@@ -63,6 +66,11 @@ private:
   const CShape& GetShape(std::uint32_t order) const { return *m_stdByOrder[order]->m_pShape; }
   static void Query(const CGroup& group, const CAabb2D& box, std::vector<std::uint32_t>& orders);
   void DropGrid();
+  /// Whether no grid is to be made: its shapes have not changed.
+  bool IsGridLasting() const { return m_cGrid.IsBuilt() && m_stdLoose.empty(); }
+  void CountQuestion() {
+    if (!IsGridLasting()) ++m_nAsked;
+  }
   bool IsClearOfOthers(const Vector2& p, float r) const;
 
   std::vector<const CShapeEntry*> m_stdByOrder;
@@ -74,6 +82,7 @@ private:
   std::vector<std::uint32_t> m_stdLoose; // static shapes that have changed since it was made
   bool m_bIsGridComplete = false;        // all shapes are in it
   std::size_t m_nAsked = 0;
+  unsigned m_nLasted = 0; // substeps since it was made, or a shape has changed, as far as g_nBeforeSharing
   std::vector<CShapeGeometry> m_stdGeometries; // by order
   std::vector<std::uint8_t> m_stdIsOld;        // whether that geometry is to be made anew
   bool m_bIsAnyOld = false;

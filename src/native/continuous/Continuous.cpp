@@ -17,35 +17,68 @@ bool CContinuous::CEvent::operator<(const CEvent& other) const {
 
 void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravity,
                        float dt, CWorldStats& stats) {
+  Begin(balls, shapes, pairs, gravity, dt, stats);
+  if (!Prepare()) return;
+  if (m_bPairs)
+    MoveTogether();
+  else
+    MoveAlone(0, balls.Size());
+}
+
+void CContinuous::Begin(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravity,
+                        float dt, CWorldStats& stats) {
   m_pBalls = &balls;
   m_pShapes = &shapes;
   m_pStats = &stats;
   m_bPairs = pairs;
+  m_fDt = dt;
   m_fStep = static_cast<double>(dt);
   m_vGravity = gravity.cast<double>();
   m_bIsFalling = !gravity.isZero(0.0f);
   m_bCapsSpeeds = CanExceedMaxSpeed(gravity * dt);
+  m_fSagitta = CMotion{Vector2d::Zero(), Vector2d::Zero(), 0.0, m_fStep, m_vGravity}.GetSagitta();
   m_stdContacts.clear();
   m_stdTimes.clear();
   m_stdPathVertices.clear();
+}
+
+bool CContinuous::Prepare() {
+  CBallArrays& balls = *m_pBalls;
   if (!IsFalling())
     balls.m_bIsDisturbed = true;
   else if (std::exchange(balls.m_bIsDisturbed, false))
     std::fill(balls.m_stdCalm.begin(), balls.m_stdCalm.end(), 0.0f);
   balls.m_stdPrevPos = balls.m_stdPos;
-  if (IsFalling() && AllSleep(balls) && !shapes.IsAnyMoving()) return;
-  m_fSagitta = CMotion{Vector2d::Zero(), Vector2d::Zero(), 0.0, m_fStep, m_vGravity}.GetSagitta();
+  FailIf(IsFalling() && AllSleep(balls) && !m_pShapes->IsAnyMoving());
+  m_pShapes->BoxKinematic(m_fDt);
+  m_pShapes->MakeGeometries(m_fDt);
+  return true;
+}
+
+void CContinuous::MoveAlone(std::size_t begin, std::size_t end) {
   m_cResting.Begin(m_vGravity, m_fStep);
-  shapes.BoxKinematic(dt);
-  shapes.MakeGeometries(dt);
-  if (m_bPairs)
-    MoveTogether();
-  else
-    for (std::size_t i = 0; i < balls.Size(); ++i)
-      MoveAlone(i);
+  for (std::size_t i = begin; i < end; ++i)
+    MoveAlone(i);
+  // They report theirs one after the other.
+  if (!std::is_sorted(m_stdTimes.begin(), m_stdTimes.end())) std::sort(m_stdTimes.begin(), m_stdTimes.end());
+}
+
+void CContinuous::Append(const CContinuous& next) {
+  const auto first = static_cast<std::uint32_t>(m_stdContacts.size());
+  const std::size_t before = m_stdTimes.size();
+  for (const auto& [time, k] : next.m_stdTimes)
+    m_stdTimes.emplace_back(time, first + k);
+  m_stdMerged.resize(m_stdTimes.size());
+  const auto middle = m_stdTimes.begin() + static_cast<std::ptrdiff_t>(before);
+  std::merge(m_stdTimes.begin(), middle, middle, m_stdTimes.end(), m_stdMerged.begin());
+  m_stdTimes.swap(m_stdMerged);
+  m_stdContacts.insert(m_stdContacts.end(), next.m_stdContacts.begin(), next.m_stdContacts.end());
+  m_stdPathVertices.insert(m_stdPathVertices.end(), next.m_stdPathVertices.begin(),
+                           next.m_stdPathVertices.end());
 }
 
 void CContinuous::MoveTogether() {
+  m_cResting.Begin(m_vGravity, m_fStep);
   TakeBalls();
   FollowBalls();
   PutBalls();
@@ -91,9 +124,8 @@ void CContinuous::FollowBalls() {
 }
 
 const std::vector<CContactEvent>& CContinuous::GetContacts() {
-  // Balls that move alone report theirs one after the other.
-  if (m_bPairs || std::is_sorted(m_stdTimes.begin(), m_stdTimes.end())) return m_stdContacts;
-  std::sort(m_stdTimes.begin(), m_stdTimes.end());
+  const auto isInPlace = [](const auto& a, const auto& b) { return a.second < b.second; };
+  if (m_bPairs || std::is_sorted(m_stdTimes.begin(), m_stdTimes.end(), isInPlace)) return m_stdContacts;
   m_stdUnsorted.swap(m_stdContacts);
   m_stdContacts.clear();
   for (const auto& [time, k] : m_stdTimes)

@@ -47,6 +47,16 @@ public:
   void Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravity, float dt,
             CWorldStats& stats);
 
+  // The same for threads, which share balls that do not meet each other. Each has one of these: all Begin,
+  // one of them calls Prepare, and if that is true each moves a range of the balls alone. The contacts and
+  // path vertices of the ranges are then appended in their order.
+  void Begin(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravity, float dt,
+             CWorldStats& stats);
+  /// @returns whether anything moves
+  bool Prepare();
+  void MoveAlone(std::size_t begin, std::size_t end);
+  void Append(const CContinuous& next);
+
   /// Whether any ball or shape meets not all.
   void SetFilters(bool b) { m_bFilters = b; }
 
@@ -155,6 +165,7 @@ private:
 
   std::vector<CContactEvent> m_stdContacts;
   std::vector<std::pair<double, std::uint32_t>> m_stdTimes; // of each of them, in the substep, with its index
+  std::vector<std::pair<double, std::uint32_t>> m_stdMerged;
   std::vector<CContactEvent> m_stdUnsorted;
   std::vector<CPathVertex> m_stdPathVertices;
 
@@ -162,7 +173,8 @@ private:
   CBallArrays* m_pBalls = nullptr;
   CStaticBroadPhase* m_pShapes = nullptr;
   CWorldStats* m_pStats = nullptr;
-  double m_fStep = 0.0;
+  float m_fDt = 0.0f;
+  double m_fStep = 0.0; // the same
   double m_fFastest =
       0.0; // ball at the beginning, or surface that was met, of it g_fSqueezed times the speed
   Vector2d m_vGravity = Vector2d::Zero();

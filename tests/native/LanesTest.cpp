@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// Threads share balls that do not meet each other, and nothing that comes out depends on it.
+#include "../../src/native/Lanes.h"
+
+#include "../Random.h"
+
+#include <Shapes/Shapes.h>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace Shapes::Native {
+namespace {
+
+using Tests::CRandom;
+
+TEST(Lanes, HoldEachBallOnceInItsOrder) {
+  for (const unsigned threads : {1u, 2u, 5u})
+    for (const std::size_t n : {0, 1, 1000, 5000, 100001}) {
+      const CLanes lanes(threads);
+      const std::size_t count = lanes.Count(n);
+      ASSERT_EQ(count > 1, threads > 1 && n > 1000) << threads << " threads, " << n;
+      ASSERT_LE(count, lanes.Count(std::numeric_limits<std::size_t>::max()));
+      std::vector<std::pair<std::size_t, std::size_t>> ranges(count);
+      lanes.ForEach(n, count, [&](std::size_t lane, std::size_t begin, std::size_t end) {
+        ranges[lane] = {begin, end};
+      });
+      std::size_t next = 0;
+      for (const auto& [begin, end] : ranges) {
+        ASSERT_EQ(begin, next);
+        next = end;
+      }
+      ASSERT_EQ(next, n);
+    }
+}
+
+// Of all that a world tells.
+class CDigest {
+public:
+  void Add(const CWorld& world) {
+    for (const std::span<const Vector2> all : {world.GetBallPositions(), world.GetBallVelocities()})
+      for (const Vector2& v : all)
+        Add(v);
+    for (const CContactEvent& c : world.GetContacts()) {
+      AddBits(c.m_fSpeed);
+      AddBits(c.m_fImpulse);
+      Add(c.m_vPOI);
+      Add(c.m_vNorm);
+      m_nHash = (m_nHash ^ (c.m_bIsSensor + 2u)) * g_nPrime;
+    }
+    const CWorldStats stats = world.GetStats();
+    for (const std::uint64_t n :
+         {stats.m_nShapeTests, stats.m_nSweeps, stats.m_nBallsSwept, stats.m_nContacts, stats.m_nSensorTests,
+          stats.m_nSensorHits, stats.m_nBallsAccelerated})
+      m_nHash = (m_nHash ^ n) * g_nPrime;
+  }
+  std::uint64_t Get() const { return m_nHash; }
+
+private:
+  static constexpr std::uint64_t g_nPrime = 0x100000001B3u; // FNV-1a
+
+  void Add(const Vector2& v) {
+    AddBits(v.x());
+    AddBits(v.y());
+  }
+  void AddBits(float f) {
+    std::uint32_t bits;
+    std::memcpy(&bits, &f, sizeof bits);
+    m_nHash = (m_nHash ^ bits) * g_nPrime;
+  }
+
+  std::uint64_t m_nHash = 0xCBF29CE484222325u;
+};
+
+constexpr float g_fHalf = 12.0f;
+
+// Pegs of all kinds, of which some turn, some move, and one is a sensor, and balls that meet no others.
+std::unique_ptr<CWorld> MakeField(const CEffectChoice& choice, const Vector2& gravity, unsigned threads) {
+  CRandom random(18);
+  CWorldDesc desc;
+  desc.m_vGravity = gravity;
+  desc.m_nSubsteps = 2;
+  desc.m_cEffects = choice;
+  desc.m_cEffects.m_cForbidden.Set(eEffect::BallPairs);
+  desc.m_nThreads = threads;
+  auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+  for (const float s : {-g_fHalf, g_fHalf}) {
+    pWorld->Add(CLineSegDesc({-g_fHalf, s}, {g_fHalf, s}));
+    pWorld->Add(CLineSegDesc({s, -g_fHalf}, {s, g_fHalf}));
+  }
+  const auto add = [&](auto shape, std::uint32_t i) {
+    shape.m_fElasticity = 0.5f;
+    shape.m_bIsSensor = i % 16 == 5;
+    if (i % 8 == 3) {
+      shape.m_eMotionType = eMotion::Kinematic;
+      shape.m_vRotCenter = shape.m_vPos;
+      shape.m_fRotSpeed = random.Uniform(-2, 2);
+    }
+    pWorld->Add(shape);
+  };
+  for (std::uint32_t i = 0; i < 160; ++i) {
+    const Vector2 p = random.InSquare(g_fHalf - 1);
+    const float r = random.Uniform(0.1f, 0.5f), a = random.Uniform(0, 6.28f);
+    switch (i % 3) {
+    case 0: add(CCircleDesc(p, r), i); break;
+    case 1: add(CLineSegDesc(p, p + 2 * r * random.Direction()), i); break;
+    default: add(CArcDesc(p, r, a, random.Uniform(0, 6.28f)), i);
+    }
+  }
+  for (int i = 0; i < 2600; ++i) {
+    const Vector2 p = random.InSquare(g_fHalf - 0.5f), v = random.VectorOfLength(0, 8);
+    const float r = random.Uniform(0.03f, 0.1f);
+    pWorld->Add(CDynamicCircleDesc(p, r, v, 1.0f, 0.7f));
+  }
+  return pWorld;
+}
+
+// A shape that is moved, a ball that comes and one that goes on the way.
+std::uint64_t Play(CWorld& world) {
+  CDigest digest;
+  for (int step = 0; step < 40; ++step) {
+    if (step == 18) world.SetPos(world.GetShapeIds()[6], {1, 1});
+    if (step == 24) world.Add(CDynamicCircleDesc({0.5f, 0.25f}, 0.05f, {3, 1}));
+    if (step == 28) world.Remove(world.GetBallIds()[77]);
+    world.Step();
+    digest.Add(world);
+  }
+  return digest.Get();
+}
+
+TEST(Lanes, NeitherBitsNorContactsNorCountsDependOnThem) {
+  for (const CEffectChoice& choice : {g_cContinuous, g_cApproximate})
+    for (const float gravity : {0.0f, -10.0f}) {
+      const std::uint64_t alone = Play(*MakeField(choice, {0, gravity}, 1));
+      for (const unsigned threads : {2u, 4u})
+        EXPECT_EQ(Play(*MakeField(choice, {0, gravity}, threads)), alone)
+            << threads << " threads, gravity " << gravity;
+      // The control: one more ball.
+      const auto pOther = MakeField(choice, {0, gravity}, 2);
+      pOther->Add(CDynamicCircleDesc({0, 0}, 0.05f, {1, 0}));
+      EXPECT_NE(Play(*pOther), alone);
+    }
+}
+
+// Without a grid that has lasted, and where balls meet each other, one lane has to do.
+TEST(Lanes, ShapesThatMoveInEachStepAndBallsThatMeetStayInOne) {
+  const auto play = [](unsigned threads, bool pairs) {
+    CWorldDesc desc;
+    desc.m_vGravity = {0, -10};
+    desc.m_nThreads = threads;
+    if (!pairs) desc.m_cEffects.m_cForbidden.Set(eEffect::BallPairs);
+    const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+    CRandom random(5);
+    const CShapeId wall = pWorld->Add(CLineSegDesc({-20, 0}, {20, 0}));
+    for (int i = 0; i < 1200; ++i)
+      pWorld->Add(CDynamicCircleDesc(random.InSquare(15) + Vector2(0, 16), 0.05f, random.InSquare(2)));
+    CDigest digest;
+    for (int step = 0; step < 20; ++step) {
+      if (!pairs) pWorld->SetPos(wall, {0, 0.01f * static_cast<float>(step)});
+      pWorld->Step();
+      digest.Add(*pWorld);
+    }
+    return digest.Get();
+  };
+  for (const bool pairs : {false, true})
+    EXPECT_EQ(play(4, pairs), play(1, pairs)) << pairs;
+}
+
+} // namespace
+} // namespace Shapes::Native
