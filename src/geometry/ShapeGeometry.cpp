@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ShapeGeometry.h"
 
-#include "../Tolerances.h"
 #include "VisitShape.h"
 
 #include <algorithm>
@@ -72,23 +71,6 @@ CShapeGeometry RotatedFor(const CShapeGeometry& shape, double time) {
     *p = o.m_vRotCenter + Turned(*p - o.m_vRotCenter, angle);
   o.m_vFront = Turned(o.m_vFront, angle);
   return o;
-}
-
-bool IsFarFrom(const CShapeGeometry& shape, const Vector2d& place, double time, double distance) {
-  FailIf(shape.m_fTurnSpeed != 0.0);
-  const Vector2d p = place - time * shape.m_vVel;
-  const double roundings = g_fFarRounding * (Largest(p) + shape.m_fSize);
-  const double far = distance + roundings;
-  if (shape.m_eShapeType == eShape::LineSeg) {
-    const Vector2d along = -Perp(shape.m_vFront), from0 = p - shape.m_vPt0, from1 = p - shape.m_vPt1;
-    const double beyond = std::max({0.0, -along.dot(from0), along.dot(from1)});
-    const double aside = shape.m_vFront.dot(from0);
-    return beyond * beyond + aside * aside > far * far;
-  }
-  // A point is a circle without radius.
-  const double square = (p - shape.m_vCenter).squaredNorm(), outer = shape.m_fRadius + far,
-               inner = std::max(0.0, shape.m_fRadius - far);
-  return square > outer * outer || square < inner * inner;
 }
 
 bool InSector(const CShapeGeometry& arc, const Vector2d& x, double slack) {

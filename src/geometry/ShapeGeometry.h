@@ -49,11 +49,6 @@ CShapeGeometry MakeShapeGeometry(const CShape& shape, double turnSpeed);
 /// (size + angle * distance from the centre of rotation).
 CShapeGeometry RotatedFor(const CShapeGeometry& shape, double time);
 
-/// Whether p is surely farther than `distance` from where the shape is after it has moved for `time` seconds.
-/// False for turning shapes, and for places beside an arc but out of its sector, to stay cheap.
-/// Roundings of the kernels are allowed for.
-bool IsFarFrom(const CShapeGeometry& shape, const Vector2d& p, double time, double distance);
-
 /// Whether x, measured from the centre, is in the sector of the arc. By cross products with the ends; a
 /// direction within `slack` radians of an end ray is inside for slack > 0, outside for slack < 0.
 bool InSector(const CShapeGeometry& arc, const Vector2d& x, double slack);

@@ -178,7 +178,7 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i) {
     const double rounding = Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + geometry.m_fSize);
     const double reach = IsFalling() ? rounding : 0.0;
     CTouching touching{order, 0.0, {}};
-    if (IsFarFrom(geometry, ball.m_vPos, 0.0, ball.m_fRadius + reach) ||
+    if (IsOutOfWay(geometry, GetPlace(ball), 0.0, reach) ||
         !Near(geometry, GetMotion(ball), 0.0, reach, touching.m_cImpact, touching.m_fGap))
       continue;
     const bool isRounding = touching.m_fGap >= -rounding;

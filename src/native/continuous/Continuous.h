@@ -113,6 +113,10 @@ private:
   void FallAsleep();
   void Put(const Vector2d& p, Vector2d v, std::size_t i);
   CMotion GetMotion(const CMoving& ball) const;
+  // A motion that takes no time.
+  static CMotion GetPlace(const CMoving& ball) {
+    return {ball.m_vPos, Vector2d::Zero(), ball.m_fRadius, 0.0};
+  }
   CMotion GetFreeMotion(std::size_t i) const;
   static CDiscGrid::CDisc GetDisc(const CMotion& motion, double sagitta);
   void MoveDisc(std::uint32_t i);

@@ -130,7 +130,7 @@ bool CContinuous::HoldIfTouching(CMoving& ball, std::uint32_t order) {
   const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
   FailIf(!m_pShapes->Get(order).m_pShape->GetCanCollide());
   const double reach = Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + geometry.m_fSize);
-  FailIf(IsFarFrom(geometry, ball.m_vPos, ball.m_fTime, ball.m_fRadius + reach));
+  FailIf(IsOutOfWay(geometry, GetPlace(ball), ball.m_fTime, reach));
   CImpact impact;
   double gap;
   return Near(geometry, GetMotion(ball), ball.m_fTime, reach, impact, gap) && gap >= -reach &&
