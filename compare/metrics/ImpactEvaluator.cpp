@@ -11,6 +11,7 @@
 #include <exception>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 
 namespace Shapes::Compare {
 namespace {
@@ -30,12 +31,15 @@ constexpr double g_fSamePlace = 0.5;
 ePair GetPair(const CScene& scene, const CEvent& event) {
   if (event.m_bIsBall) return ePair::Ball;
   const bool end = event.m_ePart == ePart::End0 || event.m_ePart == ePart::End1;
-  switch (scene.m_stdShapes[event.m_nShape].m_cDesc.index()) {
-  case 0: return ePair::Point;
-  case 1: return end ? ePair::SegmentEnd : ePair::Segment;
-  case 2: return ePair::Circle;
-  default: return end ? ePair::ArcEnd : ePair::Arc;
+  switch (GetBase(scene.m_stdShapes[event.m_nShape].m_cDesc).m_eShapeType) {
+  case eShape::Point: return ePair::Point;
+  case eShape::LineSeg: return end ? ePair::SegmentEnd : ePair::Segment;
+  case eShape::Circle: return ePair::Circle;
+  case eShape::Arc: return end ? ePair::ArcEnd : ePair::Arc;
+  case eShape::Unknown:
+  case eShape::Line: break;
   }
+  throw std::logic_error("a shape has no type that a ball can hit");
 }
 
 // Well defined for every length; nowhere near a branch where small angles lose their digits.

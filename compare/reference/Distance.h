@@ -24,8 +24,11 @@ T Distance(const CShapeGeometry<T>& f, const CVec<T>& p) {
   }
   case eShape::Circle: return abs(Norm(x) - f.m_fRadius);
   case eShape::Arc: return InSector(f, x, T(0)) ? T(abs(Norm(x) - f.m_fRadius)) : ends();
-  default: return Norm(x);
+  case eShape::Point:
+  case eShape::Unknown:
+  case eShape::Line: break; // no shape that can be made has these two types
   }
+  return Norm(x);
 }
 
 } // namespace Shapes::Compare

@@ -49,10 +49,16 @@ void CReference<T>::CSolid::SetBox() {
   const CShapeGeometry<T> f = GetGeometry(T(0));
   const T padded = f.m_fRadius * T(1.0 + 4.0 * g_fGraze);
   const CVec<T> r(padded, padded);
-  if (f.m_eShapeType == eShape::LineSeg) {
+  switch (f.m_eShapeType) {
+  case eShape::LineSeg:
     m_vLow = f.m_vPt0.cwiseMin(f.m_vPt1);
     m_vHigh = f.m_vPt0.cwiseMax(f.m_vPt1);
-  } else {
+    break;
+  case eShape::Point:
+  case eShape::Circle:
+  case eShape::Arc:
+  case eShape::Unknown:
+  case eShape::Line: // no shape that can be made has these two types
     m_vLow = f.m_vCenter - r;
     m_vHigh = f.m_vCenter + r;
   }

@@ -63,6 +63,7 @@ ordered_json ToJson(const CSceneShape& shape, const CRounder& round) {
         else if constexpr (std::is_same_v<CDesc, CPointDesc>)
           return {{"type", "point"}, {"points", ordered_json::array({round(desc.m_vPos)})}};
         else {
+          static_assert(std::is_base_of_v<CCircleDesc, CDesc>);
           ordered_json circle{{"type", "circle"},
                               {"points", ordered_json::array({round(desc.m_vPos)})},
                               {"radius", round(desc.m_fRadius)}};

@@ -80,14 +80,20 @@ bool IsOutOfWay(const CShapeGeometry& shape, const CMotion& moving, double start
     const double least = square + std::min(0.0, w.dot(way)) + std::min(0.0, w.dot(fall));
     return least > 0.0 && least * least > distance * distance * square;
   };
-  if (shape.m_eShapeType == eShape::LineSeg) {
+  switch (shape.m_eShapeType) {
+  case eShape::LineSeg: {
     const Vector2d along = shape.m_vPt1 - shape.m_vPt0, from0 = p - shape.m_vPt0;
     const double length = along.squaredNorm(), share = along.dot(from0);
     if (!(share > 0.0)) return isPassed(from0, far);
     if (!(share < length)) return isPassed(p - shape.m_vPt1, far);
     return isPassed(shape.m_vFront.dot(from0) * shape.m_vFront, far);
   }
-  // A point is a circle without radius.
+  case eShape::Point: // a circle without radius
+  case eShape::Circle:
+  case eShape::Arc:
+  case eShape::Unknown:
+  case eShape::Line: break; // no shape that can be made has these two types
+  }
   const Vector2d w = p - shape.m_vCenter;
   if (isPassed(w, shape.m_fRadius + far)) return true;
   // What falls is farthest from the centre at an end of the chord, or by the sagitta beyond that.

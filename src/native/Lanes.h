@@ -12,9 +12,8 @@ namespace Shapes::Native {
 /// own; taken in their order these hold what one lane for all balls would have written.
 class CLanes {
 public:
-  /// @param threads  at most, at least 1. Where the library was built without SHAPES_WITH_THREADS lanes run
-  /// one
-  ///                 after the other.
+  /// @param threads  at least 1. Where the library was built without SHAPES_WITH_THREADS lanes run one after
+  ///                 the other.
   explicit CLanes(unsigned threads);
   ~CLanes();
   /// Lanes for n balls: one for few. More than threads, as some lanes have more to do.

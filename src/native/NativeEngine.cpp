@@ -297,7 +297,7 @@ void CNativeEngine::Sweep(float dt) {
   if (Runs(eEffect::Gravity)) Stats().m_nBallsAccelerated += m_cState.m_cBalls.Size();
   const bool pairs = Runs(eEffect::BallPairs);
   CContinuous& all = First().m_cContinuous;
-  if (CountLanes() == 1 || pairs) {
+  if (pairs || CountLanes() == 1) {
     all.SetFilters(m_bFilters);
     all.Step(m_cState.m_cBalls, m_cBroadPhase, pairs, gravity, dt, Stats());
   } else {

@@ -167,8 +167,14 @@ CZone::CZone(const CShape& shape) : m_eType(shape.GetShapeType()), m_vPos(shape.
 CBox2d CZone::GetBox() const {
   const Vector2d r(m_fRadius, m_fRadius);
   CBox2d box(m_vPos - r, m_vPos + r);
-  if (m_eType == eShape::LineSeg) box = CBox2d(m_vPt0).extend(m_vPt1);
-  if (m_eType == eShape::Arc) box.extend(m_vPt0).extend(m_vPt1); // rounded off the circle
+  switch (m_eType) {
+  case eShape::LineSeg: box = CBox2d(m_vPt0).extend(m_vPt1); break;
+  case eShape::Arc: box.extend(m_vPt0).extend(m_vPt1); break; // rounded off the circle
+  case eShape::Point:
+  case eShape::Circle:
+  case eShape::Unknown:
+  case eShape::Line: break; // no shape that can be made has these two types
+  }
   return box;
 }
 
@@ -214,16 +220,22 @@ CZone::CTouch CZone::TouchAt(const CApproach& at, const Vector2d& velocity, bool
     if (at.m_fDistance == 0.0) s = -n.dot(velocity);
     return CTouch{atEnd, at.m_fTime, q, s < 0.0 ? Vector2d(-n) : n};
   };
-  if (m_eType == eShape::LineSeg) {
+  switch (m_eType) {
+  case eShape::LineSeg: {
     const double share = ClosestShare(m_vPt0, m_vPt1 - m_vPt0, p);
     if (share == 0.0) return fromPt(m_vPt0);
     if (share == 1.0) return fromPt(m_vPt1);
     return fromCurve(m_vPt0 + share * (m_vPt1 - m_vPt0), m_vFront, m_vFront.dot(p - m_vPt0));
   }
-  if (m_eType == eShape::Arc) {
+  case eShape::Arc: {
     if (!PtInSector(p)) return fromPt((p - m_vPt0).norm() <= (p - m_vPt1).norm() ? m_vPt0 : m_vPt1);
     const Vector2d out = Unit(p - m_vPos, Unit(m_vPt0 - m_vPos, Vector2d::UnitY()));
     return fromCurve(m_vPos + m_fRadius * out, out, (p - m_vPos).norm() - m_fRadius);
+  }
+  case eShape::Point:
+  case eShape::Circle:
+  case eShape::Unknown:
+  case eShape::Line: break; // no shape that can be made has these two types
   }
   CTouch touch = fromPt(m_vPos);
   touch.m_vPOI += m_fRadius * touch.m_vNorm;
