@@ -23,25 +23,17 @@ std::unique_ptr<CDynamicCircle> Fly(CDynamicCircleDesc desc, const CWorldDesc& w
   return pBall;
 }
 
-std::unique_ptr<CShape> MakeKinematic(const CPointDesc& desc) {
-  return std::make_unique<CKinematicPoint>(desc);
+// A kinematic shape that does not move is where a static one is, so one class serves both.
+std::unique_ptr<CShape> MakeKinematic(CAnyShapeDesc any) {
+  std::visit([](CShapeDesc& desc) { desc.m_eMotionType = eMotion::Kinematic; }, any);
+  return MakeShape(any);
 }
-std::unique_ptr<CShape> MakeKinematic(const CLineSegDesc& desc) {
-  return std::make_unique<CKinematicLineSeg>(desc);
-}
-std::unique_ptr<CShape> MakeKinematic(const CCircleDesc& desc) {
-  return std::make_unique<CKinematicCircle>(desc);
-}
-std::unique_ptr<CShape> MakeKinematic(const CArcDesc& desc) { return std::make_unique<CKinematicArc>(desc); }
-std::unique_ptr<CShape> MakeKinematic(const CDynamicCircleDesc&) { return nullptr; }
 
 } // namespace
 
 CPairQuestion::CPairQuestion(const CSceneShape& shape, const CDynamicCircleDesc& ball, double time,
                              const CWorldDesc& world)
-    // A kinematic shape that does not move is where a static one is, so one class serves both.
-    : m_pShape(std::visit([](const auto& desc) { return MakeKinematic(desc); }, shape.m_cDesc)),
-      m_pBall(Fly(ball, world)) {
+    : m_pShape(MakeKinematic(shape.m_cDesc)), m_pBall(Fly(ball, world)) {
   if (const Eigen::Vector2d way = OffsetAt(shape, time); !way.isZero(0.0))
     m_pShape->Relocate((m_pShape->GetPos().cast<double>() + way).cast<float>());
   if (const float angle = OrientationAt(shape, time); angle != 0.0f) m_pShape->SetOrientation(angle);

@@ -81,8 +81,6 @@ CReference<T>::CReference(std::span<const CAnyShapeDesc> shapes, std::span<const
     solid.m_cGeometry = MakeShapeGeometry(any).Cast<T>();
     std::visit(
         [&](const CShapeDesc& desc) {
-          if (desc.m_eMotionType != eMotion::Static && desc.m_eMotionType != eMotion::Kinematic)
-            throw std::invalid_argument("m_eMotionType is neither Static nor Kinematic");
           solid.m_vRotCenter = desc.m_vRotCenter.template cast<T>();
           solid.m_vVel = desc.m_vVel.template cast<T>();
           solid.m_vMoved = CVec<T>::Zero();

@@ -3,8 +3,6 @@
 
 #include <numbers>
 #include <stdexcept>
-#include <type_traits>
-#include <variant>
 
 namespace Shapes::Compare {
 namespace {
@@ -51,31 +49,21 @@ CShapeGeometry<double> ToGeometry(const CArc& arc) {
   return f;
 }
 
-// Hands the shape that the library makes of desc to f.
-template <class F>
-void WithShape(const CAnyShapeDesc& any, const F& f) {
-  std::visit(
-      [&]<class TDesc>(const TDesc& desc) {
-        if constexpr (std::is_same_v<TDesc, CPointDesc>)
-          f(CPoint(desc));
-        else if constexpr (std::is_same_v<TDesc, CLineSegDesc>)
-          f(CLineSeg(desc));
-        else if constexpr (std::is_same_v<TDesc, CCircleDesc>)
-          f(CCircle(desc));
-        else if constexpr (std::is_same_v<TDesc, CArcDesc>)
-          f(CArc(desc));
-        else
-          throw std::invalid_argument("shapes has a ball: expected static and kinematic shapes");
-      },
-      any);
-}
-
 } // namespace
 
 CShapeGeometry<double> MakeShapeGeometry(const CAnyShapeDesc& desc) {
-  CShapeGeometry<double> figure;
-  WithShape(desc, [&](const auto& shape) { figure = ToGeometry(shape); });
-  return figure;
+  const auto pShape = MakeShape(desc);
+  if (pShape->GetMotionType() == eMotion::Dynamic)
+    throw std::invalid_argument("shapes has a ball: expected static and kinematic shapes");
+  switch (pShape->GetShapeType()) {
+  case eShape::Point: return ToGeometry(static_cast<const CPoint&>(*pShape));
+  case eShape::LineSeg: return ToGeometry(static_cast<const CLineSeg&>(*pShape));
+  case eShape::Circle: return ToGeometry(static_cast<const CCircle&>(*pShape));
+  case eShape::Arc: return ToGeometry(static_cast<const CArc&>(*pShape));
+  case eShape::Unknown:
+  case eShape::Line: break;
+  }
+  throw std::invalid_argument("shapes has a shape that the reference does not know");
 }
 
 } // namespace Shapes::Compare

@@ -25,19 +25,6 @@ CAnyShapeDesc MakeDesc(int kind, const Vector2& p0, const Vector2& p1, float r, 
   }
 }
 
-std::unique_ptr<CShape> MakeShape(const CAnyShapeDesc& any) {
-  struct CMaker {
-    std::unique_ptr<CShape> operator()(const CPointDesc& d) const { return std::make_unique<CPoint>(d); }
-    std::unique_ptr<CShape> operator()(const CLineSegDesc& d) const { return std::make_unique<CLineSeg>(d); }
-    std::unique_ptr<CShape> operator()(const CCircleDesc& d) const { return std::make_unique<CCircle>(d); }
-    std::unique_ptr<CShape> operator()(const CArcDesc& d) const { return std::make_unique<CArc>(d); }
-    std::unique_ptr<CShape> operator()(const CDynamicCircleDesc& d) const {
-      return std::make_unique<CDynamicCircle>(d);
-    }
-  };
-  return std::visit(CMaker(), any);
-}
-
 Vector2 ClosestPt(const CShape& shape, const Vector2& p) {
   switch (shape.GetShapeType()) {
   case eShape::LineSeg: return static_cast<const CLineSeg&>(shape).ClosestPt(p);

@@ -41,13 +41,8 @@ public:
   /// @throws std::invalid_argument if g is not finite or too large
   void SetGravity(const Vector2& g);
 
-  /// Adds a shape; m_eMotionType says whether it is static or kinematic.
+  /// Adds a shape, from a descriptor of any kind; m_eMotionType says whether it is static or kinematic.
   /// @throws std::invalid_argument naming the field and the value that is not valid; nothing is added then
-  CShapeId Add(const CPointDesc& desc);
-  CShapeId Add(const CLineSegDesc& desc);
-  CShapeId Add(const CCircleDesc& desc);
-  CShapeId Add(const CArcDesc& desc);
-  CShapeId Add(const CDynamicCircleDesc& desc);
   CShapeId Add(const CAnyShapeDesc& desc);
   /// Adds a compound: kinematic shapes about one rotation centre with one rotation speed, one velocity and
   /// the same stops. All or none is added.

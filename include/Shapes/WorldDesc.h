@@ -10,6 +10,7 @@
 #include <Shapes/LineSeg.h>
 #include <Shapes/Point.h>
 
+#include <memory>
 #include <variant>
 
 namespace Shapes {
@@ -46,5 +47,10 @@ public:
 
 /// A descriptor of any shape, balls included.
 using CAnyShapeDesc = std::variant<CPointDesc, CLineSegDesc, CCircleDesc, CArcDesc, CDynamicCircleDesc>;
+
+/// The shape that a descriptor describes, of the class that fits its motion: for a kinematic CArcDesc a
+/// CKinematicArc. Worlds make theirs so.
+/// @throws std::invalid_argument naming the field that is not valid
+std::unique_ptr<CShape> MakeShape(const CAnyShapeDesc& desc);
 
 } // namespace Shapes

@@ -114,13 +114,6 @@ std::string WrittenBall(const CDynamicCircleDesc& ball) {
   return json.Text();
 }
 
-// Made for their checks and their boxes.
-CAabb2D BoxOf(const CPointDesc& desc) { return CPoint(desc).GetAABB(); }
-CAabb2D BoxOf(const CLineSegDesc& desc) { return CLineSeg(desc).GetAABB(); }
-CAabb2D BoxOf(const CCircleDesc& desc) { return CCircle(desc).GetAABB(); }
-CAabb2D BoxOf(const CArcDesc& desc) { return CArc(desc).GetAABB(); }
-CAabb2D BoxOf(const CDynamicCircleDesc& desc) { return CDynamicCircle(desc).GetAABB(); }
-
 void Grow(CAabb2D& box, const CAabb2D& other) {
   box += other.GetTopLeft();
   box += other.GetBottomRt();
@@ -128,7 +121,7 @@ void Grow(CAabb2D& box, const CAabb2D& other) {
 
 template <class TDesc>
 CAabb2D ReachOf(const TDesc& desc) {
-  CAabb2D box = BoxOf(desc);
+  CAabb2D box = MakeShape(desc)->GetAABB();
   if (desc.m_eMotionType != eMotion::Kinematic) return box;
   const Vector2 &c = desc.m_vRotCenter, &p = box.GetTopLeft(), &q = box.GetBottomRt();
   const float x = std::max(std::abs(p.x() - c.x()), std::abs(q.x() - c.x()));
@@ -142,7 +135,7 @@ CAabb2D BoundsOf(const CSceneDesc& scene) {
   for (const CAnyShapeDesc& any : scene.m_stdShapes)
     Grow(box, std::visit([](const auto& desc) { return ReachOf(desc); }, any));
   for (const CDynamicCircleDesc& ball : scene.m_stdBalls)
-    Grow(box, BoxOf(ball));
+    Grow(box, CDynamicCircle(ball).GetAABB());
   const Vector2 &p = box.GetTopLeft(), &q = box.GetBottomRt();
   // Far from the origin a small scene would get no margin at all: coordinates are rounded there.
   const float far = std::max(p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff());

@@ -17,33 +17,18 @@ namespace {
   Refuse("id", std::to_string(id.m_nValue), expected);
 }
 
-// A shape of the class that the motion in the descriptor asks for.
-template <class TStatic, class TKinematic, class TDesc>
-std::unique_ptr<CShape> MakeShape(const TDesc& desc) {
+// A shape that is not a ball.
+template <class TDesc>
+std::unique_ptr<CShape> MakeChecked(const TDesc& desc) {
+  auto pShape = MakeShape(desc);
   if (desc.m_eMotionType == eMotion::Static) {
-    auto pShape = std::make_unique<TStatic>(desc);
     pShape->SetVel(desc.m_vVel); // which a static shape refuses
     pShape->SetRotSpeed(desc.m_fRotSpeed);
-    RequireLimits(desc.m_cLimits, eMotion::Static);
-    return pShape;
   }
-  if (desc.m_eMotionType == eMotion::Kinematic) {
-    RequireLimits(desc.m_cLimits, eMotion::Kinematic);
-    return std::make_unique<TKinematic>(desc);
-  }
-  Refuse("m_eMotionType", "neither static nor kinematic",
-         "Static or Kinematic; balls are made from CDynamicCircleDesc");
+  RequireLimits(desc.m_cLimits, desc.m_eMotionType);
+  return pShape;
 }
-
-std::unique_ptr<CShape> MakeShape(const CPointDesc& desc) { return MakeShape<CPoint, CKinematicPoint>(desc); }
-std::unique_ptr<CShape> MakeShape(const CLineSegDesc& desc) {
-  return MakeShape<CLineSeg, CKinematicLineSeg>(desc);
-}
-std::unique_ptr<CShape> MakeShape(const CCircleDesc& desc) {
-  return MakeShape<CCircle, CKinematicCircle>(desc);
-}
-std::unique_ptr<CShape> MakeShape(const CArcDesc& desc) { return MakeShape<CArc, CKinematicArc>(desc); }
-std::unique_ptr<CShape> MakeShape(const CDynamicCircleDesc&) {
+std::unique_ptr<CShape> MakeChecked(const CDynamicCircleDesc&) {
   Refuse("m_eMotionType", "Dynamic", "Static or Kinematic: a compound has no balls");
 }
 
@@ -126,10 +111,19 @@ void SetPose(CWorldCore& core, CShapeEntry& entry, const F& change) {
   core.ChangeShape(entry, eChange::Pose, [&](CShapeEntry& changed) { change(*changed.m_pShape); });
 }
 
-CShapeId AddShape(CWorldCore& core, std::unique_ptr<CShape> pShape, const CMotionLimits& limits) {
+template <class TDesc>
+CShapeId AddTo(CWorldCore& core, const TDesc& desc) {
+  std::unique_ptr<CShape> pShape = MakeChecked(desc);
   core.Access(eAccess::Change);
   RequireShape(core.GetLimits(), *pShape);
-  return core.Add(std::move(pShape), limits);
+  return core.Add(std::move(pShape), desc.m_cLimits);
+}
+
+CShapeId AddTo(CWorldCore& core, const CDynamicCircleDesc& desc) {
+  core.Access(eAccess::Change);
+  const CDynamicCircle checked(desc);
+  RequireBall(core.GetLimits(), desc.m_vPos, desc.m_fRadius, desc.m_vVel, desc.m_fMass);
+  return core.Add(desc);
 }
 
 } // namespace
@@ -156,20 +150,8 @@ void CWorld::SetGravity(const Vector2& g) {
   m_pImpl->SetGravity(g);
 }
 
-CShapeId CWorld::Add(const CPointDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc), desc.m_cLimits); }
-CShapeId CWorld::Add(const CLineSegDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc), desc.m_cLimits); }
-CShapeId CWorld::Add(const CCircleDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc), desc.m_cLimits); }
-CShapeId CWorld::Add(const CArcDesc& desc) { return AddShape(*m_pImpl, MakeShape(desc), desc.m_cLimits); }
-
-CShapeId CWorld::Add(const CDynamicCircleDesc& desc) {
-  m_pImpl->Access(eAccess::Change);
-  const CDynamicCircle checked(desc);
-  RequireBall(m_pImpl->GetLimits(), desc.m_vPos, desc.m_fRadius, desc.m_vVel, desc.m_fMass);
-  return m_pImpl->Add(desc);
-}
-
-CShapeId CWorld::Add(const CAnyShapeDesc& desc) {
-  return std::visit([this](const auto& d) { return Add(d); }, desc);
+CShapeId CWorld::Add(const CAnyShapeDesc& any) {
+  return std::visit([this](const auto& desc) { return AddTo(*m_pImpl, desc); }, any);
 }
 
 std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, const Vector2& rotCenter,
@@ -190,7 +172,7 @@ std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, 
           desc.m_fRotSpeed = revsPerSecond;
           desc.m_vVel = v;
           desc.m_cLimits = limits;
-          return MakeShape(desc);
+          return MakeChecked(desc);
         },
         any));
   for (const auto& pShape : shapes)

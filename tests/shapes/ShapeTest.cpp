@@ -347,5 +347,28 @@ TEST(Shape, CollisionDetectedGivesTheContact) {
   EXPECT_FALSE(point.CollisionDetected(c));
 }
 
+TEST(MakeShapeTest, TheClassIsThatOfTypeAndMotion) {
+  const CPointDesc point({1.0f, 2.0f});
+  const CLineSegDesc seg({0.0f, 1.0f}, {2.0f, 3.0f});
+  const CCircleDesc circle({1.0f, 2.0f}, 0.5f);
+  const CArcDesc arc({1.0f, 2.0f}, 0.5f, 0.25f, 2.0f);
+  const auto expect = [](CAnyShapeDesc any, const std::type_info& still, const std::type_info& kinematic) {
+    const auto pStill = MakeShape(any);
+    EXPECT_EQ(typeid(*pStill), still);
+    std::visit([](CShapeDesc& desc) { desc.m_eMotionType = eMotion::Kinematic; }, any);
+    const auto pKinematic = MakeShape(any);
+    EXPECT_EQ(typeid(*pKinematic), kinematic);
+    EXPECT_EQ(pStill->GetAABB().GetTopLeft(), pKinematic->GetAABB().GetTopLeft());
+    std::visit([](CShapeDesc& desc) { desc.m_eMotionType = eMotion::Dynamic; }, any);
+    EXPECT_THROW(MakeShape(any), std::invalid_argument);
+  };
+  expect(point, typeid(CPoint), typeid(CKinematicPoint));
+  expect(seg, typeid(CLineSeg), typeid(CKinematicLineSeg));
+  expect(circle, typeid(CCircle), typeid(CKinematicCircle));
+  expect(arc, typeid(CArc), typeid(CKinematicArc));
+  const auto pBall = MakeShape(CDynamicCircleDesc({1.0f, 2.0f}, 0.5f));
+  EXPECT_EQ(typeid(*pBall), typeid(CDynamicCircle));
+}
+
 } // namespace
 } // namespace Shapes
