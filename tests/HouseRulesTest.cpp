@@ -47,6 +47,17 @@ std::string Resolve(const std::string& path, const std::string& include, const s
   return files.contains(beside) ? beside : include;
 }
 
+/// The folders of src that are engines, with a slash: all but those that know none.
+std::set<std::string> EnginesIn(const std::set<std::string>& files) {
+  std::set<std::string> engines;
+  for (const std::string& path : files)
+    if (const std::size_t end = path.find('/', 4); IsIn(path, "src/") && end != std::string::npos)
+      engines.insert(path.substr(4, end + 1 - 4));
+  for (const char* pFolder : {"geometry/", "shapes/", "traps/", "world/"})
+    engines.erase(pFolder);
+  return engines;
+}
+
 /// Every rule that the file breaks, one line each.
 /// @param path   relative to the root, with slashes
 /// @param files  all paths of the project
@@ -71,7 +82,8 @@ std::vector<std::string> BrokenRules(const std::string& path, const std::string&
                                  IsIn(path, "examples/") || IsIn(path, "tests/consumer/");
   const bool knowsNoEngine = IsIn(path, "include/") || IsIn(path, "src/shapes/") ||
                              IsIn(path, "src/geometry/") || IsIn(path, "src/world/");
-  bool includesNative = false, includesBox2DBackend = false;
+  const std::set<std::string> engines = EnginesIn(files);
+  std::set<std::string> included;
 
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -81,27 +93,27 @@ std::vector<std::string> BrokenRules(const std::string& path, const std::string&
     const auto forbid = [&](bool isForbidden, const char* why) {
       if (isForbidden) report("includes " + written + ": " + why);
     };
-    const bool toNative = LeadsInto(include, "native/"),
-               toBox2DBackend = LeadsInto(include, "box2d_backend/"), toBox2D = LeadsInto(include, "box2d/");
-    const bool toSrc = IsIn(include, "src/") || toNative || toBox2DBackend || LeadsInto(include, "shapes/") ||
+    const auto toEngine = std::find_if(engines.begin(), engines.end(),
+                                       [&](const std::string& engine) { return LeadsInto(include, engine); });
+    const bool isToEngine = toEngine != engines.end(), toBox2D = LeadsInto(include, "box2d/");
+    const bool toSrc = IsIn(include, "src/") || isToEngine || LeadsInto(include, "shapes/") ||
                        LeadsInto(include, "world/") || LeadsInto(include, "geometry/");
-    const bool toWorld = LeadsInto(include, "world/") && !toBox2DBackend;
+    const bool toWorld = LeadsInto(include, "world/") && !isToEngine;
     // Beside a test of its own folder, tests/native/X.h is no engine.
     const bool toTests = IsIn(include, "tests/");
-    includesNative |= toNative && !toTests;
-    includesBox2DBackend |= toBox2DBackend && !toTests;
+    if (isToEngine && !toTests) included.insert(*toEngine);
     forbid(toBox2D && !seesBox2D, "only src/box2d_backend and a game know Box2D");
-    forbid(knowsNoEngine && (toNative || toBox2DBackend),
-           "interface, geometry, shapes and world know no engine");
-    forbid(IsIn(path, "src/native/") && toBox2DBackend, "the engines do not know each other");
-    forbid(IsIn(path, "src/box2d_backend/") && toNative, "the engines do not know each other");
+    forbid(knowsNoEngine && isToEngine, "interface, geometry, shapes and world know no engine");
+    for (const std::string& engine : engines)
+      forbid(IsIn(path, "src/" + engine) && isToEngine && engine != *toEngine,
+             "the engines do not know each other");
     forbid(IsIn(path, "src/geometry/") && toWorld, "geometry knows no world");
     forbid(IsIn(path, "src/shapes/") && toWorld, "shapes know no world");
     forbid(seesInterfaceOnly && toSrc && !toTests, "only <Shapes/...> is seen here");
     forbid(IsIn(path, "include/") && toSrc, "the interface is whole without the sources");
   }
-  if (includesNative && includesBox2DBackend && path != "src/Engines.cpp")
-    report("includes both engines, as only src/Engines.cpp does");
+  if (included.size() > 1 && path != "src/Engines.cpp")
+    report("includes several engines, as only src/Engines.cpp does");
   return broken;
 }
 
@@ -166,6 +178,8 @@ TEST(HouseRulesTest, EveryFileKeepsThem) {
   const std::set<std::string> files = AllFiles();
   EXPECT_GT(files.size(), 50u); // found where they are
   EXPECT_TRUE(files.contains("src/Engines.cpp") && files.contains("tests/HouseRulesTest.cpp"));
+  const std::set<std::string> engines = EnginesIn(files);
+  EXPECT_TRUE(engines.contains("native/") && engines.contains("box2d_backend/"));
   for (const std::string& path : files) {
     std::ifstream in(fs::path(SHAPES_SOURCE_DIR) / path, std::ios::binary);
     ASSERT_TRUE(in) << path;
@@ -228,9 +242,9 @@ protected:
     return BrokenRules(path, head + (path.ends_with(".h") ? "#pragma once\n" : "") + lines, m_stdFiles)
         .size();
   }
-  static inline const std::set<std::string> m_stdFiles{"src/native/narrowphase/Collide.h",
-                                                       "src/box2d_backend/world/FixtureShapes.h",
-                                                       "src/shapes/Response.h", "compare/scene/Scene.h"};
+  static inline const std::set<std::string> m_stdFiles{
+      "src/native/narrowphase/Collide.h", "src/box2d_backend/world/FixtureShapes.h",
+      "src/third/world/ThirdEngine.h", "src/shapes/Response.h", "compare/scene/Scene.h"};
 };
 
 TEST_F(CHouseRulesControl, Box2DOutsideOfItsFolder) {
@@ -270,6 +284,14 @@ TEST_F(CHouseRulesControl, EnginesInEachOther) {
   EXPECT_EQ(Count("src/Other.cpp", both), 1u);
   EXPECT_EQ(Count("tests/XTest.cpp", both), 1u);
   EXPECT_EQ(Count("src/Engines.cpp", both), 0u);
+}
+
+TEST_F(CHouseRulesControl, AnotherEngineIsOneByItsFolder) {
+  const std::string third = "#include \"../third/world/ThirdEngine.h\"\n";
+  EXPECT_EQ(Count("src/native/X.cpp", third), 1u);
+  EXPECT_EQ(Count("src/world/X.cpp", third), 1u);
+  EXPECT_EQ(Count("src/third/X.cpp", "#include \"world/ThirdEngine.h\"\n"), 0u);
+  EXPECT_EQ(Count("src/third/X.cpp", "#include \"../native/narrowphase/Collide.h\"\n"), 1u);
 }
 
 TEST_F(CHouseRulesControl, TheInsidesInWhatSeesTheInterface) {

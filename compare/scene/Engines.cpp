@@ -12,14 +12,14 @@ namespace {
 // Colours have a contrast of 3:1 to the page; those of one family
 // differ in lightness, and marks tell all of them apart without colour.
 constexpr CEngineRow g_stdRows[] = {
-    {g_sNative, "native", "native", "what a game gets by default", eBackend::Native, g_cAutomatic,
-     eProfile::Shipped, "circle", "#0061a8", "#6cbcff"},
-    {g_sNativeApproximate, "native-approximate", "approx.", "no ball is swept", eBackend::Native,
-     g_cApproximate, eProfile::Shipped, "triangle", "#2f8f9d", "#5fd0c5"},
-    {g_sBox2D, "Box2D", "box2d", "Box2D as it ships", eBackend::Box2D, g_cAutomatic, eProfile::Shipped,
-     "rect", "#c2410c", "#ff9a52"},
-    {"box2d-tuned", "tuned Box2D", "tuned", "Box2D set for accuracy", eBackend::Box2D, g_cAutomatic,
-     eProfile::Tuned, "rectRot", "#7b1d84", "#d68cff"},
+    {g_sNative, "native", "native", "what a game gets by default", "native", g_cAutomatic, eProfile::Shipped,
+     "circle", "#0061a8", "#6cbcff"},
+    {g_sNativeApproximate, "native-approximate", "approx.", "no ball is swept", "native", g_cApproximate,
+     eProfile::Shipped, "triangle", "#2f8f9d", "#5fd0c5"},
+    {g_sBox2D, "Box2D", "box2d", "Box2D as it ships", "box2d", g_cAutomatic, eProfile::Shipped, "rect",
+     "#c2410c", "#ff9a52"},
+    {"box2d-tuned", "tuned Box2D", "tuned", "Box2D set for accuracy", "box2d", g_cAutomatic, eProfile::Tuned,
+     "rectRot", "#7b1d84", "#d68cff"},
 };
 
 } // namespace
@@ -63,9 +63,10 @@ const CEngineRow& GetEngineRow(std::string_view name) {
 std::vector<CEngine> GetEngines() {
   std::vector<CEngine> engines;
   for (const CEngineRow& row : g_stdRows) {
-    const CBackend* pBackend = GetBackend(row.m_eBackend);
+    const CBackend* pBackend = GetBackend(row.m_sBackend);
     if (pBackend == nullptr)
-      throw std::runtime_error("this build has no Box2D engine: configure with -DSHAPES_WITH_BOX2D=ON");
+      throw std::runtime_error(
+          fmt::format("this build has no engine {}: expected all that are compared", row.m_sBackend));
     engines.push_back({row.m_sName, pBackend, 1, row.m_cEffects, row.m_eProfile});
   }
   return engines;

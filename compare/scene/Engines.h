@@ -47,7 +47,7 @@ struct CEngineRow {
   const char* m_sSpoken;  ///< in sentences
   const char* m_sShort;   ///< above a narrow column, at most 7 characters
   const char* m_sMeaning; ///< what it is, in some words
-  eBackend m_eBackend;
+  const char* m_sBackend; ///< CBackend::GetName
   CEffectChoice m_cEffects;
   eProfile m_eProfile;
   const char* m_sMark;   ///< its mark in pictures: "circle", "triangle", "rect" or "rectRot"
@@ -61,7 +61,7 @@ std::span<const CEngineRow> GetEngineRows();
 const CEngineRow& GetEngineRow(std::string_view name);
 
 /// The table as engines, as they come.
-/// @throws std::runtime_error if the Box2D engine was not built
+/// @throws std::runtime_error if one of them was not built
 std::vector<CEngine> GetEngines();
 
 /// Reads the file of the scene again, for each engine.
