@@ -27,7 +27,7 @@ CAnyShapeDesc RandomShape(CRandom& random, float e) {
   case 3: {
     const CLineSegDesc blade = Wall(p, p + random.VectorOfLength(.2f, 1), e);
     const Vector2 center = random.InSquare(1);
-    return Kinematic(blade, center, random.Uniform(-.5f, .5f));
+    return Turning(blade, random.Uniform(-.5f, .5f), center);
   }
   default: {
     const float r = random.Uniform(.2f, .8f), a0 = random.Uniform(0, 6), span = random.Uniform(.5f, 5);

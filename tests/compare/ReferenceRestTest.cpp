@@ -11,13 +11,6 @@ namespace {
 
 using Shapes::Tests::CRandom;
 
-TEST(ReferenceRest, SlidingAlongASegmentIsNoHit) {
-  CExact reference = Make({Wall({-1, 0}, {200, 0})}, {CDynamicCircleDesc({0, .5f}, .5f, {1, 0})});
-  EXPECT_TRUE(Carry(reference, .01, 10000).empty());
-  EXPECT_EQ(reference.GetBall(0).m_vPos.y(), .5);
-  EXPECT_NEAR(reference.GetBall(0).m_vPos.x(), 100, 1e-9);
-}
-
 TEST(ReferenceRest, TangentInsideACircleDoesNotStall) {
   CExact reference = Make({CCircleDesc({0, 0}, 1)}, {CDynamicCircleDesc({.75f, 0}, .25f, {0, 1})});
   for (int i = 0; i < 600; ++i) {
@@ -29,8 +22,7 @@ TEST(ReferenceRest, TangentInsideACircleDoesNotStall) {
 }
 
 TEST(ReferenceRest, DeadBallIsCarriedByABlade) {
-  CExact reference =
-      Make({Kinematic(Wall({0, 0}, {4, 0}, 0), {0, 0}, 1)}, {CDynamicCircleDesc({1, .25f}, .125f)});
+  CExact reference = Make({Turning(Wall({0, 0}, {4, 0}, 0), 1)}, {CDynamicCircleDesc({1, .25f}, .125f)});
   for (int i = 0; i < 12; ++i) {
     Carry(reference, 1.0 / 120);
     const CShapeGeometry<double> f = reference.GetGeometry(0);
@@ -194,7 +186,7 @@ TEST(ReferenceRest, TablesKeepBallsApartAndEnergyFromGrowing) {
       if (k % 4 == 0) shapes.emplace_back(CCircleDesc(p, size, e));
       if (k % 4 == 1) shapes.emplace_back(CArcDesc(p, size, a, a + 3, e));
       if (k % 4 == 2) shapes.emplace_back(CPointDesc(p, e));
-      if (k % 4 == 3) shapes.emplace_back(table == Batted ? Kinematic(wall, p, revs) : wall);
+      if (k % 4 == 3) shapes.emplace_back(table == Batted ? Turning(wall, revs, p) : wall);
     }
     CBalls balls;
     for (int i = 0; i < 8; ++i) {

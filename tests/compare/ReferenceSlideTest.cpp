@@ -7,9 +7,6 @@
 namespace Shapes::Compare::Tests {
 namespace {
 
-const Vector2 g_vPull(0, -9.81f);
-const double g_fPull = static_cast<double>(9.81f);
-
 // The period of a pendulum of this length and amplitude: 4 sqrt(L / g) K(sin(a / 2)), and K by the mean of
 // Gauss.
 double Period(double length, double amplitude) {
@@ -101,8 +98,8 @@ TEST(ReferenceSlide, ChuteGivesTheSpeedOfItsHeight) {
 TEST(ReferenceSlide, BallOnATurningSegmentFollowsItsClosedForm) {
   const double w = 2 * std::numbers::pi * .25, s0 = 1, h = .25;
   for (const int steps : {1, 40}) {
-    CExact reference = MakeOne({Kinematic(Wall({-4, 0}, {4, 0}, .5f), {0, 0}, .25f)}, .25f, {s0, h},
-                               {-w * h, w * s0}, g_vPull);
+    CExact reference =
+        MakeOne({Turning(Wall({-4, 0}, {4, 0}, .5f), .25f)}, .25f, {s0, h}, {-w * h, w * s0}, g_vPull);
     EXPECT_TRUE(Carry(reference, .5 / steps, steps).empty());
     const double t = .5, a = w * t, k = g_fPull / (2 * w * w);
     const double s = s0 * std::cosh(a) + k * (std::sin(a) - std::sinh(a));
@@ -119,7 +116,7 @@ TEST(ReferenceSlide, BallOnATurningSegmentFollowsItsClosedForm) {
 // In a ring that turns about a centre aside, with w, u^2 / 2 - w^2 d^2 / 2 stays: u is the velocity as seen
 // from the ring, d the distance from the centre of rotation.
 TEST(ReferenceSlide, TurningRingKeepsTheJacobiIntegral) {
-  const CShapes shapes = {Kinematic(CArcDesc({1.5f, 0}, 1, 0, 0, .5f), {0, 0}, .5f)};
+  const CShapes shapes = {Turning(CArcDesc({1.5f, 0}, 1, 0, 0, .5f), .5f)};
   const CBalls balls = {CDynamicCircleDesc({9, 0}, .25f)};
   CExact reference = Make(shapes, balls);
   CReference<CFifty> fine(shapes, balls, Vector2::Zero());
@@ -243,7 +240,7 @@ TEST(ReferenceSlide, BallBesideATurningArcIsLeftAlone) {
     for (const double v : {0.0, 1e-9, 1e-13}) {
       SCOPED_TRACE(testing::Message() << "gap " << gap << ", " << v);
       const CVec2d p = (1.25 + gap) * CVec2d(std::cos(3.0), std::sin(3.0));
-      CExact reference = MakeOne({Kinematic(CArcDesc({0, 0}, 1, 0, 2), {0, 0}, 1)}, .25f, p, v * Perp(p));
+      CExact reference = MakeOne({Turning(CArcDesc({0, 0}, 1, 0, 2), 1)}, .25f, p, v * Perp(p));
       const std::size_t hits = Carry(reference, 1).size();
       if (gap < 0) {
         EXPECT_GT(hits, 0u);

@@ -3,6 +3,7 @@
 // up its balls.
 #pragma once
 
+#include "Descs.h"
 #include "reference/Reference.h"
 
 #include <gtest/gtest.h>
@@ -26,6 +27,10 @@ using CExact = CReference<double>;
 
 inline constexpr double g_fEps = std::numeric_limits<double>::epsilon();
 
+/// Gravity, and its size as the reference knows it.
+inline const Vector2 g_vPull(0, -9.81f);
+inline const double g_fPull = static_cast<double>(9.81f);
+
 inline CLineSegDesc Wall(const Vector2& a, const Vector2& b, float e = 1) { return CLineSegDesc(a, b, e); }
 
 /// Four walls: at the bottom, on the right, at the top, on the left.
@@ -35,27 +40,6 @@ inline CShapes Box(const Vector2& low, const Vector2& high, float e = 1) {
 }
 /// The same about the origin.
 inline CShapes Box(float half, float e = 1) { return Box({-half, -half}, {half, half}, e); }
-
-/// Turns about `center`, `revs` times a second.
-template <class TDesc>
-inline TDesc Kinematic(TDesc desc, const Vector2& center, float revs) {
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_vRotCenter = center;
-  desc.m_fRotSpeed = revs;
-  return desc;
-}
-
-template <class TDesc>
-inline TDesc Sensor(TDesc desc) {
-  desc.m_bIsSensor = true;
-  return desc;
-}
-
-template <class TDesc>
-inline TDesc Sided(TDesc desc, eSides sides) {
-  desc.m_eSides = sides;
-  return desc;
-}
 
 inline CExact Make(const CShapes& shapes, const CBalls& balls, const Vector2& g = Vector2::Zero()) {
   return CExact(shapes, balls, g);
