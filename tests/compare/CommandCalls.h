@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Programs called as a user calls them, in a folder of their own.
+// Programs called as a user calls them.
 #pragma once
 
-#include <gtest/gtest.h>
+#include "OwnFolder.h"
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
 
 namespace Shapes::Compare::Tests {
 
@@ -26,16 +21,8 @@ struct CResult {
   }
 };
 
-class CCommandTest : public testing::Test {
+class CCommandTest : public CFolderTest {
 protected:
-  void SetUp() override {
-    const auto* pInfo = testing::UnitTest::GetInstance()->current_test_info();
-    m_cFolder = std::filesystem::temp_directory_path() /
-                ("shapes-compare-test-" + std::to_string(getpid()) + pInfo->name());
-    std::filesystem::create_directories(m_cFolder);
-  }
-  void TearDown() override { std::filesystem::remove_all(m_cFolder); }
-
   static CResult Call(const std::string& arguments, const std::string& program = SHAPES_COMPARE) {
     FILE* pPipe = popen((program + " " + arguments + " 2>&1").c_str(), "r");
     CResult result{-1, ""};
@@ -50,18 +37,6 @@ protected:
 
   /// The program writes its reports into the folder of the test.
   CResult Run(const std::string& arguments) const { return Call(arguments + " --out " + m_cFolder.string()); }
-
-  std::string Write(const std::string& name, const std::string& text) const {
-    std::ofstream(m_cFolder / name) << text;
-    return (m_cFolder / name).string();
-  }
-  std::string Read(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(m_cFolder / name).rdbuf();
-    return text.str();
-  }
-
-  std::filesystem::path m_cFolder;
 };
 
 } // namespace Shapes::Compare::Tests

@@ -130,6 +130,8 @@ TEST_F(CommandTest, EnginesAreChosen) {
     std::string text;
     for (const auto& engine : json.at("scenes").at(0).at("engines"))
       text += engine.at("name").get<std::string>() + " ";
+    for (const auto& row : json.at("work_precision"))
+      EXPECT_NE((text + "exact ").find(row.at("engine").get<std::string>() + " "), text.npos) << row;
     return text;
   };
   EXPECT_EQ(engines("box2d"), "box2d ");

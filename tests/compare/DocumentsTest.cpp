@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Figures in documents come from a run: scripts/results.py puts them there, and docs/results.json keeps them.
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
-
 #include "CommandCalls.h"
+
+#include <nlohmann/json.hpp>
 
 namespace {
 
@@ -29,16 +23,14 @@ TEST_F(DocumentsTest, EveryFigureOfARunIsThatOfTheRunThatIsKept) {
     const CResult result = Results("--check " + g_sKept + " " + page);
     EXPECT_EQ(result.m_nExit, 0) << result.m_sOutput;
     // The control: one of them is changed.
-    std::ostringstream text;
-    text << std::ifstream(page).rdbuf();
-    const std::size_t end = text.str().rfind("<!-- end -->");
-    const std::string changed = Write("page.md", std::string(text.str()).insert(end, "1"));
+    std::string text = Read(page);
+    const std::string changed = Write("page.md", text.insert(text.rfind("<!-- end -->"), "1"));
     EXPECT_EQ(Results("--check " + g_sKept + " " + changed).m_nExit, 1);
   }
 }
 
 TEST_F(DocumentsTest, WhatIsKeptOfARunIsAllThatItsDocumentsNeed) {
-  ASSERT_EQ(Call("run --scenes bowl --contacts 20 --out " + m_cFolder.string()).m_nExit, 0);
+  ASSERT_EQ(Run("run --scenes bowl --contacts 20").m_nExit, 0);
   const std::string run = (m_cFolder / "run.json").string(), kept = (m_cFolder / "kept.json").string();
   ASSERT_EQ(Results("--keep " + run + " " + kept).m_nExit, 0);
   const std::string text = "<!-- results: overall -->\n<!-- end -->\n<!-- results: scenes -->\n<!-- end -->\n"
@@ -53,12 +45,9 @@ TEST_F(DocumentsTest, WhatIsKeptOfARunIsAllThatItsDocumentsNeed) {
 
 // The script that fills documents; a run of another version is refused in words.
 TEST_F(DocumentsTest, ResultTablesAreWrittenFromTheRun) {
-  ASSERT_EQ(Call("run --scenes bowl --contacts 20 --out " + m_cFolder.string()).m_nExit, 0);
+  ASSERT_EQ(Run("run --scenes bowl --contacts 20").m_nExit, 0);
   const std::string page = Write("page.md", "above\n<!-- results: scenes -->\nold\n<!-- end -->\nbelow\n");
-  const auto fill = [&] {
-    return Call(SHAPES_SOURCE_DIR "/scripts/results.py " + (m_cFolder / "run.json").string() + " " + page,
-                SHAPES_PYTHON);
-  };
+  const auto fill = [&] { return Results((m_cFolder / "run.json").string() + " " + page); };
   EXPECT_EQ(fill().m_nExit, 0);
   const std::string filled = Read("page.md");
   EXPECT_NE(filled.find("\n| bowl | "), std::string::npos) << filled;
@@ -69,7 +58,7 @@ TEST_F(DocumentsTest, ResultTablesAreWrittenFromTheRun) {
   Write("run.json", old.dump());
   const CResult refused = fill();
   EXPECT_EQ(refused.m_nExit, 1);
-  EXPECT_NE(refused.m_sOutput.find("is of version 4, expected 5"), std::string::npos) << refused.m_sOutput;
+  EXPECT_TRUE(refused.Says("is of version 4, expected 5"));
   EXPECT_EQ(Read("page.md"), filled);
 }
 

@@ -298,9 +298,7 @@ TEST(ImpactEvaluatorTest, ABallThatIsTooSlowHasANegativeError) {
 
 TEST(ImpactEvaluatorTest, APointBallIsJudgedInFiniteTime) {
   CScene scene = MakeScene(3, 1);
-  CLineSegDesc gate({-1, 0}, {1, 0.3f});
-  gate.m_eSides = eSides::Front;
-  AddShape(scene, gate);
+  AddShape(scene, Sided(CLineSegDesc({-1, 0}, {1, 0.3f}), eSides::Front));
   AddShape(scene, CLineSegDesc({-2, 1}, {2, 1.1f}));
   AddBall(scene, {{0.1f, -1}, 0, {1, 6}});
   EXPECT_EQ(Evaluate(scene, 20).m_stdContacts.size(), 20u);

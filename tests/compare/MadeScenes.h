@@ -2,6 +2,7 @@
 // Scenes for the tests of the metrics, those made by hand so that what has to come out is known.
 #pragma once
 
+#include "Descs.h"
 #include "metrics/ImpactTrials.h"
 #include "metrics/Statistics.h"
 #include "scene/Trial.h"

@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: MIT
 // report.html in a browser without a window and without a network: a script does what a reader does, and
 // notes what is then to be seen.
+#include "CommandCalls.h"
 #include "page/PageDocuments.h"
 #include "report/Report.h"
 
-#include <gtest/gtest.h>
-
 #include <nlohmann/json.hpp>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
-#include <string>
 
 namespace Shapes::Compare {
 namespace {
@@ -38,17 +29,6 @@ constexpr double g_fLeastLetters = 12.0;
 // Pixels between two names of an axis.
 constexpr double g_fNameGap = 4.0;
 
-std::string ReadFile(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  if (text.str().empty()) throw std::runtime_error(file.string() + " is missing or empty");
-  return text.str();
-}
-
-std::string ReadPart(const char* pName) {
-  return "<script>\n" + ReadFile(fs::path(SHAPES_SOURCE_DIR) / "tests/compare/page" / pName) + "</script>\n";
-}
-
 /// Puts a text before or behind the one place where the page has `mark`.
 std::string Insert(std::string page, const std::string& mark, const std::string& text, bool isBehind) {
   const std::size_t at = page.rfind(mark);
@@ -56,48 +36,33 @@ std::string Insert(std::string page, const std::string& mark, const std::string&
   return page.insert(at + (isBehind ? mark.size() : 0), text);
 }
 
-std::string RunCommand(const std::string& command) {
-  FILE* pPipe = popen(command.c_str(), "r");
-  if (pPipe == nullptr) throw std::runtime_error("cannot run " + command);
-  std::string output;
-  char buffer[65536];
-  while (const std::size_t n = fread(buffer, 1, sizeof buffer, pPipe))
-    output.append(buffer, n);
-  const int status = pclose(pPipe);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw std::runtime_error(command + " failed: " + output.substr(0, 2000));
-  return output;
-}
-
-class ReportPageTest : public testing::Test {
+class ReportPageTest : public Tests::CCommandTest {
 protected:
-  void SetUp() override {
-    const auto* pInfo = testing::UnitTest::GetInstance()->current_test_info();
-    m_cFolder = fs::temp_directory_path() / ("shapes-page-test-" + std::to_string(getpid()) + pInfo->name());
-    fs::create_directories(m_cFolder);
+  std::string ReadPart(const char* pName) const {
+    const std::string text = Read(fs::path(SHAPES_SOURCE_DIR) / "tests/compare/page" / pName);
+    EXPECT_FALSE(text.empty()) << pName;
+    return "<script>\n" + text + "</script>\n";
   }
-  void TearDown() override { fs::remove_all(m_cFolder); }
 
   /// What the exercise leaves behind.
   json Exercise(const std::string& page, eScheme scheme = eScheme::Light, int width = 1280) const {
-    const fs::path file = m_cFolder / "page.html";
     // rfind of "<head>" is right as long as the data has none: '<' is escaped in it.
     const std::string watched = Insert(page, "<head>\n", ReadPart("watch.js"), true);
-    std::ofstream(file, std::ios::binary) << Insert(watched, "</body>", ReadPart("exercise.js"), false);
+    const std::string file = Write("page.html", Insert(watched, "</body>", ReadPart("exercise.js"), false));
     // Without a network where the system lets one do so, and without names to look up in any case.
     const std::string offline = std::system("unshare -rn true 2>/dev/null") == 0 ? "unshare -rn " : "";
-    const std::string command =
-        offline + "timeout 150 '" SHAPES_CHROMIUM "' --headless --no-sandbox --disable-gpu --no-first-run" +
-        " --disable-dev-shm-usage --host-resolver-rules='MAP * ~NOTFOUND' --force-device-scale-factor=1" +
-        " --blink-settings=preferredColorScheme=" + std::to_string(static_cast<int>(scheme)) +
-        " --window-size=" + std::to_string(width) + ",1000 --user-data-dir='" +
-        (m_cFolder / "profile").string() + "' --timeout=120000 --dump-dom 'file://" + file.string() +
-        "' 2>'" + (m_cFolder / "log").string() + "'";
-    const std::string dom = RunCommand(command);
-    const std::string open = "<pre id=\"test-result\">";
+    const Tests::CResult result =
+        Call("", "(" + offline + "timeout 150 '" SHAPES_CHROMIUM "' --headless --no-sandbox --disable-gpu" +
+                     " --no-first-run --disable-dev-shm-usage --host-resolver-rules='MAP * ~NOTFOUND'" +
+                     " --force-device-scale-factor=1 --blink-settings=preferredColorScheme=" +
+                     std::to_string(static_cast<int>(scheme)) + " --window-size=" + std::to_string(width) +
+                     ",1000 --user-data-dir='" + (m_cFolder / "profile").string() +
+                     "' --timeout=120000 --dump-dom 'file://" + file + "' 2>'" +
+                     (m_cFolder / "log").string() + "')");
+    const std::string &dom = result.m_sOutput, open = "<pre id=\"test-result\">";
     const std::size_t begin = dom.find(open), end = dom.find("</pre>", begin);
-    if (begin == std::string::npos || end == std::string::npos)
-      throw std::runtime_error("the page left no result; the browser says: " + ReadFile(m_cFolder / "log"));
+    if (result.m_nExit != 0 || begin == std::string::npos || end == std::string::npos)
+      throw std::runtime_error("the page left no result; the browser says: " + Read("log"));
     return json::parse(dom.substr(begin + open.size(), end - begin - open.size()));
   }
 
@@ -142,12 +107,6 @@ protected:
   }
   static bool AnyContains(const json& texts, const std::string& part) {
     return std::any_of(texts.begin(), texts.end(), [&](const json& text) { return Contains(text, part); });
-  }
-
-  /// Names of an axis that do not run together, and at least two of them.
-  static void ExpectReadable(const json& axes) {
-    EXPECT_GE(axes.at("names").get<int>(), 2);
-    EXPECT_GE(axes.at("room").get<double>(), g_fNameGap);
   }
 
   // What has to work on whatever was recorded.
@@ -212,8 +171,10 @@ protected:
     EXPECT_GT(scene.at("metrics").get<int>(), 30);
     EXPECT_GT(scene.at("bins").get<int>(), 10);
     ExpectEffects(scene);
-    for (const json& axes : scene.at("axes"))
-      ExpectReadable(axes);
+    for (const json& axes : scene.at("axes")) { // whose names do not run together
+      EXPECT_GE(axes.at("names").get<int>(), 2);
+      EXPECT_GE(axes.at("room").get<double>(), g_fNameGap);
+    }
     EXPECT_TRUE(Contains(scene.at("work"), "A ball that is lost counts as \u03c0"));
     EXPECT_TRUE(Contains(scene.at("work"), "The exact reference is timed too"));
     EXPECT_TRUE(AnyContains(scene.at("settings"), "none in 95,000"));
@@ -238,8 +199,6 @@ protected:
   static std::string ToPage(const CPageDocuments& sample) {
     return MakeHtml(sample.m_cRun.dump(), sample.m_cReplay.dump(), sample.m_cCharts.dump());
   }
-
-  fs::path m_cFolder;
 };
 
 TEST_F(ReportPageTest, AFullReportInTheLight) {
@@ -333,9 +292,8 @@ TEST_F(ReportPageTest, NoSceneAtAll) {
 }
 
 TEST_F(ReportPageTest, WhatTheProgramWrites) {
-  RunCommand("'" SHAPES_COMPARE "' run --contacts 50 --scenes bowl,pinball --out '" + m_cFolder.string() +
-             "' 2>&1");
-  const json result = Exercise(ReadFile(m_cFolder / "report.html"));
+  ASSERT_EQ(Run("run --contacts 50 --scenes bowl,pinball").m_nExit, 0);
+  const json result = Exercise(Read("report.html"));
   ExpectSound(result);
   ASSERT_EQ(result.at("scenes").size(), 2u);
   for (const json& scene : result.at("scenes")) {

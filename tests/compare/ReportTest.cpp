@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What the terminal shows of a report whose figures are known.
+// What the terminal and the chart show of a report whose figures are known.
 #include "SampleReport.h"
 
+#include "report/Chart.h"
 #include "report/Numbers.h"
+
+#include <regex>
 
 namespace Shapes::Compare {
 namespace {
@@ -19,44 +22,27 @@ std::string Unwrapped(const std::string& text) {
 }
 
 TEST(NumbersTest, AreWhatPeopleRead) {
-  EXPECT_EQ(SizeText(0.0), "0");
-  EXPECT_EQ(SizeText(0.0004), "4e-4");
-  EXPECT_EQ(SizeText(2.3e-7), "2e-7");
-  EXPECT_EQ(SizeText(9e-8), "<1e-7");
-  EXPECT_EQ(SizeText(0.0005), "0.001");
-  EXPECT_EQ(SizeText(1.23456), "1.235");
-  EXPECT_EQ(SizeText(12.34), "12.3");
-  EXPECT_EQ(SizeText(1e30), "1e+30");
-  EXPECT_EQ(CountText(999), "999");
-  EXPECT_EQ(CountText(1000), "1,000");
-  EXPECT_EQ(CountText(1234567), "1,234,567");
-  EXPECT_EQ(RateText(0, 0), "-");
-  EXPECT_EQ(RateText(0, 20000), "<0.015%");
-  EXPECT_EQ(RateText(0, 2), "<100%");
-  EXPECT_EQ(RateText(203, 1000), "20.3%");
-  EXPECT_EQ(RateText(6, 1000), "0.60%");
-  EXPECT_EQ(RateText(7, 7), "100%");
-  EXPECT_EQ(RateText(1, 20000), "0.0050%");
-  EXPECT_EQ(RateTextWithError(1, 100000000), "<0.0001%");
-  EXPECT_EQ(RateTextWithError(203, 1000), "20.3% +-2.5"); // Wilson: 17.9% to 22.9%
-  EXPECT_EQ(RateTextWithError(0, 1000), "<0.3%");
-  EXPECT_EQ(TwoDigits(12.3456), "12");
-  EXPECT_EQ(TwoDigits(1234.5), "1234"); // to even
-  EXPECT_EQ(TwoDigits(0.0123), "0.012");
-  EXPECT_EQ(TwoDigits(0.0), "0");
-  EXPECT_EQ(DegreesText(0.0), "0.001 degrees");
-  EXPECT_EQ(DegreesText(0.01), "0.57 degrees");
-  EXPECT_EQ(DegreesText(1.0), "57 degrees");
-  EXPECT_EQ(LossText(0, 2000), "none of 2,000");
-  EXPECT_EQ(LossText(1, 40), "1 in 40");
-  EXPECT_EQ(LossText(7, 30000), "1 in 4,300");
-  EXPECT_EQ(LossText(203, 1000), "1 in 4.9");
-  EXPECT_EQ(LossText(450, 1000), "45%");
-  EXPECT_EQ(LossText(0, 0), "-");
-  EXPECT_EQ(FasterText(7.14), "7.1 times faster");
-  EXPECT_EQ(FasterText(0.5), "2.0 times slower");
-  EXPECT_EQ(FasterText(1.04), "as fast");
-  EXPECT_EQ(FasterText(16.2), "16 times faster");
+  using CTexts = std::vector<std::string>;
+  EXPECT_EQ((CTexts{SizeText(0.0), SizeText(0.0004), SizeText(2.3e-7), SizeText(9e-8), SizeText(0.0005),
+                    SizeText(1.23456), SizeText(12.34), SizeText(1e30)}),
+            (CTexts{"0", "4e-4", "2e-7", "<1e-7", "0.001", "1.235", "12.3", "1e+30"}));
+  EXPECT_EQ((CTexts{CountText(999), CountText(1000), CountText(1234567)}),
+            (CTexts{"999", "1,000", "1,234,567"}));
+  EXPECT_EQ((CTexts{RateText(0, 0), RateText(0, 20000), RateText(0, 2), RateText(203, 1000),
+                    RateText(6, 1000), RateText(7, 7), RateText(1, 20000)}),
+            (CTexts{"-", "<0.015%", "<100%", "20.3%", "0.60%", "100%", "0.0050%"}));
+  EXPECT_EQ(
+      (CTexts{RateTextWithError(1, 100000000), RateTextWithError(203, 1000), RateTextWithError(0, 1000)}),
+      (CTexts{"<0.0001%", "20.3% +-2.5", "<0.3%"})); // Wilson: 17.9% to 22.9%
+  EXPECT_EQ((CTexts{TwoDigits(12.3456), TwoDigits(1234.5), TwoDigits(0.0123), TwoDigits(0.0)}),
+            (CTexts{"12", "1234", "0.012", "0"})); // to even
+  EXPECT_EQ((CTexts{DegreesText(0.0), DegreesText(0.01), DegreesText(1.0)}),
+            (CTexts{"0.001 degrees", "0.57 degrees", "57 degrees"}));
+  EXPECT_EQ((CTexts{LossText(0, 2000), LossText(1, 40), LossText(7, 30000), LossText(203, 1000),
+                    LossText(450, 1000), LossText(0, 0)}),
+            (CTexts{"none of 2,000", "1 in 40", "1 in 4,300", "1 in 4.9", "45%", "-"}));
+  EXPECT_EQ((CTexts{FasterText(7.14), FasterText(0.5), FasterText(1.04), FasterText(16.2)}),
+            (CTexts{"7.1 times faster", "2.0 times slower", "as fast", "16 times faster"}));
   EXPECT_TRUE(Overlap({0.1, 0.3}, {0.3, 0.4}));
   EXPECT_FALSE(Overlap({0.1, 0.3}, {0.31, 0.4}));
 }
@@ -253,6 +239,82 @@ TEST(EffectTableTest, FitsATerminalAndIsEmptyWhereNothingWasMeasured) {
   EXPECT_GT(Lines(MakeEffectTable(report)).size(), 10u);
   costs = {};
   EXPECT_EQ(MakeEffectTable(report), "");
+}
+
+// ---- The chart as SVG. In a browser it is looked at by ReportPageTest.cpp.
+
+std::size_t CountMatches(const std::string& text, const std::string& pattern) {
+  const std::regex regex(pattern);
+  return static_cast<std::size_t>(
+      std::distance(std::sregex_iterator(text.begin(), text.end(), regex), std::sregex_iterator()));
+}
+
+CChart Sample(std::size_t lost) {
+  CChart chart{"a < b & c", "bars", {}};
+  double ns = 50.0;
+  for (const CEngineRow& row : GetEngineRows())
+    chart.m_stdPoints.push_back(
+        {&row, ns *= 2.0, {0.8 * ns, 1.3 * ns}, 0.01, {0.001, 0.1}, lost, 1000, true});
+  return chart;
+}
+
+TEST(ChartTest, EveryEngineHasAMarkAndALabel) {
+  const CChart chart = MakeOverallChart(MakeSampleReport(), MakeOverall(MakeSampleReport()));
+  EXPECT_EQ(chart.m_stdPoints.size(), 3u); // Box2D has no direction in the sample
+  for (const CChartSize& size : {g_cWideChart, g_cNarrowChart}) {
+    const std::string svg = DrawChart(Sample(0), size, false);
+    for (const CEngineRow& row : GetEngineRows()) {
+      EXPECT_EQ(CountMatches(svg, std::string("data-engine=\"") + row.m_sName + "\""), 1u);
+      EXPECT_EQ(CountMatches(svg, std::string("data-of=\"") + row.m_sName + "\""), 1u);
+    }
+  }
+}
+
+// Full where at most 1 in 1,000 is lost, with a dot up to 1 in 100, then hollow; the legend has one of each.
+TEST(ChartTest, TheFillSaysWhatIsLost) {
+  const auto full = [](std::size_t lost) {
+    return CountMatches(DrawChart(Sample(lost), g_cWideChart, false),
+                        "fill=\"var\\(--(native|box2d)[a-z-]*\\)\" stroke=[^>]*data-engine");
+  };
+  const auto dots = [](std::size_t lost) {
+    return CountMatches(DrawChart(Sample(lost), g_cWideChart, false), "r=\"3.8\"");
+  };
+  EXPECT_EQ(full(1), 4u);
+  EXPECT_EQ(full(2), 0u);
+  EXPECT_EQ(dots(1), 0u);
+  EXPECT_EQ(dots(10), 4u);
+  EXPECT_EQ(dots(11), 0u);
+}
+
+// None lost is at no other place than few lost: what is lost does not move a mark.
+TEST(ChartTest, LossesMoveNoMark) {
+  const auto places = [](std::size_t lost) {
+    std::string svg = DrawChart(Sample(lost), g_cWideChart, false);
+    std::string all;
+    const std::regex mark("<(circle cx|rect x|path d)=[^>]*data-engine");
+    for (auto it = std::sregex_iterator(svg.begin(), svg.end(), mark); it != std::sregex_iterator(); ++it)
+      all += std::regex_replace(it->str(), std::regex("fill=\"[^\"]*\""), "");
+    return all;
+  };
+  EXPECT_EQ(places(0), places(300));
+  EXPECT_GT(places(0).size(), 300u);
+}
+
+TEST(ChartTest, AFileOfItsOwnHasItsColoursAndSafeText) {
+  const std::string alone = DrawChart(Sample(0), g_cWideChart, true);
+  EXPECT_TRUE(alone.find("a &lt; b &amp; c") != alone.npos);
+  EXPECT_EQ(CountMatches(alone, "<[a-z]"), CountMatches(alone, "/>|</[a-z]")); // every element ends
+  for (const CEngineRow& row : GetEngineRows())
+    EXPECT_TRUE(alone.find(std::string("--") + row.m_sName + ":" + row.m_sDark) != alone.npos);
+  EXPECT_EQ(DrawChart(Sample(0), g_cWideChart, false).find("<style>"), std::string::npos); // the control
+}
+
+TEST(ChartTest, NothingMeasuredIsStillAPicture) {
+  CRunReport report = MakeSampleReport();
+  report.m_stdScenes = {MakeUndecidedScene()};
+  const CChart chart = MakeSceneChart(report, report.m_stdScenes[0]);
+  EXPECT_TRUE(chart.m_stdPoints.empty());
+  EXPECT_EQ(DrawChart(chart, g_cNarrowChart, false).find("nan"), std::string::npos);
 }
 
 } // namespace

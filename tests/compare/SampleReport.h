@@ -25,39 +25,28 @@ inline bool Contains(const std::string& text, const std::string& part) {
 }
 
 inline CContact MakeSampleContact() {
-  CContact contact{};
-  contact.m_nTrial = 3;
-  contact.m_nStep = 14;
-  contact.m_nBall = 0;
-  contact.m_ePair = ePair::SegmentEnd;
-  contact.m_fTime = 0.25f;
-  contact.m_fTravel = 1.5f;
-  contact.m_fApproach = 8.0f;
-  contact.m_fIncidence = 0.125f;
-  contact.m_fElasticity = 0.5f;
-  contact.m_bHasDifference = true;
-  contact.m_fDifference = 0.0625f;
-  CEngineContact right;
-  right.m_eOutcome = eOutcome::Correct;
-  right.m_bDetected = right.m_bCompared = true;
-  right.m_fSetback = 0.5f;
-  right.m_fSetbackError = 0.03125f;
-  right.m_fSetbackErrorNormal = -0.015625f;
-  right.m_fTimeError = -0.001953125f;
-  right.m_fPOIError = 0.0078125f;
-  right.m_fNormalError = 0.00390625f;
-  right.m_fDirectionError = 2.0f;
-  right.m_fSpeedError = -3.0f;
-  right.m_fEnergyError = 4.0f;
-  right.m_fPositionError = 5.0f;
-  right.m_fPenetration = 6.0f;
+  const CEngineContact right{.m_eOutcome = eOutcome::Correct,
+                             .m_bDetected = true,
+                             .m_fSetback = 0.5f,
+                             .m_fSetbackError = 0.03125f,
+                             .m_fSetbackErrorNormal = -0.015625f,
+                             .m_fTimeError = -0.001953125f,
+                             .m_fPOIError = 0.0078125f,
+                             .m_fNormalError = 0.00390625f,
+                             .m_bCompared = true,
+                             .m_fDirectionError = 2.0f,
+                             .m_fSpeedError = -3.0f,
+                             .m_fEnergyError = 4.0f,
+                             .m_fPositionError = 5.0f,
+                             .m_fPenetration = 6.0f};
   CEngineContact missed;
   missed.m_fPenetration = 7.0f;
   CEngineContact late = right;
   late.m_eOutcome = eOutcome::Late;
   late.m_fDirectionError = 0.0f;
-  contact.m_stdEngines = {late, right, missed, late};
-  return contact;
+  // In the order of the columns of contacts.csv.
+  return {3,    14,   0,       ePair::SegmentEnd,          0.25f, 1.5f, 8.0f, 0.125f,
+          0.5f, true, 0.0625f, {late, right, missed, late}};
 }
 
 /// Times of 11 repeats that scatter about `ns` by up to a twentieth; other engines scatter otherwise.

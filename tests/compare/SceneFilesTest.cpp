@@ -1,18 +1,72 @@
 // SPDX-License-Identifier: MIT
-// The scenes that come with the tool, run natively.
+// How scenes play; and those that come with the tool, run natively.
 #include "MadeScenes.h"
+#include "scene/Trial.h"
 
+#include <numbers>
 #include <set>
 
-namespace Shapes::Compare {
+namespace Shapes::Compare::Tests {
 namespace {
+
+TEST(FlipTest, TurnsStaysGoesBackAndRests) {
+  const CFlip flip{1.0f, 0.5f, 2.0f, 0.0f}; // pi radians per second: a way takes 1/pi = 0.318 s
+  const float rounding = 4.0f * 1.2e-7f;
+  for (const auto& [t, angle] :
+       {std::pair(0.0, 0.0f), {0.4, 1.0f}, {0.999, 1.0f}, {1.4, 0.0f}, {1.999, 0.0f}})
+    EXPECT_EQ(FlipOrientation(flip, t), angle) << t;
+  EXPECT_NEAR(FlipOrientation(flip, 0.1), 0.1 * std::numbers::pi, rounding);
+  EXPECT_NEAR(FlipOrientation(flip, 1.1), 1.0 - 0.1 * std::numbers::pi, rounding);
+
+  CFlip mirrored = flip, later = flip;
+  mirrored.m_fAngle = -1.0f;
+  later.m_fPhase = 0.25f;
+  for (int i = -4000; i < 4000; ++i) {
+    const double t = i / 1024.0;
+    EXPECT_EQ(FlipOrientation(mirrored, t), -FlipOrientation(flip, t));
+    EXPECT_EQ(FlipOrientation(flip, t + 2.0), FlipOrientation(flip, t)); // exact: t and the period are binary
+    EXPECT_EQ(FlipOrientation(later, t), FlipOrientation(flip, t + 0.25));
+    const float step = FlipOrientation(flip, t + 1.0 / 1024.0) - FlipOrientation(flip, t);
+    EXPECT_LE(std::abs(step), std::numbers::pi / 1024.0 + rounding)
+        << "never faster than its speed, t = " << t;
+  }
+}
+
+TEST(ShuttleTest, GoesStaysComesBackAndRests) {
+  const CShuttle shuttle{{3, -4}, 10.0f, 2.0f, 0.5f}; // a way takes half a second
+  const auto expect = [&](double t, double share) {
+    EXPECT_NEAR((ShuttleOffset(shuttle, t - 0.5) - share * Eigen::Vector2d(3, -4)).norm(), 0.0, 1e-12) << t;
+  };
+  expect(0.0, 0.0), expect(0.25, 0.5), expect(0.5, 1.0), expect(0.999, 1.0);
+  expect(1.125, 0.75), expect(1.5, 0.0), expect(1.75, 0.0), expect(2.25, 0.5), expect(-1.75, 0.5);
+  EXPECT_TRUE(ShuttleOffset({{0, 0}, 1.0f, 1.0f}, 0.3).isZero(0.0));
+}
+
+TEST(TrialTest, ADrainedBallStartsAgainAsAtFirst) {
+  CScene scene = MakeScene(4, 1, {Sensor(CLineSegDesc({-3, 0}, {3, 0}))},
+                           {CDynamicCircleDesc({0, 1}, 0.1f, {0.5f, 0}),
+                            CDynamicCircleDesc({1, 3}, 0.1f, {-0.5f, 0})}, // falls longer
+                           {0, -10});
+  scene.m_stdShapes[0].m_bIsDrain = true;
+  const CStart start = MakeStart(scene, 1, 0);
+  for (const std::size_t engine : {g_nNative, g_nApproximate, g_nBox2D}) {
+    CGame game(scene, GetEngines()[engine], start);
+    while (game.GetDrained() == 0)
+      game.Step();
+    const CWorld& world = game.GetWorld();
+    EXPECT_EQ(world.GetBallPositions()[0], start.m_stdBalls[0].m_vPos);
+    EXPECT_EQ(world.GetBallVelocities()[0], start.m_stdBalls[0].m_vVel);
+    EXPECT_NE(world.GetBallPositions()[1], start.m_stdBalls[1].m_vPos); // the control
+    EXPECT_LT(world.GetBallVelocities()[1].y(), -1.0f);
+  }
+}
 
 // A game of a scene on the native engine, and what it comes to.
 class CWatched {
 public:
   explicit CWatched(const CScene& scene, std::uint64_t seed = 1)
       : m_cScene(scene),
-        m_cGame(scene, GetEngines()[Tests::g_nNative], MakeStart(scene, seed, 0)),
+        m_cGame(scene, GetEngines()[g_nNative], MakeStart(scene, seed, 0)),
         m_stdStays(scene.m_stdBalls.size()) {}
 
   const CGame& Run(double seconds) {
@@ -88,27 +142,8 @@ TEST(SceneFilesTest, StartFreeAndMeetSomething) {
   }
 }
 
-// The step of this scene is two radii long and its starts are spread over exactly one step, so the centre is
-// beyond the wall after the first touching step in 1 - r / L = 1/2 of all runs where balls are not swept.
-TEST(SceneFilesTest, HalfOfTheHeadOnBallsTunnel) {
-  const CScene scene = Tests::LoadBundled("head_on_wall");
-  const CDynamicCircleDesc& ball = scene.m_stdBalls[0].m_cDesc;
-  ASSERT_FLOAT_EQ(ball.m_vVel.x() * scene.m_cWorld.m_fTimeStep, 2.0f * ball.m_fRadius);
-  constexpr int runs = 2000;
-  int escapes = 0;
-  for (std::uint64_t seed = 1; seed <= runs; ++seed) {
-    CGame game(scene, GetEngines()[Tests::g_nApproximate], MakeStart(scene, seed, 0));
-    game.SetPutBack(false);
-    for (std::size_t n = GetStepsPerTrial(scene); n > 0; --n)
-      game.Step();
-    escapes += !(scene.m_cBounds && game.GetWorld().GetBallPositions()[0]);
-    EXPECT_EQ(game.GetWorld().GetStats().m_nContacts, 1u) << "one contact per trial, seed " << seed;
-  }
-  EXPECT_NEAR(escapes, runs / 2, 5.0 * std::sqrt(runs * 0.25)); // 5 standard deviations of the binomial
-}
-
 TEST(PinballTest, KeepsItsBallsAndTheirWaysGoOn) {
-  const CScene scene = Tests::LoadBundled("pinball");
+  const CScene scene = LoadBundled("pinball");
   CWatched game(scene);
   const CGame& end = game.Run(600.0);
   EXPECT_EQ(end.GetEscaped(), 0u);
@@ -123,7 +158,7 @@ TEST(PinballTest, KeepsItsBallsAndTheirWaysGoOn) {
 // Controls: a table with a hole loses balls, one without a drain keeps them where they are.
 TEST(PinballTest, LosesBallsThroughEachMissingWall) {
   for (const char* wall : {"left wall", "right wall", "chute arc"}) {
-    CScene scene = Tests::LoadBundled("pinball");
+    CScene scene = LoadBundled("pinball");
     RemoveShapes(scene, wall);
     // Long, because few balls come to the lane behind the right wall.
     EXPECT_GT(CWatched(scene).Run(600.0).GetEscaped(), 0u) << wall;
@@ -131,7 +166,7 @@ TEST(PinballTest, LosesBallsThroughEachMissingWall) {
 }
 
 TEST(PinballTest, BallsRestWithoutTheDrain) {
-  CScene scene = Tests::LoadBundled("pinball");
+  CScene scene = LoadBundled("pinball");
   RemoveShapes(scene, "drain");
   CWatched game(scene);
   game.Run(120.0);
@@ -139,7 +174,7 @@ TEST(PinballTest, BallsRestWithoutTheDrain) {
 }
 
 TEST(PinballTest, TheGateLetsBallsOutOfTheLaneOnly) {
-  CScene scene = Tests::LoadBundled("pinball");
+  CScene scene = LoadBundled("pinball");
   const auto gate = std::find_if(scene.m_stdShapes.begin(), scene.m_stdShapes.end(),
                                  [](const auto& s) { return s.m_sName == "gate"; });
   ASSERT_NE(gate, scene.m_stdShapes.end());
@@ -161,4 +196,4 @@ TEST(PinballTest, TheGateLetsBallsOutOfTheLaneOnly) {
 }
 
 } // namespace
-} // namespace Shapes::Compare
+} // namespace Shapes::Compare::Tests

@@ -1,25 +1,30 @@
 // SPDX-License-Identifier: MIT
-// compare/scene.schema.json, which editors read, and the reader of scene files accept and refuse the same.
+// compare/scene.schema.json, which editors read, and the reader of scene files accept and refuse the same;
+// and the reader reads a scene that a program wrote.
+#include "MadeScenes.h"
+#include "OwnFolder.h"
+#include "Random.h"
 #include "scene/Scene.h"
 #include "schema/Schema.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace Shapes::Compare {
+namespace Shapes::Compare::Tests {
 namespace {
 
 using nlohmann::json;
 using CPath = json::json_pointer;
 
 const json& Schema() {
-  static const json schema = Tests::ReadJsonSource("compare/scene.schema.json");
+  static const json schema = ReadJsonSource("compare/scene.schema.json");
   return schema;
 }
 
@@ -85,12 +90,7 @@ std::vector<json> MakeChanges(const json& good) {
 
 // Why the reader refuses a document; empty if it does not.
 std::string FindReaderFault(const json& doc) {
-  try {
-    ParseScene("s.json", doc.dump());
-    return {};
-  } catch (const CSceneError& error) {
-    return error.what();
-  }
+  return MessageOf<CSceneError>([&] { ParseScene("s.json", doc.dump()); });
 }
 
 // Rules that a schema cannot express: between two fields, or of the shapes themselves.
@@ -108,7 +108,7 @@ bool IsBeyondSchemas(const std::string& fault) {
 
 // The documents about which schema and reader differ.
 std::vector<std::string> FindDifferences(const json& schema, const std::vector<json>& docs) {
-  const std::vector<std::string> bySchema = Tests::FindSchemaFaults(schema, docs);
+  const std::vector<std::string> bySchema = FindSchemaFaults(schema, docs);
   std::vector<std::string> differences;
   for (std::size_t i = 0; i < docs.size(); ++i) {
     const std::string byReader = FindReaderFault(docs[i]);
@@ -122,9 +122,9 @@ std::vector<std::string> FindDifferences(const json& schema, const std::vector<j
 TEST(SceneSchemaTest, BundledScenesFitTheSchema) {
   std::vector<json> docs;
   for (const auto& entry : std::filesystem::directory_iterator(SHAPES_SCENES_DIR))
-    docs.push_back(Tests::ReadJsonSource("compare/scenes/" + entry.path().filename().string()));
+    docs.push_back(ReadJsonSource("compare/scenes/" + entry.path().filename().string()));
   EXPECT_GE(docs.size(), 23u);
-  for (const std::string& fault : Tests::FindSchemaFaults(Schema(), docs))
+  for (const std::string& fault : FindSchemaFaults(Schema(), docs))
     EXPECT_EQ(fault, "");
 }
 
@@ -161,5 +161,64 @@ TEST(SceneSchemaTest, AnotherSchemaDiffers) {
   }
 }
 
+class SceneDescTest : public CFolderTest {
+protected:
+  CScene WriteAndLoad(const CSceneDesc& desc) const {
+    return LoadScene(Write("s.json", desc.ToJson("imported", 0.5f)));
+  }
+
+  static CSceneDesc OneOfEach() {
+    CSceneDesc desc;
+    desc.m_cWorld.m_vGravity = {0.1f, -9.81f};
+    desc.m_cWorld.m_cBox2D.m_fLengthUnit = 1.1f;
+    desc.m_stdNotes = {"A note with \"quotes\", \\ and \t."};
+    CArcDesc arc = Sensor(CArcDesc({0, 1}, 3, 0.1f, 3.1f));
+    arc.m_cFilter = {2, 7};
+    desc.m_stdShapes = {
+        CPointDesc({0.1f, 0.2f}, 0.3f), Sided(CLineSegDesc({-3, 0}, {3, 0.1f}, 0.7f), eSides::Front),
+        Turning(CCircleDesc({0.3f, 1}, 0.2f), -0.3f, {0.1f, 0.9f}), arc, CArcDesc({0, 0}, 9, 1, 1)};
+    desc.m_stdBalls = {CDynamicCircleDesc({0.1f, 2}, 0.1f, {0.3f, 0.7f}, 1.3f, 0.9f)};
+    desc.m_stdBalls[0].m_cFilter = {0x8000, 0xFFFF};
+    return desc;
+  }
+};
+
+// The text of the same scene has the same floats, so equal texts are equal bits.
+TEST_F(SceneDescTest, TheLoaderReadsWhatWasWrittenBitForBit) {
+  const CSceneDesc desc = OneOfEach();
+  const CScene scene = WriteAndLoad(desc);
+  EXPECT_EQ(ToDesc(scene).ToJson("imported", scene.m_fDuration), desc.ToJson("imported", 0.5f));
+}
+
+TEST_F(SceneDescTest, EveryFloatSurvives) {
+  Shapes::Tests::CRandom random(5);
+  for (int n = 0; n < 20; ++n) {
+    CSceneDesc desc;
+    desc.m_stdBalls = {CDynamicCircleDesc({0, 0}, 1)};
+    for (int i = 0; i < 500; ++i) {
+      const Vector2 p = random.Vector(-60, 50);
+      desc.m_stdShapes.emplace_back(CPointDesc(p, random.Scale(-40, 18)));
+    }
+    const std::vector<CAnyShapeDesc> loaded = GetShapes(WriteAndLoad(desc));
+    ASSERT_EQ(loaded.size(), desc.m_stdShapes.size());
+    for (std::size_t i = 0; i < loaded.size(); ++i) {
+      const auto &a = std::get<CPointDesc>(desc.m_stdShapes[i]), &b = std::get<CPointDesc>(loaded[i]);
+      ASSERT_TRUE(a.m_vPos == b.m_vPos && a.m_fElasticity == b.m_fElasticity)
+          << "seed " << random.GetSeed() << ": " << a.m_vPos.transpose() << ", " << a.m_fElasticity;
+    }
+  }
+}
+
+// Mechanism: the reader rounds the text to double and that to float. The double nearest to 7.038531e-26, the
+// shortest text of this float, lies exactly between it and the next one. A search through all floats found no
+// other.
+TEST_F(SceneDescTest, TheOneFloatSurvivesThatRoundingTwiceChanges) {
+  const auto value = std::bit_cast<float>(0x15AE43FDu);
+  EXPECT_NE(static_cast<float>(7.038531e-26), value); // the control: double first
+  CSceneDesc desc;
+  desc.m_stdBalls = {CDynamicCircleDesc({value, -value}, 1)};
+  EXPECT_EQ(WriteAndLoad(desc).m_stdBalls.at(0).m_cDesc.m_vPos, Vector2(value, -value));
+}
+
 } // namespace
-} // namespace Shapes::Compare
+} // namespace Shapes::Compare::Tests

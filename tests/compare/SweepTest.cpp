@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sweep against a search that shares nothing with it, and against 50 digits; and distances against the
-// nearest of many points of the shape.
+// The sweep against a search that shares nothing with it, and against 50 digits; and distances.
 #include "reference/Sweep.h"
 #include "Random.h"
 #include "SweepOracle.h"
@@ -84,6 +83,18 @@ double GapBound(const CTrial& trial) {
           trial.m_fTimeMax * trial.m_fTimeMax * trial.m_cBall.m_vAcc.norm() / 2.0);
 }
 
+// Where the ball touches a shape that does not turn.
+ePart PartOf(const CShapeGeometry<double>& f, const CHit<double>& hit, double bound) {
+  if (f.m_eShapeType == eShape::Point) return ePart::Point;
+  if (f.m_eShapeType != eShape::Circle && !f.m_bFull) {
+    if ((hit.m_vPOI - f.m_vPt0).norm() <= bound) return ePart::End0;
+    if ((hit.m_vPOI - f.m_vPt1).norm() <= bound) return ePart::End1;
+  }
+  if (f.m_eShapeType == eShape::LineSeg)
+    return Cross(CVec2d(f.m_vPt1 - f.m_vPt0), hit.m_vNorm) > 0 ? ePart::Front : ePart::Back;
+  return hit.m_vNorm.dot(hit.m_vPOI - f.m_vCenter) > 0 ? ePart::Outside : ePart::Inside;
+}
+
 struct CCase {
   eShape m_eShapeType;
   bool m_bOneSided;
@@ -104,7 +115,8 @@ void PrintTo(const CCase& c, std::ostream* pOut) { *pOut << Name(c); }
 
 class CSweepAgainstSearch : public testing::TestWithParam<CCase> {};
 
-// No hit is missed, none is invented, the earliest is found, and POI and normal are those of the contact.
+// No hit is missed, none is invented, the earliest is found, and POI, normal and part are those of the
+// contact.
 TEST_P(CSweepAgainstSearch, FindsTheSameImpact) {
   const CCase& c = GetParam();
   CRandom random(20240 + static_cast<std::uint64_t>(c.m_eShapeType) * 8 + c.m_bOneSided * 2 + c.m_bTurns +
@@ -140,7 +152,10 @@ TEST_P(CSweepAgainstSearch, FindsTheSameImpact) {
     ASSERT_NEAR(hit.m_vNorm.norm(), 1.0, 8.0 * g_fEps);
     ASSERT_LE((hit.m_vCenter - hit.m_vPOI - trial.m_cBall.m_fRadius * hit.m_vNorm).norm(), 2.0 * bound);
     ASSERT_LE(std::abs(static_cast<double>(oracle.DistanceOf(hit.m_vPOI, hit.m_fTime))), 2.0 * bound);
-    ASSERT_FALSE(hit.m_bOverlapped);
+    ASSERT_FALSE(hit.m_bOverlapped || hit.m_bBegins);
+    if (!c.m_bTurns) {
+      ASSERT_EQ(hit.m_ePart, PartOf(trial.m_cGeometry, hit, 2.0 * bound));
+    }
   }
   EXPECT_GT(hits, c.m_nTrials / 10);
   EXPECT_GT(misses, c.m_nTrials / 20);
@@ -281,45 +296,16 @@ TEST(Sweep, NewtonWouldMissWhatTheSafeStepFinds) {
   EXPECT_GT(missedByNewton, hits / 20);
 }
 
-constexpr int g_nPoints = 4000;
-
-// The figure as points, neighbours at most `apart` from each other.
-double NearestPoint(const CShapeGeometry<double>& f, double a0, double span, const CVec2d& p, double& apart) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= g_nPoints; ++i) {
-    const double t = static_cast<double>(i) / g_nPoints;
-    CVec2d q = f.m_vCenter;
-    if (f.m_eShapeType == eShape::LineSeg) q = f.m_vPt0 + t * (f.m_vPt1 - f.m_vPt0);
-    if (f.m_eShapeType == eShape::Circle || f.m_eShapeType == eShape::Arc)
-      q += f.m_fRadius * CVec2d(std::cos(a0 + t * span), std::sin(a0 + t * span));
-    least = std::min(least, Norm(CVec2d(p - q)));
-  }
-  apart = (f.m_eShapeType == eShape::LineSeg ? Norm(CVec2d(f.m_vPt1 - f.m_vPt0)) : f.m_fRadius * span) /
-          g_nPoints;
-  return least;
-}
-
-TEST(DistanceTest, IsThatOfTheNearestPoint) {
+TEST(DistanceTest, IsThatOfTheOracle) {
   CRandom random(17);
-  SCOPED_TRACE("seed " + std::to_string(random.GetSeed()));
-  for (int i = 0; i < 400; ++i) {
-    const Vector2 c = random.InSquare(1), a = random.InSquare(1), b = random.InSquare(1);
-    const float r = random.Uniform(0.01f, 1), a0 = random.Uniform(0, 6.28f), a1 = random.Uniform(0, 6.28f);
-    const CVec2d p = ToDouble(random.InSquare(2));
-    const auto expect = [&](const CAnyShapeDesc& desc, double from, double span) {
-      const CShapeGeometry<double> f = MakeShapeGeometry(desc);
-      double apart = 0;
-      const double nearest = NearestPoint(f, from, span, p, apart);
-      EXPECT_LE(Distance(f, p), nearest + 1e-6); // the points are those of the angles in float
-      EXPECT_GE(Distance(f, p), nearest - apart - 1e-6);
-    };
-    expect(CPointDesc(c), 0, 0);
-    expect(CLineSegDesc(a, b), 0, 0);
-    expect(CCircleDesc(c, r), 0, 2 * std::numbers::pi);
-    double span = static_cast<double>(a1) - static_cast<double>(a0);
-    if (span < 0) span += 2 * std::numbers::pi;
-    expect(CArcDesc(c, r, a0, a1), static_cast<double>(a0), span);
-  }
+  for (const eShape type : {eShape::Point, eShape::LineSeg, eShape::Circle, eShape::Arc})
+    for (int i = 0; i < 400; ++i) {
+      SCOPED_TRACE("seed 17 trial " + std::to_string(i));
+      const CShapeGeometry<double> f = RandomFigure(random, type, false);
+      const CVec2d p = InSquare(random, 2.0);
+      const real distance = CSweepOracle(f, {}, {p, {0, 0}, 0}, 0).Gap(0);
+      EXPECT_NEAR(Distance(f, p), static_cast<double>(distance), 32.0 * g_fEps);
+    }
 }
 
 TEST(DistanceTest, OfSpecialPlaces) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
+// What accuracy costs, and where balls tunnel.
 #include "metrics/WorkPrecision.h"
+#include "MadeScenes.h"
+#include "SampleReport.h"
+#include "metrics/Cost.h"
+#include "metrics/HeatMap.h"
+#include "metrics/Statistics.h"
 
 #include <set>
 
-#include "MadeScenes.h"
-
-namespace Shapes::Compare {
+namespace Shapes::Compare::Tests {
 namespace {
 
 CSetting MakeSetting(const std::string& engine, unsigned substeps, double ns, std::optional<double> error,
@@ -98,7 +102,7 @@ TEST(WorkPrecision, SmallErrorsAloneDoNotMakeASettingGood) { // it loses every s
 TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
   const CScene scene = LoadScene(SHAPES_SCENES_DIR "/head_on_wall.json");
   std::vector<CEngine> ladder = GetEngines();
-  ladder.push_back(ladder[Tests::g_nApproximate]);
+  ladder.push_back(ladder[g_nApproximate]);
   ladder.back().m_nSubsteps = 8;
   CParameterSweepOptions options;
   options.m_nContacts = 300;
@@ -115,8 +119,7 @@ TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
   const CWorkPrecision work = MeasureWorkPrecision(scene, ladder, options);
   EXPECT_EQ(last, 1.0);
   ASSERT_EQ(work.m_stdSettings.size(), 6u);
-  const CSetting &one = work.m_stdSettings[Tests::g_nApproximate],
-                 &box2d = work.m_stdSettings[Tests::g_nBox2D];
+  const CSetting &one = work.m_stdSettings[g_nApproximate], &box2d = work.m_stdSettings[g_nBox2D];
   const CSetting &eight = work.m_stdSettings[4], &exact = work.m_stdSettings[5];
   EXPECT_GT(one.m_nTunneled, one.m_nContacts / 3);
   EXPECT_EQ(eight.m_nTunneled, 0u);
@@ -133,5 +136,96 @@ TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
   EXPECT_EQ(work.m_stdRecommendations.size(), 3u);
 }
 
+TEST(CostTest, TimePerContactIsThatOfThePlayBetween) {
+  CCost cost;
+  cost.m_cNsPerBallStep = {50.0, {45.0, 55.0}};
+  cost.m_nBallSteps = 6000;
+  EXPECT_FALSE(cost.GetNsPerContact().has_value());
+  cost.m_nContacts = 60;
+  EXPECT_EQ(cost.GetNsPerContact(), 5000.0);
+}
+
+TEST(CostTest, CostsAreComparedRepeatByRepeat) {
+  // The machine is ten times as slow in half of the repeats: the times overlap, their ratios do not.
+  CCost a, b;
+  for (int i = 0; i < 12; ++i) {
+    const double slow = i % 2 == 0 ? 1.0 : 10.0;
+    a.m_stdRepeats.push_back(50.0 * slow);
+    b.m_stdRepeats.push_back((100.0 + i) * slow);
+  }
+  const CMedian ratio = CompareCosts(a, b);
+  EXPECT_NEAR(ratio.m_fMedian, 50.0 / 105.0, 0.01);
+  EXPECT_LT(ratio.m_cInterval.m_fHigh, 0.5);
+  const CInterval ia = MedianWithInterval(a.m_stdRepeats).m_cInterval,
+                  ib = MedianWithInterval(b.m_stdRepeats).m_cInterval;
+  EXPECT_TRUE(ia.m_fLow < ib.m_fHigh && ib.m_fLow < ia.m_fHigh); // the control
+}
+
+TEST(CostTest, EnginesAndTheReferenceTakeTurnsOnTheSameStarts) {
+  const CScene scene = LoadBundled("disc_in_square");
+  std::vector<CEngine> engines = GetEngines();
+  engines.push_back({g_sExact, nullptr});
+  std::vector<double> progress;
+  const std::vector<CCost> costs =
+      MeasureCost(scene, engines, 7, 3, 600, [&](double done) { progress.push_back(done); });
+  ASSERT_EQ(costs.size(), 5u);
+  for (const CCost& cost : costs) {
+    EXPECT_GT(cost.m_cNsPerBallStep.m_fMedian, 0.0);
+    EXPECT_GE(cost.m_nBallSteps, 3u * 600u);
+    EXPECT_EQ(cost.m_nEscaped + cost.m_nNotFinite, 0u);
+    // The disc and the walls are met again and again, about as often by each.
+    EXPECT_GT(cost.m_nContacts, 50u);
+    EXPECT_NEAR(static_cast<double>(cost.m_nContacts), static_cast<double>(costs[0].m_nContacts),
+                0.3 * static_cast<double>(costs[0].m_nContacts));
+  }
+  ASSERT_EQ(progress.size(), 15u);
+  EXPECT_NEAR(progress[0], 1.0 / 15.0, 1e-12);
+  EXPECT_NEAR(progress[14], 1.0, 1e-12);
+}
+
+TEST(CostTest, WithoutAnythingToMeetThereIsNoTimePerContact) { // the control of the one above
+  CScene scene = LoadBundled("disc_in_square");
+  scene.m_stdShapes.clear();
+  const std::vector<CCost> costs = MeasureCost(scene, GetEngines(), 7, 2, 600);
+  for (const CCost& cost : costs) {
+    EXPECT_EQ(cost.m_nContacts, 0u);
+    EXPECT_FALSE(cost.GetNsPerContact().has_value());
+  }
+}
+
+TEST(CostTest, WhatTheProgressThrowsEndsIt) {
+  struct CStop {};
+  EXPECT_THROW(MeasureCost(LoadBundled("bowl"), GetEngines(), 7, 3, 100, [](double) { throw CStop(); }),
+               CStop);
+}
+
+void Ignore(double) {}
+
+TEST(HeatMap, HeadOnEachCellHoldsTheFormula) { // tunneled max(0, 1 - r / (v dt))
+  const CHeatMap map = MeasureHeatMap(LoadBundled("head_on_wall"), GetEngines(), 3, 400, Ignore);
+  EXPECT_NEAR(map.m_fTravel, 2.0, 1e-6);
+  ASSERT_EQ(map.m_stdCells.size(), map.m_stdSpeeds.size() * map.m_stdSizes.size());
+  std::size_t told = 0;
+  for (std::size_t i = 0; i < map.m_stdCells.size(); ++i) {
+    const double speed = map.m_stdSpeeds[i % map.m_stdSpeeds.size()];
+    const double size = map.m_stdSizes[i / map.m_stdSpeeds.size()];
+    SCOPED_TRACE("speed " + std::to_string(speed) + ", size " + std::to_string(size));
+    const CHeatCell& cell = map.m_stdCells[i];
+    ASSERT_EQ(cell.m_nContacts, 400u);
+    const double rate = std::max(0.0, 1.0 - size / (map.m_fTravel * speed));
+    EXPECT_TRUE(Holds(cell.m_stdTunneled[g_nApproximate], 400, rate))
+        << cell.m_stdTunneled[g_nApproximate] << " not " << 400 * rate;
+    // The control: with the size of another row the formula does not hold.
+    if (rate > 0.2 && rate < 0.8)
+      told += !Holds(cell.m_stdTunneled[g_nApproximate], 400, std::max(0.0, 2 * rate - 1));
+  }
+  EXPECT_GT(told, 3u);
+}
+
+TEST(HeatMap, OnlyScenesWithOneBallThatMovesHaveOne) {
+  EXPECT_TRUE(MeasureHeatMap(LoadBundled("ball_on_ball"), GetEngines(), 3, 10, Ignore).m_stdCells.empty());
+  EXPECT_TRUE(MeasureHeatMap(LoadBundled("elastic_drop"), GetEngines(), 3, 10, Ignore).m_stdCells.empty());
+}
+
 } // namespace
-} // namespace Shapes::Compare
+} // namespace Shapes::Compare::Tests

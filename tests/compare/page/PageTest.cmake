@@ -5,7 +5,7 @@ find_program(SHAPES_CHROMIUM NAMES chromium-headless-shell chromium chromium-bro
 if(SHAPES_CHROMIUM)
   add_executable(shapes-page-tests ${CMAKE_CURRENT_LIST_DIR}/../ReportPageTest.cpp
                                    ${CMAKE_CURRENT_LIST_DIR}/PageDocuments.cpp)
-  target_include_directories(shapes-page-tests PRIVATE ${CMAKE_CURRENT_LIST_DIR}/..)
+  target_include_directories(shapes-page-tests PRIVATE ${CMAKE_CURRENT_LIST_DIR}/.. ${CMAKE_CURRENT_LIST_DIR}/../..)
   target_link_libraries(shapes-page-tests PRIVATE shapes-compare-parts shapes_flags GTest::gtest_main
                                                   nlohmann_json::nlohmann_json)
   target_compile_definitions(shapes-page-tests PRIVATE SHAPES_CHROMIUM="${SHAPES_CHROMIUM}"
