@@ -2,15 +2,10 @@
 // Random values at the borders of what the interface takes, and of what Box2D bears.
 #pragma once
 
-#include <Shapes/Shapes.h>
+#include "Box2DTesting.h"
+#include "box2d_backend/world/Tuning.h"
 
 #include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
-
-#include "Random.h"
-#include "box2d_backend/world/Tuning.h"
 
 namespace Shapes::Box2D {
 
@@ -50,16 +45,16 @@ public:
   }
 
   float Elasticity() {
-    return Often(1.0f, {0.0f, 1e-45f, 0.5f, 2.0f, 1e3f, g_fMaxElasticity, 2e6f, -1.0f, g_fNaN});
+    return Often(1.0f, {0.0f, 1e-45f, 0.5f, 2.0f, 1e3f, g_fMaxElasticity, 2e6f, -1.0f, g_fNan});
   }
 
   float RotSpeed() {
-    const float f = Often(1.0f, {0.0f, 1e-45f, 1e-20f, 30.0f, 1e4f, g_fMaxRotSpeed, 2e9f, g_fNaN});
+    const float f = Often(1.0f, {0.0f, 1e-45f, 1e-20f, 30.0f, 1e4f, g_fMaxRotSpeed, 2e9f, g_fNan});
     return m_cRandom.Coin() ? f : -f;
   }
 
   float Angle() {
-    if (m_cRandom.Below(64) == 0) return m_cRandom.Coin() ? g_fNaN : 1e38f;
+    if (m_cRandom.Below(64) == 0) return m_cRandom.Coin() ? g_fNan : 1e38f;
     const float quarter = 0.5f * g_fPi * static_cast<float>(m_cRandom.Below(5));
     return quarter + (m_cRandom.Coin() ? 0.0f : m_cRandom.SignedScale(-40, 1));
   }
@@ -93,7 +88,7 @@ public:
     // Rarely huge: where the digits of a float are used up Box2D looks long for a time of impact.
     if (r > 100.0f * m_fUnit && m_cRandom.Below(8) > 0) r = 0.0f;
     const float e = Elasticity();
-    const float m = Often(1.0f, {g_fMinBox2DMass, 1e-6f, 1e6f, g_fMaxBox2DMass, 0.0f, 2e12f, g_fNaN});
+    const float m = Often(1.0f, {g_fMinBox2DMass, 1e-6f, 1e6f, g_fMaxBox2DMass, 0.0f, 2e12f, g_fNan});
     CDynamicCircleDesc desc(p, r, v, m, e);
     desc.m_bIsSensor = m_cRandom.Below(12) == 0;
     return desc;
@@ -133,9 +128,6 @@ public:
   }
 
 private:
-  static constexpr float g_fNaN = std::numeric_limits<float>::quiet_NaN();
-  static constexpr float g_fInf = std::numeric_limits<float>::infinity();
-
   template <std::size_t N>
   float Often(float usual, const float (&borders)[N]) {
     if (m_cRandom.Coin()) return usual;
@@ -170,7 +162,7 @@ private:
   Vector2 Wild(float most) {
     const float f = Near(most * m_fUnit), share = m_cRandom.Coin() ? 1.0f : 0.5f;
     Vector2 v = share * f * Unit();
-    if (m_cRandom.Below(4) == 0) v.x() = m_cRandom.Coin() ? g_fNaN : -g_fInf;
+    if (m_cRandom.Below(4) == 0) v.x() = m_cRandom.Coin() ? g_fNan : -g_fInf;
     return v;
   }
 

@@ -5,15 +5,7 @@
 
 #include "box2d_backend/contact/ExactContact.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <optional>
-#include <utility>
-
-#include "Random.h"
-#include "box2d_backend/TunedExact.h"
+#include "TunedExact.h"
 
 namespace Shapes::Tests {
 

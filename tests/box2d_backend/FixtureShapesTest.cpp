@@ -3,21 +3,9 @@
 // where it belongs.
 #include "box2d_backend/world/FixtureShapes.h"
 
-#include "Tolerances.h"
-#include <Shapes/Arc.h>
-#include <Shapes/Circle.h>
-#include <Shapes/LineSeg.h>
-#include <Shapes/Point.h>
+#include "Box2DTesting.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cfenv>
-#include <cmath>
-#include <utility>
-
-#include "../Numbers.h"
-#include "geometry/Cases.h"
 
 namespace Shapes::Box2D {
 namespace {

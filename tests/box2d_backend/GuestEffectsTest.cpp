@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Effects of a world in a game's b2World: some are the game's, and the world says what is true.
-#include "../Descs.h"
-#include "box2d_backend/GuestTesting.h"
-
-#include <gtest/gtest.h>
+#include "GuestTesting.h"
 
 namespace Shapes::Tests {
 namespace {
 
-class CGuestEffects : public testing::TestWithParam<eProfile> {
+class CGuestEffects : public CEveryProfile {
 protected:
   CWorld& Join(const CEffectChoice& choice = g_cAutomatic) {
     CWorldDesc desc;
@@ -26,10 +23,7 @@ protected:
   b2World m_cGame{{0, 0}};
   std::unique_ptr<CBox2DWorld> m_pGuest;
 };
-INSTANTIATE_TEST_SUITE_P(, CGuestEffects, testing::Values(eProfile::Shipped, eProfile::Tuned),
-                         [](const auto& test) {
-                           return test.param == eProfile::Tuned ? "tuned" : "shipped";
-                         });
+SHAPES_ON_EVERY_PROFILE(CGuestEffects);
 
 TEST_P(CGuestEffects, GravityIsThatOfTheGame) {
   CWorld& world = Join();
@@ -218,7 +212,6 @@ TEST_P(CGuestEffects, AShapeThatTurnsMayBeLostInTheMiddleOfAStep) {
 }
 
 TEST_P(CGuestEffects, BulletsAreThereForPairsOnly) {
-  const bool tuned = GetParam() == eProfile::Tuned;
   for (const bool forbidden : {false, true}) {
     CWorld& world = Join(forbidden ? CEffectChoice{{}, {eEffect::BallPairs}} : g_cAutomatic);
     int mine = 0;
@@ -228,7 +221,7 @@ TEST_P(CGuestEffects, BulletsAreThereForPairsOnly) {
     EXPECT_FALSE(pBody->IsBullet());
     const CShapeId other = world.Add(CDynamicCircleDesc({1, 0}, 0.1f));
     Steps(1);
-    EXPECT_EQ(pBody->IsBullet(), tuned && !forbidden);
+    EXPECT_EQ(pBody->IsBullet(), IsTuned() && !forbidden);
     world.Remove(other);
     Steps(1);
     EXPECT_FALSE(pBody->IsBullet());

@@ -3,8 +3,6 @@
 // What goes wrong here is memory that is used after its end: run it under the address sanitizer, too.
 #include "GuestTesting.h"
 
-#include <gtest/gtest.h>
-
 namespace Shapes::Tests {
 namespace {
 

@@ -2,10 +2,6 @@
 // What cannot be done with Shapes in a game's b2World, or not now, and that nothing has changed then.
 #include "GuestTesting.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 namespace Shapes::Tests {
 namespace {
 

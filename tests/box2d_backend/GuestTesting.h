@@ -2,19 +2,7 @@
 // A small game with a b2World of its own, for tests of Shapes in it.
 #pragma once
 
-#include "../Numbers.h"
-
-#include <Shapes/Box2D.h>
-#include <Shapes/Shapes.h>
-
-#include <box2d/box2d.h>
-
-#include <functional>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
+#include "Box2DTesting.h"
 
 namespace Shapes::Tests {
 

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Shapes in a game's own b2World: what they do there, and what the game sees of them.
-#include "../Descs.h"
 #include "GuestTesting.h"
-
-#include "Random.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace Shapes::Tests {
 namespace {
 
-class CGuest : public testing::TestWithParam<eProfile> {
+class CGuest : public CEveryProfile {
 protected:
-  bool IsTuned() const { return GetParam() == eProfile::Tuned; }
   /// Puts Shapes into the game; after the game's own bodies or before them.
   CWorld& Join(float unit = 1.0f) {
     m_pGuest = MakeGuest(m_cGame, GetParam(), unit);
@@ -29,10 +19,7 @@ protected:
   std::unique_ptr<CBox2DWorld> m_pGuest;
 };
 
-std::string ProfileName(const testing::TestParamInfo<eProfile>& profile) {
-  return profile.param == eProfile::Tuned ? "tuned" : "shipped";
-}
-INSTANTIATE_TEST_SUITE_P(, CGuest, testing::Values(eProfile::Shipped, eProfile::Tuned), ProfileName);
+SHAPES_ON_EVERY_PROFILE(CGuest);
 
 CLineSegDesc Flipper(const Vector2& p0, const Vector2& p1, float revsPerSecond) {
   CLineSegDesc desc(p0, p1);

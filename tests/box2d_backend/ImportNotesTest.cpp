@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a game's b2World has and a scene has not is said, in so many words.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <set>
-#include <string>
-#include <tuple>
-#include <vector>
-
-#include "../Random.h"
 #include "ImportTesting.h"
+
+#include <set>
+#include <tuple>
 
 namespace Shapes {
 namespace {

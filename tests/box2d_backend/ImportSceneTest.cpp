@@ -1,16 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A game's b2World as a scene: the same shapes in the same places, and the same bounces.
-#include <Shapes/Shapes.h>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <ostream>
-
-#include "../Numbers.h"
-#include "../Steps.h"
 #include "ImportTesting.h"
 
 namespace Shapes {

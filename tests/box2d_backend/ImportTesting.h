@@ -2,15 +2,9 @@
 // Worlds of games, for the tests of what becomes of them.
 #pragma once
 
-#include <Shapes/Box2D.h>
+#include "Box2DTesting.h"
 
-#include <box2d/box2d.h>
-
-#include <algorithm>
-#include <string>
-#include <utility>
 #include <variant>
-#include <vector>
 
 namespace Shapes {
 

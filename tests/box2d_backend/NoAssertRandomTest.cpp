@@ -3,22 +3,15 @@
 // passes through the interface may reach them. SHAPES_TEST_SECONDS=600 goes on for so long,
 // SHAPES_TEST_SEED=7 begins elsewhere.
 #include "Borders.h"
-
-#include <Shapes/Shapes.h>
-
-#include <gtest/gtest.h>
-
+#include "Box2DTesting.h"
 #include "contract/Backends.h"
 #include "traps/Traps.h"
 
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
-#include <stdexcept>
-#include <string>
 
 namespace Shapes::Box2D {
 namespace {
@@ -157,19 +150,16 @@ private:
   CSavedState m_cSaved;
 };
 
-class CNoAssertRandom : public testing::TestWithParam<eProfile> {
+class CNoAssertRandom : public Tests::CEveryProfile {
   // What Box2D computes within, at the limits, may be infinite: not what comes out of it.
   const CWithoutTraps m_cInBox2D;
 };
-INSTANTIATE_TEST_SUITE_P(, CNoAssertRandom, testing::Values(eProfile::Shipped, eProfile::Tuned),
-                         [](const auto& param) {
-                           return param.param == eProfile::Tuned ? "Tuned" : "Shipped";
-                         });
+SHAPES_ON_EVERY_PROFILE(CNoAssertRandom);
 
 TEST_P(CNoAssertRandom, WorldsAtTheBordersNeitherAbortNorLoseTheirNumbers) {
   const char *pSeconds = std::getenv("SHAPES_TEST_SECONDS"), *pSeed = std::getenv("SHAPES_TEST_SEED");
   const double seconds = pSeconds != nullptr ? std::atof(pSeconds) : 0.0;
-  const int first = pSeed != nullptr ? std::atoi(pSeed) : 1, n = GetParam() == eProfile::Tuned ? 180 : 400;
+  const int first = pSeed != nullptr ? std::atoi(pSeed) : 1, n = IsTuned() ? 180 : 400;
   const auto previous = std::signal(SIGABRT, TellSeed);
   const auto now = [] { return std::chrono::steady_clock::now(); };
   const auto start = now();

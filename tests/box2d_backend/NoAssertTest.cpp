@@ -1,30 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Box2D ends the process where it asserts, and Debian's library keeps its asserts. What is at the border of
 // what it bears is stepped, in both profiles, and everything stays a number; what is beyond is refused.
-#include "../Descs.h"
-#include "../Numbers.h"
-
-#include "Tolerances.h"
-
-#include <Shapes/Shapes.h>
-
-#include <box2d/box2d.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <stdexcept>
-#include <vector>
-
+#include "Box2DTesting.h"
 #include "box2d_backend/world/Tuning.h"
 #include "traps/Traps.h"
 
 namespace Shapes::Box2D {
 namespace {
 
-constexpr float g_fNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float g_fDenormal = std::numeric_limits<float>::denorm_min();
 
 float Above(float f) { return std::nextafter(f, g_fInf); }
@@ -37,11 +20,11 @@ TEST(NoAssertDeathTest, Box2DEndsTheProcess) {
   EXPECT_DEATH(chain.CreateChain(close, 3, {-1, 0}, {2, 0}), "Assertion");
   b2World world({0, 0});
   b2BodyDef def;
-  def.position.Set(g_fNaN, 0);
+  def.position.Set(g_fNan, 0);
   EXPECT_DEATH(world.CreateBody(&def), "Assertion");
 }
 
-class CNoAssert : public testing::TestWithParam<eProfile> {
+class CNoAssert : public Tests::CEveryProfile {
 protected:
   // What Box2D computes within, at the limits, may be infinite: not what comes out of it.
   const CWithoutTraps m_cInBox2D;
@@ -79,10 +62,7 @@ protected:
   CWorldDesc m_cDesc;
   std::unique_ptr<CWorld> m_pWorld;
 };
-INSTANTIATE_TEST_SUITE_P(, CNoAssert, testing::Values(eProfile::Shipped, eProfile::Tuned),
-                         [](const auto& param) {
-                           return param.param == eProfile::Tuned ? "Tuned" : "Shipped";
-                         });
+SHAPES_ON_EVERY_PROFILE(CNoAssert);
 
 TEST_P(CNoAssert, SegmentsOfAnyLength) {
   for (const float metres : {0.0f, g_fDenormal, 1e-30f, 0.004f, Below(b2_linearSlop), b2_linearSlop,
@@ -230,7 +210,7 @@ TEST_P(CNoAssert, BumpersThatHoldABallFastTakeNoMoreThanTheMostCuts) {
   m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.06f, {1, 0}, 1, g_fMaxElasticity));
   Step(1);
   EXPECT_LE(m_pWorld->GetStats().m_nEngineSteps, g_nMaxAdaptiveSubsteps);
-  EXPECT_EQ(m_pWorld->GetStats().m_nEngineSteps > 1, GetParam() == eProfile::Tuned);
+  EXPECT_EQ(m_pWorld->GetStats().m_nEngineSteps > 1, IsTuned());
 }
 
 TEST_P(CNoAssert, ABumpedBallGoesNoFartherThanBox2DMovesIt) {

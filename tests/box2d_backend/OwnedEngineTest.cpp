@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What is particular to a world on Box2D: its scale, its limits, what stands for shapes in it, and what was
-// changed of the way Box2D ships.
-#include "../Descs.h"
-#include "../Numbers.h"
-#include "../Steps.h"
+// What is particular to a world on Box2D: its scale, its limits, what stands for shapes in it, what was
+// changed of the way Box2D ships, and what runs of it.
+#include "Box2DTesting.h"
 
-#include <Shapes/Shapes.h>
-
-#include <box2d/box2d.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <memory>
-#include <vector>
-
-namespace Shapes {
+namespace Shapes::Tests {
 namespace {
 
-std::unique_ptr<CWorld> Make(const Vector2& gravity = Vector2::Zero(), float unit = 1.0f) {
-  CWorldDesc desc;
-  desc.m_vGravity = gravity;
-  desc.m_fTimeStep = g_fDt;
-  desc.m_cBox2D.m_fLengthUnit = unit;
-  return GetBackend(eBackend::Box2D)->MakeWorld(desc);
+std::unique_ptr<CWorld> Make(const Vector2& gravity = Vector2::Zero(), float unit = 1.0f,
+                             const CEffectChoice& choice = g_cAutomatic) {
+  return MakeBox2D(eProfile::Shipped, gravity, g_fDt, choice, unit);
 }
 
 /// Puts the ball at p with velocity v, makes n steps and gives its velocity.
@@ -178,10 +164,7 @@ TEST(OwnedWorldTest, ABallThatTouchesTwoChordsOfAnArcHasOneContact) {
 
 TEST(OwnedWorldTest, ABallStaysInABowlOfAnArc) {
   for (const CEffectChoice& choice : {g_cAutomatic, g_cApproximate}) {
-    CWorldDesc desc;
-    desc.m_vGravity = {0, -10};
-    desc.m_cEffects = choice;
-    auto pWorld = GetBackend(eBackend::Box2D)->MakeWorld(desc);
+    auto pWorld = Make({0, -10}, 1, choice);
     pWorld->Add(CArcDesc({0, 0}, 2, 0, 0));
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.7f, 0}, 0.1f, {3, 1}, 1, 0.9f));
     // 3 slops and a bit; where Continuous does not run, the way of a substep at its fastest is added.
@@ -192,15 +175,6 @@ TEST(OwnedWorldTest, ABallStaysInABowlOfAnArc) {
       ASSERT_LE(pWorld->GetPos(ball).norm(), 1.9f + beyond) << "after step " << i;
     }
   }
-}
-
-TEST(OwnedWorldTest, ElasticityOfTwoBallsIsTheProductAndNotTheLarger) {
-  auto pWorld = Make();
-  const CShapeId a = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, {2, 0}, 1, 0.5f));
-  const CShapeId b = pWorld->Add(CDynamicCircleDesc({0.5f, 0}, 0.1f));
-  Steps(*pWorld, 30);
-  EXPECT_NEAR(pWorld->GetVel(a).x(), 0.5f, 1e-4f);
-  EXPECT_NEAR(pWorld->GetVel(b).x(), 1.5f, 1e-4f);
 }
 
 TEST(OwnedWorldTest, AThrownBallDoesNotTurnOrRub) { // Box2D ships with friction .2
@@ -221,34 +195,6 @@ TEST(OwnedWorldTest, ABallThatRestsDoesNotSleep) {
   pWorld->Remove(floor);
   Steps(*pWorld, 60);
   EXPECT_NEAR(pWorld->GetVel(ball).y(), -10, 1e-3f);
-}
-
-std::size_t StepAndCountSensorHits(CWorld& world) {
-  world.Step();
-  std::size_t n = 0;
-  for (const CContactEvent& event : world.GetContacts())
-    n += event.m_bIsSensor;
-  return n;
-}
-
-TEST(OwnedWorldTest, WhatBecomesASensorInTouchIsSeenAtOnceUntilItIsSolidAgain) {
-  for (const bool theBall : {false, true}) { // either of them may be the sensor
-    auto pWorld = Make();
-    const CShapeId zone = pWorld->Add(CCircleDesc({0, 0}, 1));
-    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.95f}, 0.1f)), other = theBall ? ball : zone;
-    EXPECT_EQ(StepAndCountSensorHits(*pWorld), 0u);
-    EXPECT_EQ(pWorld->GetStats().m_nContacts, 1u);
-    pWorld->SetPos(ball, {0, 0.95f});
-    pWorld->SetSensor(other, true);
-    EXPECT_EQ(StepAndCountSensorHits(*pWorld), 1u);
-    EXPECT_EQ(StepAndCountSensorHits(*pWorld), 1u); // for as long as they touch
-    EXPECT_EQ(pWorld->GetStats().m_nContacts, 1u);
-    pWorld->SetSensor(other, false);
-    EXPECT_EQ(StepAndCountSensorHits(*pWorld), 0u);
-    EXPECT_EQ(pWorld->GetStats().m_nContacts, 2u);
-    pWorld->SetPos(ball, {5, 5});
-    EXPECT_EQ(StepAndCountSensorHits(*pWorld), 0u);
-  }
 }
 
 TEST(OwnedWorldTest, AShapeAddedDuringTheRunIsMet) {
@@ -290,9 +236,7 @@ TEST(OwnedWorldTest, AKinematicShapeIsMetWhereItWasPut) {
 
 // Without a listener restitutions are those of the fixtures, which a shape in another place has anew.
 TEST(OwnedWorldTest, AShapeThatWasMovedKeepsItsElasticity) {
-  CWorldDesc desc;
-  desc.m_cEffects.m_cForbidden = {eEffect::Events};
-  const auto pWorld = GetBackend(eBackend::Box2D)->MakeWorld(desc);
+  const auto pWorld = Make({0, 0}, 1, {{}, {eEffect::Events}});
   const CShapeId wall = pWorld->Add(CLineSegDesc({0, -1}, {0, 1}, 1.0f));
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-1, 0}, 0.1f, {1, 0}, 1.0f, 0.5f));
   pWorld->Add(CDynamicCircleDesc({-1, 5}, 0.1f, {0, 0}, 1.0f, 0.5f));
@@ -315,21 +259,102 @@ TEST(OwnedWorldTest, ATurningShapeIsMetWhereTheLibrarySaysItIs) {
   EXPECT_EQ(Throw(*pWorld, ball, {0.5f, 0.5f}, {0, -4}).y(), -4); // where it lay at first nothing is
 }
 
-TEST(OwnedWorldTest, ShapesTooShortForAnEdgeStillStopABall) {
-  // Box2D would stop the program if it were given them as they are.
-  const std::vector<CAnyShapeDesc> shorts{CLineSegDesc({-0.002f, 0}, {0.002f, 0}),
-                                          CLineSegDesc({0, 0}, {0, 0}), CArcDesc({0, -0.002f}, 0.002f, 1, 2),
-                                          CArcDesc({0, -0.001f}, 0.001f, 0, 0), CArcDesc({0, 0}, 0, 1, 2)};
-  for (std::size_t i = 0; i < shorts.size(); ++i) {
-    SCOPED_TRACE(i);
-    auto pWorld = Make();
-    const CShapeId shape = pWorld->Add(shorts[i]);
-    const CShapeId ball = AddBall(*pWorld);
-    EXPECT_NEAR(Throw(*pWorld, ball, {0, 0.5f}, {0, -4}).y(), 4, 0.01f);
-    pWorld->Remove(shape); // the control
-    EXPECT_EQ(Throw(*pWorld, ball, {0, 0.5f}, {0, -4}).y(), -4);
+// Effects: what runs of Box2D.
+
+/// Whether a ball that is thrown at a wall gets through it, and the steps in which Continuous ran.
+struct CThrow {
+  bool m_bIsThrough;
+  std::uint64_t m_nContinuous;
+};
+CThrow Throw(eProfile profile, const CEffectChoice& choice, float speed, float kick = 0) {
+  auto pWorld = MakeBox2D(profile, {kick, 0}, g_fDt, choice);
+  pWorld->Add(CLineSegDesc({0, -1}, {0, 1}));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-1, 0}, 0.1f, {speed, 0}));
+  const int n = kick > 0 ? 1 : speed > 50 ? 2 : 30; // without a wall it would be well behind it then
+  Steps(*pWorld, n);
+  return {pWorld->GetPos(ball).x() > 0, pWorld->GetStats().GetSubstepsWith(eEffect::Continuous)};
+}
+
+TEST(OwnedEffectsTest, AFastBallGetsThroughNoWallUnlessContinuousIsForbidden) {
+  for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned}) {
+    SCOPED_TRACE(profile == eProfile::Tuned ? "tuned" : "shipped");
+    EXPECT_FALSE(Throw(profile, g_cAutomatic, 70).m_bIsThrough);
+    EXPECT_EQ(Throw(profile, g_cAutomatic, 70).m_nContinuous, 2u);
+    EXPECT_TRUE(Throw(profile, g_cApproximate, 70).m_bIsThrough);
+    EXPECT_EQ(Throw(profile, g_cApproximate, 70).m_nContinuous, 0u);
+    EXPECT_FALSE(Throw(profile, g_cContinuous, 70).m_bIsThrough);
+    EXPECT_FALSE(Throw(profile, g_cAutomatic, 2.999f).m_bIsThrough); // slow ones are swept, too
+    EXPECT_EQ(Throw(profile, g_cAutomatic, 2.999f).m_nContinuous, 30u);
+    EXPECT_EQ(Throw(profile, g_cApproximate, 2.999f).m_nContinuous, 0u);
+  }
+}
+
+TEST(OwnedEffectsTest, WhatGravityAddsInASubstepIsSwept) {
+  // Box2D moves the ball by its speed after the kick: 6,000 / 60 = 100, which is 1.67 in the first step.
+  const CThrow thrown = Throw(eProfile::Shipped, g_cAutomatic, 0, 6000);
+  EXPECT_EQ(thrown.m_nContinuous, 1u);
+  EXPECT_FALSE(thrown.m_bIsThrough);
+  EXPECT_TRUE(Throw(eProfile::Shipped, g_cApproximate, 0, 6000).m_bIsThrough);
+}
+
+TEST(OwnedEffectsTest, WhatStandsStillIsMetLikeAStaticShape) {
+  // Also where it did not always do so.
+  for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned}) {
+    std::vector<Vector2> paths[3];
+    for (const int k : {0, 1, 2}) {
+      auto pWorld = MakeBox2D(profile, {0, -10});
+      CArcDesc desc({0, -1}, 1, 0, g_fPi);
+      desc.m_eMotionType = k == 0 ? eMotion::Static : eMotion::Kinematic;
+      desc.m_vRotCenter = {0, -1};
+      const CShapeId arc = pWorld->Add(desc);
+      if (k == 2) {
+        pWorld->SetRotSpeed(arc, 1);
+        pWorld->Step();
+        pWorld->SetRotSpeed(arc, 0);
+        pWorld->Step();
+        pWorld->Reset(arc);
+      }
+      const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.2f, 0.4f}, 0.1f, {0, 0}, 1, 0.9f));
+      for (int i = 0; i < 100; ++i) {
+        pWorld->Step();
+        paths[k].push_back(pWorld->GetPos(ball));
+      }
+    }
+    EXPECT_EQ(paths[0], paths[1]);
+    EXPECT_EQ(paths[0], paths[2]);
+    EXPECT_GT(paths[0].back().x(), 0.5f); // it has been met
+  }
+}
+
+TEST(OwnedEffectsTest, ContactsCountWhereSomebodyHearsOfThem) {
+  for (const bool sensor : {true, false}) {
+    auto pWorld = Make({0, 0}, 1, {{}, {eEffect::Events}});
+    pWorld->Add(CLineSegDesc({0, -1}, {0, 1}));
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-0.5f, 0}, 0.1f, {2, 0}));
+    pWorld->Add(sensor ? MakeZone({5, 5}) : CCircleDesc({5, 5}, 1));
+    Steps(*pWorld, 20);
+    EXPECT_LT(pWorld->GetVel(ball).x(), 0);
+    EXPECT_EQ(pWorld->GetStats().m_nContacts > 0, sensor);
+  }
+}
+
+TEST(OwnedEffectsTest, SensorsSeeTheWayBackWithoutEvents) {
+  // To the wall and back within a substep: seen only if the world knows where the ball turned.
+  for (const bool wall : {true, false}) {
+    auto pWorld = Make({0, 0}, 1, {{}, {eEffect::Events}});
+    const CLineSegDesc desc({0, -1}, {0, 1});
+    pWorld->Add(wall ? desc : Sensor(desc));
+    const CShapeId id = pWorld->Add(Sensor(CLineSegDesc({-0.3f, -1}, {-0.3f, 1})));
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-0.6f, 0}, 0.1f, {60, 0}));
+    pWorld->Step();
+    EXPECT_EQ(pWorld->GetPos(ball).x() < -0.4f, wall); // 1 a step: .5 to the wall, .5 back
+    std::size_t seen = 0;
+    for (const CSensorEvent& event : pWorld->GetSensorEvents())
+      seen += event.m_cShape == id;
+    EXPECT_EQ(seen, 2u);
+    pWorld->Step();
   }
 }
 
 } // namespace
-} // namespace Shapes
+} // namespace Shapes::Tests

@@ -3,15 +3,7 @@
 // its skin begins.
 #include "box2d_backend/contact/PairSweep.h"
 
-#include <Shapes/Shapes.h>
-
-#include <box2d/box2d.h>
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "../Numbers.h"
-#include "geometry/Cases.h"
+#include "Box2DTesting.h"
 
 namespace Shapes::Box2D {
 namespace {

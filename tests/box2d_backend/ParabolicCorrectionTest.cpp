@@ -3,17 +3,7 @@
 // ways are moved by the test as Box2D moves them; only where a ball is in the end goes through its floats.
 #include "box2d_backend/contact/ParabolicCorrection.h"
 
-#include "Tolerances.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "../Numbers.h"
-#include "box2d_backend/TunedExact.h"
-#include "geometry/Cases.h"
+#include "TunedExact.h"
 
 namespace Shapes::Tests {
 namespace {

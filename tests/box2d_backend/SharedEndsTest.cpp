@@ -2,16 +2,7 @@
 // Which ends go on in another shape, and how.
 #include "box2d_backend/world/SharedEnds.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <memory>
-#include <utility>
-#include <vector>
-
-#include "../Numbers.h"
-#include "box2d_backend/TunedExact.h"
-#include "geometry/Cases.h"
+#include "TunedExact.h"
 
 namespace Shapes::Tests {
 namespace {

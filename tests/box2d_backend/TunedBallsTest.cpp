@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Balls of a tuned world that meet balls, are too small or too large for what they meet, or hit dozens of
 // times in a step.
-#include <gtest/gtest.h>
-
-#include "../Descs.h"
-#include "box2d_backend/TunedTesting.h"
+#include "TunedTesting.h"
 
 namespace Shapes::Tests {
 namespace {

@@ -3,19 +3,12 @@
 // against. Everything is met at the distance r; ends of segments and arcs are round.
 #pragma once
 
-#include <Shapes/World.h>
+#include "Box2DTesting.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
 #include <span>
 #include <variant>
-#include <vector>
 
 namespace Shapes::Tests {
-
-using Vector2d = Eigen::Vector2d;
 
 inline double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 inline Vector2d Perp(const Vector2d& a) { return {-a.y(), a.x()}; }

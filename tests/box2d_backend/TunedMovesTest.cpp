@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How far and how fast a tuned world moves balls and flippers: fast, slow, and up again after a drop.
-#include <box2d/box2d.h>
-#include <gtest/gtest.h>
-
-#include "../Descs.h"
-#include "box2d_backend/TunedTesting.h"
-#include "geometry/Cases.h"
+#include "TunedTesting.h"
 
 namespace Shapes::Tests {
 namespace {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Balls of a tuned world that roll, rest, pile up, and are pressed by walls.
-#include <gtest/gtest.h>
-
-#include "../Descs.h"
-#include "box2d_backend/TunedTesting.h"
+#include "TunedTesting.h"
 
 namespace Shapes::Tests {
 namespace {

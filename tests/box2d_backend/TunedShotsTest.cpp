@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where and how a tuned world bounces a ball off shapes that do not move: faces, arcs, their ends and where
 // they join, by shots whose exact way is known. Each has a control that the shipped profile fails.
-#include <gtest/gtest.h>
-
-#include "box2d_backend/TunedTesting.h"
+#include "TunedTesting.h"
 
 namespace Shapes::Tests {
 namespace {

@@ -3,19 +3,7 @@
 // resolution is known.
 #pragma once
 
-#include <Shapes/Shapes.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <optional>
-#include <utility>
-#include <vector>
-
-#include "../Numbers.h"
-#include "../Steps.h"
-#include "Random.h"
-#include "box2d_backend/TunedExact.h"
+#include "TunedExact.h"
 #include "box2d_backend/world/OwnedEngine.h"
 
 namespace Shapes::Tests {
@@ -24,16 +12,7 @@ inline constexpr double g_fDegree = std::numbers::pi / 180;
 /// How far from where it is a tuned world may take a surface to be, in metres.
 inline constexpr double g_fTunedOffset = 0.001;
 
-inline std::unique_ptr<CWorld> MakeBox2D(eProfile profile, const Vector2& gravity = Vector2::Zero(),
-                                         float dt = g_fDt) {
-  CWorldDesc desc;
-  desc.m_cBox2D.m_eProfile = profile;
-  desc.m_vGravity = gravity;
-  desc.m_fTimeStep = dt;
-  return GetBackend(eBackend::Box2D)->MakeWorld(desc);
-}
-
-/// One whose listener counts contacts if events are forced.
+/// A world whose listener counts contacts if events are forced.
 inline std::unique_ptr<CWorld> MakeBox2D(const Box2D::CTuning& tuning,
                                          const Vector2& gravity = Vector2::Zero(),
                                          const CEffects& forced = {}) {

@@ -2,12 +2,7 @@
 // What each switch of the tuned profile does: a world that has all of them, and one that lacks just this one.
 #include "box2d_backend/world/Tuning.h"
 
-#include "Tolerances.h"
-
-#include <gtest/gtest.h>
-
-#include "../Descs.h"
-#include "box2d_backend/TunedTesting.h"
+#include "TunedTesting.h"
 
 namespace Shapes::Tests {
 namespace {

@@ -122,11 +122,20 @@ TEST_P(CBadInputContract, SettersAreChecked) {
   ExpectRefused([&] { m_pWorld->SetRotSpeed(m_cFlipper, g_fInf); }, "m_fRotSpeed", "inf");
   ExpectRefused([&] { m_pWorld->SetRotCenter(m_cFlipper, {g_fNan, 0}); }, "m_vRotCenter", "nan");
   ExpectRefused([&] { m_pWorld->SetOrientation(m_cFlipper, g_fNan); }, "angle", "nan");
+  ExpectRefused([&] { m_pWorld->SetVel(m_cFlipper, {g_fNan, 0}); }, "m_vVel", "nan");
   ExpectRefused([&] { m_pWorld->SetGravity({0, g_fNan}); }, "m_vGravity", "nan");
+  // By shapes that have none.
+  const CShapeId fixed = m_pWorld->Add(CPointDesc({9, 9}));
+  EXPECT_EQ(m_pWorld->GetVel(fixed), Vector2(0, 0));
+  EXPECT_THROW(m_pWorld->SetVel(fixed, {1, 0}), std::invalid_argument);
+  EXPECT_THROW(m_pWorld->SetRotSpeed(fixed, 1), std::invalid_argument);
+  EXPECT_THROW(m_pWorld->SetRotSpeed(m_cBall, 1), std::invalid_argument);
+  EXPECT_THROW(m_pWorld->GetShape(m_cBall), std::invalid_argument);
 }
 
 TEST_P(CBadInputContract, UnknownIdsAreRefused) {
   const CShapeId unknown{77};
+  EXPECT_THROW(m_pWorld->Remove(CShapeId{}), std::invalid_argument);
   ExpectRefused([&] { m_pWorld->Remove(unknown); }, "id", "77");
   ExpectRefused([&] { m_pWorld->SetPos(unknown, {0, 0}); }, "id", "77");
   ExpectRefused([&] { m_pWorld->SetVel(unknown, {0, 0}); }, "id", "77");

@@ -72,27 +72,18 @@ TEST_P(CWorldContract, ElasticityIsTheProductAndTheTangentialPartStays) {
   EXPECT_NEAR(pWorld->GetVel(id).y(), 6.0f, 1e-4f);
 }
 
-TEST_P(CWorldContract, ASlowBallBouncesToo) { // Box2D ships with a threshold of 1 m/s below which balls stick
-  auto pWorld = Make();
-  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
-  const CShapeId id = pWorld->Add(CDynamicCircleDesc({0, 0.2f}, 0.1f, {0, -0.5f}));
-  Steps(*pWorld, 30);
-  EXPECT_NEAR(pWorld->GetVel(id).y(), 0.5f, 1e-4f);
-}
-
 TEST_P(CWorldContract, ContactsComeInTheConventionsOfTheLibrary) {
   // The wall is added after the ball and before it: neither may turn the normal around.
   for (const bool ballFirst : {true, false}) {
     auto pWorld = Make();
-    CShapeId ball, wall;
-    const CDynamicCircleDesc ballDesc({0, 0.25f}, 0.1f, {0, -6});
-    if (ballFirst) ball = pWorld->Add(ballDesc);
-    wall = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
-    if (!ballFirst) ball = pWorld->Add(ballDesc);
+    std::vector<CAnyShapeDesc> descs{CDynamicCircleDesc({0, 0.25f}, 0.1f, {0, -6}),
+                                     CLineSegDesc({-1, 0}, {1, 0})};
+    if (!ballFirst) std::swap(descs[0], descs[1]);
+    const CShapeId first = pWorld->Add(descs[0]), second = pWorld->Add(descs[1]);
     const std::vector<CContactEvent> seen = Impacts(*pWorld, 5);
     ASSERT_EQ(seen.size(), 1u);
-    EXPECT_EQ(seen[0].m_cShape, wall);
-    EXPECT_EQ(seen[0].m_cBall, ball);
+    EXPECT_EQ(seen[0].m_cShape, ballFirst ? second : first);
+    EXPECT_EQ(seen[0].m_cBall, ballFirst ? first : second);
     EXPECT_NEAR(seen[0].m_vNorm.y(), 1.0f, 1e-5f);
     EXPECT_NEAR(seen[0].m_vPOI.y(), 0.0f, Skin());
     EXPECT_NEAR(seen[0].m_fSpeed, 6.0f, 1e-4f);
@@ -115,39 +106,23 @@ TEST_P(CWorldContract, BallsMeetOnceWithTheNormalToTheFirst) {
   EXPECT_NEAR(pWorld->GetVel(b).x(), 0.0f, 1e-3f);
 }
 
-TEST_P(CWorldContract, AShapeThatIsTouchedBecomesASensorAndCeasesToBeOne) {
-  auto pWorld = Make({0, -10});
-  const CShapeId floor = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, 0));
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f));
-  const auto countSensed = [&](int steps) {
-    const auto contacts = Told(*pWorld, steps, &CWorld::GetContacts);
-    return std::count_if(contacts.begin(), contacts.end(), [](const auto& c) { return c.m_bIsSensor; });
-  };
-  EXPECT_EQ(countSensed(10), 0); // it lies on the floor
-  EXPECT_NEAR(pWorld->GetPos(ball).y(), 0.1f, Skin());
-  pWorld->SetSensor(floor, true);
-  EXPECT_GE(countSensed(3), 2);
-  pWorld->SetSensor(floor, false);
-  EXPECT_EQ(countSensed(20), 0);
-}
-
 TEST_P(CWorldContract, CollisionsAreSwitchedOffAndOn) {
   auto pWorld = Make();
   const CShapeId post = pWorld->Add(CPointDesc(Vector2(0, 0)));
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -2}));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f));
+  const auto expectAfter = [&](float v) {
+    pWorld->SetPos(ball, {0, 0.3f});
+    pWorld->SetVel(ball, {0, -2});
+    Steps(*pWorld, 20);
+    EXPECT_NEAR(pWorld->GetVel(ball).y(), v, v < 0 ? 1e-6f : 1e-4f);
+  };
   pWorld->SetCanCollide(post, false);
   EXPECT_FALSE(pWorld->GetCanCollide(post));
-  Steps(*pWorld, 20);
-  EXPECT_FLOAT_EQ(pWorld->GetVel(ball).y(), -2.0f);
+  expectAfter(-2);
   pWorld->SetCanCollide(post);
-  pWorld->SetPos(ball, {0, 0.3f});
-  Steps(*pWorld, 20);
-  EXPECT_NEAR(pWorld->GetVel(ball).y(), 2.0f, 1e-4f);
+  expectAfter(2);
   pWorld->SetCanCollide(ball, false);
-  pWorld->SetPos(ball, {0, 0.3f});
-  pWorld->SetVel(ball, {0, -2});
-  Steps(*pWorld, 20);
-  EXPECT_FLOAT_EQ(pWorld->GetVel(ball).y(), -2.0f);
+  expectAfter(-2);
 }
 
 TEST_P(CWorldContract, KinematicShapesTurnAboutAnyCentre) {
@@ -164,25 +139,6 @@ TEST_P(CWorldContract, KinematicShapesTurnAboutAnyCentre) {
   EXPECT_EQ(seg.GetEndPt0(), Vector2(1, 0));
   pWorld->SetOrientation(id, g_fPi);
   EXPECT_NEAR(seg.GetEndPt0().x(), -2.0f, 1e-5f);
-}
-
-TEST_P(CWorldContract, ACompoundTurnsAsOne) {
-  auto pWorld = Make();
-  const std::vector<CAnyShapeDesc> parts{CLineSegDesc({1, 0}, {2, 0}), CCircleDesc({2, 0}, 0.1f),
-                                         CPointDesc(Vector2(1, 0)), CArcDesc({1.5f, 0}, 0.2f, 0, 1)};
-  const auto ids = pWorld->AddCompound(parts, {1, 0}, 0.25f);
-  ASSERT_EQ(ids.size(), 4u);
-  Steps(*pWorld, 60);
-  EXPECT_NEAR((pWorld->GetPos(ids[1]) - Vector2(1, 1)).norm(), 0.0f, 1e-4f);
-  EXPECT_NEAR((pWorld->GetPos(ids[2]) - Vector2(1, 0)).norm(), 0.0f, 1e-4f);
-  EXPECT_NEAR((pWorld->GetPos(ids[3]) - Vector2(1, 0.5f)).norm(), 0.0f, 1e-4f);
-
-  std::vector<CAnyShapeDesc> bad = parts;
-  bad.push_back(CCircleDesc({0, 0}, -1));
-  EXPECT_THROW(pWorld->AddCompound(bad, {0, 0}), std::invalid_argument);
-  EXPECT_FALSE(pWorld->Contains({ids[3].m_nValue + 1})); // nothing was half added
-  bad.back() = CDynamicCircleDesc({0, 0}, 1);
-  EXPECT_THROW(pWorld->AddCompound(bad, {0, 0}), std::invalid_argument);
 }
 
 TEST_P(CWorldContract, ShapesAndBallsAreRemoved) {
@@ -291,14 +247,6 @@ TEST_P(CWorldContract, ABallThatSleptAndWasThrownByAnotherWorldFallsWhereItWasLe
   }
 }
 
-TEST_P(CWorldContract, TheSameRunTwiceHasTheSameBits) {
-  auto pWorld = MakeBusyWorld(Backend());
-  auto pOther = MakeBusyWorld(Backend());
-  Steps(*pWorld, 500);
-  Steps(*pOther, 500);
-  ExpectSameBits(*pWorld, *pOther);
-}
-
 TEST_P(CWorldContract, SubstepsCutTheStep) {
   auto pWhole = Backend().MakeWorld(Described({0, 0}, 1.0f / 30.0f, 4));
   auto pParts = Backend().MakeWorld(Described({0, 0}, 1.0f / 120.0f));
@@ -330,27 +278,6 @@ TEST_P(CWorldContract, ElasticityAboveOneIsCutAtTheSpeedLimitAndFlagged) {
   // them.
   EXPECT_EQ(pWorld->GetStats().m_nSpeedsCapped > 0, IsNative());
   EXPECT_EQ(pWorld->GetVel(ball).norm() > 0.99f * g_fMaxSpeed, IsNative());
-}
-
-TEST_P(CWorldContract, StatsStayZeroForWhatTheSceneDoesNotHave) {
-  auto pWorld = Make();
-  pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, {1, 0}));
-  Steps(*pWorld, 10);
-  const CWorldStats& s = pWorld->GetStats();
-  EXPECT_EQ(s.m_nSteps, 10u);
-  EXPECT_EQ(s.m_nShapeTests + s.m_nBallTests + s.m_nContacts + s.m_nSensorHits + s.m_nSpeedsCapped, 0u);
-  EXPECT_EQ(s.m_nMovesClamped + s.m_nTurnsClamped + s.m_nArcPieces, 0u);
-}
-
-TEST_P(CWorldContract, IdsOfTheWrongKindAreRefused) {
-  auto pWorld = MakeBusyWorld(Backend());
-  const CShapeId ball = pWorld->GetBallIds()[0], fixed{1};
-  EXPECT_THROW(pWorld->GetShape(ball), std::invalid_argument);
-  EXPECT_EQ(pWorld->GetVel(fixed), Vector2(0, 0));
-  EXPECT_THROW(pWorld->SetVel(fixed, {1, 0}), std::invalid_argument); // static
-  EXPECT_THROW(pWorld->SetRotSpeed(ball, 1), std::invalid_argument);
-  EXPECT_THROW(pWorld->SetRotSpeed(fixed, 1), std::invalid_argument); // static
-  EXPECT_THROW(pWorld->Remove(CShapeId{}), std::invalid_argument);
 }
 
 } // namespace
