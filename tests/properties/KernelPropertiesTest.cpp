@@ -108,19 +108,14 @@ bool IsPlain(const CPair& pair) {
 }
 
 TEST(KernelProperties, APowerOfTwoScalesTheBits) {
-  const auto holds = [](CMeets meets, eKind kind) {
-    return [=] {
+  for (const eKind kind : g_eKinds)
+    ExpectHolds(Meets, MeetsWithAnEpsilon, 5000, [=](CMeets meets) {
       CMap map;
       map.m_fScale = std::ldexp(1.0f, *Whole(20));
       const CPair pair = Pair(kind);
       RC_PRE(IsPlain(pair));
       ExpectSameBits(pair, map, meets, true);
-    };
-  };
-  for (const eKind kind : g_eKinds) {
-    ExpectHolds(holds(Meets, kind));
-    ExpectBroken(holds(MeetsWithAnEpsilon, kind));
-  }
+    });
 }
 
 // Where the order of the ends is kept, and where the centre is off the shape: there are fallbacks that are
@@ -136,8 +131,8 @@ bool IsSymmetric(const CPair& pair, const CMap& map) {
 }
 
 TEST(KernelProperties, AQuarterTurnAndAMirrorKeepTheBits) {
-  const auto holds = [](bool naive, eKind kind) {
-    return [=] {
+  for (const eKind kind : g_eWithoutAngles)
+    ExpectHolds(false, true, 5000, [=](bool naive) {
       const CPair pair = Pair(kind);
       CMap turned, mirrored;
       turned.m_pTurn = Quarter;
@@ -153,19 +148,14 @@ TEST(KernelProperties, AQuarterTurnAndAMirrorKeepTheBits) {
                                  : CMeets(Meets);
       for (const CMap& map : {turned, mirrored})
         if (IsSymmetric(pair, map)) ExpectSameBits(pair, map, meets, true);
-    };
-  };
-  for (const eKind kind : g_eWithoutAngles) {
-    ExpectHolds(holds(false, kind));
-    ExpectBroken(holds(true, kind));
-  }
+    });
 }
 
 // Coordinates that are multiples of 2^-8 up to 2^6 keep their differences when they are moved by less than
 // 2^15: what is computed from those has the same bits.
 TEST(KernelProperties, AMoveAmongRepresentablePlacesKeepsTheBits) {
-  const auto holds = [](CMeets meets, eKind kind) {
-    return [=] {
+  for (const eKind kind : g_eWithoutAngles)
+    ExpectHolds(Meets, MeetsBySquares, 5000, [=](CMeets meets) {
       const auto place = [](float unit) {
         const int x = *Whole(1 << 14), y = *Whole(1 << 14);
         return Vector2(unit * Vector2(static_cast<float>(x), static_cast<float>(y)));
@@ -180,32 +170,23 @@ TEST(KernelProperties, AMoveAmongRepresentablePlacesKeepsTheBits) {
       CMap map;
       map.m_vShift = place(1.0f);
       ExpectSameBits(pair, map, meets, false);
-    };
-  };
-  for (const eKind kind : g_eWithoutAngles) {
-    ExpectHolds(holds(Meets, kind));
-    ExpectBroken(holds(MeetsBySquares, kind));
-  }
+    });
 }
 
 TEST(KernelProperties, NormalsAreUnitVectorsAndSetbacksAreNotNegative) {
-  const auto holds = [](bool normalised, eKind kind) {
-    return [=] {
+  for (const eKind kind : g_eKinds)
+    ExpectHolds(true, false, 5000, [=](bool normalised) {
       CHit hit;
       const CPair pair = Pair(kind);
       RC_PRE(Meets(pair, hit));
+      // The control is normalised by the distance from the POI.
       const Vector2 n =
           normalised
               ? hit.m_vNorm
               : Vector2((pair.m_cBall.m_vPos - hit.m_vPOI) / (pair.m_cBall.m_fRadius - hit.m_fSetback));
       RC_ASSERT(std::abs(Wide(n).norm() - 1.0) <= g_fUlp);
       RC_ASSERT(hit.m_fSetback >= 0.0f);
-    };
-  };
-  for (const eKind kind : g_eKinds) {
-    ExpectHolds(holds(true, kind));
-    ExpectBroken(holds(false, kind)); // by the distance from the POI
-  }
+    });
 }
 
 // The error of the setback, by the table in Collide.h, where the ball is.
@@ -227,8 +208,8 @@ double SetbackBound(const CPair& pair) {
 }
 
 TEST(KernelProperties, ABallThatWasSetBackOverlapsByNoMoreThanTheBound) {
-  const auto holds = [](CMeets meets, eKind kind) {
-    return [=] {
+  for (const eKind kind : g_eKinds)
+    ExpectHolds(Meets, MeetsBySquares, 5000, [=](CMeets meets) {
       CPair pair = Pair(kind);
       CHit hit;
       RC_PRE(meets(pair, hit));
@@ -239,42 +220,31 @@ TEST(KernelProperties, ABallThatWasSetBackOverlapsByNoMoreThanTheBound) {
       if (!Meets(pair, hit)) return;
       // What is found now has that error, too.
       RC_ASSERT(static_cast<double>(hit.m_fSetback) <= before + rounding + SetbackBound(pair));
-    };
-  };
-  for (const eKind kind : g_eKinds) {
-    ExpectHolds(holds(Meets, kind));
-    ExpectBroken(holds(MeetsBySquares, kind));
-  }
+    });
 }
 
 TEST(ResponseProperties, AQuarterTurnAMirrorAndAPowerOfTwoKeepTheBits) {
-  const auto holds = [](bool epsilon) {
-    return [=] {
-      const auto velocity = [] {
-        return *rc::gen::mapcat(AnySize(), [](float speed) { return Way(speed); });
-      };
-      // That of the surface is any other or almost the same.
-      const Vector2 n = Normalize(*Way(1.0f)), v = velocity(), p = *Place(1.0f);
-      const Vector2 surface = *rc::gen::arbitrary<bool>() ? velocity() : Vector2(*NearOne() * v);
-      const float e = *Between(0.0f, 2.0f), setback = *AnySize();
-      const float s = std::ldexp(1.0f, *Whole(20));
-      const auto respond = [=](const Vector2& nn, float back, const Vector2& ss, Vector2 pp, Vector2 vv) {
-        // The control takes slow ones for resting.
-        if (epsilon && (vv - ss).norm() < 1e-3f) return std::pair(pp, ss);
-        RespondKinematic(nn, back, e, ss, pp, vv);
-        return std::pair(pp, vv);
-      };
-      const auto [p1, v1] = respond(n, setback, surface, p, v);
-      const auto turned = respond(perp(n), setback, perp(surface), perp(p), perp(v));
-      RC_ASSERT(turned.first == perp(p1) && turned.second == perp(v1));
-      const auto mirrored = respond(MirrorY(n), setback, MirrorY(surface), MirrorY(p), MirrorY(v));
-      RC_ASSERT(mirrored.first == MirrorY(p1) && mirrored.second == MirrorY(v1));
-      const auto scaled = respond(n, s * setback, s * surface, s * p, s * v);
-      RC_ASSERT(scaled.first == Vector2(s * p1) && scaled.second == Vector2(s * v1));
+  ExpectHolds(false, true, 5000, [](bool epsilon) {
+    const auto velocity = [] { return *rc::gen::mapcat(AnySize(), [](float speed) { return Way(speed); }); };
+    // That of the surface is any other or almost the same.
+    const Vector2 n = Normalize(*Way(1.0f)), v = velocity(), p = *Place(1.0f);
+    const Vector2 surface = *rc::gen::arbitrary<bool>() ? velocity() : Vector2(*NearOne() * v);
+    const float e = *Between(0.0f, 2.0f), setback = *AnySize();
+    const float s = std::ldexp(1.0f, *Whole(20));
+    const auto respond = [=](const Vector2& nn, float back, const Vector2& ss, Vector2 pp, Vector2 vv) {
+      // The control takes slow ones for resting.
+      if (epsilon && (vv - ss).norm() < 1e-3f) return std::pair(pp, ss);
+      RespondKinematic(nn, back, e, ss, pp, vv);
+      return std::pair(pp, vv);
     };
-  };
-  ExpectHolds(holds(false));
-  ExpectBroken(holds(true));
+    const auto [p1, v1] = respond(n, setback, surface, p, v);
+    const auto turned = respond(perp(n), setback, perp(surface), perp(p), perp(v));
+    RC_ASSERT(turned.first == perp(p1) && turned.second == perp(v1));
+    const auto mirrored = respond(MirrorY(n), setback, MirrorY(surface), MirrorY(p), MirrorY(v));
+    RC_ASSERT(mirrored.first == MirrorY(p1) && mirrored.second == MirrorY(v1));
+    const auto scaled = respond(n, s * setback, s * surface, s * p, s * v);
+    RC_ASSERT(scaled.first == Vector2(s * p1) && scaled.second == Vector2(s * v1));
+  });
 }
 
 } // namespace

@@ -59,4 +59,11 @@ void ExpectBroken(TProperty&& property, int runs = 5000) {
   EXPECT_TRUE(Try(std::forward<TProperty>(property), params).template is<rc::detail::FailureResult>());
 }
 
+/// Both: it holds with `good` in its place, and the same inputs break it with `bad`.
+template <class T, class TProperty>
+void ExpectHolds(T good, T bad, int runs, TProperty property) {
+  ExpectHolds([&] { property(good); }, runs);
+  ExpectBroken([&] { property(bad); });
+}
+
 } // namespace Shapes::Properties

@@ -33,58 +33,46 @@ Vector2 WithAnEpsilon(const CCircleDesc& desc, const Vector2& q) {
 }
 
 TEST(CircleProperties, AQuarterTurnAndAMirrorKeepTheBits) {
-  const auto holds = [](CClosest<CCircleDesc> closest) {
-    return [=] {
-      const CCircleDesc desc = *Ring();
-      const Vector2 q = Beside(desc);
-      RC_PRE(q != desc.m_vPos); // the centre has a fallback, which is up
-      const Vector2 is = closest(desc, q);
-      RC_ASSERT(closest(CCircleDesc(perp(desc.m_vPos), desc.m_fRadius), perp(q)) == perp(is));
-      RC_ASSERT(closest(CCircleDesc(MirrorX(desc.m_vPos), desc.m_fRadius), MirrorX(q)) == MirrorX(is));
-    };
-  };
-  ExpectHolds(holds(Closest));
-  ExpectBroken(holds(ByGradient));
+  ExpectHolds<CClosest<CCircleDesc>>(Closest, ByGradient, 5000, [](CClosest<CCircleDesc> closest) {
+    const CCircleDesc desc = *Ring();
+    const Vector2 q = Beside(desc);
+    RC_PRE(q != desc.m_vPos); // the centre has a fallback, which is up
+    const Vector2 is = closest(desc, q);
+    RC_ASSERT(closest(CCircleDesc(perp(desc.m_vPos), desc.m_fRadius), perp(q)) == perp(is));
+    RC_ASSERT(closest(CCircleDesc(MirrorX(desc.m_vPos), desc.m_fRadius), MirrorX(q)) == MirrorX(is));
+  });
 }
 
 TEST(CircleProperties, APowerOfTwoScalesTheBits) {
-  const auto holds = [](CClosest<CCircleDesc> closest) {
-    return [=] {
-      const CCircleDesc desc = *Ring();
-      const Vector2 q = Beside(desc);
-      const float s = std::ldexp(1.0f, *Whole(20));
-      const CCircleDesc other(s * desc.m_vPos, s * desc.m_fRadius);
-      RC_ASSERT(closest(other, s * q) == Vector2(s * closest(desc, q)));
-      Vector2 a0, a1, b0, b1;
-      const bool got = CCircle(desc).Tangents(q, a0, a1);
-      RC_ASSERT(CCircle(other).Tangents(s * q, b0, b1) == got);
-      if (got) RC_ASSERT(b0 == Vector2(s * a0) && b1 == Vector2(s * a1));
-    };
-  };
-  ExpectHolds(holds(Closest));
-  ExpectBroken(holds(WithAnEpsilon));
+  ExpectHolds<CClosest<CCircleDesc>>(Closest, WithAnEpsilon, 5000, [](CClosest<CCircleDesc> closest) {
+    const CCircleDesc desc = *Ring();
+    const Vector2 q = Beside(desc);
+    const float s = std::ldexp(1.0f, *Whole(20));
+    const CCircleDesc other(s * desc.m_vPos, s * desc.m_fRadius);
+    RC_ASSERT(closest(other, s * q) == Vector2(s * closest(desc, q)));
+    Vector2 a0, a1, b0, b1;
+    const bool got = CCircle(desc).Tangents(q, a0, a1);
+    RC_ASSERT(CCircle(other).Tangents(s * q, b0, b1) == got);
+    if (got) RC_ASSERT(b0 == Vector2(s * a0) && b1 == Vector2(s * a1));
+  });
 }
 
 // What needs no more than differences of coordinates does not change where these are exact.
 TEST(CircleProperties, AMoveAmongRepresentablePlacesKeepsTheBits) {
-  const auto holds = [](bool bySquares) {
-    return [=] {
-      const auto place = [] {
-        const int x = *Whole(1 << 12), y = *Whole(1 << 12);
-        return Vector2(Vector2(static_cast<float>(x), static_cast<float>(y)) / 64.0f);
-      };
-      const Vector2 c = place(), q = place(), shift = 16.0f * place();
-      const float r = Length(q - c) * *rc::gen::oneOf(rc::gen::just(1.0f), NearOne());
-      const auto inside = [&](const Vector2& at) {
-        const Vector2 center = c + at, p = q + at;
-        return bySquares ? p.squaredNorm() - 2.0f * p.dot(center) + center.squaredNorm() < r * r
-                         : CCircle(CCircleDesc(center, r)).PtInCircle(p);
-      };
-      RC_ASSERT(inside(shift) == inside(Vector2::Zero()));
+  ExpectHolds(false, true, 5000, [](bool bySquares) {
+    const auto place = [] {
+      const int x = *Whole(1 << 12), y = *Whole(1 << 12);
+      return Vector2(Vector2(static_cast<float>(x), static_cast<float>(y)) / 64.0f);
     };
-  };
-  ExpectHolds(holds(false));
-  ExpectBroken(holds(true));
+    const Vector2 c = place(), q = place(), shift = 16.0f * place();
+    const float r = Length(q - c) * *rc::gen::oneOf(rc::gen::just(1.0f), NearOne());
+    const auto inside = [&](const Vector2& at) {
+      const Vector2 center = c + at, p = q + at;
+      return bySquares ? p.squaredNorm() - 2.0f * p.dot(center) + center.squaredNorm() < r * r
+                       : CCircle(CCircleDesc(center, r)).PtInCircle(p);
+    };
+    RC_ASSERT(inside(shift) == inside(Vector2::Zero()));
+  });
 }
 
 // Swapping the angles gives the complement: what is not in one sector is in the other.
@@ -133,77 +121,61 @@ Vector2 Beside(const CLineSegDesc& seg) {
 }
 
 TEST(SegmentProperties, SwappedEndsGiveTheSameBits) {
-  const auto holds = [](bool ordered) {
-    return [=] {
-      const CLineSegDesc seg = *Segment();
-      const CLineSegDesc swapped(seg.GetEndPt1(), seg.GetEndPt0());
-      RC_ASSERT(Closest(swapped, seg.GetEndPt0()) == Closest(seg, seg.GetEndPt0()));
-      const Vector2 q = Beside(seg);
-      RC_ASSERT(Closest(swapped, q) == Closest(seg, q));
-      // The control does not put the ends in order.
-      const auto normal = [&](const Vector2& p0, const Vector2& p1) {
-        return ordered ? CLineSegDesc(p0, p1).GetNormal() : perp(Normalize(p1 - p0));
-      };
-      RC_ASSERT(normal(seg.GetEndPt1(), seg.GetEndPt0()) == normal(seg.GetEndPt0(), seg.GetEndPt1()));
+  ExpectHolds(true, false, 5000, [](bool ordered) {
+    const CLineSegDesc seg = *Segment();
+    const CLineSegDesc swapped(seg.GetEndPt1(), seg.GetEndPt0());
+    RC_ASSERT(Closest(swapped, seg.GetEndPt0()) == Closest(seg, seg.GetEndPt0()));
+    const Vector2 q = Beside(seg);
+    RC_ASSERT(Closest(swapped, q) == Closest(seg, q));
+    // The control does not put the ends in order.
+    const auto normal = [&](const Vector2& p0, const Vector2& p1) {
+      return ordered ? CLineSegDesc(p0, p1).GetNormal() : perp(Normalize(p1 - p0));
     };
-  };
-  ExpectHolds(holds(true));
-  ExpectBroken(holds(false));
+    RC_ASSERT(normal(seg.GetEndPt1(), seg.GetEndPt0()) == normal(seg.GetEndPt0(), seg.GetEndPt1()));
+  });
 }
 
 TEST(SegmentProperties, AMirrorThatKeepsTheOrderOfEndsKeepsTheBits) {
   const auto mirror = [](const Vector2& v) { return Vector2(v.x(), -v.y()); };
-  const auto holds = [=](bool halfOpen) {
-    return [=] {
-      const CLineSegDesc seg = *Segment();
-      RC_PRE(seg.GetEndPt0().x() != seg.GetEndPt1().x());
-      const CLineSegDesc mirrored(mirror(seg.GetEndPt0()), mirror(seg.GetEndPt1()));
-      const Vector2 q = Beside(seg);
-      RC_ASSERT(Closest(mirrored, mirror(q)) == mirror(Closest(seg, q)));
-      // The front is up on either side of the mirror; the control has it to the right of a falling segment.
-      const auto normal = [&](const CLineSegDesc& s) {
-        const Vector2 n = s.GetNormal();
-        return halfOpen && n.x() > 0.0f ? Vector2(-n) : n;
-      };
-      RC_ASSERT(normal(mirrored) == Vector2(-mirror(normal(seg))));
+  ExpectHolds(false, true, 5000, [=](bool halfOpen) {
+    const CLineSegDesc seg = *Segment();
+    RC_PRE(seg.GetEndPt0().x() != seg.GetEndPt1().x());
+    const CLineSegDesc mirrored(mirror(seg.GetEndPt0()), mirror(seg.GetEndPt1()));
+    const Vector2 q = Beside(seg);
+    RC_ASSERT(Closest(mirrored, mirror(q)) == mirror(Closest(seg, q)));
+    // The front is up on either side of the mirror; the control has it to the right of a falling segment.
+    const auto normal = [&](const CLineSegDesc& s) {
+      const Vector2 n = s.GetNormal();
+      return halfOpen && n.x() > 0.0f ? Vector2(-n) : n;
     };
-  };
-  ExpectHolds(holds(false));
-  ExpectBroken(holds(true));
+    RC_ASSERT(normal(mirrored) == Vector2(-mirror(normal(seg))));
+  });
 }
 
 TEST(SegmentProperties, AQuarterTurnThatKeepsTheOrderOfEndsKeepsTheBits) {
-  const auto holds = [](CClosest<CLineSegDesc> closest) {
-    return [=] {
-      const CLineSegDesc seg = *Segment();
-      // Falling segments keep it counterclockwise, rising ones clockwise.
-      RC_PRE(seg.GetEndPt0() != seg.GetEndPt1());
-      const bool falls = seg.GetEndPt0().y() >= seg.GetEndPt1().y();
-      const auto turned = [=](const Vector2& v) { return falls ? perp(v) : Vector2(-perp(v)); };
-      const CLineSegDesc other(turned(seg.GetEndPt0()), turned(seg.GetEndPt1()));
-      const Vector2 q = Beside(seg);
-      RC_ASSERT(closest(other, turned(q)) == turned(closest(seg, q)));
-      RC_ASSERT(other.GetNormal() == turned(seg.GetNormal()));
-    };
-  };
-  ExpectHolds(holds(Closest));
-  ExpectBroken(holds(ByGradient));
+  ExpectHolds<CClosest<CLineSegDesc>>(Closest, ByGradient, 5000, [](CClosest<CLineSegDesc> closest) {
+    const CLineSegDesc seg = *Segment();
+    // Falling segments keep it counterclockwise, rising ones clockwise.
+    RC_PRE(seg.GetEndPt0() != seg.GetEndPt1());
+    const bool falls = seg.GetEndPt0().y() >= seg.GetEndPt1().y();
+    const auto turned = [=](const Vector2& v) { return falls ? perp(v) : Vector2(-perp(v)); };
+    const CLineSegDesc other(turned(seg.GetEndPt0()), turned(seg.GetEndPt1()));
+    const Vector2 q = Beside(seg);
+    RC_ASSERT(closest(other, turned(q)) == turned(closest(seg, q)));
+    RC_ASSERT(other.GetNormal() == turned(seg.GetNormal()));
+  });
 }
 
 TEST(SegmentProperties, APowerOfTwoScalesTheBits) {
-  const auto holds = [](CClosest<CLineSegDesc> closest) {
-    return [=] {
-      const CLineSegDesc seg = *Segment();
-      const Vector2 q = Beside(seg);
-      const float s = std::ldexp(1.0f, *Whole(20));
-      const CLineSegDesc other(s * seg.GetEndPt0(), s * seg.GetEndPt1());
-      RC_ASSERT(closest(other, s * q) == Vector2(s * closest(seg, q)));
-      RC_ASSERT(other.GetNormal() == seg.GetNormal());
-      RC_ASSERT(Vector2(other.m_vPos) == Vector2(s * seg.m_vPos));
-    };
-  };
-  ExpectHolds(holds(Closest));
-  ExpectBroken(holds(WithAnEpsilon));
+  ExpectHolds<CClosest<CLineSegDesc>>(Closest, WithAnEpsilon, 5000, [](CClosest<CLineSegDesc> closest) {
+    const CLineSegDesc seg = *Segment();
+    const Vector2 q = Beside(seg);
+    const float s = std::ldexp(1.0f, *Whole(20));
+    const CLineSegDesc other(s * seg.GetEndPt0(), s * seg.GetEndPt1());
+    RC_ASSERT(closest(other, s * q) == Vector2(s * closest(seg, q)));
+    RC_ASSERT(other.GetNormal() == seg.GetNormal());
+    RC_ASSERT(Vector2(other.m_vPos) == Vector2(s * seg.m_vPos));
+  });
 }
 
 } // namespace

@@ -126,74 +126,59 @@ INSTANTIATE_TEST_SUITE_P(, WorldProperties, testing::Bool(),
                          [](const auto& test) { return test.param ? "Continuous" : "Approximate"; });
 
 TEST_P(WorldProperties, APowerOfTwoScalesTheBits) {
-  const bool continuous = GetParam();
-  const auto holds = [=](bool pushed) {
-    return [=] {
-      const CScene scene = TurningCrowd();
-      CMap map;
-      map.m_fScale = std::ldexp(1.0f, *Whole(20));
-      const CScene scaled = Moved(scene, map);
-      RC_ASSERT(Play(pushed ? Pushed(scaled) : scaled, continuous) ==
-                Moved(Play(pushed ? Pushed(scene) : scene, continuous), map));
-    };
-  };
-  ExpectHolds(holds(false), 4000);
-  ExpectBroken(holds(true));
+  ExpectHolds(false, true, 4000, [](bool pushed) {
+    const CScene scene = TurningCrowd();
+    CMap map;
+    map.m_fScale = std::ldexp(1.0f, *Whole(20));
+    const CScene scaled = Moved(scene, map);
+    RC_ASSERT(Play(pushed ? Pushed(scaled) : scaled, GetParam()) ==
+              Moved(Play(pushed ? Pushed(scene) : scene, GetParam()), map));
+  });
 }
 
 TEST_P(WorldProperties, AQuarterTurnAndAMirrorKeepTheBits) {
-  const bool continuous = GetParam();
-  const auto holds = [=](bool pushed) {
-    return [=] {
-      const CScene scene = Crowd(true);
-      CMap turned, mirrored;
-      turned.m_pTurn = Quarter;
-      mirrored.m_pTurn = MirrorY;
-      const CState state = Play(pushed ? Pushed(scene) : scene, continuous);
-      for (const CMap& map : {turned, mirrored}) {
-        const CScene other = Moved(scene, map);
-        RC_ASSERT(Play(pushed ? Pushed(other) : other, continuous) == Moved(state, map));
-      }
-    };
-  };
-  ExpectHolds(holds(false), 4000);
-  ExpectBroken(holds(true));
+  ExpectHolds(false, true, 4000, [](bool pushed) {
+    const CScene scene = Crowd(true);
+    CMap turned, mirrored;
+    turned.m_pTurn = Quarter;
+    mirrored.m_pTurn = MirrorY;
+    const CState state = Play(pushed ? Pushed(scene) : scene, GetParam());
+    for (const CMap& map : {turned, mirrored}) {
+      const CScene other = Moved(scene, map);
+      RC_ASSERT(Play(pushed ? Pushed(other) : other, GetParam()) == Moved(state, map));
+    }
+  });
 }
 
 // Between walls along the axes, at places and speeds whose sums are exact, a perfect ball goes the same way
 // wherever it all is: bit for bit where it is looked at at the end of steps, and within the rounding of the
 // place where the time of the impact comes between.
 TEST_P(WorldProperties, AMoveMovesTheGame) {
-  const bool continuous = GetParam();
-  const auto holds = [=](bool slanted) {
-    return [=] {
-      const auto grid = [](int most, float unit) {
-        const int x = *Whole(most), y = *Whole(most);
-        return Vector2(unit * Vector2(static_cast<float>(x), static_cast<float>(y)));
-      };
-      CScene scene;
-      const float w = slanted ? 0.3f : 0.0f;
-      for (const auto& [p, q] :
-           {std::pair{Vector2(-4, -4), Vector2(4, -4 + w)}, std::pair{Vector2(-4, 4), Vector2(4, 4)},
-            std::pair{Vector2(-4, -4), Vector2(-4, 4)}, std::pair{Vector2(4, -4), Vector2(4, 4)}})
-        scene.m_stdShapes.emplace_back(CLineSegDesc(p, q));
-      const Vector2 p = grid(3 << 6, 0x1p-6f), v = grid(1 << 9, 0x1p-2f);
-      scene.m_stdBalls.emplace_back(p, 0.25f, v);
-      CMap map;
-      map.m_vShift = grid(1 << 9, 1.0f);
-      map.m_vShift += slanted ? Vector2(0.1f, 0.1f) : Vector2(0.0f, 0.0f);
-      const CState is = Play(Moved(scene, map), continuous, 40),
-                   should = Moved(Play(scene, continuous, 40), map);
-      RC_ASSERT(is.m_nContacts == should.m_nContacts);
-      RC_ASSERT(is.m_stdVel == should.m_stdVel);
-      // 40 steps round the place to half an ulp of each coordinate, here and there; what is computed in
-      // double in between is below that.
-      const double size = Wide(map.m_vShift).norm() + 6.0, bound = continuous ? 40 * g_fUlp * size : 0.0;
-      RC_ASSERT((Wide(is.m_stdPos[0]) - Wide(should.m_stdPos[0])).norm() <= bound);
+  ExpectHolds(false, true, 4000, [](bool slanted) {
+    const auto grid = [](int most, float unit) {
+      const int x = *Whole(most), y = *Whole(most);
+      return Vector2(unit * Vector2(static_cast<float>(x), static_cast<float>(y)));
     };
-  };
-  ExpectHolds(holds(false), 4000);
-  ExpectBroken(holds(true));
+    CScene scene;
+    const float w = slanted ? 0.3f : 0.0f;
+    for (const auto& [p, q] :
+         {std::pair{Vector2(-4, -4), Vector2(4, -4 + w)}, std::pair{Vector2(-4, 4), Vector2(4, 4)},
+          std::pair{Vector2(-4, -4), Vector2(-4, 4)}, std::pair{Vector2(4, -4), Vector2(4, 4)}})
+      scene.m_stdShapes.emplace_back(CLineSegDesc(p, q));
+    const Vector2 p = grid(3 << 6, 0x1p-6f), v = grid(1 << 9, 0x1p-2f);
+    scene.m_stdBalls.emplace_back(p, 0.25f, v);
+    CMap map;
+    map.m_vShift = grid(1 << 9, 1.0f);
+    map.m_vShift += slanted ? Vector2(0.1f, 0.1f) : Vector2(0.0f, 0.0f);
+    const CState is = Play(Moved(scene, map), GetParam(), 40),
+                 should = Moved(Play(scene, GetParam(), 40), map);
+    RC_ASSERT(is.m_nContacts == should.m_nContacts);
+    RC_ASSERT(is.m_stdVel == should.m_stdVel);
+    // 40 steps round the place to half an ulp of each coordinate, here and there; what is computed in
+    // double in between is below that.
+    const double size = Wide(map.m_vShift).norm() + 6.0, bound = GetParam() ? 40 * g_fUlp * size : 0.0;
+    RC_ASSERT((Wide(is.m_stdPos[0]) - Wide(should.m_stdPos[0])).norm() <= bound);
+  });
 }
 
 // Cells of 6, each with one shape that reaches no farther than 1.5 from its middle: no ball touches two.
@@ -218,24 +203,22 @@ std::vector<CAnyShapeDesc> Shuffled(std::vector<CAnyShapeDesc> shapes) {
 }
 
 TEST_P(WorldProperties, TheOrderOfShapesThatAreApartDoesNotMatter) {
-  const bool continuous = GetParam();
-  const auto holds = [=](bool apart) {
+  const auto holds = [](bool apart) {
     return [=] {
       // The control has them all in a heap, where whoever comes first is met first.
       CScene scene = apart ? Apart(6.0f) : Apart(0.2f);
-      const CState state = Play(scene, continuous, 60);
+      const CState state = Play(scene, GetParam(), 60);
       scene.m_stdShapes = Shuffled(scene.m_stdShapes);
-      RC_ASSERT(Play(scene, continuous, 60) == state);
+      RC_ASSERT(Play(scene, GetParam(), 60) == state);
     };
   };
   ExpectHolds(holds(true), 3000);
-  if (!continuous) ExpectBroken(holds(false)); // where the earliest impact comes first, whatever the order
+  if (!GetParam()) ExpectBroken(holds(false)); // where the earliest impact comes first, whatever the order
 }
 
 // Points are met before what they guard, wherever they stand among the others.
 TEST_P(WorldProperties, TheOrderOfPointsAmongWhatTheyGuardDoesNotMatter) {
-  const bool continuous = GetParam();
-  const auto holds = [=](bool points) {
+  const auto holds = [](bool points) {
     return [=] {
       CScene scene = Crowd(false);
       std::vector<CAnyShapeDesc> guards, others;
@@ -253,7 +236,7 @@ TEST_P(WorldProperties, TheOrderOfPointsAmongWhatTheyGuardDoesNotMatter) {
       }
       scene.m_stdShapes = guards;
       scene.m_stdShapes.insert(scene.m_stdShapes.end(), others.begin(), others.end());
-      const CState state = Play(scene, continuous);
+      const CState state = Play(scene, GetParam());
       // Any way to put the one between the other, each in its order.
       scene.m_stdShapes.clear();
       std::size_t g = 0, o = 0;
@@ -261,39 +244,34 @@ TEST_P(WorldProperties, TheOrderOfPointsAmongWhatTheyGuardDoesNotMatter) {
         const bool guard = o == others.size() || (g < guards.size() && *rc::gen::arbitrary<bool>());
         scene.m_stdShapes.push_back(guard ? guards[g++] : others[o++]);
       }
-      RC_ASSERT(Play(scene, continuous) == state);
+      RC_ASSERT(Play(scene, GetParam()) == state);
     };
   };
   ExpectHolds(holds(true), 4000);
-  if (!continuous) ExpectBroken(holds(false));
+  if (!GetParam()) ExpectBroken(holds(false));
 }
 
 // Without gravity and turning shapes, and with an elasticity of at most 1, no ball gets faster than all of
 // them were, and the energy does not grow: each of the contacts rounds a speed as Response.h says.
 TEST_P(WorldProperties, NoEnergyIsGained) {
-  const bool continuous = GetParam();
-  const auto holds = [=](float e) {
-    return [=] {
-      CScene scene = Crowd(false);
-      scene.m_vGravity.setZero();
-      double before = 0.0;
-      for (CDynamicCircleDesc& ball : scene.m_stdBalls) {
-        ball.m_fElasticity *= e;
-        before += static_cast<double>(ball.m_fMass) * Wide(ball.m_vVel).squaredNorm();
-      }
-      const CState state = Play(scene, continuous);
-      double after = 0.0;
-      for (std::size_t k = 0; k < state.m_stdVel.size(); ++k)
-        after += static_cast<double>(scene.m_stdBalls[k].m_fMass) * Wide(state.m_stdVel[k]).squaredNorm();
-      // Weighed by the root of its mass, no speed is larger than the root of the energy, and no share of a
-      // relative speed than 1.5 of it. By the bounds of Response.h, a contact adds at
-      // most 5 (1 + 2 * 1.5) + 3 * 2 * 1.5 = 29 ulp of that to each of two balls.
-      const double share = 2 * 29 * g_fUlp * static_cast<double>(state.m_nContacts);
-      RC_ASSERT(std::sqrt(after) <= std::sqrt(before) * (1 + share));
-    };
-  };
-  ExpectHolds(holds(1.0f), 4000);
-  ExpectBroken(holds(2.5f)); // above 1
+  ExpectHolds(1.0f, 2.5f, 4000, [](float e) {
+    CScene scene = Crowd(false);
+    scene.m_vGravity.setZero();
+    double before = 0.0;
+    for (CDynamicCircleDesc& ball : scene.m_stdBalls) {
+      ball.m_fElasticity *= e;
+      before += static_cast<double>(ball.m_fMass) * Wide(ball.m_vVel).squaredNorm();
+    }
+    const CState state = Play(scene, GetParam());
+    double after = 0.0;
+    for (std::size_t k = 0; k < state.m_stdVel.size(); ++k)
+      after += static_cast<double>(scene.m_stdBalls[k].m_fMass) * Wide(state.m_stdVel[k]).squaredNorm();
+    // Weighed by the root of its mass, no speed is larger than the root of the energy, and no
+    // share of a relative speed than 1.5 of it. By the bounds of Response.h, a contact adds at
+    // most 5 (1 + 2 * 1.5) + 3 * 2 * 1.5 = 29 ulp of that to each of two balls.
+    const double share = 2 * 29 * g_fUlp * static_cast<double>(state.m_nContacts);
+    RC_ASSERT(std::sqrt(after) <= std::sqrt(before) * (1 + share));
+  });
 }
 
 } // namespace
