@@ -18,9 +18,7 @@ CFixtureShapes Make(const CShape& shape, float sagitta = g_fSagittaTolerance) {
 }
 
 CArc MakeArc(float R, float a0, float a1, eSides sides = eSides::Both, const Vector2& p = {0, 0}) {
-  CArcDesc desc(p, R, a0, a1);
-  desc.m_eSides = sides;
-  return CArc(desc);
+  return CArc(Sided(CArcDesc(p, R, a0, a1), sides));
 }
 
 double Norm(const b2Vec2& v) { return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y)); }

@@ -5,23 +5,12 @@
 namespace Shapes::Tests {
 namespace {
 
-class CGuestEffects : public CEveryProfile {
+class CGuestEffects : public CGuest {
 protected:
-  CWorld& Join(const CEffectChoice& choice = g_cAutomatic) {
-    CWorldDesc desc;
-    desc.m_cBox2D.m_eProfile = GetParam();
-    desc.m_cEffects = choice;
-    m_pGuest = MakeWorld(m_cGame, desc);
-    return m_pGuest->GetWorld();
-  }
-  void Steps(int n) { Tests::Steps(m_cGame, *m_pGuest, n); }
   bool Has(eEffect e) const { return m_pGuest->GetWorld().GetEffects().Has(e); }
   std::uint64_t CountSubstepsWith(eEffect e) const {
     return m_pGuest->GetWorld().GetStats().GetSubstepsWith(e);
   }
-
-  b2World m_cGame{{0, 0}};
-  std::unique_ptr<CBox2DWorld> m_pGuest;
 };
 SHAPES_ON_EVERY_PROFILE(CGuestEffects);
 
@@ -87,11 +76,7 @@ TEST_P(CGuestEffects, EventsAreToldOfTheBodiesOfTheGameAlone) {
     CWorld& world = Join(forbidden ? CEffectChoice{{}, {eEffect::Events}} : g_cAutomatic);
     b2Body* pGround = AddGround(m_cGame);
     const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -3}));
-    std::size_t told = 0;
-    for (int i = 0; i < 10; ++i) {
-      Steps(1);
-      told += world.GetContacts().size();
-    }
+    const std::size_t told = Told(10, &CWorld::GetContacts).size();
     EXPECT_NEAR(world.GetVel(ball).y(), 3, 1e-4f);
     EXPECT_EQ(told > 0, !forbidden);
     EXPECT_EQ(world.GetStats().m_nContacts, told);
@@ -106,51 +91,34 @@ TEST_P(CGuestEffects, TouchesOfTheBodiesOfTheGameAreTold) {
   m_cGame.SetGravity({0, -10});
   AddGround(m_cGame);
   const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.15f}, 0.1f, {0, 0}, 1, 0));
-  std::vector<CTouchEvent> told;
-  const auto steps = [&](int n) {
-    for (int i = 0; i < n; ++i) {
-      Steps(1);
-      told.insert(told.end(), world.GetTouchEvents().begin(), world.GetTouchEvents().end());
-    }
-  };
-  steps(120);
-  EXPECT_EQ(told, (std::vector<CTouchEvent>{{CShapeId(), ball, true}}));
+  EXPECT_EQ(Told(120, &CWorld::GetTouchEvents), (std::vector<CTouchEvent>{{CShapeId(), ball, true}}));
   world.SetVel(ball, {0, 3});
-  steps(5);
-  ASSERT_EQ(told.size(), 2u);
-  EXPECT_EQ(told[1], (CTouchEvent{CShapeId(), ball, false}));
+  EXPECT_EQ(Told(5, &CWorld::GetTouchEvents), (std::vector<CTouchEvent>{{CShapeId(), ball, false}}));
 }
 
 // A step of the game cannot be cut: the flipper is as slow in it as it has to be.
 TEST_P(CGuestEffects, AFlipperComesToItsStopWithTheStep) {
-  CWorld& world = Join(g_cAutomatic);
-  CLineSegDesc desc({0, 0}, {1, 0});
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_fRotSpeed = 1;
+  CWorld& world = Join();
+  CLineSegDesc desc = Turning(CLineSegDesc({0, 0}, {1, 0}), 1);
   desc.m_cLimits = CMotionLimits::OfAngle(0, 0.25f);
   const CShapeId flipper = world.Add(desc);
-  int mine = 0;
-  world.SetUserPtr(flipper, &mine);
   Steps(2);
   EXPECT_NEAR(world.GetOrientation(flipper), 2 * g_fTwoPi * g_fDt, 1e-6f);
-  Steps(1);
-  EXPECT_EQ(world.GetOrientation(flipper), 0.25f);
-  EXPECT_NEAR(FindBody(m_cGame, &mine)->GetAngle(), 0.25f, 1e-6f);
-  Steps(10);
-  EXPECT_EQ(world.GetOrientation(flipper), 0.25f);
-  EXPECT_NEAR(FindBody(m_cGame, &mine)->GetAngle(), 0.25f, 1e-6f);
+  for (const int n : {1, 10}) {
+    Steps(n);
+    EXPECT_EQ(world.GetOrientation(flipper), 0.25f);
+    EXPECT_NEAR(BodyOf(flipper)->GetAngle(), 0.25f, 1e-6f);
+  }
 }
 
 TEST_P(CGuestEffects, WithoutEventsTheProductOfElasticitiesStays) {
-  CCounting listener;
-  m_cGame.SetContactListener(&listener);
+  m_cGame.SetContactListener(&m_cListener);
   CWorld& world = Join({{}, {eEffect::Events}});
   world.Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
   const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -3}, 1, 0.8f));
   Steps(12);
   EXPECT_NEAR(world.GetVel(ball).y(), 1.2f, 1e-4f); // Box2D's larger one is .8
-  EXPECT_GT(listener.m_nPre, 0);                    // the game listens as before
-  m_pGuest.reset();
+  EXPECT_GT(m_cListener.m_nPre, 0);                 // the game listens as before
 }
 
 TEST_P(CGuestEffects, WithoutBallPairsBallsPassThroughEachOtherAndMeetTheGame) {
@@ -177,10 +145,8 @@ TEST_P(CGuestEffects, WhatIsHeldDoesNotTurnItsBody) {
   for (const bool forbidden : {false, true}) {
     CWorld& world = Join(forbidden ? CEffectChoice{{}, {eEffect::Kinematics}} : g_cAutomatic);
     const CShapeId flipper = world.Add(Turning(CLineSegDesc({0, 0}, {1, 0}), 0.5f));
-    int mine = 0;
-    world.SetUserPtr(flipper, &mine);
+    const b2Body* pBody = BodyOf(flipper);
     Steps(3);
-    const b2Body* pBody = FindBody(m_cGame, &mine);
     EXPECT_NEAR(pBody->GetAngularVelocity(), forbidden ? 0 : g_fPi, 1e-6f);
     EXPECT_NEAR(pBody->GetAngle(), forbidden ? 0 : g_fPi * 3 * g_fDt, 1e-5f);
     EXPECT_EQ(world.GetOrientation(flipper) == 0.0f, forbidden);
@@ -198,14 +164,9 @@ TEST_P(CGuestEffects, AShapeThatTurnsMayBeLostInTheMiddleOfAStep) {
   CWorld& world = Join();
   const CShapeId lost = world.Add(Turning(CPointDesc(Vector2(1, 0)), 0.5f)),
                  stays = world.Add(Turning(CPointDesc(Vector2(1, 0)), 0.5f));
-  int mine = 0;
-  world.SetUserPtr(lost, &mine);
   Steps(1);
   const float angle = world.GetOrientation(stays);
-  m_pGuest->PreStep(g_fDt);
-  m_cGame.DestroyBody(FindBody(m_cGame, &mine));
-  m_cGame.Step(g_fDt, 8, 3);
-  m_pGuest->PostStep();
+  StepAndDestroy(lost);
   EXPECT_FALSE(world.Contains(lost));
   EXPECT_NEAR(world.GetOrientation(stays), 2 * angle, 1e-6f);
   EXPECT_EQ(world.GetStats().m_nShapesTurned, 3u);
@@ -214,9 +175,7 @@ TEST_P(CGuestEffects, AShapeThatTurnsMayBeLostInTheMiddleOfAStep) {
 TEST_P(CGuestEffects, BulletsAreThereForPairsOnly) {
   for (const bool forbidden : {false, true}) {
     CWorld& world = Join(forbidden ? CEffectChoice{{}, {eEffect::BallPairs}} : g_cAutomatic);
-    int mine = 0;
-    world.SetUserPtr(world.Add(CDynamicCircleDesc({0, 0}, 0.1f)), &mine);
-    const b2Body* pBody = FindBody(m_cGame, &mine);
+    const b2Body* pBody = BodyOf(world.Add(CDynamicCircleDesc({0, 0}, 0.1f)));
     Steps(1);
     EXPECT_FALSE(pBody->IsBullet());
     const CShapeId other = world.Add(CDynamicCircleDesc({1, 0}, 0.1f));

@@ -4,6 +4,8 @@
 
 #include "Box2DTesting.h"
 
+#include <span>
+
 namespace Shapes::Tests {
 
 inline std::unique_ptr<CBox2DWorld> MakeGuest(b2World& game, eProfile e = eProfile::Shipped,
@@ -72,6 +74,49 @@ struct CCounting : b2ContactListener {
     m_fRestitution = pContact->GetRestitution();
   }
   void PostSolve(b2Contact*, const b2ContactImpulse*) override { ++m_nPost; }
+};
+
+/// A game without gravity and a guest in it, of either profile.
+class CGuest : public CEveryProfile {
+protected:
+  /// Puts Shapes into the game; after the game's own bodies or before them.
+  CWorld& Join(const CEffectChoice& choice = g_cAutomatic) {
+    CWorldDesc desc;
+    desc.m_cBox2D.m_eProfile = GetParam();
+    desc.m_cEffects = choice;
+    m_pGuest = MakeWorld(m_cGame, desc);
+    return m_pGuest->GetWorld();
+  }
+  void Steps(int n, float dt = g_fDt) { Tests::Steps(m_cGame, *m_pGuest, n, dt); }
+  /// What n steps tell of contacts, sensors or touches.
+  template <class T>
+  std::vector<T> Told(int n, std::span<const T> (CWorld::*pGet)() const) {
+    std::vector<T> told;
+    for (int i = 0; i < n; ++i) {
+      Steps(1);
+      const std::span<const T> events = (m_pGuest->GetWorld().*pGet)();
+      told.insert(told.end(), events.begin(), events.end());
+    }
+    return told;
+  }
+  b2Body* BodyOf(CShapeId id) {
+    m_pGuest->GetWorld().SetUserPtr(id, this);
+    b2Body* pBody = FindBody(m_cGame, this);
+    m_pGuest->GetWorld().SetUserPtr(id, nullptr);
+    return pBody;
+  }
+  /// One step of the game, in the middle of which it destroys the body of this shape or ball.
+  void StepAndDestroy(CShapeId id) {
+    b2Body* pBody = BodyOf(id);
+    m_pGuest->PreStep(g_fDt);
+    m_cGame.DestroyBody(pBody);
+    m_cGame.Step(g_fDt, 8, 3);
+    m_pGuest->PostStep();
+  }
+
+  CCounting m_cListener; // hears of the end of the guest, too
+  b2World m_cGame{b2Vec2_zero};
+  std::unique_ptr<CBox2DWorld> m_pGuest;
 };
 
 inline b2ContactListener* Installed(const b2World& game) {

@@ -5,29 +5,7 @@
 namespace Shapes::Tests {
 namespace {
 
-class CGuest : public CEveryProfile {
-protected:
-  /// Puts Shapes into the game; after the game's own bodies or before them.
-  CWorld& Join(float unit = 1.0f) {
-    m_pGuest = MakeGuest(m_cGame, GetParam(), unit);
-    return m_pGuest->GetWorld();
-  }
-  void Steps(int n, float dt = g_fDt) { Tests::Steps(m_cGame, *m_pGuest, n, dt); }
-
-  CCounting m_cListener; // hears of the end of the guest, too
-  b2World m_cGame{b2Vec2_zero};
-  std::unique_ptr<CBox2DWorld> m_pGuest;
-};
-
 SHAPES_ON_EVERY_PROFILE(CGuest);
-
-CLineSegDesc Flipper(const Vector2& p0, const Vector2& p1, float revsPerSecond) {
-  CLineSegDesc desc(p0, p1);
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_vRotCenter = p0;
-  desc.m_fRotSpeed = revsPerSecond;
-  return desc;
-}
 
 TEST_P(CGuest, ABallPushesABoxAndIsPushed) {
   b2Body* pBox = AddBox(m_cGame, {2, 0});
@@ -45,12 +23,9 @@ TEST_P(CGuest, WhatIsNotOfShapesIsReportedAsNoShape) {
   AddBox(m_cGame, {2, 0}, b2_staticBody);
   const CShapeId ball = Join().Add(CDynamicCircleDesc({0, 0}, 0.1f, {4, 0}));
   m_pGuest->GetWorld().Add(CLineSegDesc({-2, -1}, {-2, 1}));
-  std::vector<CContactEvent> events;
-  for (int i = 0; i < 140; ++i) {
-    Steps(1);
-    for (const CContactEvent& event : m_pGuest->GetWorld().GetContacts())
-      if (events.empty() || event.m_cShape != events.back().m_cShape) events.push_back(event);
-  }
+  std::vector<CContactEvent> events = Told(140, &CWorld::GetContacts);
+  const auto isSame = [](const CContactEvent& a, const CContactEvent& b) { return a.m_cShape == b.m_cShape; };
+  events.erase(std::unique(events.begin(), events.end(), isSame), events.end());
   ASSERT_EQ(events.size(), 3u); // the box, the segment, the box
   EXPECT_EQ(events[0].m_cShape, CShapeId());
   EXPECT_EQ(events[0].m_cBall, ball);
@@ -76,7 +51,7 @@ TEST_P(CGuest, ABallBouncesOffTheGroundOfTheGameByTheLargerRestitution) {
 
 TEST_P(CGuest, AFlipperKicksABallAndABox) {
   CWorld& world = Join();
-  world.Add(Flipper({0, 0}, {2, 0}, 1));
+  world.Add(Turning(CLineSegDesc({0, 0}, {2, 0}), 1));
   const CShapeId ball = world.Add(CDynamicCircleDesc({1, 0.5f}, 0.1f));
   b2Body* pBox = AddBox(m_cGame, {-1.5f, 0});
   Steps(15); // a quarter turn
@@ -135,7 +110,7 @@ TEST(GuestWorldTest, AGuestAsShippedHasTheBitsOfAWorldOfItsOwn) {
   CRandom random(5);
   std::vector<CAnyShapeDesc> shapes{CArcDesc({0, 0}, 5, 0, 0, 0.95f), CLineSegDesc({-3, -2}, {0, -2.5f}),
                                     CCircleDesc({2, 0}, 0.5f), CPointDesc({-2, 1}),
-                                    Flipper({-1, 1}, {1, 1}, 0.7f)};
+                                    Turning(CLineSegDesc({-1, 1}, {1, 1}), 0.7f, {-1, 1})};
   for (int i = 0; i < 20; ++i)
     shapes.push_back(CDynamicCircleDesc({-2 + 0.2f * static_cast<float>(i), 3}, 0.08f,
                                         {static_cast<float>(4 * random.Unit() - 2), 0}, 1, 0.9f));
@@ -188,7 +163,7 @@ TEST(GuestWorldTest, ATunedElasticDropOnTheGroundOfTheGameKeepsItsHeight) {
 
 TEST_P(CGuest, TheListenerOfTheGameHearsEverythingAfterShapes) {
   CCounting& listener = m_cListener;
-  m_cGame.SetContactListener(&listener);
+  m_cGame.SetContactListener(&m_cListener);
   CWorld& world = Join();
   world.Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
   const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {0, -4}, 1, 0.5f));
@@ -284,9 +259,7 @@ TEST_P(CGuest, QueriesFindTheShapesAndNothingElse) {
 TEST_P(CGuest, WhatTheGameDoesToTheBodyOfABallCounts) {
   CWorld& world = Join();
   const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0}, 0.1f));
-  int mine = 0;
-  world.SetUserPtr(ball, &mine);
-  b2Body* pBody = FindBody(m_cGame, &mine);
+  b2Body* pBody = BodyOf(ball);
   pBody->ApplyLinearImpulseToCenter({3, 0}, true);
   Steps(60);
   EXPECT_NEAR(world.GetPos(ball).x(), 3, 1e-4f);
@@ -315,37 +288,22 @@ TEST_P(CGuest, SensorsSeeBallsThatFlyThrough) {
   const CShapeId gate = world.Add(Sensor(CLineSegDesc({0, -1}, {0, 1})));
   world.Add(CLineSegDesc({1, -1}, {1, 1}));
   const CShapeId ball = world.Add(CDynamicCircleDesc({-1, 0}, 0.1f, {30, 0})); // 2.5 diameters a step
-  std::vector<CSensorEvent> events;
-  std::size_t contacts = 0;
-  for (int i = 0; i < 10; ++i) {
-    Steps(1);
-    events.insert(events.end(), world.GetSensorEvents().begin(), world.GetSensorEvents().end());
-    for (const CContactEvent& event : world.GetContacts())
-      contacts += event.m_bIsSensor;
-  }
   const std::vector<CSensorEvent> toAndFro{
       {gate, ball, true}, {gate, ball, false}, {gate, ball, true}, {gate, ball, false}};
-  EXPECT_EQ(events, toAndFro);
-  EXPECT_GE(contacts, 2u);
+  EXPECT_EQ(Told(10, &CWorld::GetSensorEvents), toAndFro);
+  EXPECT_GE(world.GetStats().m_nSensorHits, 2u);
   EXPECT_LT(world.GetPos(ball).x(), -1);
 }
 
 TEST_P(CGuest, ASensorLosesABallThatTheGameDestroys) {
   CWorld& world = Join();
-  CCircleDesc desc({0, 0}, 1);
-  desc.m_bIsSensor = true;
   world.Add(CDynamicCircleDesc({5, 5}, 0.1f)); // its place is taken by the next
   const CShapeId lost = world.Add(CDynamicCircleDesc({0, 0}, 0.1f));
   const CShapeId stays = world.Add(CDynamicCircleDesc({0.5f, 0}, 0.1f));
-  const CShapeId zone = world.Add(desc);
-  int mine = 0;
-  world.SetUserPtr(lost, &mine);
+  const CShapeId zone = world.Add(MakeZone());
   Steps(1);
   EXPECT_EQ(world.GetSensorEvents().size(), 2u);
-  m_pGuest->PreStep(g_fDt);
-  m_cGame.DestroyBody(FindBody(m_cGame, &mine)); // in the middle of the step
-  m_cGame.Step(g_fDt, 8, 3);
-  m_pGuest->PostStep();
+  StepAndDestroy(lost);
   ASSERT_EQ(world.GetSensorEvents().size(), 1u);
   EXPECT_EQ(world.GetSensorEvents()[0], (CSensorEvent{zone, lost, false}));
   ASSERT_EQ(world.GetContacts().size(), 1u);
@@ -355,7 +313,7 @@ TEST_P(CGuest, ASensorLosesABallThatTheGameDestroys) {
 TEST_P(CGuest, WhatBox2DSlowsDownIsCountedByTheLengthOfTheStep) {
   CWorld& world = Join();
   const CShapeId ball = world.Add(CDynamicCircleDesc({0, 0}, 0.1f, {100, 0}));
-  const CShapeId flipper = world.Add(Flipper({0, 50}, {1, 50}, 12));
+  const CShapeId flipper = world.Add(Turning(CLineSegDesc({0, 50}, {1, 50}), 12, {0, 50}));
   Steps(10);
   EXPECT_EQ(world.GetStats().m_nMovesClamped, 0u);
   EXPECT_EQ(world.GetStats().m_nTurnsClamped, 0u);

@@ -38,6 +38,17 @@ protected:
     return ball;
   }
 
+  /// The contact of both, which must meet.
+  static CContactDesc Meet(CShape& shape, CDynamicCircle& ball) {
+    CContactDesc c(&shape, &ball);
+    EXPECT_TRUE(CollidePair(c));
+    return c;
+  }
+  static bool Meets(CShape& shape, CDynamicCircle& ball) {
+    CContactDesc c(&shape, &ball);
+    return CollidePair(c);
+  }
+
   /// Where the ball was when it met the shape.
   static Vector2 CentreAtImpact(const CContactDesc& c) {
     return c.m_vPOI + c.m_pCircle->GetRadius() * c.m_vNorm;
@@ -55,8 +66,7 @@ TEST_F(CPairSweepTest, TheSetbackFromASegmentIsExactWithinTheSlop) {
     const float along = random.Uniform(-1, 1);
     const Vector2 way = -(gap + depth) * nhat + along * (gap + depth) * t * 0.3f;
     CDynamicCircle ball = Fly((gap + r) * nhat, way, r);
-    CContactDesc c(&seg, &ball);
-    ASSERT_TRUE(CollidePair(c));
+    const CContactDesc c = Meet(seg, ball);
     EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-5f);
     EXPECT_NEAR(depth - c.m_fSetback, g_fIntoEdge, g_fStopTolerance + g_fRounding);
     // The point touched is on the line, as deep as the ball sank.
@@ -73,8 +83,7 @@ TEST_F(CPairSweepTest, TheSetbackFromACircleIsExactWithinTheSlop) {
     CShape& shape = R == 0.0f ? static_cast<CShape&>(point) : circle;
     const float gap = random.Uniform(0.02f, 1), depth = random.Uniform(0.02f, 2);
     CDynamicCircle ball = Fly((gap + R + g_fR) * nhat, -(gap + depth) * nhat);
-    CContactDesc c(&shape, &ball);
-    ASSERT_TRUE(CollidePair(c));
+    const CContactDesc c = Meet(shape, ball);
     EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-4f);
     EXPECT_NEAR(depth - c.m_fSetback, g_fIntoCircle, g_fStopTolerance + g_fRounding);
   });
@@ -88,8 +97,7 @@ TEST_F(CPairSweepTest, AnObliqueImpactIsOnTheWayOfTheBall) {
     const Vector2 from = -2 * dir + random.Uniform(-0.48f, 0.48f) * perp(dir),
                   way = random.Uniform(2, 4) * dir;
     CDynamicCircle ball = Fly(from, way);
-    CContactDesc c(&circle, &ball);
-    ASSERT_TRUE(CollidePair(c));
+    const CContactDesc c = Meet(circle, ball);
     const Vector2 p = CentreAtImpact(c);
     EXPECT_NEAR(p.norm(), 0.6f - g_fIntoCircle, g_fStopTolerance + g_fRounding);
     EXPECT_NEAR(Cross(p - from, dir), 0, g_fRounding);
@@ -107,8 +115,7 @@ TEST_F(CPairSweepTest, TheSetbackFromAnArcIsExactWithinTheSlopAndTheSagitta) {
     const float side = outside ? 1.0f : -1.0f, gap = random.Uniform(0.03f, 0.5f),
                 depth = random.Uniform(0.03f, 0.3f);
     CDynamicCircle ball = Fly((1 + side * (gap + g_fR)) * u, -side * (gap + depth) * u);
-    CContactDesc c(&arc, &ball);
-    ASSERT_TRUE(CollidePair(c));
+    const CContactDesc c = Meet(arc, ball);
     const float angle = 0.5f * g_fPi / 16; // between a chord and the arc at its ends
     EXPECT_GT(c.m_vNorm.dot(side * u), std::cos(1.01f * angle));
     // Chords lie inside the arc: seen from outside they are up to a sagitta farther away, from inside nearer.
@@ -128,8 +135,7 @@ TEST_F(CPairSweepTest, BothBallsAreFollowed) {
     const float wayA = random.Uniform(0, 2), wayB = random.Uniform(0, 2) + 0.5f;
     CDynamicCircle a = Fly(Vector2(0, 0), wayA * nhat);
     CDynamicCircle b = Fly(0.5f * nhat, -wayB * nhat);
-    CContactDesc c(&a, &b);
-    ASSERT_TRUE(CollidePair(c));
+    const CContactDesc c = Meet(a, b);
     // They close .3 before they touch, and sink into each other a little.
     const float time = (0.3f + g_fIntoCircle) / (wayA + wayB);
     EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-4f);
@@ -140,18 +146,14 @@ TEST_F(CPairSweepTest, BothBallsAreFollowed) {
 TEST_F(CPairSweepTest, ATurningFlipperIsFollowed) {
   // It turns half a radian in the step and passes over a ball that lies still, without overlapping it at
   // either end.
-  CLineSegDesc desc({0, 0}, {1, 0});
-  desc.m_fRotSpeed = 0.5f / (g_fTwoPi * g_fDt);
-  CKinematicLineSeg flipper(desc);
+  CKinematicLineSeg flipper(Turning(CLineSegDesc({0, 0}, {1, 0}), 0.5f / (g_fTwoPi * g_fDt)));
   flipper.move();
   CDynamicCircle ball = Fly(0.8f * AngleToVector(0.25f), {0, 0}, 0.05f);
-  CContactDesc c(&flipper, &ball);
-  ASSERT_TRUE(CollidePair(c));
+  const CContactDesc c = Meet(flipper, ball);
   const Vector2 normal = perp(AngleToVector(0.25f));
   EXPECT_GT(c.m_vNorm.dot(normal), 0.99f); // it came from below
-  CContactDesc again(&flipper, &ball);
-  flipper.SetOrientation(0.5f); // the control: placed there, it has not passed over anything
-  EXPECT_FALSE(CollidePair(again));
+  flipper.SetOrientation(0.5f);            // the control: placed there, it has not passed over anything
+  EXPECT_FALSE(Meets(flipper, ball));
 }
 
 TEST_F(CPairSweepTest, EdgesHaveASkinAndCirclesHaveNone) {
@@ -159,23 +161,18 @@ TEST_F(CPairSweepTest, EdgesHaveASkinAndCirclesHaveNone) {
   CArc arc(CArcDesc({0, -1}, 1, 0, g_fPi)); // its top is a vertex, which is on the arc
   CCircle circle(CCircleDesc({0, -1}, 1));
   CPoint point(CPointDesc(Vector2(0, 0)));
-  const auto touches = [](CShape& shape, float gap, float& setback) {
+  const auto setback = [](CShape& shape, float gap) { // 0 if they do not touch
     CDynamicCircle ball = Fly({0, g_fR + gap}, {0, 0});
     CContactDesc c(&shape, &ball);
-    const bool found = CollidePair(c);
-    setback = c.m_fSetback;
-    return found;
+    return CollidePair(c) ? c.m_fSetback : 0.0f;
   };
-  float setback;
   for (CShape* pShape : std::initializer_list<CShape*>{&seg, &arc}) {
-    EXPECT_TRUE(touches(*pShape, 0.9f * b2_polygonRadius, setback));
-    EXPECT_NEAR(setback, 0.1f * b2_polygonRadius, 1e-6f);
-    EXPECT_FALSE(touches(*pShape, 1.1f * b2_polygonRadius, setback));
+    EXPECT_NEAR(setback(*pShape, 0.9f * b2_polygonRadius), 0.1f * b2_polygonRadius, 1e-6f);
+    EXPECT_EQ(setback(*pShape, 1.1f * b2_polygonRadius), 0);
   }
   for (CShape* pShape : std::initializer_list<CShape*>{&circle, &point}) {
-    EXPECT_TRUE(touches(*pShape, -0.001f, setback));
-    EXPECT_NEAR(setback, 0.001f, 1e-6f);
-    EXPECT_FALSE(touches(*pShape, 0.001f, setback));
+    EXPECT_NEAR(setback(*pShape, -0.001f), 0.001f, 1e-6f);
+    EXPECT_EQ(setback(*pShape, 0.001f), 0);
   }
 }
 
@@ -183,14 +180,12 @@ TEST_F(CPairSweepTest, TheEarliestPieceIsTheOneThatIsMet) {
   // Straight through a bowl from far outside: the near side is met, from outside.
   CArc bowl(CArcDesc({0, 0}, 1, 0, 0));
   CDynamicCircle through = Fly({-3, 0.2f}, {6, 0});
-  CContactDesc c(&bowl, &through);
-  ASSERT_TRUE(CollidePair(c));
+  const CContactDesc c = Meet(bowl, through);
   EXPECT_LT(c.m_vPOI.x(), -0.9f);
   EXPECT_LT(c.m_vNorm.x(), -0.9f);
   // From within: the far side, from inside.
   CDynamicCircle out = Fly({-0.5f, 0.2f}, {6, 0});
-  CContactDesc d(&bowl, &out);
-  ASSERT_TRUE(CollidePair(d));
+  const CContactDesc d = Meet(bowl, out);
   EXPECT_GT(d.m_vPOI.x(), 0.9f);
   EXPECT_LT(d.m_vNorm.x(), -0.9f);
 }
@@ -198,32 +193,26 @@ TEST_F(CPairSweepTest, TheEarliestPieceIsTheOneThatIsMet) {
 TEST_F(CPairSweepTest, WhatABallLeavesIsNotMet) {
   CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
   CDynamicCircle leaves = Fly({0, 0.05f}, {0, 1}); // overlaps at first
-  CContactDesc c(&seg, &leaves);
-  EXPECT_FALSE(CollidePair(c));
+  EXPECT_FALSE(Meets(seg, leaves));
   CDynamicCircle stays = Fly({0, 0.05f}, {0, 0.01f}); // the control
-  CContactDesc d(&seg, &stays);
-  ASSERT_TRUE(CollidePair(d));
+  const CContactDesc d = Meet(seg, stays);
   EXPECT_NEAR(d.m_fSetback, g_fR - 0.06f + b2_polygonRadius, 1e-5f); // out to the skin
 }
 
 TEST_F(CPairSweepTest, AShapeThatWasMovedIsMetWhereItIs) {
   CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
   CDynamicCircle ball = Fly({0, 1}, {0, -2});
-  CContactDesc c(&seg, &ball);
-  ASSERT_TRUE(CollidePair(c)); // what Box2D needs is kept with the shape from here on
+  EXPECT_TRUE(Meets(seg, ball)); // what Box2D needs is kept with the shape from here on
   seg.SetPos({5, 0});
-  EXPECT_FALSE(CollidePair(c));
+  EXPECT_FALSE(Meets(seg, ball));
   seg.SetPos({0, 0.5f});
-  ASSERT_TRUE(CollidePair(c));
-  EXPECT_NEAR(c.m_vPOI.y(), 0.5f - g_fIntoEdge, g_fStopTolerance + g_fRounding);
+  EXPECT_NEAR(Meet(seg, ball).m_vPOI.y(), 0.5f - g_fIntoEdge, g_fStopTolerance + g_fRounding);
 
-  CLineSegDesc desc({-1, 0}, {1, 0});
-  CKinematicLineSeg flipper(desc);
-  CContactDesc d(&flipper, &ball);
-  ASSERT_TRUE(CollidePair(d));
+  CKinematicLineSeg flipper(CLineSegDesc({-1, 0}, {1, 0}));
+  EXPECT_TRUE(Meets(flipper, ball));
   flipper.SetRotCenter({-1, 0});
   flipper.SetOrientation(-0.5f * g_fPi); // hangs down at x = -1
-  EXPECT_FALSE(CollidePair(d));
+  EXPECT_FALSE(Meets(flipper, ball));
 }
 
 TEST_F(CPairSweepTest, TheAnswerIsTheSameFarFromTheOrigin) {
@@ -232,13 +221,9 @@ TEST_F(CPairSweepTest, TheAnswerIsTheSameFarFromTheOrigin) {
   const Vector2 far(8192, -8192);
   CLineSeg here(CLineSegDesc({-1, 0}, {1, 0})),
       there(CLineSegDesc(far + Vector2(-1, 0), far + Vector2(1, 0)));
-  CDynamicCircle ballHere(CDynamicCircleDesc({0.25f, 0.5f}, 0.125f, {0, -60 * 0.75f}));
-  CDynamicCircle ballThere(CDynamicCircleDesc(far + Vector2(0.25f, 0.5f), 0.125f, {0, -60 * 0.75f}));
-  ballHere.move();
-  ballThere.move();
-  CContactDesc c(&here, &ballHere), d(&there, &ballThere);
-  ASSERT_TRUE(CollidePair(c));
-  ASSERT_TRUE(CollidePair(d));
+  CDynamicCircle ballHere = Fly({0.25f, 0.5f}, {0, -0.75f}, 0.125f),
+                 ballThere = Fly(far + Vector2(0.25f, 0.5f), {0, -0.75f}, 0.125f);
+  const CContactDesc c = Meet(here, ballHere), d = Meet(there, ballThere);
   EXPECT_NEAR(c.m_fSetback, d.m_fSetback, 1e-6f);
   EXPECT_NEAR((d.m_vPOI - far - c.m_vPOI).norm(), 0, 0x1p-10f);
 }

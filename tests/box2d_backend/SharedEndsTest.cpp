@@ -22,21 +22,13 @@ public:
     return id;
   }
   CShapeId Segment(const Vector2& p0, const Vector2& p1, eSides sides = eSides::Both) {
-    CLineSegDesc desc(p0, p1);
-    desc.m_eSides = sides;
-    return Add(std::make_unique<CLineSeg>(desc));
+    return Add(std::make_unique<CLineSeg>(Sided(CLineSegDesc(p0, p1), sides)));
   }
   CShapeId Arc(const Vector2& c, float r, float a0, float a1, eSides sides = eSides::Both) {
-    CArcDesc desc(c, r, a0, a1);
-    desc.m_eSides = sides;
-    return Add(std::make_unique<CArc>(desc));
+    return Add(std::make_unique<CArc>(Sided(CArcDesc(c, r, a0, a1), sides)));
   }
-  CShapeId Turning(const Vector2& p0, const Vector2& p1, const Vector2& center, float revsPerSecond) {
-    CLineSegDesc desc(p0, p1);
-    desc.m_eMotionType = eMotion::Kinematic;
-    desc.m_vRotCenter = center;
-    desc.m_fRotSpeed = revsPerSecond;
-    return Add(std::make_unique<CKinematicLineSeg>(desc));
+  CShapeId Flipper(const Vector2& p0, const Vector2& p1, const Vector2& center, float revsPerSecond) {
+    return Add(std::make_unique<CKinematicLineSeg>(Turning(CLineSegDesc(p0, p1), revsPerSecond, center)));
   }
   CShape& Get(CShapeId id) { return *m_cState.m_stdShapes[m_cState.FindShape(id)].m_pShape; }
 
@@ -113,29 +105,29 @@ TEST(JointsTest, WhereThreeMeetNoneIsJoined) {
 TEST(JointsTest, OnlyWhatMovesTogetherIsJoined) {
   const auto count = [](const Vector2& center, float speed) {
     CTable table;
-    table.Turning({-1, 0}, {0, 0}, {0.5f, 0.5f}, 2);
-    table.Turning({0, 0}, {1, 0}, center, speed);
+    table.Flipper({-1, 0}, {0, 0}, {0.5f, 0.5f}, 2);
+    table.Flipper({0, 0}, {1, 0}, center, speed);
     return table.Count();
   };
   EXPECT_EQ(count({0.5f, 0.5f}, 2), 2u);
   EXPECT_EQ(count({0.5f, 0.5f}, -2), 0u);
   EXPECT_EQ(count({0.5f, 0.4f}, 2), 0u);
   CTable moving;
-  const CShapeId left = moving.Turning({-1, 0}, {0, 0}, {0, 0}, 0),
-                 right = moving.Turning({0, 0}, {1, 0}, {0, 0}, 0);
+  const CShapeId left = moving.Flipper({-1, 0}, {0, 0}, {0, 0}, 0),
+                 right = moving.Flipper({0, 0}, {1, 0}, {0, 0}, 0);
   moving.Get(left).SetVel({1, 0});
   EXPECT_EQ(moving.Count(), 0u);
   moving.Get(right).SetVel({1, 0});
   EXPECT_EQ(moving.Count(), 2u);
   CTable table; // not a static one and one that turns, even if it stands still
-  table.Turning({-1, 0}, {0, 0}, {0, 0}, 0);
+  table.Flipper({-1, 0}, {0, 0}, {0, 0}, 0);
   table.Segment({0, 0}, {1, 0});
   EXPECT_EQ(table.Count(), 0u);
 }
 
 TEST(JointsTest, TangentsAreThoseOfNow) {
   CTable table;
-  const CShapeId a = table.Turning({-1, 0}, {0, 0}, {0, 0}, 1), b = table.Turning({0, 0}, {1, 1}, {0, 0}, 1);
+  const CShapeId a = table.Flipper({-1, 0}, {0, 0}, {0, 0}, 1), b = table.Flipper({0, 0}, {1, 1}, {0, 0}, 1);
   for (const CShapeId id : {a, b})
     table.Get(id).SetOrientation(g_fPi); // the ends change places
   ExpectJoint(At(table, a, 0), b, Vector2(-1, -1).normalized(), 0);

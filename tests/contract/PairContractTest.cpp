@@ -8,6 +8,10 @@ namespace {
 class CPairContract : public CEveryBackend {
 protected:
   void SetUp() override { CGameClock::Set(g_fDt, 0.0f); }
+  bool Detects(CShape& shape, CDynamicCircle& ball) const {
+    CContactDesc c(&shape, &ball);
+    return Backend().CollisionDetected(c);
+  }
 
   /// A ball of radius r that has just moved to `to` with velocity v, from `to` - v dt.
   static CDynamicCircle Arrive(const Vector2& to, const Vector2& v, float r = 0.1f) {
@@ -21,8 +25,7 @@ protected:
     CDynamicCircle ball = Arrive({0, 0.07f}, {0, -6});
     CContactDesc c(&shape, &ball);
     ASSERT_TRUE(Backend().CollisionDetected(c));
-    EXPECT_NEAR(c.m_vNorm.x(), 0.0f,
-                0.1f); // Box2D: an arc is a chain of chords, up to .1 rad off at 16 pieces
+    EXPECT_NEAR(c.m_vNorm.x(), 0.0f, 0.1f); // Box2D's chords of an arc are up to .1 rad off at 16 pieces
     EXPECT_NEAR(c.m_vNorm.norm(), 1.0f, 1e-6f);
     EXPECT_GT(c.m_vNorm.y(), 0.99f);
     EXPECT_NEAR(c.m_vPOI.x(), 0.0f, Skin());
@@ -33,17 +36,20 @@ protected:
     EXPECT_NEAR(ball.GetVel().y(), 6.0f, 0.13f); // 6 cos(.2) and up
     EXPECT_NEAR(ball.GetPos().y(), 0.1f, Skin());
   }
+
+  // All have their tops at the origin.
+  CPoint m_cPoint{CPointDesc(Vector2(0, 0))};
+  CKinematicLineSeg m_cSeg{CLineSegDesc({-1, 0}, {1, 0})};
+  CCircle m_cCircle{CCircleDesc({0, -1}, 1)};
+  CArc m_cArc{CArcDesc({0, -1}, 1, 0, g_fPi)};
+  CDynamicCircle m_cBall = Arrive({0, 0.07f}, {0, -6});
 };
 SHAPES_ON_EVERY_BACKEND(CPairContract);
 
 TEST_P(CPairContract, EveryShapeIsHitFromAbove) {
-  CPoint point(CPointDesc(Vector2(0, 0)));
-  CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
-  CCircle circle(CCircleDesc({0, -1}, 1));
-  CArc fromOutside(CArcDesc({0, -1}, 1, 0, g_fPi)), fromInside(CArcDesc({0, 1}, 1, g_fPi, 0)),
-      bowl(CArcDesc({0, 1}, 1, 0, 0));
+  CArc fromInside(CArcDesc({0, 1}, 1, g_fPi, 0)), bowl(CArcDesc({0, 1}, 1, 0, 0));
   for (CShape* pShape :
-       std::initializer_list<CShape*>{&point, &seg, &circle, &fromOutside, &fromInside, &bowl}) {
+       std::initializer_list<CShape*>{&m_cPoint, &m_cSeg, &m_cCircle, &m_cArc, &fromInside, &bowl}) {
     SCOPED_TRACE(static_cast<int>(pShape->GetShapeType()));
     ExpectHitFromAbove(*pShape);
   }
@@ -86,68 +92,46 @@ TEST_P(CPairContract, BallsThatBothMoveOnlyTouchAfterTheResponse) {
 }
 
 TEST_P(CPairContract, WhatIsFarAwayIsNotMet) {
-  CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
-  CPoint point(CPointDesc(Vector2(0, 0)));
-  CCircle circle(CCircleDesc({0, -1}, 1));
-  CArc arc(CArcDesc({0, -1}, 1, 0, g_fPi));
   CDynamicCircle ball = Arrive({0, 0.12f}, {0, -6});
-  for (CShape* pShape : std::initializer_list<CShape*>{&seg, &point, &circle, &arc}) {
-    CContactDesc c(pShape, &ball);
-    EXPECT_FALSE(Backend().CollisionDetected(c));
-  }
+  for (CShape* pShape : std::initializer_list<CShape*>{&m_cSeg, &m_cPoint, &m_cCircle, &m_cArc})
+    EXPECT_FALSE(Detects(*pShape, ball));
 }
 
-TEST_P(CPairContract, ABallDoesNotMeetItself) {
-  CDynamicCircle ball = Arrive({0, 0}, {0, -6});
-  CContactDesc c(&ball, &ball);
-  EXPECT_FALSE(Backend().CollisionDetected(c));
-}
+TEST_P(CPairContract, ABallDoesNotMeetItself) { EXPECT_FALSE(Detects(m_cBall, m_cBall)); }
 
 TEST_P(CPairContract, SensorsAreDetectedButNotAnswered) {
-  CLineSeg seg(Sensor(CLineSegDesc({-1, 0}, {1, 0})));
-  CDynamicCircle ball = Arrive({0, 0.07f}, {0, -6});
-  CContactDesc c(&seg, &ball);
+  m_cSeg.SetSensor(true);
+  CContactDesc c(&m_cSeg, &m_cBall);
   ASSERT_TRUE(Backend().CollisionDetected(c));
-  const Vector2 p = ball.GetPos(), v = ball.GetVel();
-  ball.CollisionResponse(c);
-  EXPECT_EQ(ball.GetPos(), p);
-  EXPECT_EQ(ball.GetVel(), v);
-  seg.SetSensor(false); // the control: the same contact is answered
-  ball.CollisionResponse(c);
-  EXPECT_NE(ball.GetVel(), v);
+  const Vector2 p = m_cBall.GetPos(), v = m_cBall.GetVel();
+  m_cBall.CollisionResponse(c);
+  EXPECT_EQ(m_cBall.GetPos(), p);
+  EXPECT_EQ(m_cBall.GetVel(), v);
+  m_cSeg.SetSensor(false); // the control: the same contact is answered
+  m_cBall.CollisionResponse(c);
+  EXPECT_NE(m_cBall.GetVel(), v);
 }
 
 TEST_P(CPairContract, WhatCannotCollideIsNotMet) {
-  CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
-  CDynamicCircle ball = Arrive({0, 0.07f}, {0, -6});
-  CContactDesc c(&seg, &ball);
-  seg.SetCanCollide(false);
-  EXPECT_FALSE(Backend().CollisionDetected(c));
-  seg.SetCanCollide();
-  ball.SetCanCollide(false);
-  EXPECT_FALSE(Backend().CollisionDetected(c));
-  ball.SetCanCollide();
-  EXPECT_TRUE(Backend().CollisionDetected(c));
+  for (CShape* pShape : std::initializer_list<CShape*>{&m_cSeg, &m_cBall}) {
+    pShape->SetCanCollide(false);
+    EXPECT_FALSE(Detects(m_cSeg, m_cBall));
+    pShape->SetCanCollide();
+    EXPECT_TRUE(Detects(m_cSeg, m_cBall));
+  }
 }
 
 TEST_P(CPairContract, NakedEndsAreOpenOnNativeAndRoundOnBox2D) {
   CLineSeg seg(CLineSegDesc({0, 0}, {1, 0}));
   CDynamicCircle ball = Arrive({-0.05f, 0.05f}, {0, -6});
-  CContactDesc c(&seg, &ball);
-  EXPECT_EQ(Backend().CollisionDetected(c), !IsNative());
-  // Where there is a guard the engines agree.
-  CPoint guard(CPointDesc(Vector2(0, 0)));
-  CContactDesc g(&guard, &ball);
-  EXPECT_TRUE(Backend().CollisionDetected(g));
+  EXPECT_EQ(Detects(seg, ball), !IsNative());
+  EXPECT_TRUE(Detects(m_cPoint, ball)); // where there is a guard the engines agree
 }
 
 TEST_P(CPairContract, OneSidedShapesLetBallsPassFromTheOpenSide) {
   for (const eSides sides : {eSides::Front, eSides::Back}) {
-    CLineSegDesc segDesc({-1, 0}, {1, 0});
-    CArcDesc arcDesc({0, -1}, 1, 0, g_fPi);
-    segDesc.m_eSides = arcDesc.m_eSides = sides;
-    CLineSeg seg(segDesc);
-    CArc arc(arcDesc);
+    CLineSeg seg(Sided(CLineSegDesc({-1, 0}, {1, 0}), sides));
+    CArc arc(Sided(CArcDesc({0, -1}, 1, 0, g_fPi), sides));
     const float solid = sides == eSides::Front ? 1.0f : -1.0f; // y of the solid side
     for (CShape* pShape : std::initializer_list<CShape*>{&seg, &arc}) {
       CDynamicCircle hits = Arrive({0, solid * 0.07f}, {0, -solid * 6});
@@ -155,16 +139,13 @@ TEST_P(CPairContract, OneSidedShapesLetBallsPassFromTheOpenSide) {
       ASSERT_TRUE(Backend().CollisionDetected(c));
       EXPECT_GT(c.m_vNorm.y() * solid, 0.99f);
       CDynamicCircle passes = Arrive({0, -solid * 0.07f}, {0, solid * 6});
-      CContactDesc d(pShape, &passes);
-      EXPECT_FALSE(Backend().CollisionDetected(d));
+      EXPECT_FALSE(Detects(*pShape, passes));
     }
   }
 }
 
 TEST_P(CPairContract, AFlipperKicksThroughTheContact) {
-  CLineSegDesc desc({0, 0}, {1, 0});
-  desc.m_fRotSpeed = 1.0f;
-  CKinematicLineSeg flipper(desc);
+  CKinematicLineSeg flipper(Turning(CLineSegDesc({0, 0}, {1, 0}), 1));
   flipper.move(); // 6 degrees
   CDynamicCircle ball(CDynamicCircleDesc({0.5f, 0.11f}, 0.1f));
   ball.move();
@@ -178,9 +159,8 @@ TEST_P(CPairContract, AFlipperKicksThroughTheContact) {
 
 TEST_P(CPairContract, AFastBallTunnelsOnNativeOnly) {
   // 1.2 diameters beyond a wall that it crossed in one step: native looks at the end, Box2D at the way.
-  CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
   CDynamicCircle ball = Arrive({0, -0.24f}, {0, -30});
-  CContactDesc c(&seg, &ball);
+  CContactDesc c(&m_cSeg, &ball);
   EXPECT_EQ(Backend().CollisionDetected(c), !IsNative());
   if (IsNative()) return;
   EXPECT_NEAR(c.m_fSetback, 0.34f, Skin());
@@ -188,32 +168,26 @@ TEST_P(CPairContract, AFastBallTunnelsOnNativeOnly) {
 }
 
 TEST_P(CPairContract, AnotherRotationCentreDoesNotMoveAShape) {
-  CKinematicLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
-  CDynamicCircle ball = Arrive({0, 0.07f}, {0, -6});
-  CContactDesc c(&seg, &ball);
-  EXPECT_TRUE(Backend().CollisionDetected(c));
-  seg.SetRotCenter({50, 0});
-  EXPECT_TRUE(Backend().CollisionDetected(c));
+  EXPECT_TRUE(Detects(m_cSeg, m_cBall));
+  m_cSeg.SetRotCenter({50, 0});
+  EXPECT_TRUE(Detects(m_cSeg, m_cBall));
 }
 
 TEST_P(CPairContract, NullIsRefused) {
-  CPoint point(CPointDesc(Vector2(0, 0)));
-  CDynamicCircle ball = Arrive({0, 0}, {0, -6});
-  CContactDesc noShape(nullptr, &ball), noBall(&point, nullptr);
+  CContactDesc noShape(nullptr, &m_cBall), noBall(&m_cPoint, nullptr);
   EXPECT_THROW(Backend().CollisionDetected(noShape), std::invalid_argument);
   EXPECT_THROW(Backend().CollisionDetected(noBall), std::invalid_argument);
 }
 
 TEST_P(CPairContract, DegenerateShapesAndBallsGiveNoNaN) {
   // Radius 0, centre on the shape, shapes without extent.
-  CPoint point(CPointDesc(Vector2(0, 0)));
   CLineSeg noLength(CLineSegDesc({0, 0}, {0, 0})), tiny(CLineSegDesc({0, 0}, {1e-30f, 0}));
   CCircle noRadius(CCircleDesc({0, 0}, 0));
   CArc noArc(CArcDesc({0, 0}, 0, 1, 2)), tinyArc(CArcDesc({0, 0}, 1e-4f, 1, 2)),
       smallBowl(CArcDesc({0, 0}, 1e-3f, 0, 0));
   for (const float r : {0.0f, 1e-6f, 0.1f, 10.0f})
     for (const Vector2& v : {Vector2(0, 0), Vector2(0, -6), Vector2(3, 1e-20f)})
-      for (CShape* pShape : std::initializer_list<CShape*>{&point, &noLength, &tiny, &noRadius, &noArc,
+      for (CShape* pShape : std::initializer_list<CShape*>{&m_cPoint, &noLength, &tiny, &noRadius, &noArc,
                                                            &tinyArc, &smallBowl}) {
         CDynamicCircle ball = Arrive({0, 0}, v, r);
         CContactDesc c(pShape, &ball);
