@@ -17,6 +17,12 @@ CFixtureShapes Make(const CShape& shape, float sagitta = g_fSagittaTolerance) {
   return CFixtureShapes::Make(shape, shape.GetPos(), CScale(1.0f), sagitta);
 }
 
+constexpr float g_fSkin = 0.00625f;
+
+CFixtureShapes MakeWithSkin(const CShape& shape, float sagitta = g_fSagittaTolerance) {
+  return CFixtureShapes::Make(shape, shape.GetPos(), CScale(1.0f), sagitta, g_fSkin);
+}
+
 CArc MakeArc(float R, float a0, float a1, eSides sides = eSides::Both, const Vector2& p = {0, 0}) {
   return CArc(Sided(CArcDesc(p, R, a0, a1), sides));
 }
@@ -160,14 +166,23 @@ TEST(PiecesTest, VerticesFarFromTheOriginAreNotTooCloseForBox2D) {
   });
 }
 
-TEST(PiecesTest, TheEndsOfAChainAreTheEndsOfTheArc) {
-  const CArc arc = MakeArc(2, 1, 4);
-  const CFixtureShapes fixtures = Make(arc);
-  ASSERT_EQ(fixtures.m_stdChains.size(), 2u);
-  const auto& outside = fixtures.m_stdChains[0].m_stdVertices;
-  EXPECT_FALSE(fixtures.m_stdChains[0].m_bClosed);
-  EXPECT_LE(Norm(outside.front() - b2Vec2(arc.GetEndPt0().x(), arc.GetEndPt0().y())), 4 * 2 * g_fUlp);
-  EXPECT_LE(Norm(outside.back() - b2Vec2(arc.GetEndPt1().x(), arc.GetEndPt1().y())), 4 * 2 * g_fUlp);
+TEST(PiecesTest, TheEndsOfChainsAndOfEdgesAreTheEndsOfTheArc) {
+  for (const float span : {0.7f, 3.0f, 6.0f}) {
+    const CArc arc = MakeArc(2, 1, 1 + span);
+    const auto expectEnds = [&](const b2Vec2& first, const b2Vec2& last) {
+      EXPECT_LE(Norm(first - b2Vec2(arc.GetEndPt0().x(), arc.GetEndPt0().y())), 4 * 2 * g_fUlp);
+      EXPECT_LE(Norm(last - b2Vec2(arc.GetEndPt1().x(), arc.GetEndPt1().y())), 4 * 2 * g_fUlp);
+    };
+    const CFixtureShapes fixtures = Make(arc);
+    ASSERT_EQ(fixtures.m_stdChains.size(), 2u);
+    const auto& outside = fixtures.m_stdChains[0];
+    EXPECT_FALSE(outside.m_bClosed);
+    expectEnds(outside.m_stdVertices.front(), outside.m_stdVertices.back());
+    const auto edges = MakeWithSkin(arc).m_stdEdges;
+    expectEnds(edges.front().m_vertex1, edges.back().m_vertex2);
+    for (std::size_t i = 1; i < edges.size(); ++i)
+      EXPECT_EQ(edges[i].m_vertex1, edges[i - 1].m_vertex2) << i;
+  }
 }
 
 TEST(PiecesTest, AFullCircleIsALoop) {
@@ -222,13 +237,15 @@ TEST(PiecesTest, SidesOfASegmentAreSolidAsAskedInEveryDirection) {
 
 TEST(PiecesTest, WhatIsTooSmallForBox2DBecomesAPointOrACircle) {
   const auto expectCircle = [](const CShape& shape, float r, const Vector2& p) {
-    const CFixtureShapes fixtures = CFixtureShapes::Make(shape, {0, 0}, CScale(1), g_fSagittaTolerance);
-    ASSERT_EQ(fixtures.m_stdCircles.size(), 1u);
-    EXPECT_TRUE(fixtures.m_stdEdges.empty() && fixtures.m_stdChains.empty());
-    EXPECT_EQ(fixtures.m_nArcPieces, 0);
-    EXPECT_EQ(fixtures.m_stdCircles[0].m_radius, r);
-    EXPECT_NEAR(fixtures.m_stdCircles[0].m_p.x, p.x(), 1e-6f);
-    EXPECT_NEAR(fixtures.m_stdCircles[0].m_p.y, p.y(), 1e-6f);
+    for (const std::optional<float> skin : {std::optional<float>(), std::optional(g_fSkin)}) {
+      const auto fixtures = CFixtureShapes::Make(shape, {0, 0}, CScale(1), g_fSagittaTolerance, skin);
+      ASSERT_EQ(fixtures.m_stdCircles.size(), 1u);
+      EXPECT_TRUE(fixtures.m_stdEdges.empty() && fixtures.m_stdChains.empty());
+      EXPECT_EQ(fixtures.m_nArcPieces, 0);
+      EXPECT_EQ(fixtures.m_stdCircles[0].m_radius, r + skin.value_or(0));
+      EXPECT_NEAR(fixtures.m_stdCircles[0].m_p.x, p.x(), 1e-6f);
+      EXPECT_NEAR(fixtures.m_stdCircles[0].m_p.y, p.y(), 1e-6f);
+    }
   };
   expectCircle(CPoint(CPointDesc(Vector2(3, 4))), 0, {3, 4});
   expectCircle(CCircle(CCircleDesc({3, 4}, 2)), 2, {3, 4});
@@ -239,33 +256,18 @@ TEST(PiecesTest, WhatIsTooSmallForBox2DBecomesAPointOrACircle) {
   expectCircle(MakeArc(0, 0, 1, eSides::Both, {3, 4}), 0, {3, 4});
   expectCircle(MakeArc(0.005f, 0, 0, eSides::Both, {3, 4}), 0.005f, {3, 4});
   // The control: a little longer, and they are what they are.
-  EXPECT_EQ(Make(CLineSeg(CLineSegDesc({3, 4}, {3.011f, 4}))).m_stdEdges.size(), 1u);
+  const CLineSeg seg(CLineSegDesc({3, 4}, {3.011f, 4}));
+  ASSERT_EQ(Make(seg).m_stdEdges.size(), 1u);
+  EXPECT_EQ(Make(seg).m_stdEdges[0].m_radius, b2_polygonRadius); // as Box2D has it
+  EXPECT_EQ(MakeWithSkin(seg).m_stdEdges[0].m_radius, g_fSkin);
   EXPECT_EQ(Make(MakeArc(0.013f, 0, 1)).m_stdChains.size(), 2u);
   EXPECT_EQ(Make(MakeArc(0.006f, 0, 0)).m_stdChains.size(), 2u);
-}
-
-// The rest is about fixtures with a skin.
-
-constexpr float g_fSkin = 0.00625f;
-
-CFixtureShapes MakeWithSkin(const CShape& shape, float sagitta = g_fSagittaTolerance) {
-  return CFixtureShapes::Make(shape, shape.GetPos(), CScale(1.0f), sagitta, g_fSkin);
 }
 
 double Distance(const b2EdgeShape& edge, const b2Vec2& p) {
   const b2Vec2 way = edge.m_vertex2 - edge.m_vertex1;
   const float along = std::clamp(b2Dot(p - edge.m_vertex1, way) / b2Dot(way, way), 0.0f, 1.0f);
   return Norm(p - edge.m_vertex1 - along * way);
-}
-
-TEST(PiecesTest, EverySkinIsAsAsked) {
-  EXPECT_EQ(MakeWithSkin(CPoint(CPointDesc(Vector2(3, 4)))).m_stdCircles[0].m_radius, g_fSkin);
-  EXPECT_EQ(MakeWithSkin(CCircle(CCircleDesc({3, 4}, 2))).m_stdCircles[0].m_radius, 2 + g_fSkin);
-  EXPECT_EQ(MakeWithSkin(CLineSeg(CLineSegDesc({0, 0}, {1, 0}))).m_stdEdges[0].m_radius, g_fSkin);
-  EXPECT_EQ(MakeWithSkin(MakeArc(0.005f, 0, 1)).m_stdCircles[0].m_radius, g_fSkin);
-  EXPECT_EQ(MakeWithSkin(MakeArc(0.005f, 0, 0)).m_stdCircles[0].m_radius, 0.005f + g_fSkin);
-  // The control: without one they have what Box2D gives them.
-  EXPECT_EQ(Make(CLineSeg(CLineSegDesc({0, 0}, {1, 0}))).m_stdEdges[0].m_radius, b2_polygonRadius);
 }
 
 TEST(PiecesTest, TheSkinsOfAnArcReachBeyondItAsAskedAndNotMuchFarther) {
@@ -314,18 +316,6 @@ TEST(PiecesTest, ChordsOnTheCircleWouldNeedAllOfTheSagitta) { // the control of 
   EXPECT_NEAR(Norm(edge.m_vertex1) - 1, 0.5 * sagitta, 0.01 * sagitta);
   const auto& v = inside.m_stdChains[0].m_stdVertices;
   EXPECT_NEAR(1 - Norm(0.5f * (v[8] + v[9])), sagitta, 0.01 * sagitta);
-}
-
-TEST(PiecesTest, TheEdgesOfAnArcGoFromEndToEnd) {
-  for (const float span : {0.7f, 3.0f, 6.0f}) {
-    const CArc arc = MakeArc(2, 1, 1 + span);
-    const auto edges = MakeWithSkin(arc).m_stdEdges;
-    const auto at = [](const Vector2& p) { return b2Vec2(p.x(), p.y()); };
-    EXPECT_LE(Norm(edges.front().m_vertex1 - at(arc.GetEndPt0())), 4 * 2 * g_fUlp);
-    EXPECT_LE(Norm(edges.back().m_vertex2 - at(arc.GetEndPt1())), 4 * 2 * g_fUlp);
-    for (std::size_t i = 1; i < edges.size(); ++i)
-      EXPECT_EQ(edges[i].m_vertex1, edges[i - 1].m_vertex2) << i;
-  }
 }
 
 TEST(PiecesTest, TheEdgesOfAFullCircleClose) {

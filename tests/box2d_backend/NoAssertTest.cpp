@@ -54,6 +54,20 @@ protected:
       EXPECT_TRUE(event.m_vPOI.allFinite() && event.m_vNorm.allFinite() && std::isfinite(event.m_fSpeed));
   }
 
+  /// With balls at its ends and its middle or centre.
+  template <class TDesc>
+  void StepStaticAndTurning(const TDesc& desc) {
+    for (const TDesc& shape : {desc, Turning(desc, 1)}) {
+      Make();
+      m_pWorld->Add(shape);
+      Vector2 p0, p1;
+      shape.GetEndPts(p0, p1);
+      for (const Vector2& p : {p0, p1, shape.m_vPos})
+        AddBalls(p);
+      Step();
+    }
+  }
+
   template <class TDesc>
   void ExpectRefused(const TDesc& desc) {
     EXPECT_THROW(m_pWorld->Add(desc), std::invalid_argument);
@@ -68,17 +82,7 @@ TEST_P(CNoAssert, SegmentsOfAnyLength) {
   for (const float metres : {0.0f, g_fDenormal, 1e-30f, 0.004f, Below(b2_linearSlop), b2_linearSlop,
                              Above(b2_linearSlop), Below(g_fShortestEdge), g_fShortestEdge, 1e4f, 1e8f})
     for (const eSides sides : {eSides::Both, eSides::Front, eSides::Back})
-      for (const eMotion motion : {eMotion::Static, eMotion::Kinematic}) {
-        Make();
-        CLineSegDesc desc({0, 0}, {metres * Unit(), 0});
-        desc.m_eSides = sides;
-        desc.m_eMotionType = motion;
-        desc.m_fRotSpeed = motion == eMotion::Kinematic ? 1.0f : 0.0f;
-        m_pWorld->Add(desc);
-        for (const Vector2& p : {desc.GetEndPt0(), desc.GetEndPt1(), desc.m_vPos})
-          AddBalls(p);
-        Step();
-      }
+      StepStaticAndTurning(Sided(CLineSegDesc({0, 0}, {metres * Unit(), 0}), sides));
 }
 
 TEST_P(CNoAssert, ArcsOfAnyRadiusAndSpan) {
@@ -86,19 +90,8 @@ TEST_P(CNoAssert, ArcsOfAnyRadiusAndSpan) {
        {0.0f, g_fDenormal, 1e-30f, 0.001f, 0.0025f, b2_linearSlop, g_fShortestEdge, 0.1f, 1e3f})
     for (const float span :
          {g_fDenormal, 1e-6f, 0.001f, 0.01f, 0.1f, g_fPi, 6.0f, Below(Below(Below(g_fTwoPi))), g_fTwoPi})
-      for (const eMotion motion : {eMotion::Static, eMotion::Kinematic}) {
-        Make();
-        CArcDesc desc({0, 0}, metres * Unit(), 0, span);
-        desc.m_eSides = span < 1 ? eSides::Front : eSides::Both;
-        desc.m_eMotionType = motion;
-        desc.m_fRotSpeed = motion == eMotion::Kinematic ? 1.0f : 0.0f;
-        m_pWorld->Add(desc);
-        Vector2 p0, p1;
-        desc.GetEndPts(p0, p1);
-        for (const Vector2& p : {p0, p1, desc.m_vPos})
-          AddBalls(p);
-        Step();
-      }
+      StepStaticAndTurning(
+          Sided(CArcDesc({0, 0}, metres * Unit(), 0, span), span < 1 ? eSides::Front : eSides::Both));
 }
 
 TEST_P(CNoAssert, ShapesThatTurnAboutAPointFarAway) {

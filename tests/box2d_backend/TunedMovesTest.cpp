@@ -114,20 +114,6 @@ TEST(TunedFlipperTest, AGuardedTipKicksAsANakedOneDoes) {
   EXPECT_LE(most, 0.01);
 }
 
-TEST(TunedClampTest, AFastBallKeepsItsSpeedBitForBit) {
-  auto pWorld = MakeBox2D(eProfile::Tuned);
-  const Vector2 v(300, 400);
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, v));
-  for (int i = 0; i < 100; ++i) {
-    pWorld->Step();
-    ASSERT_EQ(pWorld->GetVel(ball), v) << "after step " << i;
-  }
-  const Vector2 exact = 100 * g_fDt * v;
-  EXPECT_LE((pWorld->GetPos(ball) - exact).norm(), 1e-3f * exact.norm());
-  EXPECT_EQ(pWorld->GetStats().m_nMovesClamped, 0u);
-  EXPECT_GT(pWorld->GetStats().m_nEngineSteps, pWorld->GetStats().m_nSubsteps);
-}
-
 /// After 6 steps with 500 m/s towards a wall 20 away.
 Vector2 SpeedAfterAWall(CWorld& world) {
   world.Add(CLineSegDesc({20, -5}, {20, 5}));
@@ -261,27 +247,6 @@ TEST(TunedSlowTest, ASlowBallReboundsAtItsSpeed) {
       }
   // The control: two chords of the shipped bowl join at its bottom, and the ball gains speed there.
   EXPECT_GT(std::abs(Rebound(eProfile::Shipped, bowl, 0.99f) - 0.99f), 0.01f);
-}
-
-TEST(TunedSlowTest, Box2DItselfStopsASlowBall) { // the control
-  for (const float speed : {0.99f, 1.01f}) {
-    b2World world(b2Vec2_zero);
-    const b2BodyDef ground;
-    b2EdgeShape edge;
-    edge.SetTwoSided({-1, 0}, {1, 0});
-    world.CreateBody(&ground)->CreateFixture(&edge, 0);
-    b2BodyDef def;
-    def.type = b2_dynamicBody;
-    def.position = {0, 0.15f};
-    def.linearVelocity = {0, -speed};
-    b2Body& ball = *world.CreateBody(&def);
-    b2CircleShape circle;
-    circle.m_radius = 0.1f;
-    ball.CreateFixture(&circle, 1)->SetRestitution(1);
-    for (int i = 0; i < 30; ++i)
-      world.Step(g_fDt, 8, 3);
-    EXPECT_NEAR(ball.GetLinearVelocity().y, speed < 1 ? 0 : speed, 1e-5f);
-  }
 }
 
 } // namespace

@@ -13,7 +13,20 @@ struct CStay {
   double m_fSpeed = 0; // fastest
 };
 
-/// Rolls along eleven segments in line, over their ten sharedEnds; m_fSpeed is the largest change of speed.
+/// Of all balls, whose places these are, in some steps.
+CStay Watch(CWorld& world, const std::vector<Vector2>& places, int steps) {
+  CStay stay;
+  for (int i = 0; i < steps; ++i) {
+    world.Step();
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      stay.m_fOff = std::max<double>(stay.m_fOff, (world.GetBallPositions()[k] - places[k]).norm());
+      stay.m_fSpeed = std::max<double>(stay.m_fSpeed, world.GetBallVelocities()[k].norm());
+    }
+  }
+  return stay;
+}
+
+/// Rolls along eleven segments in line, over their ten shared ends; m_fSpeed is the largest change of speed.
 CStay Roll(eProfile profile, float elasticity) {
   auto pWorld = MakeBox2D(profile, g_vGravity);
   for (int i = 0; i < 11; ++i)
@@ -43,15 +56,9 @@ TEST(TunedFloorTest, ABallRollsOverTenJointsAndKeepsItsSpeed) {
 CStay Rest(eProfile profile, float elasticity, float drop) {
   auto pWorld = MakeBox2D(profile, g_vGravity);
   pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.1f + drop}, 0.1f, {0, 0}, 1, elasticity));
-  CStay stay;
-  for (int i = 0; i < 62 * 60; ++i) {
-    pWorld->Step();
-    if (drop > 0 && i < 2 * 60) continue;
-    stay.m_fOff = std::max(stay.m_fOff, std::abs(pWorld->GetPos(ball).y() - 0.1));
-    stay.m_fSpeed = std::max<double>(stay.m_fSpeed, pWorld->GetVel(ball).norm());
-  }
-  return stay;
+  pWorld->Add(CDynamicCircleDesc({0, 0.1f + drop}, 0.1f, {0, 0}, 1, elasticity));
+  if (drop > 0) Steps(*pWorld, 2 * 60);
+  return Watch(*pWorld, {{0, 0.1f}}, 62 * 60);
 }
 
 TEST(TunedFloorTest, ABallRestsOnTheFloor) {
@@ -73,22 +80,12 @@ CStay Stack(eProfile profile, float elasticity) {
   pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
   for (const float x : {-0.105f, 0.105f})
     pWorld->Add(CLineSegDesc({x, -0.5f}, {x, 2}));
-  std::vector<CShapeId> balls;
-  std::vector<Vector2> places;
-  for (int k = 0; k < 3; ++k) {
-    const float rise = std::sqrt(0.2f * 0.2f - 0.01f * 0.01f);
-    places.push_back({k == 1 ? 0.005f : -0.005f, 0.1f + static_cast<float>(k) * rise});
-    balls.push_back(pWorld->Add(CDynamicCircleDesc(places.back(), 0.1f, {0, 0}, 1, elasticity)));
-  }
-  CStay stay;
-  for (int i = 0; i < 20 * 60; ++i) {
-    pWorld->Step();
-    for (std::size_t k = 0; k < 3; ++k) {
-      stay.m_fOff = std::max<double>(stay.m_fOff, (pWorld->GetPos(balls[k]) - places[k]).norm());
-      if (i > 10 * 60) stay.m_fSpeed = std::max<double>(stay.m_fSpeed, pWorld->GetVel(balls[k]).norm());
-    }
-  }
-  return stay;
+  const float rise = std::sqrt(0.2f * 0.2f - 0.01f * 0.01f);
+  const std::vector<Vector2> places{{-0.005f, 0.1f}, {0.005f, 0.1f + rise}, {-0.005f, 0.1f + 2 * rise}};
+  for (const Vector2& p : places)
+    pWorld->Add(CDynamicCircleDesc(p, 0.1f, {0, 0}, 1, elasticity));
+  const CStay first = Watch(*pWorld, places, 10 * 60), last = Watch(*pWorld, places, 10 * 60);
+  return {std::max(first.m_fOff, last.m_fOff), last.m_fSpeed};
 }
 
 TEST(TunedFloorTest, AStackBetweenTwoWallsStays) {
@@ -100,6 +97,16 @@ TEST(TunedFloorTest, AStackBetweenTwoWallsStays) {
   }
   EXPECT_GT(Stack(eProfile::Shipped, 0.5f).m_fOff, 3 * g_fMostOffFloor); // the control
   EXPECT_GT(Stack(eProfile::Shipped, 0.5f).m_fSpeed, 0.1);
+}
+
+/// The largest overlap of two balls, in radii.
+double GetOverlap(const CWorld& world, float radius) {
+  const auto p = world.GetBallPositions();
+  float nearest = 2 * radius;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      nearest = std::min(nearest, (p[i] - p[j]).norm());
+  return 2 - nearest / radius;
 }
 
 constexpr float g_fPileRadius = 0.2f, g_fPileGravity = 10.0f;
@@ -181,15 +188,6 @@ struct CVessel {
     }
     return most / g_fPileRadius;
   }
-  /// The largest of two balls, in radii.
-  double GetOverlap() const {
-    const auto p = m_pWorld->GetBallPositions();
-    float most = 0;
-    for (std::size_t i = 0; i < p.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        most = std::max(most, 2 * g_fPileRadius - (p[i] - p[j]).norm());
-    return most / g_fPileRadius;
-  }
 };
 
 Box2D::CTuning WithoutLastingContact() {
@@ -214,7 +212,7 @@ TEST(TunedPileTest, APileSettlesAndLosesNone) {
         }
         // What slides in a bowl slides on.
         EXPECT_LT(vessel.GetFastest(), kind == eVessel::Bowl ? 1.0 : 0.2);
-        EXPECT_LT(vessel.GetOverlap(), 0.1);
+        EXPECT_LT(GetOverlap(*vessel.m_pWorld, g_fPileRadius), 0.1);
       }
 }
 
@@ -232,7 +230,7 @@ CSettling Settle(const Box2D::CTuning& tuning, eVessel kind, int balls, int runs
     double least = first, overlap = 0, rise = 0;
     for (int i = 0; i < steps; ++i) {
       vessel.Step(1);
-      overlap = std::max({overlap, vessel.GetOverlap(), vessel.GetDepth()});
+      overlap = std::max({overlap, GetOverlap(*vessel.m_pWorld, g_fPileRadius), vessel.GetDepth()});
       const double energy = vessel.GetEnergy();
       least = std::min(least, energy);
       rise = std::max(rise, (energy - least) / first);
@@ -310,7 +308,7 @@ constexpr float g_fCrushRadius = 0.2f, g_fWallSpeed = 2;
 
 struct CCrush {
   float m_fFastest = 0;
-  float m_fOverlap = 0; // radii, at the end
+  double m_fOverlap = 0; // radii, at the end
 };
 
 // Twenty balls on a floor, between two walls that close until nine are where six have room, stay there for
@@ -347,10 +345,7 @@ CCrush Crush(const Box2D::CTuning& tuning, std::uint64_t seed) {
     play(0, 120);
     if (round < 2) play(-g_fWallSpeed, 33);
   }
-  const auto p = pWorld->GetBallPositions();
-  for (std::size_t i = 0; i < p.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      crush.m_fOverlap = std::max(crush.m_fOverlap, 2 - (p[i] - p[j]).norm() / g_fCrushRadius);
+  crush.m_fOverlap = GetOverlap(*pWorld, g_fCrushRadius);
   return crush;
 }
 
@@ -359,9 +354,9 @@ TEST(TunedCrushTest, BallsThatWallsPressTogetherAreNeitherShotOutNorStayInEachOt
     SCOPED_TRACE(seed);
     const CCrush crush = Crush(Box2D::g_cTuned, seed);
     EXPECT_LT(crush.m_fFastest, 5 * g_fWallSpeed);
-    EXPECT_LT(crush.m_fOverlap, 0.15f);
+    EXPECT_LT(crush.m_fOverlap, 0.15);
   }
-  EXPECT_GT(Crush(WithoutLastingContact(), g_nCrushSeed + 1).m_fOverlap, 0.3f); // the control
+  EXPECT_GT(Crush(WithoutLastingContact(), g_nCrushSeed + 1).m_fOverlap, 0.3); // the control
 }
 
 // Runs of ten seconds in which one of three balls gets out of a ring with a bar that turns in it and leaves

@@ -52,38 +52,41 @@ double HeightChange(const CTuning& tuning) {
 }
 
 struct CFastBall {
-  float m_fSpeed;
+  Vector2 m_vPos, m_vVel;
   CWorldStats m_cStats;
 };
 
-/// After 6 steps with this speed.
-CFastBall Shoot(const CTuning& tuning, float speed) {
+/// After some steps with this speed.
+CFastBall Shoot(const CTuning& tuning, const Vector2& v, int steps = 6) {
   auto pWorld = MakeBox2D(tuning);
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, {speed, 0}));
-  Steps(*pWorld, 6);
-  return {pWorld->GetVel(ball).norm(), pWorld->GetStats()};
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, v));
+  Steps(*pWorld, steps);
+  return {pWorld->GetPos(ball), pWorld->GetVel(ball), pWorld->GetStats()};
 }
 
 TEST(TuningTest, CutsLetAFastBallBeFast) {
-  const CFastBall fast = Shoot(g_cTuned, 500);
-  EXPECT_EQ(fast.m_fSpeed, 500);
+  const Vector2 v(300, 400);
+  const CFastBall fast = Shoot(g_cTuned, v, 100);
+  EXPECT_EQ(fast.m_vVel, v); // bit for bit
+  EXPECT_LE((fast.m_vPos - 100 * g_fDt * v).norm(), 1e-3f * 100 * g_fDt * 500);
   EXPECT_EQ(fast.m_cStats.m_nMovesClamped, 0u);
-  const CFastBall slowed = Shoot(Without(&CTuning::m_bAdaptiveSubsteps), 500);
-  EXPECT_NEAR(slowed.m_fSpeed, b2_maxTranslation / g_cTuned.m_fScale / g_fDt, 1e-3f);
+  const CFastBall slowed = Shoot(Without(&CTuning::m_bAdaptiveSubsteps), {500, 0});
+  EXPECT_NEAR(slowed.m_vVel.norm(), b2_maxTranslation / g_cTuned.m_fScale / g_fDt, 1e-3f);
   EXPECT_GE(slowed.m_cStats.m_nMovesClamped, 1u); // and it is reported
   EXPECT_EQ(slowed.m_cStats.m_nEngineSteps, 6u);
 }
 
 TEST(TuningTest, CutsAreAsManyAsASpeedNeeds) {
-  EXPECT_EQ(Shoot(g_cTuned, 5).m_cStats.m_nEngineSteps, 6u); // one for each substep
+  EXPECT_EQ(Shoot(g_cTuned, {5, 0}).m_cStats.m_nEngineSteps, 6u); // one for each substep
   for (const float speed : {60.0f, 500.0f, 1500.0f}) {
     const float parts = speed * g_fDt * g_cTuned.m_fScale / (g_fSafeMove * b2_maxTranslation);
-    EXPECT_EQ(Shoot(g_cTuned, speed).m_cStats.m_nEngineSteps, 6u * static_cast<unsigned>(std::ceil(parts)));
+    EXPECT_EQ(Shoot(g_cTuned, {speed, 0}).m_cStats.m_nEngineSteps,
+              6u * static_cast<unsigned>(std::ceil(parts)));
   }
   // There is a limit, beyond which a ball is slowed down even so.
-  const CFastBall slowed = Shoot(g_cTuned, 1e5f);
+  const CFastBall slowed = Shoot(g_cTuned, {1e5f, 0});
   EXPECT_GE(slowed.m_cStats.m_nMovesClamped, 1u);
-  EXPECT_LT(slowed.m_fSpeed, 1e5f);
+  EXPECT_LT(slowed.m_vVel.norm(), 1e5f);
 }
 
 TEST(TuningTest, CutsAreAsManyAsATurnNeeds) {
