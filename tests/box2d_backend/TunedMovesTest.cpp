@@ -40,8 +40,8 @@ struct CFlipperResult {
 };
 
 /// Turns the flipper by 3 radians.
-void Sweep(eProfile profile, const CFlipperCase& c, CFlipperResult& result) {
-  auto pWorld = MakeBox2D(profile);
+void Sweep(const CTuning& tuning, const CFlipperCase& c, CFlipperResult& result) {
+  auto pWorld = MakeBox2D(tuning);
   const CShapeId flipper = pWorld->Add(Turning(
       CLineSegDesc(Vector2::Zero(), UnitVector(c.m_fStart).cast<float>()), static_cast<float>(c.m_fRevs)));
   const Vector2d place = c.m_fDistance * UnitVector(c.m_fStart + c.m_fAhead);
@@ -66,21 +66,21 @@ void Sweep(eProfile profile, const CFlipperCase& c, CFlipperResult& result) {
   result.m_nBehind += isMet && isBehind;
 }
 
-CFlipperResult Sweeps(eProfile profile) {
+CFlipperResult Sweeps(const CTuning& tuning) {
   CRandom random(45);
   CFlipperResult result;
   for (int k = 0; k < 2000; ++k)
-    Sweep(profile, MakeCase(random), result);
+    Sweep(tuning, MakeCase(random), result);
   EXPECT_GT(result.m_stdKickErrors.size(), 1000u); // or the kicks say nothing
   return result;
 }
 
 TEST(TunedFlipperTest, EveryBallIsMetAndKickedAsItShouldBe) {
-  const CFlipperResult result = Sweeps(eProfile::Tuned);
+  const CFlipperResult result = Sweeps(g_cTuned);
   EXPECT_EQ(result.m_nMissed, 0);
   EXPECT_EQ(result.m_nBehind, 0);
   EXPECT_LE(Quantile(result.m_stdKickErrors, 1), 0.05);
-  const CFlipperResult shipped = Sweeps(eProfile::Shipped); // the control
+  const CFlipperResult shipped = Sweeps(g_cShipped); // the control
   EXPECT_GT(shipped.m_nMissed, 0);
   EXPECT_GT(shipped.m_nBehind, 0);
   EXPECT_GT(Quantile(shipped.m_stdKickErrors, 1), 0.1);
@@ -96,7 +96,7 @@ TEST(TunedFlipperTest, AGuardedTipKicksAsANakedOneDoes) {
                  x = -3 - random.Unit();
     Vector2 v[2];
     for (const bool guarded : {false, true}) {
-      auto pWorld = MakeBox2D(eProfile::Tuned);
+      auto pWorld = MakeBox2D(g_cTuned);
       std::vector<CAnyShapeDesc> shapes{CLineSegDesc(Vector2(-1, 0), Vector2(1, 0))};
       if (guarded) shapes.insert(shapes.end(), {CPointDesc(Vector2(-1, 0)), CPointDesc(Vector2(1, 0))});
       for (const CShapeId id : pWorld->AddCompound(shapes, {0, 0}, 2))
@@ -123,20 +123,20 @@ Vector2 SpeedAfterAWall(CWorld& world) {
 }
 
 TEST(TunedClampTest, AFastBallBouncesOffAWallAtItsSpeed) {
-  EXPECT_LE((SpeedAfterAWall(*MakeBox2D(eProfile::Tuned)) - Vector2(-500, 0)).norm(), 500 * 1e-6f);
-  auto pShipped = MakeBox2D(eProfile::Shipped); // the control: it is slowed down, and that is counted
+  EXPECT_LE((SpeedAfterAWall(*MakeBox2D(g_cTuned)) - Vector2(-500, 0)).norm(), 500 * 1e-6f);
+  auto pShipped = MakeBox2D(g_cShipped); // the control: it is slowed down, and that is counted
   EXPECT_LT(SpeedAfterAWall(*pShipped).norm(), 121);
   EXPECT_GE(pShipped->GetStats().m_nMovesClamped, 1u);
 }
 
 /// How many of 200 balls at rest that a spinner of 30 rev/s, half a turn a step, should hit in its second
 /// quarter turn stay at rest.
-int CountMissed(eProfile profile, std::uint64_t& turnsClamped) {
+int CountMissed(const CTuning& tuning, std::uint64_t& turnsClamped) {
   CRandom random(46);
   int missed = 0;
   turnsClamped = 0;
   for (int k = 0; k < 200; ++k) {
-    auto pWorld = MakeBox2D(profile);
+    auto pWorld = MakeBox2D(tuning);
     const CShapeId spinner = pWorld->Add(Turning(CLineSegDesc(Vector2(0, 0), Vector2(1, 0)), 30));
     const Vector2d place = 0.7 * UnitVector(1.8 + random.Unit());
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc(place.cast<float>(), 0.05f));
@@ -150,10 +150,65 @@ int CountMissed(eProfile profile, std::uint64_t& turnsClamped) {
 
 TEST(TunedClampTest, AFastSpinnerTurnsByAllOfItsAngle) {
   std::uint64_t turnsClamped = 0;
-  EXPECT_EQ(CountMissed(eProfile::Tuned, turnsClamped), 0);
+  EXPECT_EQ(CountMissed(g_cTuned, turnsClamped), 0);
   EXPECT_EQ(turnsClamped, 0u);
-  EXPECT_EQ(CountMissed(eProfile::Shipped, turnsClamped), 200); // the control: by less, and that is counted
+  EXPECT_EQ(CountMissed(g_cShipped, turnsClamped), 200); // the control: by less, and that is counted
   EXPECT_EQ(turnsClamped, 200u);
+}
+
+// Steps are cut for what is fast, as often as it needs.
+
+struct CFastBall {
+  Vector2 m_vPos, m_vVel;
+  CWorldStats m_cStats;
+};
+
+/// After some steps with this speed.
+CFastBall Shoot(const CTuning& tuning, const Vector2& v, int steps = 6) {
+  auto pWorld = MakeBox2D(tuning);
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, v));
+  Steps(*pWorld, steps);
+  return {pWorld->GetPos(ball), pWorld->GetVel(ball), pWorld->GetStats()};
+}
+
+TEST(TunedClampTest, CutsLetAFastBallBeFast) {
+  const Vector2 v(300, 400);
+  const CFastBall fast = Shoot(g_cTuned, v, 100);
+  EXPECT_EQ(fast.m_vVel, v); // bit for bit
+  EXPECT_LE((fast.m_vPos - 100 * g_fDt * v).norm(), 1e-3f * 100 * g_fDt * 500);
+  EXPECT_EQ(fast.m_cStats.m_nMovesClamped, 0u);
+  const CFastBall slowed = Shoot(Without(&CTuning::m_bAdaptiveSubsteps), {500, 0});
+  EXPECT_NEAR(slowed.m_vVel.norm(), b2_maxTranslation / g_cTuned.m_fScale / g_fDt, 1e-3f);
+  EXPECT_GE(slowed.m_cStats.m_nMovesClamped, 1u); // and it is reported
+  EXPECT_EQ(slowed.m_cStats.m_nEngineSteps, 6u);
+}
+
+TEST(TunedClampTest, CutsAreAsManyAsASpeedNeeds) {
+  EXPECT_EQ(Shoot(g_cTuned, {5, 0}).m_cStats.m_nEngineSteps, 6u); // one for each substep
+  for (const float speed : {60.0f, 500.0f, 1500.0f}) {
+    const float parts = speed * g_fDt * g_cTuned.m_fScale / (g_fSafeMove * b2_maxTranslation);
+    EXPECT_EQ(Shoot(g_cTuned, {speed, 0}).m_cStats.m_nEngineSteps,
+              6u * static_cast<unsigned>(std::ceil(parts)));
+  }
+  // There is a limit, beyond which a ball is slowed down even so.
+  const CFastBall slowed = Shoot(g_cTuned, {1e5f, 0});
+  EXPECT_GE(slowed.m_cStats.m_nMovesClamped, 1u);
+  EXPECT_LT(slowed.m_vVel.norm(), 1e5f);
+}
+
+TEST(TunedClampTest, CutsAreAsManyAsATurnNeeds) {
+  const auto count = [](float revsPerSecond, float reach) {
+    auto pWorld = MakeBox2D(g_cTuned);
+    pWorld->Add(Turning(CLineSegDesc(Vector2(0, 0), Vector2(reach, 0)), revsPerSecond));
+    Steps(*pWorld, 6);
+    EXPECT_EQ(pWorld->GetStats().m_nTurnsClamped, 0u);
+    return pWorld->GetStats().m_nEngineSteps;
+  };
+  EXPECT_EQ(count(0, 0.1f), 6u);
+  EXPECT_EQ(count(1, 0.1f), 6u); // .105 radians a step
+  const float turn = g_fTwoPi * 30 * g_fDt;
+  EXPECT_EQ(count(30, 0.1f), 6u * static_cast<unsigned>(std::ceil(turn / g_fLargestTurn)));
+  EXPECT_GT(count(1, 20), 6u); // a long one sweeps far
 }
 
 // A ball that is dropped comes back to where its elasticity lets it, for as long as it bounces.
@@ -161,8 +216,8 @@ TEST(TunedClampTest, AFastSpinnerTurnsByAllOfItsAngle) {
 enum class eGround { Segment, Point, Circle, Bowl };
 
 /// Heights of the tops of a ball's way after a drop from a height of 2.
-std::vector<double> Tops(eProfile profile, eGround ground, float rate, float elasticity, float seconds) {
-  auto pWorld = MakeBox2D(profile, {0, -9.81f}, 1 / rate);
+std::vector<double> Tops(const CTuning& tuning, eGround ground, float rate, float elasticity, float seconds) {
+  auto pWorld = MakeBox2D(tuning, {0, -9.81f}, 1 / rate);
   switch (ground) {
   case eGround::Segment: pWorld->Add(CLineSegDesc({-1, 0}, {1, 0})); break;
   case eGround::Point: pWorld->Add(CPointDesc({0, 0})); break;
@@ -191,19 +246,20 @@ TEST(TunedDropTest, AnElasticBallComesBackFromEveryShape) {
     for (const float rate : {60.0f, 120.0f, 240.0f}) {
       SCOPED_TRACE(testing::Message() << "ground " << static_cast<int>(ground) << ", " << rate << " Hz");
       const float seconds = ground == eGround::Segment ? 300 : 60;
-      const std::vector<double> tops = Tops(eProfile::Tuned, ground, rate, 1, seconds);
+      const std::vector<double> tops = Tops(g_cTuned, ground, rate, 1, seconds);
       const double periods = seconds / (2 * std::sqrt(2 * 2 / 9.81));
       ASSERT_FALSE(tops.empty());
       EXPECT_NEAR(static_cast<double>(tops.size()), periods, 0.02 * periods + 1);
       EXPECT_GE(Quantile(tops, 0), 0.99 * 2);
       EXPECT_LE(Quantile(tops, 1), 1.01 * 2);
     }
-  EXPECT_GT(Tops(eProfile::Shipped, eGround::Segment, 120, 1, 300).back(), 3); // the control: it climbs
+  EXPECT_GT(Tops(g_cShipped, eGround::Segment, 120, 1, 300).back(), 3); // the control: it climbs
+  EXPECT_GT(Tops(Without(&CTuning::m_bParabolas), eGround::Segment, 120, 1, 300).back(), 1.01 * 2);
 }
 
 /// The largest relative error of the first ten tops.
-double DecayError(eProfile profile, eGround ground, float rate) {
-  const std::vector<double> tops = Tops(profile, ground, rate, 0.9f, 10);
+double DecayError(const CTuning& tuning, eGround ground, float rate) {
+  const std::vector<double> tops = Tops(tuning, ground, rate, 0.9f, 10);
   EXPECT_GE(tops.size(), 10u);
   double most = 0, exact = 2;
   for (std::size_t k = 0; k < std::min<std::size_t>(10, tops.size()); ++k) {
@@ -217,16 +273,16 @@ TEST(TunedDropTest, EachBounceKeepsTheSquareOfTheElasticity) {
   for (const eGround ground : {eGround::Segment, eGround::Point, eGround::Circle, eGround::Bowl})
     for (const float rate : {60.0f, 120.0f, 240.0f}) {
       SCOPED_TRACE(testing::Message() << "ground " << static_cast<int>(ground) << ", " << rate << " Hz");
-      EXPECT_LE(DecayError(eProfile::Tuned, ground, rate), 0.02);
-      EXPECT_GT(DecayError(eProfile::Shipped, ground, rate), 0.1); // the control
+      EXPECT_LE(DecayError(g_cTuned, ground, rate), 0.02);
+      EXPECT_GT(DecayError(g_cShipped, ground, rate), 0.1); // the control
     }
 }
 
 // Slow balls bounce too: neither profile has a speed below which they stop.
 
 /// The velocity along y of a ball that comes down on the shape's top at the origin.
-float Rebound(eProfile profile, const CAnyShapeDesc& shape, float speed) {
-  auto pWorld = MakeBox2D(profile);
+float Rebound(const CTuning& tuning, const CAnyShapeDesc& shape, float speed) {
+  auto pWorld = MakeBox2D(tuning);
   pWorld->Add(shape);
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.1f + 0.0331f}, 0.1f, {0, -speed}));
   const int steps = static_cast<int>(2 * 0.0331f / speed / g_fDt) + 10;
@@ -239,14 +295,14 @@ TEST(TunedSlowTest, ASlowBallReboundsAtItsSpeed) {
   const CArcDesc hill({0, -1}, 1, 0, 0), bowl({0, 1}, 1, 0, 0);
   const std::vector<CAnyShapeDesc> shapes{CPointDesc({0, 0}), CLineSegDesc({-1, 0}, {1, 0}),
                                           CCircleDesc({0, -1}, 1), hill, bowl};
-  for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned})
-    for (std::size_t k = 0; k < (profile == eProfile::Tuned ? 5u : 3u); ++k)
+  for (const bool tuned : {false, true})
+    for (std::size_t k = 0; k < (tuned ? 5u : 3u); ++k)
       for (const float speed : {0.99f, 0.1f, 0.01f}) {
-        SCOPED_TRACE(testing::Message() << "profile " << static_cast<int>(profile) << ", shape " << k);
-        EXPECT_NEAR(Rebound(profile, shapes[k], speed), speed, 1e-5f);
+        SCOPED_TRACE(testing::Message() << "tuned " << tuned << ", shape " << k);
+        EXPECT_NEAR(Rebound(tuned ? g_cTuned : g_cShipped, shapes[k], speed), speed, 1e-5f);
       }
   // The control: two chords of the shipped bowl join at its bottom, and the ball gains speed there.
-  EXPECT_GT(std::abs(Rebound(eProfile::Shipped, bowl, 0.99f) - 0.99f), 0.01f);
+  EXPECT_GT(std::abs(Rebound(g_cShipped, bowl, 0.99f) - 0.99f), 0.01f);
 }
 
 } // namespace

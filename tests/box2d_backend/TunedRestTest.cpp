@@ -27,8 +27,8 @@ CStay Watch(CWorld& world, const std::vector<Vector2>& places, int steps) {
 }
 
 /// Rolls along eleven segments in line, over their ten shared ends; m_fSpeed is the largest change of speed.
-CStay Roll(eProfile profile, float elasticity) {
-  auto pWorld = MakeBox2D(profile, g_vGravity);
+CStay Roll(const CTuning& tuning, float elasticity) {
+  auto pWorld = MakeBox2D(tuning, g_vGravity);
   for (int i = 0; i < 11; ++i)
     pWorld->Add(CLineSegDesc({static_cast<float>(i), 0}, {static_cast<float>(i + 1), 0}));
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.5f, 0.1f}, 0.1f, {3, 0}, 1, elasticity));
@@ -45,16 +45,16 @@ CStay Roll(eProfile profile, float elasticity) {
 TEST(TunedFloorTest, ABallRollsOverTenJointsAndKeepsItsSpeed) {
   for (const float elasticity : {0.0f, 0.5f}) {
     SCOPED_TRACE(elasticity);
-    const CStay stay = Roll(eProfile::Tuned, elasticity);
+    const CStay stay = Roll(g_cTuned, elasticity);
     EXPECT_LE(stay.m_fOff, g_fMostOffFloor);
     EXPECT_LE(stay.m_fSpeed, 1e-4);
-    EXPECT_GT(Roll(eProfile::Shipped, elasticity).m_fOff, g_fMostOffFloor); // the control
+    EXPECT_GT(Roll(g_cShipped, elasticity).m_fOff, g_fMostOffFloor); // the control
   }
 }
 
 /// Lies for 60 s, after 2 s in which it may bounce if it is dropped.
-CStay Rest(eProfile profile, float elasticity, float drop) {
-  auto pWorld = MakeBox2D(profile, g_vGravity);
+CStay Rest(const CTuning& tuning, float elasticity, float drop) {
+  auto pWorld = MakeBox2D(tuning, g_vGravity);
   pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
   pWorld->Add(CDynamicCircleDesc({0, 0.1f + drop}, 0.1f, {0, 0}, 1, elasticity));
   if (drop > 0) Steps(*pWorld, 2 * 60);
@@ -65,18 +65,18 @@ TEST(TunedFloorTest, ABallRestsOnTheFloor) {
   for (const float elasticity : {0.0f, 0.5f})
     for (const float drop : {0.0f, 0.05f}) {
       SCOPED_TRACE(testing::Message() << "elasticity " << elasticity << ", from " << drop);
-      const CStay stay = Rest(eProfile::Tuned, elasticity, drop);
+      const CStay stay = Rest(g_cTuned, elasticity, drop);
       EXPECT_LE(stay.m_fOff, g_fMostOffFloor);
       EXPECT_LE(stay.m_fSpeed, 0.01);
     }
-  EXPECT_GT(Rest(eProfile::Shipped, 0, 0).m_fOff, 2 * g_fMostOffFloor); // the control: above it, or trembling
-  EXPECT_GT(Rest(eProfile::Shipped, 0.5f, 0).m_fSpeed, 0.1);
+  EXPECT_GT(Rest(g_cShipped, 0, 0).m_fOff, 2 * g_fMostOffFloor); // the control: above it, or trembling
+  EXPECT_GT(Rest(g_cShipped, 0.5f, 0).m_fSpeed, 0.1);
 }
 
 /// Three balls on a floor between two walls that are a little farther apart than a ball is wide: they lean
 /// against the walls in turn.
-CStay Stack(eProfile profile, float elasticity) {
-  auto pWorld = MakeBox2D(profile, g_vGravity);
+CStay Stack(const CTuning& tuning, float elasticity) {
+  auto pWorld = MakeBox2D(tuning, g_vGravity);
   pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
   for (const float x : {-0.105f, 0.105f})
     pWorld->Add(CLineSegDesc({x, -0.5f}, {x, 2}));
@@ -91,12 +91,12 @@ CStay Stack(eProfile profile, float elasticity) {
 TEST(TunedFloorTest, AStackBetweenTwoWallsStays) {
   for (const float elasticity : {0.0f, 0.5f}) {
     SCOPED_TRACE(elasticity);
-    const CStay stay = Stack(eProfile::Tuned, elasticity);
+    const CStay stay = Stack(g_cTuned, elasticity);
     EXPECT_LE(stay.m_fOff, 3 * g_fMostOffFloor); // three contacts carry the topmost
     EXPECT_LE(stay.m_fSpeed, 0.01);
   }
-  EXPECT_GT(Stack(eProfile::Shipped, 0.5f).m_fOff, 3 * g_fMostOffFloor); // the control
-  EXPECT_GT(Stack(eProfile::Shipped, 0.5f).m_fSpeed, 0.1);
+  EXPECT_GT(Stack(g_cShipped, 0.5f).m_fOff, 3 * g_fMostOffFloor); // the control
+  EXPECT_GT(Stack(g_cShipped, 0.5f).m_fSpeed, 0.1);
 }
 
 /// The largest overlap of two balls, in radii.
@@ -121,10 +121,10 @@ struct CVessel {
   std::unique_ptr<CWorld> m_pWorld;
   float m_fSize; // width of a box, half the width and height of a V, radius of a bowl
 
-  CVessel(const Box2D::CTuning& tuning, eVessel kind, int balls, float e, const CEffects& forced = {},
+  CVessel(const CTuning& tuning, eVessel kind, int balls, float e, const CEffects& forced = {},
           std::uint64_t seed = g_nPileSeed)
       : m_eKind(kind) {
-    m_pWorld = MakeBox2D(tuning, {0, -g_fPileGravity}, forced);
+    m_pWorld = MakeBox2D(tuning, {0, -g_fPileGravity}, g_fDt, forced);
     m_fSize = std::max(2.0f, 3.4f * g_fPileRadius * std::sqrt(static_cast<float>(balls)));
     const float s = m_fSize;
     if (kind == eVessel::Bowl) {
@@ -190,12 +190,6 @@ struct CVessel {
   }
 };
 
-Box2D::CTuning WithoutLastingContact() {
-  Box2D::CTuning tuning = Box2D::g_cTuned;
-  tuning.m_bLastingContact = false;
-  return tuning;
-}
-
 TEST(TunedPileTest, APileSettlesAndLosesNone) {
   for (const eVessel kind : {eVessel::Box, eVessel::V, eVessel::Bowl})
     for (const int balls : {10, 50})
@@ -203,7 +197,7 @@ TEST(TunedPileTest, APileSettlesAndLosesNone) {
         if (balls == 50 && e == 0.0f) continue;
         SCOPED_TRACE(testing::Message()
                      << "vessel " << static_cast<int>(kind) << ", " << balls << " balls, e = " << e);
-        CVessel vessel(Box2D::g_cTuned, kind, balls, e);
+        CVessel vessel(g_cTuned, kind, balls, e);
         const double first = vessel.GetEnergy();
         for (int i = 0; i < 60; ++i) {
           vessel.Step(10);
@@ -222,7 +216,7 @@ struct CSettling {
   double m_fRise = 0;    // of the energy above the least so far, as a share of the first
 };
 
-CSettling Settle(const Box2D::CTuning& tuning, eVessel kind, int balls, int runs, int steps) {
+CSettling Settle(const CTuning& tuning, eVessel kind, int balls, int runs, int steps) {
   CSettling sum;
   for (int run = 0; run < runs; ++run) {
     CVessel vessel(tuning, kind, balls, 0.5f, {}, g_nPileSeed + static_cast<std::uint64_t>(run));
@@ -244,18 +238,16 @@ CSettling Settle(const Box2D::CTuning& tuning, eVessel kind, int balls, int runs
 
 // Where Box2D moves balls into each other it moves them apart again, also upwards.
 TEST(TunedPileTest, APileThatSettlesOverlapsLessAndGainsNoMoreEnergyThanOnShippedBox2D) {
-  Box2D::CTuning uncut = Box2D::g_cTuned;
-  uncut.m_bAdaptiveSubsteps = false;
   for (const eVessel kind : {eVessel::Box, eVessel::V, eVessel::Bowl})
     for (const int balls : {10, 50, 200}) {
       SCOPED_TRACE(testing::Message() << "vessel " << static_cast<int>(kind) << ", " << balls << " balls");
       const int runs = balls == 200 ? 1 : 4, steps = balls == 200 ? 180 : 240;
-      const CSettling tuned = Settle(Box2D::g_cTuned, kind, balls, runs, steps),
-                      shipped = Settle(Box2D::g_cShipped, kind, balls, runs, steps);
+      const CSettling tuned = Settle(g_cTuned, kind, balls, runs, steps),
+                      shipped = Settle(g_cShipped, kind, balls, runs, steps);
       EXPECT_LT(tuned.m_fOverlap, shipped.m_fOverlap);
       EXPECT_LT(tuned.m_fRise, 1.25 * shipped.m_fRise); // both are small, and vary
       if (balls != 50 || kind != eVessel::V) continue;
-      const CSettling control = Settle(uncut, kind, balls, runs, steps);
+      const CSettling control = Settle(Without(&CTuning::m_bAdaptiveSubsteps), kind, balls, runs, steps);
       EXPECT_GT(control.m_fOverlap, 2 * tuned.m_fOverlap);
       EXPECT_GT(control.m_fRise, 2 * tuned.m_fRise);
     }
@@ -263,7 +255,7 @@ TEST(TunedPileTest, APileThatSettlesOverlapsLessAndGainsNoMoreEnergyThanOnShippe
 
 // The bottom of a V at 30 units per second is where most press on one.
 TEST(TunedPileTest, TwoHundredBallsThatFallIntoAWedgeStayInIt) {
-  CVessel vessel(Box2D::g_cTuned, eVessel::V, 200, 0.5f);
+  CVessel vessel(g_cTuned, eVessel::V, 200, 0.5f);
   for (int i = 0; i < 30; ++i) {
     vessel.Step(10);
     ASSERT_EQ(vessel.CountLost(), 0) << 10 * i;
@@ -271,22 +263,23 @@ TEST(TunedPileTest, TwoHundredBallsThatFallIntoAWedgeStayInIt) {
 }
 
 TEST(TunedPileTest, APileIsSolvedAboutAsOftenAsByShippedBox2D) {
-  const auto count = [](const Box2D::CTuning& tuning, eVessel kind, int steps) {
+  const auto count = [](const CTuning& tuning, eVessel kind, int steps) {
     CVessel vessel(tuning, kind, 10, 0.5f, {eEffect::Events}); // for the listener, which counts
     vessel.Step(steps);
     return static_cast<double>(vessel.m_pWorld->GetStats().m_nEngineContacts);
   };
   for (const eVessel kind : {eVessel::Box, eVessel::V, eVessel::Bowl}) {
     SCOPED_TRACE(static_cast<int>(kind));
-    EXPECT_LT(count(Box2D::g_cTuned, kind, 600), 3 * count(Box2D::g_cShipped, kind, 600));
+    EXPECT_LT(count(g_cTuned, kind, 600), 3 * count(g_cShipped, kind, 600));
   }
   // The control.
-  EXPECT_GT(count(WithoutLastingContact(), eVessel::V, 300), 10 * count(Box2D::g_cShipped, eVessel::V, 300));
+  EXPECT_GT(count(Without(&CTuning::m_bLastingContact), eVessel::V, 300),
+            10 * count(g_cShipped, eVessel::V, 300));
 }
 
 TEST(TunedPileTest, BallsInOnePlaceComeApart) {
-  const auto solve = [](const Box2D::CTuning& tuning, int balls, int steps) {
-    auto pWorld = MakeBox2D(tuning, {0, -g_fPileGravity}, {eEffect::Events});
+  const auto solve = [](const CTuning& tuning, int balls, int steps) {
+    auto pWorld = MakeBox2D(tuning, {0, -g_fPileGravity}, g_fDt, {eEffect::Events});
     pWorld->Add(CArcDesc({0, 0}, 4, 0, 0));
     CRandom random(83);
     for (int i = 0; i < balls; ++i) {
@@ -299,8 +292,9 @@ TEST(TunedPileTest, BallsInOnePlaceComeApart) {
       EXPECT_LT(p.norm(), 4);
     return static_cast<double>(pWorld->GetStats().m_nEngineContacts);
   };
-  EXPECT_LT(solve(Box2D::g_cTuned, 60, 120), 2 * solve(Box2D::g_cShipped, 60, 120));
-  EXPECT_GT(solve(WithoutLastingContact(), 12, 12), 10 * solve(Box2D::g_cShipped, 12, 12)); // the control
+  EXPECT_LT(solve(g_cTuned, 60, 120), 2 * solve(g_cShipped, 60, 120));
+  EXPECT_GT(solve(Without(&CTuning::m_bLastingContact), 12, 12),
+            10 * solve(g_cShipped, 12, 12)); // the control
 }
 
 constexpr std::uint64_t g_nCrushSeed = 47;
@@ -313,7 +307,7 @@ struct CCrush {
 
 // Twenty balls on a floor, between two walls that close until nine are where six have room, stay there for
 // two seconds, open, and close again, three times.
-CCrush Crush(const Box2D::CTuning& tuning, std::uint64_t seed) {
+CCrush Crush(const CTuning& tuning, std::uint64_t seed) {
   const auto pWorld = MakeBox2D(tuning, {0, -10});
   pWorld->Add(CLineSegDesc({-3, 0}, {3, 0}));
   CShapeId walls[2];
@@ -352,11 +346,11 @@ CCrush Crush(const Box2D::CTuning& tuning, std::uint64_t seed) {
 TEST(TunedCrushTest, BallsThatWallsPressTogetherAreNeitherShotOutNorStayInEachOther) {
   for (std::uint64_t seed = g_nCrushSeed; seed < g_nCrushSeed + 4; ++seed) {
     SCOPED_TRACE(seed);
-    const CCrush crush = Crush(Box2D::g_cTuned, seed);
+    const CCrush crush = Crush(g_cTuned, seed);
     EXPECT_LT(crush.m_fFastest, 5 * g_fWallSpeed);
     EXPECT_LT(crush.m_fOverlap, 0.15);
   }
-  EXPECT_GT(Crush(WithoutLastingContact(), g_nCrushSeed + 1).m_fOverlap, 0.3); // the control
+  EXPECT_GT(Crush(Without(&CTuning::m_bLastingContact), g_nCrushSeed + 1).m_fOverlap, 0.3); // the control
 }
 
 // Runs of ten seconds in which one of three balls gets out of a ring with a bar that turns in it and leaves
@@ -365,7 +359,7 @@ int CountLostToABar(eSides sides, int runs) {
   CRandom random(g_nCrushSeed);
   int lost = 0;
   for (int run = 0; run < runs; ++run) {
-    const auto pWorld = MakeBox2D(eProfile::Tuned, {0, 0}, 1 / 60.0f);
+    const auto pWorld = MakeBox2D(g_cTuned, {0, 0});
     pWorld->Add(Sided(CArcDesc({0, 0}, 1, 0, 0), sides));
     pWorld->Add(Turning(CLineSegDesc({-0.75f, 0}, {0.75f, 0}), 1));
     for (int i = 0; i < 3; ++i) {

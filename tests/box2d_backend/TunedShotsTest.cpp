@@ -57,7 +57,7 @@ TEST(TunedExactTest, TheNativeEngineAgreesAtSegments) {
 
 /// Direction errors of 4,000 shots, half of them at a full circle and half at half circles, r = .1, R = 1,
 /// 10 m/s, up to 80 degrees from the normal.
-std::vector<double> ShootAtArcs(eProfile profile, bool inside) {
+std::vector<double> ShootAtArcs(const CTuning& tuning, bool inside) {
   std::vector<double> errors;
   CRandom random(41);
   for (int k = 0; k < 5; ++k) {
@@ -65,7 +65,7 @@ std::vector<double> ShootAtArcs(eProfile profile, bool inside) {
     const double a0 = isFull ? 0 : k * 90 * g_fDegree, span = (isFull ? 360 : 180) * g_fDegree;
     const double margin = isFull ? 0 : 0.15; // the ends are another matter
     const CArcDesc arc({0, 0}, 1, static_cast<float>(a0), isFull ? 0 : static_cast<float>(a0 + span));
-    CRange range(MakeBox2D(profile), {arc}, 0.1f);
+    CRange range(MakeBox2D(tuning), {arc}, 0.1f);
     EXPECT_LE(range.World().GetStats().m_nArcPieces, isFull ? 32u : 16u);
     for (const double error : range.Errors(isFull ? 2000 : 500, [&] {
            const Vector2d u = UnitVector(a0 + margin + (span - 2 * margin) * random.Unit());
@@ -79,20 +79,21 @@ std::vector<double> ShootAtArcs(eProfile profile, bool inside) {
 TEST(TunedArcTest, DirectionsAreExactToMilliradians) {
   for (const bool inside : {true, false}) {
     SCOPED_TRACE(inside ? "inside" : "outside");
-    const std::vector<double> errors = ShootAtArcs(eProfile::Tuned, inside);
+    const std::vector<double> errors = ShootAtArcs(g_cTuned, inside);
     EXPECT_LE(Quantile(errors, 0.5), 0.004);
     EXPECT_LE(Quantile(errors, 0.95), 0.016);
-    EXPECT_LE(Quantile(errors, 1), 0.1);                                        // none is lost
-    const std::vector<double> shipped = ShootAtArcs(eProfile::Shipped, inside); // the control: of the chords
+    EXPECT_LE(Quantile(errors, 1), 0.1);                                 // none is lost
+    const std::vector<double> shipped = ShootAtArcs(g_cShipped, inside); // the control: of the chords
     EXPECT_GT(Quantile(shipped, 0.5), 0.05);
     EXPECT_GT(Quantile(shipped, 0.95), 0.15);
+    EXPECT_GT(Quantile(ShootAtArcs(Without(&CTuning::m_bExactContacts), inside), 0.5), 0.02);
   }
 }
 
 /// Of 1,000 shots at the ends of an arc of radius 1, r = .1, up to 85 degrees from the normal and 90 m/s.
-int CountWrongAtEnds(eProfile profile, double degrees) {
+int CountWrongAtEnds(const CTuning& tuning, double degrees) {
   CRandom random(67);
-  CRange range(MakeBox2D(profile), {CArcDesc({0, 0}, 1, 0, static_cast<float>(degrees * g_fDegree))}, 0.1f);
+  CRange range(MakeBox2D(tuning), {CArcDesc({0, 0}, 1, 0, static_cast<float>(degrees * g_fDegree))}, 0.1f);
   const auto aim = [&] {
     const Vector2d end = UnitVector(random.Coin() ? degrees * g_fDegree : 0);
     const Vector2d n = UnitVector(360 * g_fDegree * random.Unit());
@@ -105,8 +106,8 @@ int CountWrongAtEnds(eProfile profile, double degrees) {
 TEST(TunedArcEndTest, NakedEndsAreRound) {
   for (const double degrees : {90, 180, 270, 340}) {
     SCOPED_TRACE(degrees);
-    EXPECT_EQ(CountWrongAtEnds(eProfile::Tuned, degrees), 0);
-    EXPECT_GT(CountWrongAtEnds(eProfile::Shipped, degrees), 100); // the control
+    EXPECT_EQ(CountWrongAtEnds(g_cTuned, degrees), 0);
+    EXPECT_GT(CountWrongAtEnds(g_cShipped, degrees), 100); // the control
   }
 }
 
@@ -146,12 +147,12 @@ struct CSharedEnd {
 
 /// Of 2,000 shots of 1 to 20 m/s, up to 85 degrees from the normal, within .15 of the joint. Nothing is
 /// explained on segments: their normal is the same everywhere.
-int CountWrong(eProfile profile, double curvature0, double curvature1, bool left) {
+int CountWrong(const CTuning& tuning, double curvature0, double curvature1, bool left) {
   CRandom random(42);
   int wrong = 0;
   for (int table = 0; table < 10; ++table) { // half of the shots at axially aligned shapes
     const CSharedEnd joint{curvature0, curvature1, table < 5 ? 0 : 360 * g_fDegree * random.Unit()};
-    CRange range(MakeBox2D(profile), joint.Shapes(), 0.1f);
+    CRange range(MakeBox2D(tuning), joint.Shapes(), 0.1f);
     wrong += range.CountWrong(200, [&] {
       const double s = EitherSign(random, 0.15), incidence = EitherSign(random, 85 * g_fDegree);
       const double speed = 1 + 19 * random.Unit();
@@ -167,20 +168,23 @@ TEST(TunedJointTest, ASmoothJointIsNotFelt) {
     for (const bool left : {true, false}) {
       if (after < 0 && !left) continue; // the same by symmetry
       SCOPED_TRACE(testing::Message() << before << " into " << after << (left ? ", left" : ", right"));
-      EXPECT_EQ(CountWrong(eProfile::Tuned, before, after, left), 0);
-      if (left || after != 0) { // two segments are alike from both sides
-        EXPECT_GT(CountWrong(eProfile::Shipped, before, after, left), 100); // the control
+      EXPECT_EQ(CountWrong(g_cTuned, before, after, left), 0);
+      if (left && after == 0) {
+        EXPECT_GT(CountWrong(Without(&CTuning::m_bGhostVertices), before, after, left), 10);
+      }
+      if (left || after != 0) {                                      // two segments are alike from both sides
+        EXPECT_GT(CountWrong(g_cShipped, before, after, left), 100); // the control
       }
     }
 }
 
 /// The same for two segments that meet at an angle, from the side where they are a concave or a convex
 /// corner.
-int CountWrongAtCorner(eProfile profile, double degrees, bool convex) {
+int CountWrongAtCorner(const CTuning& tuning, double degrees, bool convex) {
   CRandom random(42);
   const double half = 0.5 * degrees * g_fDegree;
   const Vector2d right = Turned({0, 1}, -half), left = Turned({0, 1}, half); // a V with its tip at the origin
-  CRange range(MakeBox2D(profile),
+  CRange range(MakeBox2D(tuning),
                {CLineSegDesc(Vector2::Zero(), (4 * right).cast<float>()),
                 CLineSegDesc(Vector2::Zero(), (4 * left).cast<float>())},
                0.1f);
@@ -199,9 +203,9 @@ TEST(TunedJointTest, CornersAreWhereTheyAre) {
   for (const double degrees : {45, 60, 90, 120, 135})
     for (const bool convex : {false, true}) {
       SCOPED_TRACE(testing::Message() << degrees << (convex ? " degrees, convex" : " degrees, concave"));
-      EXPECT_EQ(CountWrongAtCorner(eProfile::Tuned, degrees, convex), 0);
+      EXPECT_EQ(CountWrongAtCorner(g_cTuned, degrees, convex), 0);
       if (degrees != 90) {
-        EXPECT_GT(CountWrongAtCorner(eProfile::Shipped, degrees, convex), convex ? 100 : 5); // the control
+        EXPECT_GT(CountWrongAtCorner(g_cShipped, degrees, convex), convex ? 100 : 5); // the control
       }
     }
 }
@@ -241,8 +245,8 @@ const CTarget g_cTargets[]{
 
 /// How far the surface is out of place, towards the ball: half of the shift of the outgoing way against the
 /// exact one; infinity if there was no bounce. Of two balls in their relative motion.
-double Offset(eProfile profile, const CTarget& target, double speed, double phase, double angle) {
-  auto pWorld = MakeBox2D(profile);
+double Offset(const CTuning& tuning, const CTarget& target, double speed, double phase, double angle) {
+  auto pWorld = MakeBox2D(tuning);
   const Vector2d u = UnitVector(angle), n = target.m_bInside ? Vector2d(-u) : u;
   const CShapeId other = pWorld->Add(target.m_fnMake(u.cast<float>()));
   const Vector2d touching = target.m_fContact * u;
@@ -263,24 +267,29 @@ double Offset(eProfile profile, const CTarget& target, double speed, double phas
   return 0.5 * n.dot(p - (steps * dt - t) * v - touching);
 }
 
-/// Its size, of the median of 256 phases of the step.
-double MedianOffset(eProfile profile, const CTarget& target, double speed) {
+/// Its size that a share of 256 phases of the step do not exceed.
+double OffsetOf(double share, const CTuning& tuning, const CTarget& target, double speed) {
   CRandom random(44);
   std::vector<double> offsets;
   for (int i = 0; i < 256; ++i)
-    offsets.push_back(Offset(profile, target, speed, (i + 0.5) / 256, 360 * g_fDegree * random.Unit()));
-  return std::abs(Quantile(offsets, 0.5));
+    offsets.push_back(
+        std::abs(Offset(tuning, target, speed, (i + 0.5) / 256, 360 * g_fDegree * random.Unit())));
+  return Quantile(offsets, share);
 }
 
 TEST(TunedWallTest, SurfacesAreWhereTheyAre) {
+  CTuning unscaled = g_cTuned; // with Box2D's slop as it is
+  unscaled.m_fScale = 1;
   for (const CTarget& target : g_cTargets) {
     double shipped = 0;
     for (const double speed : {0.1, 1.0, 10.0}) {
       SCOPED_TRACE(testing::Message() << target.m_sName << " at " << speed);
-      EXPECT_LE(MedianOffset(eProfile::Tuned, target, speed), g_fTunedOffset);
-      shipped = std::max(shipped, MedianOffset(eProfile::Shipped, target, speed));
+      EXPECT_LE(OffsetOf(0.5, g_cTuned, target, speed), g_fTunedOffset);
+      shipped = std::max(shipped, OffsetOf(0.5, g_cShipped, target, speed));
     }
     EXPECT_GT(shipped, 5 * g_fTunedOffset) << target.m_sName; // the control, at one speed at least
+    EXPECT_LE(OffsetOf(1, g_cTuned, target, 0.1), g_fTunedOffset) << target.m_sName;
+    EXPECT_GT(OffsetOf(1, unscaled, target, 0.1), g_fTunedOffset) << target.m_sName;
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the tuned profile share: worlds of either profile, and shots at static shapes whose exact
+// What the tests of the tuned profile share: worlds of each tuning, and shots at static shapes whose exact
 // resolution is known.
 #pragma once
 
@@ -12,13 +12,23 @@ inline constexpr double g_fDegree = std::numbers::pi / 180;
 /// How far from where it is a tuned world may take a surface to be, in metres.
 inline constexpr double g_fTunedOffset = 0.001;
 
+using Box2D::CTuning;
+using Box2D::g_cShipped;
+using Box2D::g_cTuned;
+
+/// The tuned profile with one switch turned off.
+inline CTuning Without(bool CTuning::*pSwitch) {
+  CTuning tuning = g_cTuned;
+  tuning.*pSwitch = false;
+  return tuning;
+}
+
 /// A world whose listener counts contacts if events are forced.
-inline std::unique_ptr<CWorld> MakeBox2D(const Box2D::CTuning& tuning,
-                                         const Vector2& gravity = Vector2::Zero(),
-                                         const CEffects& forced = {}) {
+inline std::unique_ptr<CWorld> MakeBox2D(const CTuning& tuning, const Vector2& gravity = Vector2::Zero(),
+                                         float dt = g_fDt, const CEffects& forced = {}) {
   CWorldDesc desc;
   desc.m_vGravity = gravity;
-  desc.m_fTimeStep = g_fDt;
+  desc.m_fTimeStep = dt;
   desc.m_cEffects.m_cForced = forced;
   return Box2D::MakeWorld(desc, tuning);
 }
