@@ -2,7 +2,7 @@
 // A small game with a b2World of its own, for tests of Shapes in it.
 #pragma once
 
-#include "Box2DTesting.h"
+#include "ImportTesting.h"
 
 #include <span>
 
@@ -27,27 +27,15 @@ inline void Steps(b2World& game, CBox2DWorld& guest, int n, float dt = g_fDt) {
 
 /// A box of side 1 and mass 1 about p, with Box2D's restitution 0 and no friction.
 inline b2Body* AddBox(b2World& game, const b2Vec2& p, b2BodyType type = b2_dynamicBody) {
-  b2BodyDef def;
-  def.type = type;
-  def.position = p;
-  b2Body* pBody = game.CreateBody(&def);
-  b2PolygonShape box;
-  box.SetAsBox(0.5f, 0.5f);
-  b2FixtureDef fixture;
-  fixture.shape = &box;
-  fixture.density = 1.0f;
-  fixture.friction = 0.0f;
-  pBody->CreateFixture(&fixture);
+  b2Body* pBody = CGame::AddBody(game, type, p);
+  CGame::AddFixture(pBody, CGame::Box(0.5f, 0.5f));
   return pBody;
 }
 
 /// A ground of the game: an edge along y = 0.
 inline b2Body* AddGround(b2World& game) {
-  b2BodyDef def;
-  b2Body* pBody = game.CreateBody(&def);
-  b2EdgeShape edge;
-  edge.SetTwoSided({-50, 0}, {50, 0});
-  pBody->CreateFixture(&edge, 0.0f);
+  b2Body* pBody = CGame::AddBody(game, b2_staticBody);
+  CGame::AddFixture(pBody, CGame::Edge({-50, 0}, {50, 0}));
   return pBody;
 }
 

@@ -28,7 +28,7 @@ TEST(ImportNotesTest, AGameOfWhichAllHasACounterpartHasNone) {
   EXPECT_EQ(NotesOf(game), CNotes());
 }
 
-TEST(ImportNotesTest, DynamicBodiesThatAreNoBallsAreLeftOut) {
+TEST(ImportNotesTest, DynamicBodiesThatAreNoBallsAndDisabledOnesAreLeftOut) {
   CGame game;
   const auto add = [&](auto... shapes) {
     b2Body* pBody = game.AddBody(b2_dynamicBody);
@@ -42,6 +42,7 @@ TEST(ImportNotesTest, DynamicBodiesThatAreNoBallsAreLeftOut) {
   add(CGame::Circle({0, 0}, 0));
   add();
   add(CGame::Circle({0, 0}, 1))->SetEnabled(false);
+  game.AddStatic(CGame::Edge({-1, 0}, {1, 0}))->SetEnabled(false);
   const CSceneDesc scene = ImportScene(game.m_cWorld);
   EXPECT_EQ(scene.m_stdNotes,
             (CNotes{"Body 0 (dynamic) is left out: its solid fixture is no circle.",
@@ -49,16 +50,8 @@ TEST(ImportNotesTest, DynamicBodiesThatAreNoBallsAreLeftOut) {
                     "Body 2 (dynamic) is left out: its circle is not about its centre of mass.",
                     "Body 3 (dynamic) is left out: it has no mass.",
                     "Body 4 (dynamic) is left out: it has 0 solid fixtures, a ball has one.",
-                    "Body 5 is left out: it is disabled."}));
+                    "Body 5 is left out: it is disabled.", "Body 6 is left out: it is disabled."}));
   EXPECT_TRUE(scene.m_stdBalls.empty() && scene.m_stdShapes.empty());
-}
-
-TEST(ImportNotesTest, DisabledShapesAreLeftOut) {
-  CGame game;
-  game.AddStatic(CGame::Edge({-1, 0}, {1, 0}))->SetEnabled(false);
-  const CSceneDesc scene = ImportScene(game.m_cWorld);
-  EXPECT_TRUE(scene.m_stdShapes.empty());
-  EXPECT_EQ(scene.m_stdNotes, CNotes{"Body 0 is left out: it is disabled."});
 }
 
 TEST(ImportNotesTest, WhatPartsLose) {
@@ -188,20 +181,6 @@ TEST(ImportNotesTest, FrictionAndThresholdWhereTheyMatter) {
   pBall->GetFixtureList()->SetRestitution(0.0f);
   pFloor->GetFixtureList()->SetRestitution(0.0f);
   EXPECT_EQ(NotesOf(game), CNotes()); // nothing bounces anyway
-}
-
-TEST(ImportNotesTest, RestitutionThatNoProductGives) {
-  CGame game;
-  game.AddStatic(CGame::Circle({0, 0}, 1), 0.5f);
-  game.AddStatic(CGame::Circle({5, 0}, 1), 0.75f);
-  game.AddBall({0, 5}, b2Vec2_zero, 0.25f);
-  EXPECT_EQ(NotesOf(game), CNotes());
-  // max(1, .5) / max(1, .75) is not max(.25, .5) / max(.25, .75).
-  game.AddBall({5, 5}, b2Vec2_zero, 1.0f);
-  const CNotes notes = NotesOf(game);
-  ASSERT_FALSE(notes.empty());
-  for (const std::string& note : notes)
-    EXPECT_EQ(note.find("Restitution of body "), 0u) << note;
 }
 
 // Every pair of a ball and something else has Box2D's restitution, or is in a note.

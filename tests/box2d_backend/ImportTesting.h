@@ -13,12 +13,15 @@ class CGame {
 public:
   explicit CGame(const b2Vec2& gravity = b2Vec2_zero) : m_cWorld(gravity) {}
 
-  b2Body* AddBody(b2BodyType type, const b2Vec2& p = b2Vec2_zero, float angle = 0.0f) {
+  static b2Body* AddBody(b2World& world, b2BodyType type, const b2Vec2& p = b2Vec2_zero, float angle = 0.0f) {
     b2BodyDef def;
     def.type = type;
     def.position = p;
     def.angle = angle;
-    return m_cWorld.CreateBody(&def);
+    return world.CreateBody(&def);
+  }
+  b2Body* AddBody(b2BodyType type, const b2Vec2& p = b2Vec2_zero, float angle = 0.0f) {
+    return AddBody(m_cWorld, type, p, angle);
   }
   /// Without friction and threshold, so that what is left has a counterpart.
   static b2Fixture* AddFixture(b2Body* pBody, const b2Shape& shape, float restitution = 0.0f) {

@@ -3,6 +3,7 @@
 // ways are moved by the test as Box2D moves them; only where a ball is in the end goes through its floats.
 #include "box2d_backend/contact/ParabolicCorrection.h"
 
+#include "ImportTesting.h"
 #include "TunedExact.h"
 
 namespace Shapes::Tests {
@@ -64,10 +65,8 @@ public:
   }
   void Land() {
     MoveTo(m_fStep);
-    b2World world(b2Vec2_zero);
-    b2BodyDef def;
-    def.type = b2_dynamicBody;
-    b2Body& body = *world.CreateBody(&def);
+    CGame game;
+    b2Body& body = *game.AddBody(b2_dynamicBody);
     body.SetTransform(ToFloat(m_vPos), 0);
     body.SetLinearVelocity(ToFloat(m_vVel));
     m_cCorrection.Land(body);
@@ -109,27 +108,19 @@ struct CCase {
     }
   }
 
+  CParabola Parabola() const { return {m_vPos, m_vVel, m_vGravity}; }
+  CStep Step() const { return {m_vPos, m_vVel, m_vGravity, m_fStep}; }
+
   double m_fStep;
   Vector2d m_vGravity, m_vPos, m_vVel;
 };
 
-TEST(FlightTest, AFreeBallLandsOnItsParabola) {
-  ForEachCase(g_nFlightSeed, 1000, [&](CRandom& random, int) {
-    const CCase c(random);
-    CParabola exact{c.m_vPos, c.m_vVel, c.m_vGravity};
-    CStep step(c.m_vPos, c.m_vVel, c.m_vGravity, c.m_fStep);
-    exact.Move(c.m_fStep);
-    step.Land();
-    ExpectLanded(step, exact, exact.m_vVel.norm() + c.m_vVel.norm());
-  });
-}
-
-TEST(FlightTest, TheDeviationIsTheParabolaLessTheStraightWay) {
+TEST(FlightTest, AFreeBallIsOnItsParabolaAtAnyTimeAndLandsOnIt) {
   ForEachCase(g_nFlightSeed, 1000, [&](CRandom& random, int) {
     const CCase c(random);
     const double part = random.Unit();
-    CParabola exact{c.m_vPos, c.m_vVel, c.m_vGravity};
-    CStep step(c.m_vPos, c.m_vVel, c.m_vGravity, c.m_fStep);
+    CParabola exact = c.Parabola();
+    CStep step = c.Step();
     exact.Move(part * c.m_fStep);
     step.MoveTo(part * c.m_fStep);
     Vector2d dp, dv;
@@ -137,6 +128,9 @@ TEST(FlightTest, TheDeviationIsTheParabolaLessTheStraightWay) {
     EXPECT_LE((step.m_vPos + dp - exact.m_vPos).norm(), 1e-14 * (1 + exact.m_vPos.norm()));
     EXPECT_LE((step.m_vVel + dv - exact.m_vVel).norm(), 1e-14 * (1 + exact.m_vVel.norm()));
     EXPECT_GT(dv.norm(), 0);
+    exact.Move((1 - part) * c.m_fStep);
+    step.Land();
+    ExpectLanded(step, exact, exact.m_vVel.norm() + c.m_vVel.norm());
   });
 }
 
@@ -145,10 +139,10 @@ TEST(FlightTest, ABouncedBallLandsOnItsParabola) {
   ForEachCase(g_nFlightSeed, 5000, [&](CRandom& random, int) {
     const CCase c(random, 1.6f);
     const double at = random.Unit() * c.m_fStep, early = random.Coin() ? 0.2 * random.Unit() * c.m_fStep : 0;
-    CParabola exact{c.m_vPos, c.m_vVel, c.m_vGravity};
+    CParabola exact = c.Parabola();
     exact.Move(at);
     const CSurface surface = c.SurfaceAt(random, exact);
-    CStep step(c.m_vPos, c.m_vVel, c.m_vGravity, c.m_fStep);
+    CStep step = c.Step();
     const double fastest = 1.5 * c.m_vVel.norm();
     const double speed = step.Bounce(surface, early);
     EXPECT_NEAR(speed, -exact.m_vVel.dot(surface.m_vNorm), g_fSlack * g_fParabolaError * fastest);
@@ -172,8 +166,8 @@ TEST(FlightTest, TwoBouncesInAStepAreTwo) {
   ForEachCase(g_nFlightSeed, 5000, [&](CRandom& random, int) {
     const CCase c(random);
     const double at0 = 0.5 * random.Unit() * c.m_fStep, at1 = at0 + 0.5 * random.Unit() * c.m_fStep;
-    CParabola exact{c.m_vPos, c.m_vVel, c.m_vGravity};
-    CStep step(c.m_vPos, c.m_vVel, c.m_vGravity, c.m_fStep);
+    CParabola exact = c.Parabola();
+    CStep step = c.Step();
     exact.Move(at0);
     CSurface surface = c.SurfaceAt(random, exact);
     surface.m_fElasticity = 1; // it stays fast
@@ -195,10 +189,10 @@ TEST(FlightTest, TwoBallsBounceByTheirMasses) {
     const double h = c.m_fStep, m0 = random.Scale(-5, 5), m1 = random.Scale(-5, 5), e = random.Unit();
     const double at0 = 0.5 * random.Unit() * h, at1 = at0 + 0.5 * random.Unit() * h;
     // One of them bounces off a surface first: two parabolas of one gravity would meet as straight ways do.
-    CParabola exact0{c.m_vPos, c.m_vVel, c.m_vGravity};
+    CParabola exact0 = c.Parabola();
     exact0.Move(at0);
     const CSurface surface = c.SurfaceAt(random, exact0);
-    CStep step0(c.m_vPos, c.m_vVel, c.m_vGravity, h);
+    CStep step0 = c.Step();
     step0.Bounce(surface, 0);
     exact0.Bounce(surface);
     exact0.Move(at1 - at0);
@@ -291,9 +285,6 @@ TEST(FlightTest, BouncesKeepTheEnergy) {
 class CFlightPartTest : public testing::Test {
 protected:
   CFlightPartTest() {
-    b2BodyDef def;
-    def.type = b2_dynamicBody;
-    m_pBody = m_cWorld.CreateBody(&def);
     m_pBody->SetLinearVelocity({3, 4});
     m_cCorrection.Begin({0, -10}, 0.5);
   }
@@ -303,8 +294,8 @@ protected:
     return m_cCorrection.PartAt(*m_pBody, {1, 1});
   }
 
-  b2World m_cWorld{b2Vec2_zero};
-  b2Body* m_pBody;
+  CGame m_cGame;
+  b2Body* m_pBody = m_cGame.AddBody(b2_dynamicBody);
   CParabolicCorrection m_cCorrection;
 };
 

@@ -81,24 +81,16 @@ TEST_P(CBadInputContract, ShapesAreChecked) {
   refuse(CCircleDesc({0, 0}, 2e19f), "m_fRadius", "2e+19");
   refuse(CArcDesc({0, 0}, 1, g_fNan, 1), "m_fAngle0", "nan");
   refuse(CArcDesc({0, 0}, 1, 0, g_fInf), "m_fAngle1", "inf");
-  CLineSegDesc turning = Kinematic();
-  turning.m_fRotSpeed = g_fNan;
-  refuse(turning, "m_fRotSpeed", "nan");
-  turning.m_fRotSpeed = 0;
-  turning.m_vRotCenter.x() = g_fInf;
-  refuse(turning, "m_vRotCenter", "inf");
+  refuse(Turning(CLineSegDesc({0, 0}, {1, 0}), g_fNan), "m_fRotSpeed", "nan");
+  refuse(Turning(CLineSegDesc({0, 0}, {1, 0}), 0, {g_fInf, 0}), "m_vRotCenter", "inf");
   CCircleDesc dynamic({0, 0}, 1);
   dynamic.m_eMotionType = eMotion::Dynamic;
   refuse(dynamic, "m_eMotionType", "neither");
   CDynamicCircleDesc still({0, 0}, 1);
   still.m_eMotionType = eMotion::Static;
   refuse(still, "m_eMotionType", "not Dynamic");
-  CLineSegDesc line({0, 0}, {1, 0});
-  line.m_eSides = static_cast<eSides>(77);
-  refuse(line, "m_eSides", "77");
-  CArcDesc arc({0, 0}, 1, 0, 1);
-  arc.m_eSides = static_cast<eSides>(77);
-  refuse(arc, "m_eSides", "77");
+  refuse(Sided(CLineSegDesc({0, 0}, {1, 0}), static_cast<eSides>(77)), "m_eSides", "77");
+  refuse(Sided(CArcDesc({0, 0}, 1, 0, 1), static_cast<eSides>(77)), "m_eSides", "77");
 }
 
 TEST_P(CBadInputContract, CompoundsAreCheckedAlsoWithoutAShape) {
@@ -154,12 +146,7 @@ TEST_P(CBadInputContract, WorldDescriptionsAreChecked) {
   refuse([](auto& d) { d.m_fTimeStep = g_fInf; }, "m_fTimeStep", "inf");
   refuse([](auto& d) { d.m_vGravity.y() = g_fNan; }, "m_vGravity", "nan");
   refuse([](auto& d) { d.m_fTimeStep = 1e-39f; }, "m_fTimeStep / m_nSubsteps", "1e-39");
-  refuse(
-      [](auto& d) {
-        d.m_cBox2D.m_fLengthUnit = -1;
-        d.m_vGravity = {0, -10};
-      },
-      "m_fLengthUnit", "-1");
+  refuse([](auto& d) { d.m_cBox2D.m_fLengthUnit = -1, d.m_vGravity = {0, -10}; }, "m_fLengthUnit", "-1");
   refuse([](auto& d) { d.m_nSubsteps = 0; }, "m_nSubsteps", "0");
   refuse([](auto& d) { d.m_nThreads = 0; }, "m_nThreads", "0");
   refuse([](auto& d) { d.m_cBox2D.m_fLengthUnit = 0; }, "m_fLengthUnit", "0");
@@ -224,20 +211,14 @@ TEST_P(CBadInputContract, LargestAndSmallestValuesAreStepped) {
   for (const Vector2& v : m_pWorld->GetBallVelocities())
     EXPECT_TRUE(v.allFinite()) << v.transpose();
 
-  const auto add = [&](float x, float v, float m) {
-    m_pWorld->Add(CDynamicCircleDesc({x, 0}, 1, {v, 0}, m));
-  };
+  CLineSegDesc turning = Kinematic(); // the rest of Box2D's limits: NoAssertTest.cpp
+  turning.m_vRotCenter = {1e10f, 0};
   if (IsNative()) {
-    EXPECT_NO_THROW(add(1e10f, 1e10f, 1e20f));
+    EXPECT_NO_THROW(m_pWorld->Add(turning));
     return;
   }
-  CLineSegDesc turning = Kinematic();
-  turning.m_vRotCenter = {1e10f, 0};
   EXPECT_THROW(m_pWorld->Add(turning), std::invalid_argument);
   EXPECT_THROW(m_pWorld->SetRotCenter(m_cFlipper, {1e10f, 0}), std::invalid_argument);
-  EXPECT_THROW(add(1e10f, 0, 1), std::invalid_argument);
-  EXPECT_THROW(add(0, 1e10f, 1), std::invalid_argument);
-  EXPECT_THROW(add(0, 0, 1e20f), std::invalid_argument);
 }
 
 } // namespace

@@ -68,12 +68,10 @@ TEST_P(CFilterContract, SensorsDetectByIt) {
   InEveryMode([&](CFilter first, CFilter second, bool meet, const CEffectChoice& choice, eProfile profile) {
     for (const bool ballIsSensor : {false, true}) {
       const auto pWorld = Make(choice, profile);
-      CCircleDesc zone = Filtered(CCircleDesc({1, 0}, 0.3f), first);
-      zone.m_bIsSensor = !ballIsSensor;
-      pWorld->Add(zone);
-      CDynamicCircleDesc ball = Filtered(CDynamicCircleDesc({0, 0}, 0.1f, {2, 0}), second);
-      ball.m_bIsSensor = ballIsSensor;
-      pWorld->Add(ball);
+      const CCircleDesc zone = Filtered(CCircleDesc({1, 0}, 0.3f), first);
+      const CDynamicCircleDesc ball = Filtered(CDynamicCircleDesc({0, 0}, 0.1f, {2, 0}), second);
+      pWorld->Add(ballIsSensor ? zone : Sensor(zone));
+      pWorld->Add(ballIsSensor ? Sensor(ball) : ball);
       EXPECT_EQ(Told(*pWorld, 60, &CWorld::GetSensorEvents).size(), meet ? 2u : 0u);
     }
   });

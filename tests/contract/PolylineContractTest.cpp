@@ -24,18 +24,13 @@ TEST(Polyline, EndsAndCornersAreGuardedAndSmoothJointsAreNot) {
   EXPECT_EQ(MakePolyline(way, true).size(), 5u + 4u);
   const Vector2 loop[] = {{0, 0}, {1, 0}, {0, 1}, {0, 0}};
   EXPECT_EQ(MakePolyline(loop, true).size(), 3u + 3u);
-  CLineSegDesc sensor;
-  sensor.m_bIsSensor = true;
-  EXPECT_EQ(MakePolyline(loop, true, sensor).size(), 3u);
+  EXPECT_EQ(MakePolyline(loop, true, Sensor(CLineSegDesc())).size(), 3u);
 }
 
 TEST(Polyline, AllAreAlikeAndTheirFrontIsLeftOfTheWay) {
-  CLineSegDesc like;
+  CLineSegDesc like = Sided(Turning(CLineSegDesc(), 1), eSides::Front);
   like.m_fElasticity = 0.5f;
-  like.m_eSides = eSides::Front;
   like.m_cFilter = {2, 3};
-  like.m_eMotionType = eMotion::Kinematic;
-  like.m_fRotSpeed = 1;
   for (const CAnyShapeDesc& any : MakeBox({5, 6}, {2, 1}, 0.3f, like)) {
     const CShapeDesc& base = std::visit([](const auto& desc) -> const CShapeDesc& { return desc; }, any);
     EXPECT_EQ(base.m_fElasticity, 0.5f);

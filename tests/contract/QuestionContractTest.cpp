@@ -207,9 +207,7 @@ TEST_P(CQuestionContract, TheAnswersAreThoseOfTheWorldAsItIsNow) {
   const auto pWorld = Backend().MakeWorld(CWorldDesc());
   const auto hits = [&] { return pWorld->CastAll({-5, 0}, {5, 0}).size(); };
   EXPECT_EQ(hits(), 0u);
-  CLineSegDesc bar({0, -1}, {0, 1});
-  bar.m_eMotionType = eMotion::Kinematic;
-  const CShapeId id = pWorld->Add(bar);
+  const CShapeId id = pWorld->Add(Turning(CLineSegDesc({0, -1}, {0, 1})));
   EXPECT_EQ(hits(), 1u);
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({2, 0}, 0.1f, {0, 30}));
   EXPECT_EQ(hits(), 2u);
@@ -240,9 +238,7 @@ TEST_P(CQuestionContract, TheAnswersAreThoseOfTheWorldAsItIsNow) {
 
 TEST_P(CQuestionContract, OneSidedShapesLetThroughAndRingsAreMetFromInside) {
   const auto pWorld = Backend().MakeWorld(CWorldDesc());
-  CLineSegDesc gate({-1, 0}, {1, 0}); // its front is above
-  gate.m_eSides = eSides::Front;
-  pWorld->Add(gate);
+  pWorld->Add(Sided(CLineSegDesc({-1, 0}, {1, 0}), eSides::Front)); // above
   EXPECT_TRUE(pWorld->Cast({0, 1}, {0, -1}));
   EXPECT_FALSE(pWorld->Cast({0, -1}, {0, 1}));
   EXPECT_EQ(pWorld->FindInCircle({0, -0.1f}, 0.2f).size(), 1u);

@@ -32,9 +32,8 @@ TEST_P(CSensorContract, ABallIsSeenAtTenDiametersAStep) {
     auto pWorld = Make();
     const bool ballIsSensor = kind == sensors.size(); // over a post that is none
     const CShapeId sensor = pWorld->Add(ballIsSensor ? CPointDesc(Vector2(0, 0.02f)) : sensors[kind]);
-    CDynamicCircleDesc desc({50, 50}, r);
-    desc.m_bIsSensor = ballIsSensor;
-    const CShapeId ball = pWorld->Add(desc);
+    const CDynamicCircleDesc desc({50, 50}, r);
+    const CShapeId ball = pWorld->Add(ballIsSensor ? Sensor(desc) : desc);
     const bool amongBalls = pWorld->GetMotionType(sensor) == eMotion::Dynamic;
     const CShapeId first = amongBalls ? sensor : ball, second = amongBalls ? ball : sensor;
     int atTheEnd = 0;

@@ -82,11 +82,7 @@ TEST_P(CTouchContract, NamesBothAsContactsDo) {
   const CShapeId first = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, {3, 0}));
   const CShapeId wall = pWorld->Add(CLineSegDesc({1, -1}, {1, 1}));
   const CShapeId second = pWorld->Add(CDynamicCircleDesc({0.5f, 0}, 0.1f));
-  std::vector<CTouchEvent> seen;
-  for (int i = 0; i < 30; ++i) {
-    pWorld->Step();
-    seen.insert(seen.end(), pWorld->GetTouchEvents().begin(), pWorld->GetTouchEvents().end());
-  }
+  const std::vector<CTouchEvent> seen = Told(*pWorld, 30, &CWorld::GetTouchEvents);
   ASSERT_GE(seen.size(), 4u);
   EXPECT_EQ(seen[0], (CTouchEvent{second, first, true}));
   EXPECT_EQ(seen[1], (CTouchEvent{second, first, false}));
@@ -120,15 +116,10 @@ TEST_P(CTouchContract, ImpulsesAddUpToTheMomentum) {
       const auto pWorld = WithFloor(Make(mode));
       const float m = 2;
       const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.6f}, 0.1f, {0, 0}, m, e));
-      float given = 0, weight = 0;
-      // No longer than until it sleeps.
-      for (int i = 0; i < 45; ++i) {
-        pWorld->Step();
-        weight += m * 10 * g_fDt;
-        for (const CContactEvent& contact : pWorld->GetContacts())
-          given += contact.m_fImpulse;
-      }
-      EXPECT_NEAR(given, weight + m * pWorld->GetVel(ball).y(), 2 * m * 10 * g_fDt);
+      float given = 0;
+      for (const CContactEvent& contact : Told(*pWorld, 45, &CWorld::GetContacts)) // until it sleeps
+        given += contact.m_fImpulse;
+      EXPECT_NEAR(given, 45 * m * 10 * g_fDt + m * pWorld->GetVel(ball).y(), 2 * m * 10 * g_fDt);
     }
 }
 
@@ -139,11 +130,8 @@ TEST_P(CTouchContract, AnImpulseIsThatOfTheReducedMass) {
     pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, {3, 0}, 2, 0.5f));
     const CShapeId second = pWorld->Add(CDynamicCircleDesc({0.5f, 0}, 0.1f, {0, 0}, 6));
     float impulse = 0;
-    for (int i = 0; i < 20; ++i) {
-      pWorld->Step();
-      for (const CContactEvent& contact : pWorld->GetContacts())
-        impulse += contact.m_fImpulse;
-    }
+    for (const CContactEvent& contact : Told(*pWorld, 20, &CWorld::GetContacts))
+      impulse += contact.m_fImpulse;
     EXPECT_NEAR(impulse, 1.5f * 1.5f * 3, 1e-5f); // (1 + e) m0 m1 / (m0 + m1) v, of some roundings
     EXPECT_NEAR(6 * pWorld->GetVel(second).x(), impulse, 1e-5f);
   }
