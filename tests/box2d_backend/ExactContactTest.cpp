@@ -31,11 +31,7 @@ std::string Print(const CApproach& a) {
 template <class F>
 void ForEach(eOutline kind, bool clear, int count, F f) {
   CRandom random(g_nTrueContactSeed);
-  const auto countFailures = [] {
-    return testing::UnitTest::GetInstance()->current_test_info()->result()->total_part_count();
-  };
-  const int failures = countFailures();
-  for (int k = 0; k < count && countFailures() == failures;) { // one is enough
+  for (int k = 0; k < count && !testing::Test::HasFailure();) { // one is enough
     const CApproach a = MakeApproach(random, kind);
     const double gap = a.Gap();
     if (clear ? gap < 1e-9 * a.Size() || gap > 0.25 * a.m_fSmallest

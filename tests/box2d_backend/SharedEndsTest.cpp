@@ -221,54 +221,42 @@ TEST(JointsTest, FullCirclesAndWhatHasNoLengthHaveNoEnds) {
 }
 
 TEST(JointsTest, TheOrderInWhichTheyWereAddedDoesNotMatter) {
-  // A closed chain of 12 segments and arcs, and the same in random orders.
-  struct CLink {
-    int m_nName;
-    CSharedEnds m_cSharedEnds;
-  };
-  CRandom random(64);
-  const auto make = [](const std::vector<int>& order) {
+  // A closed chain of 12 segments and arcs, by their numbers, and the same in random orders.
+  const auto make = [](const std::vector<std::uint32_t>& order) {
     CTable table;
-    std::map<int, CShapeId> ids;
-    for (const int i : order) {
+    for (const std::uint32_t i : order) {
       const float a0 = g_fTwoPi * static_cast<float>(i) / 12, a1 = g_fTwoPi * static_cast<float>(i + 1) / 12;
-      const CArcDesc desc({1, 2}, 3, a0, a1);
       Vector2 p0, p1;
-      desc.GetEndPts(p0, p1);
-      ids[i] = i % 3 == 0 ? table.Segment(p0, p1) : table.Arc({1, 2}, 3, a0, a1);
+      CArcDesc({1, 2}, 3, a0, a1).GetEndPts(p0, p1);
+      i % 3 == 0 ? table.Segment(p0, p1) : table.Arc({1, 2}, 3, a0, a1);
     }
-    std::vector<CLink> links;
-    std::map<CShapeId, int> names;
-    for (const auto& [i, id] : ids)
-      names[id] = i;
-    for (const auto& [i, id] : ids) {
-      CSharedEnds sharedEnds = table.Find()[id];
-      for (auto& joint : sharedEnds)
-        if (joint) joint->m_cNeighbour = CShapeId{static_cast<std::uint32_t>(names[joint->m_cNeighbour])};
-      links.push_back({i, sharedEnds});
+    std::vector<CSharedEnds> links(order.size());
+    for (const auto& [id, sharedEnds] : table.Find()) {
+      CSharedEnds& link = links[order[id.m_nValue - 1]] = sharedEnds;
+      for (auto& joint : link)
+        if (joint) joint->m_cNeighbour = CShapeId{order[joint->m_cNeighbour.m_nValue - 1]};
     }
     return links;
   };
-  std::vector<int> order{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
-  const std::vector<CLink> links = make(order);
-  for (const CLink& link : links) {
-    ASSERT_TRUE(link.m_cSharedEnds[0] && link.m_cSharedEnds[1]) << link.m_nName;
-    const auto isNext = [&](const CSharedEnd& j) {
-      const int step = std::abs(static_cast<int>(j.m_cNeighbour.m_nValue) - link.m_nName);
-      return step == 1 || step == 11;
-    };
-    EXPECT_TRUE(isNext(*link.m_cSharedEnds[0]) && isNext(*link.m_cSharedEnds[1])) << link.m_nName;
-  }
-  for (int k = 0; k < 50; ++k) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << ", case " << k);
+  std::vector<std::uint32_t> order{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  const std::vector<CSharedEnds> links = make(order);
+  for (std::uint32_t i = 0; i < 12; ++i)
+    for (const auto& joint : links[i]) {
+      ASSERT_TRUE(joint) << i;
+      const std::uint32_t step = (joint->m_cNeighbour.m_nValue + 12 - i) % 12;
+      EXPECT_TRUE(step == 1 || step == 11) << i;
+    }
+  ForEachCase(64, 50, [&](CRandom& random, int) {
     for (std::size_t i = order.size() - 1; i > 0; --i)
       std::swap(order[i], order[random.Below(static_cast<std::uint32_t>(i + 1))]);
-    const std::vector<CLink> others = make(order);
+    const std::vector<CSharedEnds> others = make(order);
     for (std::size_t i = 0; i < links.size(); ++i)
-      for (std::size_t end = 0; end < 2; ++end)
-        ExpectJoint(*others[i].m_cSharedEnds[end], links[i].m_cSharedEnds[end]->m_cNeighbour,
-                    links[i].m_cSharedEnds[end]->m_vTangent, links[i].m_cSharedEnds[end]->m_fBend);
-  }
+      for (std::size_t end = 0; end < 2; ++end) {
+        ASSERT_TRUE(others[i][end]);
+        ExpectJoint(*others[i][end], links[i][end]->m_cNeighbour, links[i][end]->m_vTangent,
+                    links[i][end]->m_fBend);
+      }
+  });
 }
 
 } // namespace

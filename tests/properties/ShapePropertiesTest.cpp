@@ -2,6 +2,7 @@
 // Circles, arcs and segments: what changes nothing, or turns the answer with the question. How exact the
 // answers are, bounds/ holds against 50 digits.
 #include "Generators.h"
+#include "Moved.h"
 #include "Properties.h"
 
 namespace Shapes::Properties {
@@ -10,8 +11,6 @@ namespace {
 // The closest point of a shape; the naive ones are the controls.
 template <class TDesc>
 using CClosest = Vector2 (*)(const TDesc& desc, const Vector2& q);
-
-Vector2 MirrorX(const Vector2& v) { return {-v.x(), v.y()}; }
 
 // A point around a circle: beside its rim, near the centre, or far away.
 Vector2 Beside(const CCircleDesc& desc) {
@@ -39,7 +38,7 @@ TEST(CircleProperties, AQuarterTurnAndAMirrorKeepTheBits) {
     RC_PRE(q != desc.m_vPos); // the centre has a fallback, which is up
     const Vector2 is = closest(desc, q);
     RC_ASSERT(closest(CCircleDesc(perp(desc.m_vPos), desc.m_fRadius), perp(q)) == perp(is));
-    RC_ASSERT(closest(CCircleDesc(MirrorX(desc.m_vPos), desc.m_fRadius), MirrorX(q)) == MirrorX(is));
+    RC_ASSERT(closest(CCircleDesc(MirrorY(desc.m_vPos), desc.m_fRadius), MirrorY(q)) == MirrorY(is));
   });
 }
 
@@ -136,19 +135,18 @@ TEST(SegmentProperties, SwappedEndsGiveTheSameBits) {
 }
 
 TEST(SegmentProperties, AMirrorThatKeepsTheOrderOfEndsKeepsTheBits) {
-  const auto mirror = [](const Vector2& v) { return Vector2(v.x(), -v.y()); };
   ExpectHolds(false, true, 5000, [=](bool halfOpen) {
     const CLineSegDesc seg = *Segment();
     RC_PRE(seg.GetEndPt0().x() != seg.GetEndPt1().x());
-    const CLineSegDesc mirrored(mirror(seg.GetEndPt0()), mirror(seg.GetEndPt1()));
+    const CLineSegDesc mirrored(MirrorY(seg.GetEndPt0()), MirrorY(seg.GetEndPt1()));
     const Vector2 q = Beside(seg);
-    RC_ASSERT(Closest(mirrored, mirror(q)) == mirror(Closest(seg, q)));
+    RC_ASSERT(Closest(mirrored, MirrorY(q)) == MirrorY(Closest(seg, q)));
     // The front is up on either side of the mirror; the control has it to the right of a falling segment.
     const auto normal = [&](const CLineSegDesc& s) {
       const Vector2 n = s.GetNormal();
       return halfOpen && n.x() > 0.0f ? Vector2(-n) : n;
     };
-    RC_ASSERT(normal(mirrored) == Vector2(-mirror(normal(seg))));
+    RC_ASSERT(normal(mirrored) == Vector2(-MirrorY(normal(seg))));
   });
 }
 
