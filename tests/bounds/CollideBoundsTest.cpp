@@ -37,9 +37,22 @@ struct CHitErrors {
       : m_cAnswer(name + ", answer", least),
         m_cPOI(name + ", POI", least),
         m_cNorm(name + ", normal", least),
-        m_cSetback(name + ", setback", least) {}
+        m_cSetback(name + ", setback", least),
+        m_cBack(name + ", overlap where the setback puts a ball", least) {}
 
-  CKept m_cAnswer, m_cPOI, m_cNorm, m_cSetback;
+  /// @param bound  of the setback
+  template <class TCollide>
+  void SeeSetback(const CHit& hit, const CFifty& overlap, const CFifty& bound, CBall ball,
+                  const TCollide& collide) {
+    EXPECT_GE(hit.m_fSetback, 0.0f);
+    m_cSetback.See(abs(hit.m_fSetback - overlap), bound);
+    ball.m_vPos += hit.m_fSetback * hit.m_vNorm;
+    CHit again;
+    const CFifty rounding = g_fUlp * (Norm(Exact(ball.m_vPos)) + 3 * CFifty(ball.m_fRadius));
+    m_cBack.See(collide(ball, again) ? again.m_fSetback : 0, bound + rounding);
+  }
+
+  CKept m_cAnswer, m_cPOI, m_cNorm, m_cSetback, m_cBack;
 };
 
 // As the square of a difference.
@@ -65,7 +78,8 @@ TEST(DetectBounds, PointCircle) {
     if (!got || d == 0) continue;
     errors.m_cPOI.See(Exact(hit.m_vPOI), Exact(point.GetPos()), 0);
     errors.m_cNorm.See(Exact(hit.m_vNorm), Unit(e), 2 * g_fUlp);
-    errors.m_cSetback.See(abs(hit.m_fSetback - (r - d)), 2 * g_fUlp * r);
+    errors.SeeSetback(hit, r - d, 2 * g_fUlp * r, ball,
+                      [&](const CBall& b, CHit& h) { return CollidePointCircle(point, b, h); });
     naive.See(abs(r - NaiveDistance(p, point.GetPos()) - (r - d)), 2 * g_fUlp * r);
   }
 }
@@ -90,7 +104,8 @@ TEST(DetectBounds, BallBall) {
     errors.m_cPOI.See(Exact(hit.m_vPOI), Exact(other.m_vPos) + CFifty(r0) * n,
                       3 * g_fUlp * (Norm(Exact(other.m_vPos)) + r0));
     errors.m_cNorm.See(Exact(hit.m_vNorm), n, 2 * g_fUlp);
-    errors.m_cSetback.See(abs(hit.m_fSetback - (r - d)), 2 * g_fUlp * r);
+    errors.SeeSetback(hit, r - d, 2 * g_fUlp * r, ball,
+                      [&](const CBall& b, CHit& h) { return CollideBallBall(other, b, h); });
     naive.See(abs(r0 + r1 - NaiveDistance(p, other.m_vPos) - (r - d)), 2 * g_fUlp * r);
   }
 }
@@ -124,7 +139,8 @@ TEST(DetectBounds, LineSegCircle) {
                       8 * g_fUlp * (Norm(e) + Norm(e0) + Gap(e0, e1)));
     errors.m_cNorm.See(Exact(hit.m_vNorm), s > 0 ? Left(t) : CFifty(-1) * Left(t), 2 * g_fUlp);
     const CFifty bound = 3 * g_fUlp * d0 + g_fUlp * r / 2;
-    errors.m_cSetback.See(abs(hit.m_fSetback - (r - abs(s))), bound);
+    errors.SeeSetback(hit, r - abs(s), bound, ball,
+                      [&](const CBall& b, CHit& h) { return CollideLineSegCircle(seg, b, h); });
     const float m = (p1.y() - p0.y()) / (p1.x() - p0.x()), b = p0.y() - m * p0.x();
     naive.See(abs(r - std::abs(p.y() - m * p.x() - b) / std::sqrt(1.0f + m * m) - (r - abs(s))), bound);
   }
@@ -188,7 +204,8 @@ TEST(DetectBounds, CircleCircle) {
     if (!got || d == 0) continue;
     const CVec n = Unit(e);
     errors.m_cPOI.See(Exact(hit.m_vPOI), c + CFifty(R) * n, 3 * g_fUlp * (Norm(c) + R));
-    errors.m_cSetback.See(abs(hit.m_fSetback - (r - exactGap)), 2 * g_fUlp * size);
+    errors.SeeSetback(hit, r - exactGap, 2 * g_fUlp * size, ball,
+                      [&](const CBall& b, CHit& h) { return CollideCircleCircle(circle, b, h); });
     if (fits && abs(d - R) <= g_fUlp * d) continue; // on the ring: either side
     errors.m_cNorm.See(Exact(hit.m_vNorm), fits && d < R ? CFifty(-1) * n : n, 2 * g_fUlp);
     const Vector2 v = p - circle.GetPos();
@@ -262,7 +279,10 @@ TEST(DetectBounds, CircleArc) {
     const CVec n = Unit(e - exact.m_vCenter);
     errors.m_cPOI.See(Exact(hit.m_vPOI), exact.m_vCenter + CFifty(R) * n,
                       3 * g_fUlp * (Norm(exact.m_vCenter) + R));
-    errors.m_cSetback.See(abs(hit.m_fSetback - (r - abs(s))), bound);
+    // A ball exactly on an arc into which it does not fit may be set back into it.
+    const bool sound = r < R || abs(s) > g_fUlp * d;
+    errors.SeeSetback(hit, r - abs(s), bound, ball,
+                      [&](const CBall& b, CHit& h) { return sound && CollideCircleArc(arc, b, h); });
     if (abs(s) <= g_fUlp * d) continue; // on the arc: either side
     errors.m_cNorm.See(Exact(hit.m_vNorm), s < 0 ? CFifty(-1) * n : n, 2 * g_fUlp);
   }
