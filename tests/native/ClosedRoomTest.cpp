@@ -1,32 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Balls that press on each other in closed rooms: by default none gets out, however many push it at once. The
 // control is the same world with Continuous forbidden, which lets some out.
-#include "../Numbers.h"
-#include "Random.h"
-
-#include <Shapes/Shapes.h>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <memory>
-#include <vector>
+#include "NativeTesting.h"
 
 namespace Shapes {
 namespace {
-
-using Tests::CRandom;
 
 /// A convex room, its corners counterclockwise.
 using CRoom = std::vector<Vector2>;
 
 std::unique_ptr<CWorld> MakeRoom(const CRoom& room, const CEffectChoice& effects, float gravity, float e) {
-  CWorldDesc desc;
-  desc.m_vGravity = {0.0f, gravity};
-  desc.m_cEffects = effects;
-  auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
-  for (std::size_t i = 0; i < room.size(); ++i)
-    pWorld->Add(CLineSegDesc(room[i], room[(i + 1) % room.size()], e));
+  auto pWorld = MakeNative(effects, gravity);
+  AddRoom(*pWorld, room, e);
   return pWorld;
 }
 
@@ -44,14 +29,13 @@ int CountOutside(const CRoom& room, const CWorld& world) {
 
 int PlayPile(const CEffectChoice& effects, int balls, int steps) {
   const CRoom room{{0, 0}, {6, 0}, {6, 40}, {0, 40}};
-  const auto pWorld = MakeRoom(room, effects, -10.0f, 0.7f);
+  const auto pWorld = MakeRoom(room, effects, 10.0f, 0.7f);
   CRandom random(15);
   for (int i = 0; i < balls; ++i) {
     const Vector2 p(0.5f + 0.5f * static_cast<float>(i % 11), 0.5f + 0.5f * static_cast<float>(i / 11));
     pWorld->Add(CDynamicCircleDesc(p + random.InSquare(0.02f), 0.2f, random.InSquare(0.5f), 1.0f, 0.7f));
   }
-  for (int i = 0; i < steps; ++i)
-    pWorld->Step();
+  Steps(*pWorld, steps);
   return CountOutside(room, *pWorld);
 }
 
@@ -76,15 +60,14 @@ int PlayRooms(const CEffectChoice& effects, int rooms) {
     for (std::size_t i = 0; i < 4; ++i)
       isConvex = isConvex && Cross(room[(i + 1) % 4] - room[i], room[(i + 2) % 4] - room[(i + 1) % 4]) > 0.0f;
     if (!isConvex) continue;
-    const auto pWorld = MakeRoom(room, effects, random.Coin() ? -10.0f : 0.0f, random.Uniform(0.3f, 1.0f));
+    const auto pWorld = MakeRoom(room, effects, random.Coin() ? 10.0f : 0.0f, random.Uniform(0.3f, 1.0f));
     const int balls = 1 + static_cast<int>(random.Below(6));
     for (int i = 0; i < balls; ++i)
       pWorld->Add(CDynamicCircleDesc(random.InSquare(0.05f), random.Uniform(0.03f, 0.2f),
                                      random.InSquare(1.0f), random.Uniform(0.1f, 10.0f),
                                      random.Uniform(0.3f, 1.0f)));
     const int atFirst = CountOutside(room, *pWorld);
-    for (int i = 0; i < 600; ++i)
-      pWorld->Step();
+    Steps(*pWorld, 600);
     lost += atFirst == 0 && CountOutside(room, *pWorld) > 0;
   }
   return lost;
@@ -98,9 +81,7 @@ TEST(ClosedRoom, RandomRoomsLoseNone) {
 // A ball that lies over a gap that is smaller than itself, pressed by another one, is stopped by the ends. It
 // must not gather speed meanwhile.
 TEST(ClosedRoom, AStoppedBallGathersNoSpeed) {
-  CWorldDesc desc;
-  desc.m_vGravity = {0.0f, -10.0f};
-  const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+  const auto pWorld = MakeNative(g_cAutomatic, 10);
   pWorld->Add(CLineSegDesc({-2.0f, 0.0f}, {-0.04f, 0.0f}));
   pWorld->Add(CLineSegDesc({0.04f, 0.0f}, {2.0f, 0.0f}));
   pWorld->Add(CDynamicCircleDesc({0.0f, 0.05f}, 0.1f));
@@ -123,14 +104,11 @@ TEST(ClosedRoom, AStoppedBallGathersNoSpeed) {
 // A post that appears under a ball that is larger than the post pushes it out.
 TEST(ClosedRoom, ABallIsNotTrappedInAPostThatIsSmaller) {
   for (const CEffectChoice& effects : {g_cAutomatic, g_cApproximate}) {
-    CWorldDesc desc;
-    desc.m_cEffects = effects;
-    const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+    const auto pWorld = MakeNative(effects);
     pWorld->Add(CCircleDesc({0.0f, 0.0f}, 0.1f));
     pWorld->Add(CLineSegDesc({0.38f, -1.0f}, {0.38f, 1.0f}));
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.05f, 0.0f}, 0.15f));
-    for (int i = 0; i < 10; ++i)
-      pWorld->Step();
+    Steps(*pWorld, 10);
     EXPECT_GT(pWorld->GetPos(ball).norm(), 0.2f);
   }
 }

@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Random tables on the native engine with Continuous: whatever is in them, nobody gets out.
-#include "Random.h"
-
-#include <Shapes/Shapes.h>
+#include "NativeTesting.h"
 
 #include "Tolerances.h"
 
-#include <gtest/gtest.h>
-
-#include <vector>
-
 namespace Shapes {
 namespace {
-
-using Tests::CRandom;
 
 constexpr float g_fHalf = 4.0f;
 
@@ -29,23 +21,16 @@ struct CTable {
 /// Walls around up to 11 shapes and 8 balls, which may begin in one another.
 CTable MakeTable(std::uint64_t seed, bool turning, const CEffectChoice& choice) {
   CRandom random(seed);
-  CWorldDesc desc;
-  desc.m_cEffects = choice;
-  if (random.Coin()) desc.m_vGravity = {0, -10};
-  desc.m_nSubsteps = 1 + random.Below(2);
-  CTable table{GetBackend(eBackend::Native)->MakeWorld(desc), {}};
+  const float gravity = random.Coin() ? 10.0f : 0.0f;
+  CTable table{MakeNative(choice, gravity, g_fDt, 1 + random.Below(2)), {}};
   CWorld& world = *table.m_pWorld;
   const float e = random.Coin() ? 1.0f : random.Uniform(0, 1.1f);
-  for (const float s : {-g_fHalf, g_fHalf}) {
-    world.Add(CLineSegDesc({-g_fHalf, s}, {g_fHalf, s}, e));
-    world.Add(CLineSegDesc({s, -g_fHalf}, {s, g_fHalf}, e));
-  }
+  AddBox(world, g_fHalf, e);
   const auto add = [&](auto shape) {
     shape.m_fElasticity = e;
     if (turning && random.Coin()) {
-      shape.m_eMotionType = eMotion::Kinematic;
-      shape.m_vRotCenter = shape.m_vPos + random.VectorOfLength(0, 0.5f);
-      shape.m_fRotSpeed = random.Uniform(-5, 5);
+      const Vector2 center = shape.m_vPos + random.VectorOfLength(0, 0.5f);
+      shape = Turning(shape, random.Uniform(-5, 5), center);
     }
     world.Add(shape);
   };
@@ -106,8 +91,7 @@ TEST(ContinuousRandomTest, AsTheyDoInTheApproximateWay) {
   std::size_t out = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     const CTable table = MakeTable(seed, false, g_cApproximate);
-    for (int step = 0; step < 100; ++step)
-      table.m_pWorld->Step();
+    Steps(*table.m_pWorld, 100);
     for (const CShapeId ball : table.m_stdBalls)
       out += table.GetFarthest(ball) > g_fHalf + 1;
   }

@@ -1,50 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The native world with Continuous: what happens between impacts, and after many of them. Shots at each kind
 // of shape are in tests/compare/ContinuousShotsTest.cpp.
-#include "../Numbers.h"
-#include "Random.h"
-
-#include <Shapes/Shapes.h>
+#include "NativeTesting.h"
 
 #include "Tolerances.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <vector>
 
 namespace Shapes {
 namespace {
 
-using Tests::CRandom;
-
-std::unique_ptr<CWorld> MakeContinuous(const Vector2& g = Vector2::Zero(),
-                                       const CEffectChoice& choice = g_cContinuous) {
-  CWorldDesc desc;
-  desc.m_fTimeStep = g_fDt;
-  desc.m_vGravity = g;
-  desc.m_cEffects = choice;
-  return GetBackend(eBackend::Native)->MakeWorld(desc);
-}
-
-template <class TDesc>
-TDesc Turning(TDesc desc, const Vector2& center, float revs) {
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_vRotCenter = center;
-  desc.m_fRotSpeed = revs;
-  return desc;
-}
-
-void AddBox(CWorld& world, float half, float e = 1.0f) {
-  world.Add(CLineSegDesc({-half, -half}, {half, -half}, e));
-  world.Add(CLineSegDesc({-half, half}, {half, half}, e));
-  world.Add(CLineSegDesc({-half, -half}, {-half, half}, e));
-  world.Add(CLineSegDesc({half, -half}, {half, half}, e));
-}
+std::unique_ptr<CWorld> MakeContinuous(float gravity = 0) { return MakeNative(g_cContinuous, gravity); }
 
 double KineticEnergy(const CWorld& world) {
   double energy = 0.0;
@@ -53,12 +17,16 @@ double KineticEnergy(const CWorld& world) {
   return energy;
 }
 
+void AddSlot(CWorld& world) {
+  for (const float y : {0.0f, 0.25f})
+    world.Add(CLineSegDesc({-1, y}, {1, y}));
+}
+
 TEST(ContinuousTest, ABallBetweenTwoWallsIsNeverLost) {
   // 26 impacts a step. The control is the same without Continuous.
   for (const bool continuous : {true, false}) {
-    auto pWorld = MakeContinuous(Vector2::Zero(), continuous ? g_cContinuous : g_cApproximate);
-    pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
-    pWorld->Add(CLineSegDesc({-1, 0.25f}, {1, 0.25f}));
+    auto pWorld = MakeNative(continuous ? g_cContinuous : g_cApproximate);
+    AddSlot(*pWorld);
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, 80}));
     while (pWorld->GetStats().m_nContacts < 100000 && pWorld->GetStats().m_nSteps < 10000) {
       pWorld->Step();
@@ -135,8 +103,7 @@ TEST(ContinuousTest, MomentumAndEnergyOfManyBallsAreKept) {
     pWorld->Add(CDynamicCircleDesc(p, r, random.VectorOfLength(0, 200), random.Uniform(0.1f, 5)));
   }
   const double before = KineticEnergy(*pWorld);
-  for (int step = 0; step < 2000; ++step)
-    pWorld->Step();
+  Steps(*pWorld, 2000);
   // Velocities are rounded to floats in each step: a walk of 2000 half ulps, with a factor of 4.
   EXPECT_NEAR(KineticEnergy(*pWorld) / before, 1.0,
               4 * std::sqrt(2000.0) * 0.5 * static_cast<double>(g_fUlp));
@@ -152,13 +119,13 @@ TEST(ContinuousTest, NoneLeavesAClosedTableAtAnySpeed) {
   for (int exponent = 0; exponent <= 59; exponent += 4) {
     CRandom random(7 + static_cast<std::uint64_t>(exponent));
     SCOPED_TRACE(testing::Message() << "speed 2^" << exponent << ", seed " << random.GetSeed());
-    auto pWorld = MakeContinuous({0, -10});
+    auto pWorld = MakeContinuous(10);
     AddBox(*pWorld, 4);
     pWorld->Add(CPointDesc({1, 1}));
     const CShapeId post = pWorld->Add(CCircleDesc({-2, 2}, 0.5f));
     pWorld->Add(CArcDesc({2, -2}, 0.75f, 0.5f, 4.0f));
-    pWorld->Add(Turning(CLineSegDesc({-1, -2}, {1, -2}), {0, -2}, 3));
-    pWorld->Add(Turning(CArcDesc({-2.5f, -2.5f}, 0.5f, 0, 2), {-2.5f, -2}, -2));
+    pWorld->Add(Turning(CLineSegDesc({-1, -2}, {1, -2}), 3, {0, -2}));
+    pWorld->Add(Turning(CArcDesc({-2.5f, -2.5f}, 0.5f, 0, 2), -2, {-2.5f, -2}));
     for (int i = 0; i < 5; ++i) {
       const Vector2 v = std::ldexp(1.0f, exponent) * random.Direction();
       pWorld->Add(CDynamicCircleDesc({-3.0f + 1.25f * static_cast<float>(i), 3.25f}, 0.2f, v));
@@ -192,11 +159,8 @@ TEST(ContinuousTest, ABallOfFourRoundingsGetsThroughNothing) {
         SCOPED_TRACE(testing::Message()
                      << "at " << x << ", r = " << roundings << " roundings, seed " << seed);
         auto pWorld = MakeContinuous();
-        const Vector2 low(x - half, x - half), high(x + half, x + half);
-        for (const Vector2& corner : {Vector2(low.x(), high.y()), Vector2(high.x(), low.y())}) {
-          pWorld->Add(CLineSegDesc(low, corner));
-          pWorld->Add(CLineSegDesc(corner, high));
-        }
+        const float low = x - half, high = x + half;
+        AddRoom(*pWorld, std::vector<Vector2>{{low, low}, {high, low}, {high, high}, {low, high}});
         const float way = r * random.Scale(-8, 8);
         const CShapeId ball = pWorld->Add(CDynamicCircleDesc({x, x}, r, way / g_fDt * random.Direction()));
         for (int step = 0; step < 200; ++step) {
@@ -208,8 +172,7 @@ TEST(ContinuousTest, ABallOfFourRoundingsGetsThroughNothing) {
 
 TEST(ContinuousTest, AHaltedBallIsReportedAndGoesOnInTheNextStep) {
   auto pWorld = MakeContinuous();
-  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
-  pWorld->Add(CLineSegDesc({-1, 0.25f}, {1, 0.25f}));
+  AddSlot(*pWorld);
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, 8000}));
   for (int i = 0; i < 10; ++i) {
     pWorld->Step();
@@ -223,8 +186,7 @@ TEST(ContinuousTest, AHaltedBallIsReportedAndGoesOnInTheNextStep) {
 
 TEST(ContinuousTest, OthersBounceOffAHaltedBall) {
   auto pWorld = MakeContinuous();
-  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
-  pWorld->Add(CLineSegDesc({-1, 0.25f}, {1, 0.25f}));
+  AddSlot(*pWorld);
   pWorld->Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, 80000}));
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-0.5f, 0.125f}, 0.1f, {60, 0}));
   pWorld->Step();
@@ -234,7 +196,7 @@ TEST(ContinuousTest, OthersBounceOffAHaltedBall) {
 
 TEST(ContinuousTest, ABallRollsOverTheJointsOfAFloor) {
   // No elasticity: it stays on the floor, and nothing of the joints is felt.
-  auto pWorld = MakeContinuous({0, -10});
+  auto pWorld = MakeContinuous(10);
   for (int i = 0; i < 20; ++i)
     pWorld->Add(CLineSegDesc({0.37f * static_cast<float>(i), 0}, {0.37f * static_cast<float>(i + 1), 0}, 0));
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.2f, 0.1f}, 0.1f, {1, 0}));
@@ -267,7 +229,7 @@ TEST(ContinuousTest, ABallSlidesAlongTheInsideOfABowl) {
 TEST(ContinuousTest, WhatLiesGoesOnLying) {
   const float r = 0.1f, diagonal = r * std::sqrt(2.0f);
   for (const float e : {0.0f, 0.5f, 1.0f, 2.0f}) {
-    auto pWorld = MakeContinuous({0, -9.8f});
+    auto pWorld = MakeContinuous(9.8f);
     pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, e)); // a floor
     pWorld->Add(CLineSegDesc({8, 2}, {10, 0}, e)); // a corner
     pWorld->Add(CLineSegDesc({10, 0}, {12, 2}, e));
@@ -282,8 +244,7 @@ TEST(ContinuousTest, WhatLiesGoesOnLying) {
     // An impact is an impact still, however slow. (A ball has the elasticity 1 by default.)
     const float speed = std::sqrt(0.01f + 2 * 9.8f * 1e-3f), time = (speed - 0.1f) / 9.8f;
     EXPECT_NEAR(pWorld->GetVel(impact).y(), e * speed - (e > 0 ? 9.8f * (g_fDt - time) : 0), 16 * g_fUlp);
-    for (int step = 0; step < 10000; ++step)
-      pWorld->Step();
+    Steps(*pWorld, 10000);
     for (std::size_t i = 0; i + 1 < first.size(); ++i)
       EXPECT_LT((pWorld->GetBallPositions()[i] - first[i]).norm(), 1e-6f)
           << "ball " << i << ", elasticity " << e;
@@ -293,7 +254,7 @@ TEST(ContinuousTest, WhatLiesGoesOnLying) {
 TEST(ContinuousTest, ATurningBarCarriesABallAlong) {
   // No elasticity: the bar pushes the ball before it, never through it.
   auto pWorld = MakeContinuous();
-  pWorld->Add(Turning(CLineSegDesc({0.5f, 0}, {3, 0}, 0.0f), {0, 0}, 1));
+  pWorld->Add(Turning(CLineSegDesc({0.5f, 0}, {3, 0}, 0.0f), 1));
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({1, 0.3f}, 0.1f));
   for (int step = 0; step < 10; ++step) {
     pWorld->Step();
@@ -309,13 +270,10 @@ TEST(ContinuousTest, ATurningBarCarriesABallAlong) {
 TEST(ContinuousTest, AOneSidedShapeLetsPassFromItsOpenSide) {
   for (const bool fromFront : {true, false}) {
     auto pWorld = MakeContinuous();
-    CLineSegDesc gate({-1, 0}, {1, 0});
-    gate.m_eSides = eSides::Front;
-    pWorld->Add(gate);
+    pWorld->Add(Sided(CLineSegDesc({-1, 0}, {1, 0}), eSides::Front));
     const float side = fromFront ? 1.0f : -1.0f;
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.3f, 0.52f * side}, 0.1f, {0, -7 * side}));
-    for (int step = 0; step < 20; ++step)
-      pWorld->Step();
+    Steps(*pWorld, 20);
     EXPECT_EQ(pWorld->GetVel(ball).y() > 0, true);
     EXPECT_EQ(pWorld->GetStats().m_nContacts, fromFront ? 1u : 0u);
   }
@@ -368,10 +326,7 @@ TEST(ContinuousTest, ABallWithoutRadiusStaysOnItsSide) {
     for (const float dt : {1.0f, 0.25f, 1.0f / 60.0f, 0.1f})
       for (const float r : {0.0f, 1e-30f, 1e-9f}) {
         SCOPED_TRACE(testing::Message() << "y = " << y << ", step " << dt << ", r = " << r);
-        CWorldDesc desc;
-        desc.m_fTimeStep = dt;
-        desc.m_cEffects = g_cContinuous;
-        auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+        const auto pWorld = MakeNative(g_cContinuous, 0, dt);
         pWorld->Add(CLineSegDesc({-1, y}, {1, y}));
         for (const Vector2& v : {Vector2(0, 1), Vector2(0.1f, 0.7f)}) {
           pWorld->Add(CDynamicCircleDesc({-0.5f, y + 1}, r, -v));
@@ -405,9 +360,7 @@ TEST(ContinuousTest, SensorsSeeWhatABallCrossesBetweenItsImpacts) {
   for (int phase = 0; phase < 100; ++phase) {
     auto pWorld = MakeContinuous();
     pWorld->Add(CLineSegDesc({2, -1}, {2, 1}));
-    CLineSegDesc gate({1, -1}, {1, 1});
-    gate.m_bIsSensor = true;
-    const CShapeId sensor = pWorld->Add(gate);
+    const CShapeId sensor = pWorld->Add(Sensor(CLineSegDesc({1, -1}, {1, 1})));
     pWorld->Add(CDynamicCircleDesc({0.03f * static_cast<float>(phase % 20), 0}, 0.1f, {300, 0}));
     pWorld->Step(); // there and back
     std::size_t events = 0;
@@ -420,7 +373,7 @@ TEST(ContinuousTest, SensorsSeeWhatABallCrossesBetweenItsImpacts) {
 TEST(ContinuousTest, WithoutGravityWhatMeetsNothingHasTheBitsOfTheApproximateWay) {
   CRandom random(11);
   SCOPED_TRACE(random.GetSeed());
-  auto pSwept = MakeContinuous(), pApproximate = MakeContinuous({0, 0}, g_cApproximate);
+  auto pSwept = MakeContinuous(), pApproximate = MakeNative(g_cApproximate);
   for (CWorld* pWorld : {pSwept.get(), pApproximate.get()})
     pWorld->Add(CLineSegDesc({-1000, -10000}, {1000, -10000}));
   for (int i = 0; i < 50; ++i) {
@@ -429,10 +382,8 @@ TEST(ContinuousTest, WithoutGravityWhatMeetsNothingHasTheBitsOfTheApproximateWay
     pSwept->Add(ball);
     pApproximate->Add(ball);
   }
-  for (int step = 0; step < 300; ++step) {
-    pSwept->Step();
-    pApproximate->Step();
-  }
+  Steps(*pSwept, 300);
+  Steps(*pApproximate, 300);
   for (std::size_t i = 0; i < 50; ++i) {
     EXPECT_EQ(pSwept->GetBallPositions()[i], pApproximate->GetBallPositions()[i]);
     EXPECT_EQ(pSwept->GetBallVelocities()[i], pApproximate->GetBallVelocities()[i]);
@@ -443,11 +394,10 @@ TEST(ContinuousTest, WithoutGravityWhatMeetsNothingHasTheBitsOfTheApproximateWay
 TEST(ContinuousTest, WhatMeetsNothingFliesOnItsParabola) {
   const Vector2 v(2, 30);
   for (const CEffectChoice& effects : {g_cAutomatic, g_cContinuous, g_cApproximate}) {
-    auto pWorld = MakeContinuous({0, -10}, effects);
+    auto pWorld = MakeNative(effects, 10);
     pWorld->Add(CLineSegDesc({-1000, -10000}, {1000, -10000}));
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, v));
-    for (int step = 1; step <= 300; ++step)
-      pWorld->Step();
+    Steps(*pWorld, 300);
     const double t = 300.0 * static_cast<double>(g_fDt);
     const double error =
         (pWorld->GetPos(ball).cast<double>() - t * v.cast<double>() - Vector2d(0, -5 * t * t)).norm();
@@ -471,8 +421,7 @@ TEST(ContinuousTest, DoesNotDependOnTheOrderOfShapes) {
     for (const CLineSegDesc& wall : walls)
       pWorld->Add(wall);
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 1e-3f, {50, 31}));
-    for (int step = 0; step < 50; ++step)
-      pWorld->Step();
+    Steps(*pWorld, 50);
     return pWorld->GetPos(ball);
   };
   const Vector2 p = play();

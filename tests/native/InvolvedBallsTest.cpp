@@ -1,39 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The native world with Continuous takes up only balls that may meet something: none that does is left out,
 // and what finds the shapes does not matter to what comes out.
-#include "../Numbers.h"
-#include "Random.h"
+#include "NativeTesting.h"
 
-#include <Shapes/Shapes.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <tuple>
-#include <vector>
 
 namespace Shapes {
 namespace {
 
-using Tests::CRandom;
-
-std::unique_ptr<CWorld> MakeSwept(const Vector2& g) {
-  CWorldDesc desc;
-  desc.m_fTimeStep = g_fDt;
-  desc.m_vGravity = g;
-  desc.m_cEffects = g_cContinuous;
-  return GetBackend(eBackend::Native)->MakeWorld(desc);
-}
-
 // After the first substeps a grid that knows what is clear is there; it must not change anything.
 TEST(InvolvedBallsTest, ABallThatTurnsRoundBelowACeilingMeetsItInEveryStep) {
   const float g = 10.0f, up = 0.5f * g * g_fDt, top = 0.5f * up * up / g, r = 0.25f * top;
-  auto pWorld = MakeSwept({0, -g});
+  auto pWorld = MakeNative(g_cContinuous, g);
   // The ball would be back where it began at the end of the step.
   pWorld->Add(CLineSegDesc({-1, r + 0.9f * top}, {1, r + 0.9f * top}));
-  CDynamicCircleDesc desc({0, 0}, r);
-  desc.m_fElasticity = 0.0f;
-  const CShapeId ball = pWorld->Add(desc);
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, r, {0, 0}, 1, 0));
   Vector2 first = Vector2::Zero();
   for (int i = 0; i < 3000; ++i) {
     pWorld->SetPos(ball, {0, 0});
@@ -48,12 +29,9 @@ TEST(InvolvedBallsTest, ABallThatTurnsRoundBelowACeilingMeetsItInEveryStep) {
 // A light ball that a heavy one hits goes farther than either would have gone.
 TEST(InvolvedBallsTest, ABallThatIsHitMeetsOneInTheOpenInTheSameStep) {
   for (const float place : {8.0f, 80.0f}) { // the control is out of its way
-    auto pWorld = MakeSwept({0, 0});
-    CDynamicCircleDesc heavy({0, 0}, 0.1f, {300, 0}), light({1, 0}, 0.1f);
-    heavy.m_fMass = 1000.0f;
-    light.m_fMass = 0.001f;
-    pWorld->Add(heavy);
-    pWorld->Add(light);
+    auto pWorld = MakeNative(g_cContinuous);
+    pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, {300, 0}, 1000));
+    pWorld->Add(CDynamicCircleDesc({1, 0}, 0.1f, {0, 0}, 0.001f));
     const CShapeId inTheOpen = pWorld->Add(CDynamicCircleDesc({place, 0}, 0.1f));
     // Where there are few balls each looks at all of them.
     for (int i = 0; i < 100; ++i)
@@ -65,10 +43,7 @@ TEST(InvolvedBallsTest, ABallThatIsHitMeetsOneInTheOpenInTheSameStep) {
 
 // Balls that meet shapes only are moved one after the other.
 TEST(InvolvedBallsTest, ContactsOfBallsThatMoveAloneAreToldInTheOrderOfTime) {
-  CWorldDesc desc;
-  desc.m_fTimeStep = g_fDt;
-  desc.m_cEffects = {{}, CEffects{eEffect::BallPairs}};
-  auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+  const auto pWorld = MakeNative({{}, CEffects{eEffect::BallPairs}});
   pWorld->Add(CLineSegDesc({-10, 0}, {10, 0}));
   pWorld->Add(CLineSegDesc({-10, 1}, {10, 1}));
   // The first one meets the floor late, the second one both in between, the third one at the same time as it.
@@ -85,33 +60,24 @@ TEST(InvolvedBallsTest, ContactsOfBallsThatMoveAloneAreToldInTheOrderOfTime) {
 TEST(InvolvedBallsTest, AWorldThatGoesOnAndOneThatIsLoadedHaveTheSameBitsWhateverFindsTheShapes) {
   for (const bool falls : {true, false}) {
     CRandom random(271);
-    auto pWorld = MakeSwept({0, falls ? -10.0f : 0.0f});
-    for (const float at : {0.0f, 12.0f}) {
-      pWorld->Add(CLineSegDesc({0, at}, {12, at}));
-      pWorld->Add(CLineSegDesc({at, 0}, {at, 12}));
-    }
+    auto pWorld = MakeNative(g_cContinuous, falls ? 10.0f : 0.0f);
+    AddRoom(*pWorld, std::vector<Vector2>{{0, 0}, {12, 0}, {12, 12}, {0, 12}});
     for (int i = 0; i < 60; ++i) {
       const Vector2 p = Vector2(6, 6) + random.InSquare(5.5f);
       if (random.Coin()) {
         pWorld->Add(CCircleDesc(p, random.Uniform(0.05f, 0.4f)));
       } else {
-        CLineSegDesc bar(p, p + random.VectorOfLength(0.1f, 1.0f));
-        bar.m_eMotionType = i % 10 == 0 ? eMotion::Kinematic : eMotion::Static;
-        bar.m_vRotCenter = p;
-        bar.m_fRotSpeed = i % 10 == 0 ? 0.5f : 0.0f;
-        pWorld->Add(bar);
+        const CLineSegDesc bar(p, p + random.VectorOfLength(0.1f, 1.0f));
+        pWorld->Add(i % 10 == 0 ? Turning(bar, 0.5f, p) : bar);
       }
     }
     for (int i = 0; i < 80; ++i) {
       const Vector2 p = Vector2(6, 6) + random.InSquare(5.5f), v = random.VectorOfLength(0.0f, 20.0f);
-      CDynamicCircleDesc ball(p, random.Uniform(0.02f, 0.2f), v);
-      ball.m_fElasticity = random.Uniform(0.3f, 1.0f);
-      pWorld->Add(ball);
+      const float r = random.Uniform(0.02f, 0.2f);
+      pWorld->Add(CDynamicCircleDesc(p, r, v, 1, random.Uniform(0.3f, 1.0f)));
     }
-    for (int i = 0; i < 100; ++i)
-      pWorld->Step(); // by now it has its grid
-    CWorldDesc desc = pWorld->GetDesc();
-    const auto pLoaded = GetBackend(eBackend::Native)->MakeWorld(desc);
+    Steps(*pWorld, 100); // by now it has its grid
+    const auto pLoaded = GetBackend(eBackend::Native)->MakeWorld(pWorld->GetDesc());
     std::size_t contacts = 0;
     for (int i = 0; i < 20; ++i) {
       pLoaded->LoadState(pWorld->SaveState()); // and this one never
@@ -130,13 +96,10 @@ TEST(InvolvedBallsTest, AWorldThatGoesOnAndOneThatIsLoadedHaveTheSameBitsWhateve
 
 // All centres are level: nothing in the row says that it can give way upwards.
 TEST(InvolvedBallsTest, ARowThatAWallSqueezesIsLiftedInsteadOfMerging) {
-  auto pWorld = MakeSwept({0, -10});
+  auto pWorld = MakeNative(g_cContinuous, 10);
   pWorld->Add(CLineSegDesc({0, 0}, {10, 0}));
   pWorld->Add(CLineSegDesc({0, 0}, {0, 9}));
-  CLineSegDesc wall({4, 0}, {4, 9});
-  wall.m_eMotionType = eMotion::Kinematic;
-  wall.m_vVel = {-2, 0};
-  pWorld->Add(wall);
+  pWorld->Add(Moving(CLineSegDesc({4, 0}, {4, 9}), {-2, 0}));
   for (int i = 0; i < 9; ++i)
     pWorld->Add(CDynamicCircleDesc({0.2f + 0.4f * static_cast<float>(i), 0.2f}, 0.2f, {0, 0}, 1, 0.5f));
   float least = 1.0f;

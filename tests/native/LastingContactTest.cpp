@@ -1,28 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Contact that lasts under gravity, and what bounces until it does.
-#include <Shapes/Shapes.h>
+#include "NativeTesting.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-#include "Random.h"
-
-namespace Shapes::Tests {
+namespace Shapes {
 namespace {
 
-constexpr float g_fDt = 1.0f / 60.0f;
-
-std::unique_ptr<CWorld> MakeWorldOf(const CEffectChoice& effects, float gravity = 10.0f, float dt = g_fDt,
-                                    unsigned substeps = 1) {
-  CWorldDesc desc;
-  desc.m_vGravity = {0.0f, -gravity};
-  desc.m_fTimeStep = dt;
-  desc.m_nSubsteps = substeps;
-  desc.m_cEffects = effects;
-  return GetBackend(eBackend::Native)->MakeWorld(desc);
+// A floor below gravity.
+std::unique_ptr<CWorld> MakeFloor(const CEffectChoice& effects = g_cAutomatic, float gravity = 10,
+                                  float e = 1) {
+  auto pWorld = MakeNative(effects, gravity);
+  pWorld->Add(CLineSegDesc({-9, 0}, {9, 0}, e));
+  return pWorld;
 }
 
 // Per mass, above the floor on which a ball of radius r lies.
@@ -35,8 +23,7 @@ double EnergyOf(const CWorld& world, CShapeId ball, double g, double r) {
 // the step at which it comes. The control is the approximate way.
 TEST(LastingContact, AnElasticDropKeepsItsEnergy) {
   const auto drift = [](const CEffectChoice& effects, float height, float g, int steps) {
-    const auto pWorld = MakeWorldOf(effects, g);
-    pWorld->Add(CLineSegDesc({-5, 0}, {5, 0}));
+    const auto pWorld = MakeFloor(effects, g);
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, height + 0.1f}, 0.1f));
     const double first = EnergyOf(*pWorld, ball, static_cast<double>(g), 0.1);
     double most = 0.0;
@@ -59,11 +46,9 @@ TEST(LastingContact, AnElasticDropKeepsItsEnergy) {
 
 TEST(LastingContact, ABallComesToRestWhenItsBouncesEnd) {
   for (const float e : {0.1f, 0.3f, 0.5f, 0.8f, 0.9f}) {
-    const auto pWorld = MakeWorldOf(g_cAutomatic, 9.81f);
-    pWorld->Add(CLineSegDesc({-5, 0}, {5, 0}, e));
+    const auto pWorld = MakeFloor(g_cAutomatic, 9.81f, e);
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 1.1f}, 0.1f));
-    const double exact =
-        std::sqrt(2.0 / 9.81) * (1.0 + 2.0 * static_cast<double>(e) / (1.0 - static_cast<double>(e)));
+    const double exact = std::sqrt(2.0 / 9.81) * (1.0 + 2.0 * Wide(e) / (1.0 - Wide(e)));
     int last = 0; // step in which it moved
     for (int step = 1; step <= 1200; ++step) {
       pWorld->Step();
@@ -78,7 +63,7 @@ TEST(LastingContact, ABallComesToRestWhenItsBouncesEnd) {
 // The pendulum: elliptic integral of the first kind by the arithmetic-geometric mean.
 TEST(LastingContact, ABallSlidesInABowlAsAPendulum) {
   for (const double amplitude : {0.1, 0.5, 1.0, 1.5}) {
-    const auto pWorld = MakeWorldOf(g_cAutomatic);
+    const auto pWorld = MakeNative(g_cAutomatic, 10);
     pWorld->Add(CArcDesc({0, 0}, 1, 0, 0, 0.0f));
     const Vector2 start(0.8f * static_cast<float>(std::sin(amplitude)),
                         -0.8f * static_cast<float>(std::cos(amplitude)));
@@ -114,16 +99,14 @@ TEST(LastingContact, ABallSlidesInABowlAsAPendulum) {
 // However slow, however many substeps and wherever: what touches and approaches is answered.
 TEST(LastingContact, ASlowBallBounces) {
   for (const unsigned substeps : {1u, 64u, 4096u}) {
-    const auto pNear = MakeWorldOf(g_cContinuous, 0.0f, g_fDt, substeps);
+    const auto pNear = MakeNative(g_cContinuous, 0, g_fDt, substeps);
     pNear->Add(CLineSegDesc({-1, 0}, {1, 0}));
     const CShapeId slow = pNear->Add(CDynamicCircleDesc({0, 0.15f}, 0.1f, {0, -0.1f}));
-    const auto pFar = MakeWorldOf(g_cContinuous, 0.0f, g_fDt, substeps);
+    const auto pFar = MakeNative(g_cContinuous, 0, g_fDt, substeps);
     pFar->Add(CLineSegDesc({99999, 0}, {100001, 0}));
     const CShapeId far = pFar->Add(CDynamicCircleDesc({100000, 5}, 0.5f, {0, -5}));
-    for (int step = 0; step < 60; ++step) {
-      pNear->Step();
-      pFar->Step();
-    }
+    Steps(*pNear, 60);
+    Steps(*pFar, 60);
     EXPECT_EQ(pNear->GetVel(slow).y(), 0.1f) << substeps;
     EXPECT_EQ(pFar->GetVel(far).y(), 5.0f) << substeps;
   }
@@ -131,7 +114,7 @@ TEST(LastingContact, ASlowBallBounces) {
 
 TEST(LastingContact, WhatLiesFarFromTheOriginDoesNotLeap) {
   for (const float dt : {1e-2f, 1e-4f, 1e-5f}) {
-    const auto pWorld = MakeWorldOf(g_cContinuous, 10.0f, dt);
+    const auto pWorld = MakeNative(g_cContinuous, 10, dt);
     pWorld->Add(CLineSegDesc({999, 0}, {1001, 0}));
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({1000, 0.1f}, 0.1f));
     for (int step = 0; step < 20000; ++step) {
@@ -144,14 +127,12 @@ TEST(LastingContact, WhatLiesFarFromTheOriginDoesNotLeap) {
 
 // Five balls that touch, and lie: what comes in on one side goes out on the other.
 TEST(LastingContact, ARowOfBallsThatTouchPassesAnImpactOn) {
-  const auto pWorld = MakeWorldOf(g_cAutomatic);
-  pWorld->Add(CLineSegDesc({-9, 0}, {9, 0}));
+  const auto pWorld = MakeFloor();
   std::vector<CShapeId> row;
   for (int i = 0; i < 5; ++i)
     row.push_back(pWorld->Add(CDynamicCircleDesc({0.2f * static_cast<float>(i), 0.1f}, 0.1f)));
   const CShapeId first = pWorld->Add(CDynamicCircleDesc({-1, 0.1f}, 0.1f, {2, 0}));
-  for (int step = 0; step < 60; ++step)
-    pWorld->Step();
+  Steps(*pWorld, 60);
   EXPECT_NEAR(pWorld->GetVel(first).x(), 0.0f, 1e-5f);
   for (std::size_t i = 0; i + 1 < row.size(); ++i)
     EXPECT_NEAR(pWorld->GetVel(row[i]).x(), 0.0f, 1e-5f) << i;
@@ -165,7 +146,7 @@ struct CPile {
   bool m_bIsV;
 
   CPile(const CEffectChoice& effects, int balls, bool isV, float e, std::uint64_t seed)
-      : m_pWorld(MakeWorldOf(effects)), m_bIsV(isV) {
+      : m_pWorld(MakeNative(effects, 10)), m_bIsV(isV) {
     CRandom random(seed);
     const float r = 0.2f, side = std::max(2.0f, std::sqrt(static_cast<float>(balls) * 8.8f) * r);
     m_fWidth = isV ? 2.5f * side : side;
@@ -180,11 +161,9 @@ struct CPile {
     for (int i = 0; i < balls; ++i) {
       const float x = 2.1f * r * static_cast<float>(i % columns) + 0.02f * random.Uniform(0, 1);
       const float y = 2.1f * r * static_cast<float>(i / columns);
-      CDynamicCircleDesc ball(
+      m_pWorld->Add(CDynamicCircleDesc(
           {x + (isV ? 0.3f * m_fWidth : 1.1f * r), y + (isV ? 0.5f * m_fHeight : 1.1f * r)}, r,
-          {random.Uniform(-0.5f, 0.5f), 0});
-      ball.m_fElasticity = e;
-      m_pWorld->Add(ball);
+          {random.Uniform(-0.5f, 0.5f), 0}, 1, e));
     }
   }
 
@@ -231,8 +210,7 @@ TEST(LastingContact, APileSettlesAndLosesNone) {
       }
   // The control.
   CPile pile(g_cApproximate, 120, false, 0.5f, 1);
-  for (int step = 0; step < 900; ++step)
-    pile.m_pWorld->Step();
+  Steps(*pile.m_pWorld, 900);
   EXPECT_GT(pile.GetFastest() + static_cast<float>(pile.CountLost()), 1.0f);
 }
 
@@ -241,13 +219,11 @@ TEST(LastingContact, APileSettlesAndLosesNone) {
 TEST(LastingContact, APileAtRestSleepsUntilSomethingHappens) {
   const auto makeRested = [] {
     CPile pile(g_cAutomatic, 50, false, 0.5f, 150);
-    for (int step = 0; step < 900; ++step)
-      pile.m_pWorld->Step();
+    Steps(*pile.m_pWorld, 900);
     return pile;
   };
   const auto moves = [](CPile& pile) {
-    for (int step = 0; step < 30; ++step)
-      pile.m_pWorld->Step();
+    Steps(*pile.m_pWorld, 30);
     return pile.GetFastest() > 0.0f;
   };
   CPile pile = makeRested();
@@ -256,8 +232,7 @@ TEST(LastingContact, APileAtRestSleepsUntilSomethingHappens) {
   EXPECT_TRUE(world.GetContacts().empty());
   const std::vector<Vector2> before(world.GetBallPositions().begin(), world.GetBallPositions().end());
   const std::uint64_t sweeps = world.GetStats().m_nSweeps;
-  for (int step = 0; step < 100; ++step)
-    world.Step();
+  Steps(world, 100);
   EXPECT_EQ(world.GetStats().m_nSweeps, sweeps);
   EXPECT_TRUE(std::equal(before.begin(), before.end(), world.GetBallPositions().begin()));
 
@@ -283,49 +258,40 @@ TEST(LastingContact, APileAtRestSleepsUntilSomethingHappens) {
 // Two that lie far from each other sleep, a ball that rolls past beyond their reach does not wake them, and a
 // wall that moves up to one does.
 TEST(LastingContact, OnlyWhatComesNearWakesABall) {
-  const auto pWorld = MakeWorldOf(g_cAutomatic);
-  pWorld->Add(CLineSegDesc({-9, 0}, {9, 0}));
+  const auto pWorld = MakeFloor();
   const CShapeId left = pWorld->Add(CDynamicCircleDesc({-3, 0.1f}, 0.1f));
   const CShapeId right = pWorld->Add(CDynamicCircleDesc({3, 0.1f}, 0.1f));
-  CLineSegDesc paddle({-5, 0.05f}, {-5, 1});
-  paddle.m_eMotionType = eMotion::Kinematic;
-  const CShapeId wall = pWorld->Add(paddle);
+  const CShapeId wall = pWorld->Add(Turning(CLineSegDesc({-5, 0.05f}, {-5, 1})));
   const CShapeId roller = pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f, {1, 0}));
   const auto isTold = [&](CShapeId ball) {
     const auto contacts = pWorld->GetContacts();
     return std::any_of(contacts.begin(), contacts.end(),
                        [=](const CContactEvent& event) { return event.m_cBall == ball; });
   };
-  for (int step = 0; step < 90; ++step)
-    pWorld->Step();
+  Steps(*pWorld, 90);
   EXPECT_TRUE(isTold(roller));
   EXPECT_FALSE(isTold(left) || isTold(right));
   pWorld->SetVel(wall, {1, 0});
-  for (int step = 0; step < 60; ++step)
-    pWorld->Step();
+  Steps(*pWorld, 60);
   EXPECT_EQ(pWorld->GetVel(left), Vector2(0, 0));
-  for (int step = 0; step < 90; ++step)
-    pWorld->Step();
+  Steps(*pWorld, 90);
   EXPECT_NEAR(pWorld->GetVel(left).x(), 2.0f, 1e-5f);
   EXPECT_NEAR(pWorld->GetVel(right).x(), 1.0f, 1e-5f); // the roller has come
 }
 
 // A ball lies on another one, in a slot above it. When that is shot away the upper one wakes, and falls.
 TEST(LastingContact, ABallWhoseSupportIsShotAwayFalls) {
-  const auto pWorld = MakeWorldOf(g_cAutomatic);
-  pWorld->Add(CLineSegDesc({-9, 0}, {9, 0}));
+  const auto pWorld = MakeFloor();
   pWorld->Add(CLineSegDesc({-0.01f, 0.25f}, {-0.01f, 1}));
   pWorld->Add(CLineSegDesc({0.21f, 0.25f}, {0.21f, 1}));
   const CShapeId lower = pWorld->Add(CDynamicCircleDesc({0.1f, 0.1f}, 0.1f));
   const CShapeId upper = pWorld->Add(CDynamicCircleDesc({0.1f, 0.3f}, 0.1f));
   const CShapeId bullet = pWorld->Add(CDynamicCircleDesc({-4, 0.1f}, 0.1f, {3, 0}));
-  for (int step = 0; step < 60; ++step)
-    pWorld->Step();
+  Steps(*pWorld, 60);
   EXPECT_EQ(pWorld->GetVel(upper), Vector2(0, 0)); // the control: it has slept
   EXPECT_NEAR(pWorld->GetPos(upper).y(), 0.3f, 1e-5f);
   EXPECT_EQ(pWorld->GetVel(lower), Vector2(0, 0));
-  for (int step = 0; step < 60; ++step)
-    pWorld->Step();
+  Steps(*pWorld, 60);
   EXPECT_GT(pWorld->GetVel(lower).x(), 2.9f);
   EXPECT_NEAR(pWorld->GetVel(bullet).x(), 0.0f, 0.1f);
   EXPECT_LT(pWorld->GetPos(upper).y(), 0.29f);
@@ -334,12 +300,11 @@ TEST(LastingContact, ABallWhoseSupportIsShotAwayFalls) {
 // Balls press on each other where something carries them. Two that fall together bounce, however slowly they
 // come to each other.
 TEST(LastingContact, BallsThatFallTogetherBounce) {
-  const auto pWorld = MakeWorldOf(g_cAutomatic);
+  const auto pWorld = MakeNative(g_cAutomatic, 10);
   pWorld->Add(CLineSegDesc({-9, -1000}, {9, -1000}));
   const CShapeId left = pWorld->Add(CDynamicCircleDesc({-0.105f, 0}, 0.1f, {0.1f, 0}));
   const CShapeId right = pWorld->Add(CDynamicCircleDesc({0.105f, 0}, 0.1f, {-0.1f, 0}));
-  for (int step = 0; step < 60; ++step)
-    pWorld->Step();
+  Steps(*pWorld, 60);
   EXPECT_NEAR(pWorld->GetVel(left).x(), -0.1f, 1e-6f);
   EXPECT_NEAR(pWorld->GetVel(right).x(), 0.1f, 1e-6f);
 }
@@ -354,11 +319,8 @@ TEST(LastingContact, AWallThatPushesARowOfBallsLosesNone) {
         for (const int balls : {4, 7, 12}) {
           SCOPED_TRACE(testing::Message() << balls << " balls before a wall at " << speed << ", e = " << e
                                           << ", gravity " << gravity);
-          const auto pWorld = MakeWorldOf(g_cAutomatic, gravity);
-          CLineSegDesc press({0, -1000}, {0, 1000}, e);
-          press.m_eMotionType = eMotion::Kinematic;
-          press.m_vVel = {speed, 0};
-          const CShapeId wall = pWorld->Add(press);
+          const auto pWorld = MakeNative(g_cAutomatic, gravity);
+          const CShapeId wall = pWorld->Add(Moving(CLineSegDesc({0, -1000}, {0, 1000}, e), {speed, 0}));
           for (int i = 0; i < balls; ++i)
             pWorld->Add(CDynamicCircleDesc({0.3f + 0.3f * static_cast<float>(i), 0}, 0.1f, {0, 0}, 1, e));
           for (int step = 0; step < 30; ++step) {
@@ -377,7 +339,7 @@ TEST(LastingContact, ABallThatHasLostItsSupportDoesNotFallAsleep) {
     for (int k = 0; k < 20; ++k) {
       const float slope = std::tan(degrees * g_fPi / 180.0f), t = 0.2f + static_cast<float>(k) / 20.0f;
       SCOPED_TRACE(testing::Message() << degrees << " degrees, shot after " << t << " s");
-      const auto pWorld = MakeWorldOf(g_cAutomatic);
+      const auto pWorld = MakeNative(g_cAutomatic, 10);
       pWorld->Add(CLineSegDesc({-20, 20 * slope}, {0, 0}, 0.0f));
       pWorld->Add(CLineSegDesc({0, 0}, {0.433f, 0.25f}, 0.0f));
       const float r = 0.25f;
@@ -386,8 +348,7 @@ TEST(LastingContact, ABallThatHasLostItsSupportDoesNotFallAsleep) {
       for (int step = 0; static_cast<float>(step) * g_fDt < t; ++step)
         pWorld->Step();
       pWorld->Remove(support);
-      for (int step = 0; step < 240; ++step)
-        pWorld->Step();
+      Steps(*pWorld, 240);
       EXPECT_GT(pWorld->GetPos(ball).x(), -0.57f);
     }
 }
@@ -395,11 +356,8 @@ TEST(LastingContact, ABallThatHasLostItsSupportDoesNotFallAsleep) {
 // A ball stays at rest on the elevator that carries it, and does not sleep there, however slow that is.
 TEST(LastingContact, ABallOnAnElevatorGoesAlong) {
   for (const float speed : {-1.0f, -0.0075f, 0.005f, 2.0f}) {
-    const auto pWorld = MakeWorldOf(g_cAutomatic);
-    CLineSegDesc floor({-1, 0}, {1, 0}, 0.5f);
-    floor.m_eMotionType = eMotion::Kinematic;
-    floor.m_vVel = {0.25f, speed};
-    const CShapeId elevator = pWorld->Add(floor);
+    const auto pWorld = MakeNative(g_cAutomatic, 10);
+    const CShapeId elevator = pWorld->Add(Moving(CLineSegDesc({-1, 0}, {1, 0}, 0.5f), {0.25f, speed}));
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.25f}, 0.25f, {0, speed}));
     for (int step = 0; step < 120; ++step) {
       pWorld->Step();
@@ -416,18 +374,15 @@ TEST(LastingContact, ABallThatIsSqueezedIsFreeAgain) {
   for (const float gravity : {0.0f, 10.0f})
     for (const float speed : {0.5f, 5.0f, 50.0f}) {
       SCOPED_TRACE(testing::Message() << "gravity " << gravity << ", speed " << speed);
-      const auto pWorld = MakeWorldOf(g_cContinuous, gravity);
+      const auto pWorld = MakeNative(g_cContinuous, gravity);
       pWorld->Add(CLineSegDesc({-2, -0.1f}, {2, -0.1f}));
       pWorld->Add(CLineSegDesc({1, -1}, {1, 9}, 0.0f));
-      CLineSegDesc press({-1, -1}, {-1, 9}, 0.0f);
-      press.m_eMotionType = eMotion::Kinematic;
       // Until it has left the ball nine tenths of its diameter.
       const int steps = static_cast<int>(std::ceil(1.82f / (speed * g_fDt)));
-      press.m_vVel = {1.82f / (static_cast<float>(steps) * g_fDt), 0};
-      const CShapeId wall = pWorld->Add(press);
+      const float vel = 1.82f / (static_cast<float>(steps) * g_fDt);
+      const CShapeId wall = pWorld->Add(Moving(CLineSegDesc({-1, -1}, {-1, 9}, 0.0f), {vel, 0}));
       const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, {0, 0}, 1, 0));
-      for (int step = 0; step < steps; ++step)
-        pWorld->Step();
+      Steps(*pWorld, steps);
       pWorld->SetVel(wall, {0, 0});
       for (int step = 0; step < 60; ++step) {
         pWorld->Step();
@@ -435,8 +390,7 @@ TEST(LastingContact, ABallThatIsSqueezedIsFreeAgain) {
         ASSERT_LT(pWorld->GetPos(ball).x(), 1.0f) << step;
       }
       pWorld->SetVel(wall, {-1, 0});
-      for (int step = 0; step < 60; ++step)
-        pWorld->Step();
+      Steps(*pWorld, 60);
       EXPECT_LT(pWorld->GetPos(ball).x(), 1.0f);
       EXPECT_GT(pWorld->GetPos(ball).x(), pWorld->GetPos(wall).x());
     }
@@ -446,13 +400,9 @@ TEST(LastingContact, ABallThatIsSqueezedIsFreeAgain) {
 TEST(LastingContact, APaddleThatPushesAPileLosesNone) {
   const auto countLost = [](const CEffectChoice& effects, std::uint64_t seed, float speed) {
     CRandom random(seed);
-    const auto pWorld = MakeWorldOf(effects);
-    const Vector2 corners[] = {{-2, 0}, {2, 0}, {2, 4}, {-2, 4}};
-    for (std::size_t i = 0; i < 4; ++i)
-      pWorld->Add(CLineSegDesc(corners[i], corners[(i + 1) % 4]));
-    CLineSegDesc desc({0, 0.05f}, {0, 1.5f});
-    desc.m_eMotionType = eMotion::Kinematic;
-    const CShapeId paddle = pWorld->Add(desc);
+    const auto pWorld = MakeNative(effects, 10);
+    AddRoom(*pWorld, std::vector<Vector2>{{-2, 0}, {2, 0}, {2, 4}, {-2, 4}});
+    const CShapeId paddle = pWorld->Add(Turning(CLineSegDesc({0, 0.05f}, {0, 1.5f})));
     for (int i = 0; i < 12; ++i)
       pWorld->Add(CDynamicCircleDesc(
           {-1.75f + 0.42f * static_cast<float>(i % 9) + random.Uniform(0, 0.01f), i < 9 ? 1.8f : 2.22f}, 0.2f,
@@ -483,21 +433,18 @@ TEST(LastingContact, AOneSidedVKeepsWhatIsInIt) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       SCOPED_TRACE(testing::Message() << "at " << x << ", seed " << seed);
       CRandom random(seed);
-      const auto pWorld = MakeWorldOf(g_cAutomatic);
+      const auto pWorld = MakeNative(g_cAutomatic, 10);
       for (const float side : {-1.0f, 1.0f}) {
-        CLineSegDesc wall({x, 0}, {x + 3 * side, 3});
-        wall.m_eSides = CLineSeg(wall).GetNormal().y() > 0.0f ? eSides::Front : eSides::Back;
-        pWorld->Add(wall);
+        const CLineSegDesc wall({x, 0}, {x + 3 * side, 3});
+        pWorld->Add(Sided(wall, wall.GetNormal().y() > 0 ? eSides::Front : eSides::Back));
       }
       const float e = random.Uniform(0, 0.8f);
       for (int i = 0; i < 5; ++i) {
-        CDynamicCircleDesc ball({x - 1 + 0.5f * static_cast<float>(i), random.Uniform(2, 3)},
-                                random.Uniform(0.1f, 0.2f), {random.Uniform(-0.5f, 0.5f), 0});
-        ball.m_fElasticity = e;
-        pWorld->Add(ball);
+        const float y = random.Uniform(2, 3), r = random.Uniform(0.1f, 0.2f);
+        pWorld->Add(CDynamicCircleDesc({x - 1 + 0.5f * static_cast<float>(i), y}, r,
+                                       {random.Uniform(-0.5f, 0.5f), 0}, 1, e));
       }
-      for (int step = 0; step < 600; ++step)
-        pWorld->Step();
+      Steps(*pWorld, 600);
       for (const Vector2& p : pWorld->GetBallPositions())
         EXPECT_GT(p.y(), std::abs(p.x() - x));
     }
@@ -512,7 +459,7 @@ TEST(LastingContact, AClosedBoxThatTurnsKeepsWhatIsInIt) {
         SCOPED_TRACE(testing::Message()
                      << revsPerSecond << " rev/s, gravity " << gravity << ", seed " << seed);
         CRandom random(seed);
-        const auto pWorld = MakeWorldOf(g_cAutomatic, gravity);
+        const auto pWorld = MakeNative(g_cAutomatic, gravity);
         std::vector<CAnyShapeDesc> box;
         const Vector2 corners[] = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
         for (std::size_t i = 0; i < 4; ++i)
@@ -521,8 +468,7 @@ TEST(LastingContact, AClosedBoxThatTurnsKeepsWhatIsInIt) {
         for (int i = 0; i < 5; ++i)
           pWorld->Add(CDynamicCircleDesc({-1 + 0.5f * static_cast<float>(i), random.Uniform(-0.5f, 0.5f)},
                                          0.2f, random.InSquare(1)));
-        for (int step = 0; step < 120; ++step)
-          pWorld->Step();
+        Steps(*pWorld, 120);
         for (const Vector2& p : pWorld->GetBallPositions())
           EXPECT_LT(p.norm(), 2.0f * std::sqrt(2.0f));
         halted += pWorld->GetStats().m_nBallsHalted;
@@ -533,8 +479,7 @@ TEST(LastingContact, AClosedBoxThatTurnsKeepsWhatIsInIt) {
 // The impulses with which the solver begins are no part of a saved state.
 TEST(LastingContact, APileThatIsLoadedTakesTheSameSteps) {
   CPile pile(g_cAutomatic, 40, false, 0.5f, 3), other(g_cAutomatic, 40, false, 0.5f, 3);
-  for (int step = 0; step < 150; ++step)
-    pile.m_pWorld->Step();
+  Steps(*pile.m_pWorld, 150);
   const CSavedState saved = pile.m_pWorld->SaveState();
   other.m_pWorld->LoadState(saved);
   for (int step = 0; step < 100; ++step) {
@@ -546,4 +491,4 @@ TEST(LastingContact, APileThatIsLoadedTakesTheSameSteps) {
 }
 
 } // namespace
-} // namespace Shapes::Tests
+} // namespace Shapes

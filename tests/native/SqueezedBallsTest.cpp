@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Balls of masses 1:1000, many in one place, in a shaft whose floor comes up faster and slower.
-#include <Shapes/Backend.h>
-#include <Shapes/World.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-#include "../Random.h"
+#include "NativeTesting.h"
 
 namespace Shapes {
 namespace {
@@ -20,17 +11,12 @@ struct CShaft {
   CShapeId m_cFloor;
 
   CShaft(const CEffectChoice& effects, float radius, std::uint64_t seed) {
-    Tests::CRandom random(seed);
+    CRandom random(seed);
     m_fHalf = random.Uniform(0.2f, 0.8f), m_fSpeed = random.Uniform(1.0f, 10.0f);
-    CWorldDesc desc;
-    desc.m_vGravity = {0, -10};
-    desc.m_cEffects = effects;
-    m_pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+    m_pWorld = MakeNative(effects, 10);
     for (const float x : {-m_fHalf, m_fHalf})
       m_pWorld->Add(CLineSegDesc({x, -1}, {x, 100}));
-    CLineSegDesc floor({-2, 0}, {2, 0});
-    floor.m_eMotionType = eMotion::Kinematic;
-    m_cFloor = m_pWorld->Add(floor);
+    m_cFloor = m_pWorld->Add(Turning(CLineSegDesc({-2, 0}, {2, 0})));
     const int balls = 3 + static_cast<int>(random.Below(20));
     float y = 0.0f;
     for (int i = 0; i < balls; ++i) {

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "../Descs.h"
 #include "../Numbers.h"
 
 namespace Shapes {
@@ -36,12 +37,8 @@ std::string RolesAre(eRole role) { return " " + std::to_string(static_cast<int>(
 TEST(DebugDraw, AWorldIsItsShapesItsBallsAndItsContacts) {
   const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(CWorldDesc());
   pWorld->Add(CPointDesc(Vector2(1, 1)));
-  CLineSegDesc bar({2, 0}, {2, 1});
-  bar.m_eMotionType = eMotion::Kinematic;
-  pWorld->Add(bar);
-  CCircleDesc zone({3, 3}, 1);
-  zone.m_bIsSensor = true;
-  pWorld->Add(zone);
+  pWorld->Add(Turning(CLineSegDesc({2, 0}, {2, 1})));
+  pWorld->Add(MakeZone({3, 3}));
   const CShapeId off = pWorld->Add(CArcDesc({4, 4}, 1, 0, 2));
   pWorld->SetCanCollide(off, false);
   pWorld->Add(CArcDesc({6, 6}, 1, 1, 1));

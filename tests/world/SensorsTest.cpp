@@ -161,10 +161,8 @@ TEST(SensorsTest, ATurningSensorIsWhereItWasAtThatTime) {
   // A bar on its way from 0 to 90 degrees meets a ball at rest on the diagonal; the normal is back against
   // it.
   CScriptedWorld world;
-  CLineSegDesc desc({0, 0}, {2, 0});
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_fRotSpeed = 1; // a quarter turn in the step of a quarter second
-  const CShapeId bar = world->Add(Sensor(desc));
+  // A quarter turn in the step of a quarter second.
+  const CShapeId bar = world->Add(Turning(Sensor(CLineSegDesc({0, 0}, {2, 0})), 1));
   const CShapeId ball = world->Add(CDynamicCircleDesc({1, 1}, 0.125f));
   world.SetSubstep([&] {
     world.Go(0, {}, {1, 1});
