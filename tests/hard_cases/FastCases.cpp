@@ -24,10 +24,10 @@ double ShareThatGetsThrough(eColumn column) {
   for (int i = 0; i < shots; ++i) {
     const double angle = 2.0 * std::numbers::pi * random.Unit(), phase = random.Unit();
     const double height = g_fShotRadius + phase * g_fShotWay;
-    CStepped stepped(column, MakeScene({CLineSegDesc(Turned(-2, 0, angle), Turned(2, 0, angle))},
-                                       {CDynamicCircleDesc(Turned(0, height, angle), g_fShotRadius,
-                                                           Turned(0, -g_fShotWay / g_fShotDt, angle))},
-                                       g_fShotDt));
+    CStepped stepped(column, {CLineSegDesc(Turned(-2, 0, angle), Turned(2, 0, angle))},
+                     {CDynamicCircleDesc(Turned(0, height, angle), g_fShotRadius,
+                                         Turned(0, -g_fShotWay / g_fShotDt, angle))},
+                     g_fShotDt);
     stepped.Step(3); // Box2D may answer a step late
     if (stepped.GetPos().dot(Turned(0, 1, angle).cast<double>()) < 0.0) ++through;
   }
@@ -47,8 +47,7 @@ double ShareThatAnOverlapTestLoses() {
 
 double DeepBounce(eColumn column) {
   const float r = 0.1f, y = 0.13f, v = 6.0f, dt = 1.0f / 60.0f;
-  CStepped stepped(column, MakeScene({CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f})},
-                                     {CDynamicCircleDesc({0.0f, y}, r, {0.0f, -v})}, dt));
+  CStepped stepped(column, {g_cFloor}, {CDynamicCircleDesc({0.0f, y}, r, {0.0f, -v})}, dt);
   stepped.Step();
   const double t = (static_cast<double>(y) - r) / v;
   return OffBy(stepped, {0.0, r + v * (dt - t)}, {0.0, v});
@@ -85,8 +84,8 @@ COffCentre PassAPoint(eColumn column) {
   const float r = 0.1f, offset = 0.05f;
   return Judge([&](double phase, const Vector2d& v) {
     const auto x = static_cast<float>(-std::sqrt((r - offset) * (r + offset)) - 0.1 * phase);
-    CStepped stepped(
-        column, MakeScene({CPointDesc({0.0f, 0.0f})}, {CDynamicCircleDesc({x, offset}, r, v.cast<float>())}));
+    CStepped stepped(column, {CPointDesc({0.0f, 0.0f})},
+                     {CDynamicCircleDesc({x, offset}, r, v.cast<float>())});
     stepped.Step(3);
     return stepped.GetVel();
   });
@@ -110,7 +109,7 @@ COffCentre PassAPointNaively() {
 double MovedInARing(eColumn column, bool arc) {
   const CAnyShapeDesc ring =
       arc ? CAnyShapeDesc(CArcDesc({0, 0}, 5.0f, 0.0f, 0.0f)) : CAnyShapeDesc(CCircleDesc({0, 0}, 5.0f));
-  CStepped stepped(column, MakeScene({ring}, {CDynamicCircleDesc({3.0f, 0.0f}, 0.1f)}));
+  CStepped stepped(column, {ring}, {CDynamicCircleDesc({3.0f, 0.0f}, 0.1f)});
   stepped.Step(60);
   return Distance(stepped.GetPos(), {3.0, 0.0});
 }
@@ -121,8 +120,7 @@ const Vector2 g_vLeaving(1.0f, 0.5f);
 
 double LeavesAnOverlap(eColumn column) {
   const float r = 0.1f, y = 0.08f, dt = 1.0f / 60.0f;
-  CStepped stepped(column, MakeScene({CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f})},
-                                     {CDynamicCircleDesc({0.0f, y}, r, g_vLeaving)}, dt));
+  CStepped stepped(column, {g_cFloor}, {CDynamicCircleDesc({0.0f, y}, r, g_vLeaving)}, dt);
   stepped.Step();
   // It may be moved along the normal, by no more than the overlap.
   const Vector2d pushed =
@@ -137,8 +135,7 @@ double LeavesAnOverlap(eColumn column) {
 
 double Million(eColumn column) {
   const float r = 0.1f, v = 1e6f, dt = 1.0f / 60.0f;
-  CStepped stepped(column, MakeScene({CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f})},
-                                     {CDynamicCircleDesc({0.0f, 1.0f}, r, {0.0f, -v})}, dt));
+  CStepped stepped(column, {g_cFloor}, {CDynamicCircleDesc({0.0f, 1.0f}, r, {0.0f, -v})}, dt);
   stepped.Step();
   const CWorld* pWorld = stepped.GetWorld();
   const double t = (1.0 - r) / v, y = r + v * (dt - t);

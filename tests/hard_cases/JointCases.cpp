@@ -24,8 +24,8 @@ double CollinearJoint(eColumn column) {
                  ahead = random.Unit();
     const double vx = 6.0 * std::cos(slope), vy = -6.0 * std::sin(slope), t = ahead / 60.0;
     const Vector2 v = Turned(vx, vy, angle), p = Turned(where - vx * t, 0.1 - vy * t, angle);
-    CStepped stepped(column, MakeScene({CLineSegDesc(p0, joint), CLineSegDesc(joint, p1)},
-                                       {CDynamicCircleDesc(p, 0.1f, v)}));
+    CStepped stepped(column, {CLineSegDesc(p0, joint), CLineSegDesc(joint, p1)},
+                     {CDynamicCircleDesc(p, 0.1f, v)});
     stepped.Step(4);
     const Vector2d along = (p1 - p0).cast<double>().normalized(), n(-along.y(), along.x());
     worst = Worst(worst, AngleBetween(stepped.GetVel(), Mirrored(v.cast<double>(), n)));
@@ -39,7 +39,7 @@ double NakedEnd(eColumn column, bool guarded) {
   const double r = 0.5, x = -0.3f, y = 2.0;
   std::vector<CAnyShapeDesc> shapes{CLineSegDesc({0, 0}, {1, 0})};
   if (guarded) shapes.emplace_back(CPointDesc({0, 0}));
-  CStepped stepped(column, MakeScene(shapes, {CDynamicCircleDesc({-0.3f, 2}, 0.5f, {0, -1})}));
+  CStepped stepped(column, shapes, {CDynamicCircleDesc({-0.3f, 2}, 0.5f, {0, -1})});
   const int steps = 120;
   stepped.Step(steps);
   const double top = std::sqrt((r - x) * (r + x)), t = y - top;
@@ -58,8 +58,8 @@ double Vertex(eColumn column) {
     // From all sides from which the end itself is met: the half circle away from the segment.
     const double angle = 0.5 * std::numbers::pi + i * std::numbers::pi / 32.0;
     const Vector2 p = Turned(0.15, 0, angle), v = Turned(-6, 0, angle);
-    CStepped stepped(column, MakeScene({CLineSegDesc({0, 0}, {1, 0}), CPointDesc({0, 0})},
-                                       {CDynamicCircleDesc(p, 0.1f, v)}));
+    CStepped stepped(column, {CLineSegDesc({0, 0}, {1, 0}), CPointDesc({0, 0})},
+                     {CDynamicCircleDesc(p, 0.1f, v)});
     std::size_t contacts = 0;
     for (int step = 0; step < 4; ++step) {
       stepped.Step();
@@ -82,8 +82,7 @@ double IntoTheSector(eColumn column, bool guarded) {
     std::vector<CAnyShapeDesc> shapes{CArcDesc({0, 0}, 1.0f, 0.0f, std::numbers::pi_v<float> / 2.0f)};
     if (guarded) shapes.emplace_back(CPointDesc({1, 0}));
     const Vector2 v(0.0f, 1.0f);
-    CStepped stepped(column,
-                     MakeScene(shapes, {CDynamicCircleDesc({static_cast<float>(distance), -0.5f}, r, v)}));
+    CStepped stepped(column, shapes, {CDynamicCircleDesc({static_cast<float>(distance), -0.5f}, r, v)});
     for (int step = 0; step < 60; ++step) {
       const Vector2d before = stepped.GetPos();
       stepped.Step();

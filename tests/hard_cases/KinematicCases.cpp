@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shapes that turn, and what they do to a ball.
+#include "../Descs.h"
 #include "../Numbers.h"
 #include "StepTesting.h"
 
@@ -9,12 +10,6 @@
 namespace Shapes::HardCases {
 
 namespace {
-
-CLineSegDesc Turning(CLineSegDesc desc, float revs) {
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_fRotSpeed = revs;
-  return desc;
-}
 
 // ---- The kick.
 
@@ -35,8 +30,8 @@ double Kick(eColumn column, const CKick& kick, double side) {
   const Vector2 v(0.5f, static_cast<float>(side * kick.m_fBall));
   const Vector2 p0(static_cast<float>(1.0 - 0.5 * half),
                    static_cast<float>(side * (r - kick.m_fBall * half)));
-  CStepped stepped(column, MakeScene({Turning(CLineSegDesc({-3, 0}, {3, 0}, kick.m_fElasticity), revs)},
-                                     {CDynamicCircleDesc(p0, r, v)}));
+  CStepped stepped(column, {Turning(CLineSegDesc({-3, 0}, {3, 0}, kick.m_fElasticity), revs)},
+                   {CDynamicCircleDesc(p0, r, v)});
   stepped.SetOrientation(0, a0);
   stepped.Step();
 
@@ -82,9 +77,8 @@ CHardCase KickOf(const std::string& name, const CKick& kick, const std::string& 
 double StandsStill(eColumn column) {
   const auto fly = [&](bool kinematic) {
     const CLineSegDesc wall(Vector2(-3.0f, -0.7f), Vector2(3.0f, 0.4f), 0.8f);
-    CStepped stepped(column,
-                     MakeScene({kinematic ? Turning(wall, 0.0f) : wall},
-                               {CDynamicCircleDesc({0.1f, 0.5f}, 0.1f, {1.0f, -3.0f})}, g_fDt, {0, -9.8f}));
+    CStepped stepped(column, {kinematic ? Turning(wall, 0.0f) : wall},
+                     {CDynamicCircleDesc({0.1f, 0.5f}, 0.1f, {1.0f, -3.0f})}, g_fDt, {0, -9.8f});
     std::vector<double> way;
     for (int i = 0; i < 120; ++i) {
       stepped.Step();
@@ -109,8 +103,7 @@ double OneTurnAStep(eColumn column) {
   for (int i = 1; i < 12; ++i) {
     const double phi = i * std::numbers::pi / 6.0;
     const Vector2 p = Turned(d, 0, phi);
-    CStepped stepped(column,
-                     MakeScene({Turning(CLineSegDesc({0, 0}, {1, 0}), revs)}, {CDynamicCircleDesc(p, r)}));
+    CStepped stepped(column, {Turning(CLineSegDesc({0, 0}, {1, 0}), revs)}, {CDynamicCircleDesc(p, r)});
     stepped.Step();
     const Vector2d q = p.cast<double>();
     const double away = q.norm(), turn = std::atan2(q.y(), q.x()) - std::asin(r / away);
@@ -129,7 +122,7 @@ double OneTurnAStep(eColumn column) {
 /// Error of the orientation, in radians, and of the ends, by their distance.
 double MillionRadians(eColumn column) {
   const float angle = 1e6f;
-  CStepped stepped(column, MakeScene({Turning(CLineSegDesc({1, 0}, {2, 0}), 0.0f)}, {}));
+  CStepped stepped(column, {Turning(CLineSegDesc({1, 0}, {2, 0}), 0.0f)}, {});
   stepped.SetOrientation(0, angle);
   const CFifty tau = 2 * boost::math::constants::pi<CFifty>(), right = fmod(CFifty(angle), tau);
   CFifty orientation;
@@ -168,13 +161,11 @@ double ThroughTheVertical(eColumn column) {
   for (const float below : {0.0f, std::numbers::pi_v<float>})
     for (const float angle : Angles()) {
       const float a = angle + below;
-      CLineSegDesc gate = Turning(CLineSegDesc({-1, 0}, {1, 0}), 0.0f);
-      gate.m_eSides = eSides::Front;
+      const CLineSegDesc gate = Sided(Turning(CLineSegDesc({-1, 0}, {1, 0})), eSides::Front);
       const Vector2d n(-std::sin(static_cast<double>(a)), std::cos(static_cast<double>(a)));
       for (const double side : {1.0, -1.0}) {
         const Vector2 v = (-side * 6.0 * n).cast<float>() + Vector2(0.0f, 0.5f);
-        CStepped stepped(column,
-                         MakeScene({gate}, {CDynamicCircleDesc((side * 0.12 * n).cast<float>(), 0.1f, v)}));
+        CStepped stepped(column, {gate}, {CDynamicCircleDesc((side * 0.12 * n).cast<float>(), 0.1f, v)});
         stepped.SetOrientation(0, a);
         stepped.Step(2);
         const Vector2d before = v.cast<double>(), right = side > 0.0 ? Mirrored(before, n) : before;

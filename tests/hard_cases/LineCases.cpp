@@ -9,7 +9,6 @@ namespace Shapes::HardCases {
 
 namespace {
 
-const std::string g_sLibrary = "no engine crosses lines";
 constexpr float g_fInfinite = std::numeric_limits<float>::infinity();
 
 // The foot of the perpendicular from q.
@@ -36,46 +35,28 @@ CVec2d FootByGradients(const Vector2& p0, const Vector2& p1, const Vector2& q) {
 }
 
 // Where the ball meets the segment is the point closest to its centre. The library is asked for that, too.
-CHardCase ClosestPoint(const Vector2& p0, const Vector2& p1, const CDynamicCircleDesc& ball, float seconds) {
+CHardCase ClosestPoint(const std::string& name, const std::string& input, const std::string& right,
+                       const CBound& bound, const Vector2& p0, const Vector2& p1,
+                       const CDynamicCircleDesc& ball, float seconds, const std::string& control) {
   CShot shot{{CLineSegDesc(p0, p1)}, {ball}, seconds};
   const Vector2 q = ball.m_vPos;
   const CVec2d foot = FootAt50Digits(p0, p1, q.cast<CFifty>()).cast<double>();
   const CVec2d met = MetAt50Digits(p0, p1, ball).cast<double>();
-  CHardCase c;
-  c.m_fnError = [=](eColumn column) {
-    const double error = Distance(Shoot(column, shot).m_vPOI, met);
-    if (column != eColumn::Native) return error;
-    const CLineSegDesc desc(p0, p1);
-    const double ofSegment = Distance(CLineSeg(desc).ClosestPt(q).cast<double>(), foot);
-    const double ofLine = Distance(CLine(p0, desc.GetGradient()).ClosestPt(q).cast<double>(), foot);
-    return std::max({error, ofSegment, ofLine});
-  };
-  c.m_fnControl = [=] { return Distance(FootByGradients(p0, p1, q), foot); };
-  return c;
-}
-
-CHardCase OfAHorizontalSegment() {
-  CHardCase c = ClosestPoint({0.0f, 0.0f}, {1.0f, 0.0f},
-                             CDynamicCircleDesc({0.5f, 0.5f}, 0.25f, {0.0f, -1.0f}), 0.375f);
-  c.m_sName = "ClosestPointOfAHorizontalSegment";
-  Of(c, eColumn::Box2D) = Off(0.005, "off by .005: its skin");
-  c.m_sInput = "segment (0, 0)-(1, 0), q = (.5, .5); met by a ball r = .25 from q";
-  c.m_sRight = "(.5, 0)";
-  c.m_cBound = {4.0 * g_fEps, 4.0 * g_fFloatEps, "4 roundings"};
-  c.m_sControl = "crossing with the line of gradient -1 / 0: NaN";
-  return c;
-}
-
-CHardCase OfANearlyVerticalSegment() {
-  CHardCase c = ClosestPoint({500.0f, 0.0f}, {500.001f, 600.0f},
-                             CDynamicCircleDesc({510.0f, 300.0f}, 9.5f, {-10.0f, 0.0f}), 0.1f);
-  c.m_sName = "ClosestPointOfANearlyVerticalSegment";
-  Of(c, eColumn::Box2D) = Off(0.005, "off by .005: its skin");
-  c.m_sInput = "segment (500, 0)-(500.001, 600), q = (510, 300); met by a ball r = 9.5 from q, v = (-10, 0)";
-  c.m_sRight = "(500.0005, 300.0000167)";
-  c.m_cBound = {8.0 * 1000.0 * g_fEps, 1e-3, "8 roundings of 1000: 1.8e-12; engines 1e-3"};
-  c.m_sControl = "crossing with the line of gradient -1/m: (500.0005, 288), off by 12";
-  return c;
+  return {name,
+          input,
+          right,
+          bound,
+          {Right(), Right(), Off(0.005, "off by .005: its skin"), Right(), Right()},
+          [=](eColumn column) {
+            const double error = Distance(Shoot(column, shot).m_vPOI, met);
+            if (column != eColumn::Native) return error;
+            const CLineSegDesc desc(p0, p1);
+            const double ofSegment = Distance(CLineSeg(desc).ClosestPt(q).cast<double>(), foot);
+            const double ofLine = Distance(CLine(p0, desc.GetGradient()).ClosestPt(q).cast<double>(), foot);
+            return std::max({error, ofSegment, ofLine});
+          },
+          control,
+          [=] { return Distance(FootByGradients(p0, p1, q), foot); }};
 }
 
 // Infinite unless the answer is that there is none.
@@ -83,47 +64,48 @@ double ErrorOfNoCrossing(const CLine& a, const CLine& b) {
   return a.Intersect(b) == Vector2(g_fInfinite, g_fInfinite) ? 0.0 : g_fNever;
 }
 
-CHardCase NoCrossing() {
-  CHardCase c;
-  c.m_sRight = "no point: (Inf, Inf), which nothing in the library uses";
-  c.m_cBound = g_cBits;
-  c.m_stdExpect = {Right(), NotAsked(g_sLibrary), NotAsked(g_sLibrary), NotAsked(g_sLibrary),
-                   NotAsked(g_sLibrary)};
-  return c;
+CHardCase NoCrossing(const std::string& name, const std::string& input, const std::function<double()>& error,
+                     const std::string& control, const std::function<double()>& fnControl) {
+  const CExpect none = NotAsked("no engine crosses lines");
+  return {name,
+          input,
+          "no point: (Inf, Inf), which nothing in the library uses",
+          g_cBits,
+          {Right(), none, none, none, none},
+          [=](eColumn) { return error(); },
+          control,
+          fnControl};
 }
 
 CHardCase OfEqualGradient() {
-  CHardCase c = NoCrossing();
-  c.m_sName = "CrossingOfLinesOfEqualGradient";
-  c.m_sInput = "lines of equal gradient (0, 1, -1/3, 1e-20, 1e20) through (0, 0) and (0, 1)";
-  c.m_fnError = [](eColumn) {
-    double error = 0.0;
-    for (const float m : {0.0f, 1.0f, -1.0f / 3.0f, 1e-20f, 1e20f})
-      error = std::max(error, ErrorOfNoCrossing(CLine({0.0f, 0.0f}, m), CLine({0.0f, 1.0f}, m)));
-    return error;
-  };
-  c.m_sControl = "x = (b1 - b0) / (m0 - m1) = 1 / 0 taken for a point of impact: its normal is NaN";
-  c.m_fnControl = [] {
-    const double gradients = 0.0, x = 1.0 / gradients;
-    return x / std::abs(x);
-  };
-  return c;
+  return NoCrossing(
+      "CrossingOfLinesOfEqualGradient",
+      "lines of equal gradient (0, 1, -1/3, 1e-20, 1e20) through (0, 0) and (0, 1)",
+      [] {
+        double error = 0.0;
+        for (const float m : {0.0f, 1.0f, -1.0f / 3.0f, 1e-20f, 1e20f})
+          error = std::max(error, ErrorOfNoCrossing(CLine({0.0f, 0.0f}, m), CLine({0.0f, 1.0f}, m)));
+        return error;
+      },
+      "x = (b1 - b0) / (m0 - m1) = 1 / 0 taken for a point of impact: its normal is NaN",
+      [] {
+        const double gradients = 0.0, x = 1.0 / gradients;
+        return x / std::abs(x);
+      });
 }
 
 CHardCase OfVerticalLines() {
-  CHardCase c = NoCrossing();
-  c.m_sName = "CrossingOfVerticalLinesOfEitherSign";
-  c.m_sInput = "lines of gradient +Inf through (0, 0) and -Inf through (1, 0)";
-  c.m_fnError = [](eColumn) {
-    const CLine up({0.0f, 0.0f}, g_fInfinite), down({1.0f, 0.0f}, -g_fInfinite);
-    return std::max(ErrorOfNoCrossing(up, down), ErrorOfNoCrossing(down, up));
-  };
-  c.m_sControl = "parallel if m0 == m1: +Inf is not -Inf; they cross at NaN";
-  c.m_fnControl = [] {
-    const double m0 = g_fNever, m1 = -g_fNever, b0 = 0.0, b1 = 0.0 - m1 * 1.0;
-    return m0 == m1 ? 0.0 : (b1 - b0) / (m0 - m1);
-  };
-  return c;
+  return NoCrossing(
+      "CrossingOfVerticalLinesOfEitherSign", "lines of gradient +Inf through (0, 0) and -Inf through (1, 0)",
+      [] {
+        const CLine up({0.0f, 0.0f}, g_fInfinite), down({1.0f, 0.0f}, -g_fInfinite);
+        return std::max(ErrorOfNoCrossing(up, down), ErrorOfNoCrossing(down, up));
+      },
+      "parallel if m0 == m1: +Inf is not -Inf; they cross at NaN",
+      [] {
+        const double m0 = g_fNever, m1 = -g_fNever, b0 = 0.0, b1 = 0.0 - m1 * 1.0;
+        return m0 == m1 ? 0.0 : (b1 - b0) / (m0 - m1);
+      });
 }
 
 CHardCase BetweenVerticalSegments() {
@@ -132,22 +114,21 @@ CHardCase BetweenVerticalSegments() {
              0.75f};
   const CAnswer right{CFifty(0.5), {CFifty(-1), CFifty(0)}, {CFifty(-1), CFifty(0)}};
   const CAnswer left{CFifty(0.5), {CFifty(1), CFifty(0)}, {CFifty(1), CFifty(0)}};
-  CHardCase c = ShotCase(shot, right);
-  c.m_sName = "BallBetweenVerticalSegmentsGivenUpAndDown";
-  Of(c, eColumn::Native) = Off(0.125, "as if t = .625: the way after the impact is lost");
-  Of(c, eColumn::Box2D) = Off(0.00031, "as if t = .5003: its skin");
-  c.m_sInput = "segments (-1, -1)-(-1, 1) and (1, 1)-(1, -1); ball r = .5 at (0, 0), v = (1, 0) and (-1, 0); "
-               "one step of .75";
-  c.m_sRight = "t = .5, back where it came from";
+  CHardCase c =
+      Named(ShotCase(shot, right), "BallBetweenVerticalSegmentsGivenUpAndDown",
+            "segments (-1, -1)-(-1, 1) and (1, 1)-(1, -1); ball r = .5 at (0, 0), v = (1, 0) and (-1, 0); "
+            "one step of .75",
+            "t = .5, back where it came from",
+            {{eColumn::Native, Off(0.125, "as if t = .625: the way after the impact is lost")},
+             {eColumn::Box2D, Off(0.00031, "as if t = .5003: its skin")}},
+            "side by y - (m x + b): Inf - Inf", [] {
+              const double m = g_fNever, x = 1.0, b = 1.0 - m * x;
+              return 0.0 - (m * x + b);
+            });
   CShot back = shot;
   back.m_stdBalls[0].m_vVel = {-1.0f, 0.0f};
   c.m_fnError = [=](eColumn column) {
     return std::max(ErrorOf(Shoot(column, shot), right), ErrorOf(Shoot(column, back), left));
-  };
-  c.m_sControl = "side by y - (m x + b): Inf - Inf";
-  c.m_fnControl = [] {
-    const double m = g_fNever, x = 1.0, b = 1.0 - m * x;
-    return 0.0 - (m * x + b);
   };
   return c;
 }
@@ -155,8 +136,20 @@ CHardCase BetweenVerticalSegments() {
 } // namespace
 
 std::vector<CHardCase> LineCases() {
-  return {OfAHorizontalSegment(), OfANearlyVerticalSegment(), OfEqualGradient(), OfVerticalLines(),
-          BetweenVerticalSegments()};
+  return {ClosestPoint("ClosestPointOfAHorizontalSegment",
+                       "segment (0, 0)-(1, 0), q = (.5, .5); met by a ball r = .25 from q", "(.5, 0)",
+                       {4.0 * g_fEps, 4.0 * g_fFloatEps, "4 roundings"}, {0.0f, 0.0f}, {1.0f, 0.0f},
+                       CDynamicCircleDesc({0.5f, 0.5f}, 0.25f, {0.0f, -1.0f}), 0.375f,
+                       "crossing with the line of gradient -1 / 0: NaN"),
+          ClosestPoint("ClosestPointOfANearlyVerticalSegment",
+                       "segment (500, 0)-(500.001, 600), q = (510, 300); met by a ball r = 9.5 from q, v = "
+                       "(-10, 0)",
+                       "(500.0005, 300.0000167)",
+                       {8.0 * 1000.0 * g_fEps, 1e-3, "8 roundings of 1000: 1.8e-12; engines 1e-3"},
+                       {500.0f, 0.0f}, {500.001f, 600.0f},
+                       CDynamicCircleDesc({510.0f, 300.0f}, 9.5f, {-10.0f, 0.0f}), 0.1f,
+                       "crossing with the line of gradient -1/m: (500.0005, 288), off by 12"),
+          OfEqualGradient(), OfVerticalLines(), BetweenVerticalSegments()};
 }
 
 } // namespace Shapes::HardCases

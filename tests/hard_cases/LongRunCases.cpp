@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is left of a number after a million impacts, and whether it is the same number each time.
+#include "../Descs.h"
 #include "Random.h"
 #include "StepTesting.h"
 
@@ -48,10 +49,9 @@ double SpeedDrift(eColumn column) {
 /// relative to what they carry.
 double MomentumDrift(eColumn column) {
   const float r = 0.5f, dt = 1.0f / 60.0f, m0 = 1.0f, m1 = 3.0f;
-  CStepped stepped(column, MakeScene({},
-                                     {CDynamicCircleDesc({-1, 0}, r, {1, 0.3f}, m0),
-                                      CDynamicCircleDesc({1, 0}, r, {-0.5f, -0.7f}, m1)},
-                                     dt));
+  CStepped stepped(
+      column, {},
+      {CDynamicCircleDesc({-1, 0}, r, {1, 0.3f}, m0), CDynamicCircleDesc({1, 0}, r, {-0.5f, -0.7f}, m1)}, dt);
   const auto momentum = [&] { return Vector2d(m0 * stepped.GetVel(0) + m1 * stepped.GetVel(1)); };
   const Vector2d before = momentum();
   const double carried = m0 * stepped.GetVel(0).norm() + m1 * stepped.GetVel(1).norm();
@@ -64,9 +64,9 @@ double MomentumDrift(eColumn column) {
     Vector2d u = random.Direction().cast<double>();
     if ((w1 - w0).dot(u) > 0.0) u = -u;
     const double gap = 0.5 * dt * -(w1 - w0).dot(u);
-    const Vector2 q0 = (-r * u).cast<float>(), q1 = ((r + gap) * u).cast<float>();
-    stepped.SetPos(0, q0);
-    stepped.SetPos(1, q1);
+    // In the reference, too, where floats are.
+    stepped.SetPos(0, (-r * u).cast<float>().cast<double>());
+    stepped.SetPos(1, ((r + gap) * u).cast<float>().cast<double>());
     stepped.Step(column == eColumn::Box2D ? 2 : 1); // it answers two balls a step late
     impacts += stepped.GetVel(0) != w0;
     worst = Worst(worst, (momentum() - before).norm());
@@ -85,11 +85,7 @@ std::vector<float> RunBoxes(eColumn column, const std::vector<int>& order) {
                                c + Vector2(-1, 1)};
     for (std::size_t i = 0; i < 4; ++i)
       scene.m_stdShapes.emplace_back(CLineSegDesc(corners[i], corners[(i + 1) % 4], 0.9f));
-    CLineSegDesc hand(c, c + Vector2(0.4f, 0.0f));
-    hand.m_eMotionType = eMotion::Kinematic;
-    hand.m_vRotCenter = c;
-    hand.m_fRotSpeed = 0.5f;
-    scene.m_stdShapes.emplace_back(hand);
+    scene.m_stdShapes.emplace_back(Turning(CLineSegDesc(c, c + Vector2(0.4f, 0.0f)), 0.5f, c));
     Tests::CRandom random(g_nLongRunSeed + static_cast<std::uint64_t>(cell));
     scene.m_stdBalls.emplace_back(c + Vector2(0.6f, 0.5f), 0.1f, 4.0f * random.Direction());
     scene.m_stdBalls.emplace_back(c + Vector2(-0.6f, 0.5f), 0.15f, 4.0f * random.Direction(), 2.0f);

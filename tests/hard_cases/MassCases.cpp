@@ -15,10 +15,10 @@ namespace {
 /// balls carry. On the x axis, ball 0 from the left.
 double PairError(eColumn column, float m0, float v0, float m1, float v1) {
   const float r = 0.5f, dt = 1.0f / 60.0f, gap = 0.5f * dt * (v0 - v1);
-  CStepped stepped(column, MakeScene({},
-                                     {CDynamicCircleDesc({-r, 0.0f}, r, {v0, 0.0f}, m0),
-                                      CDynamicCircleDesc({r + gap, 0.0f}, r, {v1, 0.0f}, m1)},
-                                     dt));
+  CStepped stepped(column, {},
+                   {CDynamicCircleDesc({-r, 0.0f}, r, {v0, 0.0f}, m0),
+                    CDynamicCircleDesc({r + gap, 0.0f}, r, {v1, 0.0f}, m1)},
+                   dt);
   stepped.Step(2); // Box2D may answer a step late
   const Vector2d w0 = stepped.GetVel(0), w1 = stepped.GetVel(1);
   const CFifty a = m0, b = m1, u0 = v0, u1 = v1, x0 = w0.x(), x1 = w1.x();
@@ -45,8 +45,8 @@ double Bounce(eColumn column, float eWall, float eBall) {
     const double angle = i * std::numbers::pi / 4.0;
     const Vector2 v = Turned(3, -4, angle);
     const Vector2 p0 = Turned(-3, 0, angle), p1 = Turned(3, 0, angle);
-    CStepped stepped(column, MakeScene({CLineSegDesc(p0, p1, eWall)},
-                                       {CDynamicCircleDesc(Turned(0, 0.14, angle), 0.1f, v, 1.0f, eBall)}));
+    CStepped stepped(column, {CLineSegDesc(p0, p1, eWall)},
+                     {CDynamicCircleDesc(Turned(0, 0.14, angle), 0.1f, v, 1.0f, eBall)});
     stepped.Step(2);
     const Vector2d t = (p1 - p0).cast<double>().normalized(), n(-t.y(), t.x()), before = v.cast<double>();
     const double e = static_cast<double>(eWall) * eBall;
@@ -80,8 +80,8 @@ double Gains(eColumn column) {
   for (int i = 0; i < g_nGains; ++i) {
     if (exact && right * 1000.0 > most) break; // it has no limit, and would go on
     const float dt = 0.0005f / std::abs(v.y());
-    CStepped stepped(column, MakeScene({CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f}, 1000.0f)},
-                                       {CDynamicCircleDesc({0.0f, 0.1002f}, 0.1f, v)}, dt));
+    CStepped stepped(column, {CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f}, 1000.0f)},
+                     {CDynamicCircleDesc({0.0f, 0.1002f}, 0.1f, v)}, dt);
     stepped.Step();
     right = std::min(-1000.0 * v.y(), most);
     worst = Worst(worst, Distance(stepped.GetVel(), {0.0, right}) / right);

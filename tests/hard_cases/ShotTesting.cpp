@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ShotTesting.h"
 
-#include "reference/Reference.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -27,26 +25,6 @@ void SetTimes(CSeen& seen, const CShot& shot) {
   seen.m_fContactTime = (centre - p).dot(v) / v.squaredNorm();
 }
 
-CSeen AskReference(const CShot& shot) {
-  Compare::CReference<double> reference(shot.m_stdShapes, shot.m_stdBalls, shot.m_vGravity);
-  std::vector<Compare::CExactEvent<double>> events;
-  reference.Step(static_cast<double>(shot.m_fSeconds), events);
-  CSeen seen;
-  seen.m_nContacts = events.size();
-  seen.m_vPos = reference.GetBall(0).m_vPos;
-  seen.m_vVel = reference.GetBall(0).m_vVel;
-  if (shot.m_stdBalls.size() > 1) {
-    seen.m_vPos -= reference.GetBall(1).m_vPos;
-    seen.m_vVel -= reference.GetBall(1).m_vVel;
-  }
-  if (events.empty()) return seen;
-  seen.m_fTime = seen.m_fContactTime = events[0].m_fTime;
-  seen.m_vPOI = events[0].m_vPOI;
-  seen.m_vNorm = events[0].m_vNorm;
-  seen.m_fSetback = events[0].m_fDepth;
-  return seen;
-}
-
 CAnswer Bounce(const CVec<CFifty>& v, const CFifty& t, const CVec<CFifty>& n) {
   return {t, n, v - CFifty(2) * v.dot(n) * n};
 }
@@ -54,35 +32,36 @@ CAnswer Bounce(const CVec<CFifty>& v, const CFifty& t, const CVec<CFifty>& n) {
 } // namespace
 
 CSeen Shoot(eColumn column, const CShot& shot) {
-  if (column == eColumn::Reference) return AskReference(shot);
-  const bool native = column == eColumn::Native || column == eColumn::Continuous;
-  const unsigned steps = native || shot.m_nBox2DSteps == 0 ? shot.m_nSteps : shot.m_nBox2DSteps;
-  const float dt = shot.m_fSeconds / static_cast<float>(steps);
-  const auto pWorld = MakeWorld(column, Desc(column, shot.m_vGravity, dt));
-  for (const CAnyShapeDesc& desc : shot.m_stdShapes)
-    pWorld->Add(desc);
-  for (const CDynamicCircleDesc& desc : shot.m_stdBalls)
-    pWorld->Add(desc);
+  const bool exact = column == eColumn::Reference,
+             native = column == eColumn::Native || column == eColumn::Continuous;
+  const unsigned steps = exact ? 1 : native || shot.m_nBox2DSteps == 0 ? shot.m_nSteps : shot.m_nBox2DSteps;
+  CStepped stepped(column, shot.m_stdShapes, shot.m_stdBalls, shot.m_fSeconds / static_cast<float>(steps),
+                   shot.m_vGravity);
+  if (exact && shot.m_vExactPos) stepped.SetPos(0, *shot.m_vExactPos);
   CSeen seen;
-  bool found = false;
+  std::optional<CImpact> first;
   for (unsigned i = 0; i < steps; ++i) {
-    pWorld->Step();
-    seen.m_nContacts += pWorld->GetContacts().size();
-    for (const CContactEvent& contact : pWorld->GetContacts()) {
-      if (found || contact.m_fSpeed == 0.0f) continue;
-      found = true;
-      seen.m_vPOI = contact.m_vPOI.cast<double>();
-      seen.m_vNorm = contact.m_vNorm.cast<double>();
-      seen.m_fSetback = static_cast<double>(contact.m_fSetback);
+    stepped.Step();
+    for (const CImpact& impact : stepped.GetImpacts()) {
+      ++seen.m_nContacts;
+      if (!first && impact.m_bApproaches) first = impact;
     }
   }
-  seen.m_vPos = pWorld->GetBallPositions()[0].cast<double>();
-  seen.m_vVel = pWorld->GetBallVelocities()[0].cast<double>();
+  seen.m_vPos = stepped.GetPos();
+  seen.m_vVel = stepped.GetVel();
   if (shot.m_stdBalls.size() > 1) {
-    seen.m_vPos -= pWorld->GetBallPositions()[1].cast<double>();
-    seen.m_vVel -= pWorld->GetBallVelocities()[1].cast<double>();
+    seen.m_vPos -= stepped.GetPos(1);
+    seen.m_vVel -= stepped.GetVel(1);
   }
-  SetTimes(seen, shot);
+  if (first) {
+    seen.m_vPOI = first->m_vPOI;
+    seen.m_vNorm = first->m_vNorm;
+    seen.m_fSetback = first->m_fSetback;
+  }
+  if (!exact)
+    SetTimes(seen, shot);
+  else if (first)
+    seen.m_fTime = seen.m_fContactTime = first->m_fTime;
   return seen;
 }
 
@@ -114,7 +93,7 @@ double ErrorOf(const CSeen& seen, const CAnswer& answer) {
 
 double ErrorOfFlight(const CSeen& seen, const CShot& shot) {
   const CDynamicCircleDesc& ball = shot.m_stdBalls[0];
-  const CVec2d p = ball.m_vPos.cast<double>(), v = ball.m_vVel.cast<double>();
+  const CVec2d p = shot.m_vExactPos.value_or(ball.m_vPos.cast<double>()), v = ball.m_vVel.cast<double>();
   return std::max({Distance(seen.m_vVel, v),
                    Distance(seen.m_vPos, p + v * static_cast<double>(shot.m_fSeconds)),
                    static_cast<double>(seen.m_nContacts)});

@@ -2,18 +2,12 @@
 // One ball that flies at something, asked of a world or of the reference: when it was met, and how it left.
 #pragma once
 
-#include "HardCase.h"
+#include "StepTesting.h"
 
-#include "reference/Scalar.h"
 #include "reference/Vec2.h"
-
-#include <limits>
-#include <optional>
 
 namespace Shapes::HardCases {
 
-using Compare::CFifty;
-using Compare::CVec;
 using Compare::CVec2d;
 
 /// Roundings: of the reference, and of the engines.
@@ -28,6 +22,7 @@ struct CShot {
   /// On Box2D, which moves a ball by at most 2 metres in a step; 0: the same.
   unsigned m_nBox2DSteps = 0;
   Vector2 m_vGravity = Vector2::Zero();
+  std::optional<CVec2d> m_vExactPos = {}; ///< Where the reference has the ball: at what is no float.
 };
 
 /// What a user sees of it.

@@ -19,7 +19,7 @@ double Corner(eColumn column, double opening, double angle, bool swapped) {
   if (swapped) std::swap(walls[0], walls[1]);
   const double r = 0.1f, middle = angle + 0.5 * opening;
   const Vector2 start = Turned(r / std::sin(0.5 * opening) + 0.05, 0, middle), v = Turned(-6, 0, middle);
-  CStepped stepped(column, MakeScene(walls, {CDynamicCircleDesc(start, 0.1f, v)}));
+  CStepped stepped(column, walls, {CDynamicCircleDesc(start, 0.1f, v)});
   stepped.Step(4);
   return Distance(stepped.GetVel(), -v.cast<double>()) / 6.0;
 }
@@ -41,6 +41,21 @@ double NaiveCorner(double opening) {
   return Distance(opening > 1.5 ? Mirrored(v, 0.5 * (n0 + n1)) : once, -v);
 }
 
+/// A corner of pi over the number of reflections.
+CHardCase CornerOf(const std::string& name, const std::string& input, int reflections, const CBound& bound,
+                   const CExpect& native, const CExpect& shipped,
+                   const std::string& control = "each wall once, in the order of adding") {
+  const double opening = std::numbers::pi / reflections;
+  return {name,
+          input,
+          "v' = -v, after " + std::to_string(reflections) + " reflections",
+          bound,
+          {native, Right(), shipped, Right(), Right()},
+          [=](eColumn column) { return WorstCorner(column, opening); },
+          control,
+          [=] { return NaiveCorner(opening); }};
+}
+
 // ---- Cradles.
 
 /// `count` balls that touch; the first `moving` of them come at speed 1.
@@ -49,7 +64,7 @@ double Cradle(eColumn column, int count, int moving, bool reversed) {
   for (int i = 0; i < count; ++i)
     balls.emplace_back(Vector2(static_cast<float>(i), 0.0f), 0.5f, Vector2(i < moving ? 1.0f : 0.0f, 0.0f));
   if (reversed) std::reverse(balls.begin(), balls.end());
-  CStepped stepped(column, MakeScene({}, balls));
+  CStepped stepped(column, {}, balls);
   stepped.Step(60);
   double worst = 0.0;
   for (int i = 0; i < count; ++i) {
@@ -96,7 +111,7 @@ double OnALine(eColumn column, const std::array<float, g_nOnALine>& places) {
   std::vector<CDynamicCircleDesc> balls;
   for (const float x : places)
     balls.emplace_back(Vector2(x, 0.0f), 0.5f, Vector2(static_cast<float>(g_nOnALine - balls.size()), 0.0f));
-  CStepped stepped(column, MakeScene({}, balls));
+  CStepped stepped(column, {}, balls);
   std::size_t impacts = 0;
   for (int step = 0; step < 300; ++step) {
     stepped.Step();
@@ -161,8 +176,8 @@ constexpr int g_nDropRate = 240;
 /// The largest error of the height within 2 s, in steps' worth of the fastest way.
 double Drop(eColumn column) {
   const float r = 0.1f, dt = 1.0f / g_nDropRate;
-  CStepped stepped(column, MakeScene({CLineSegDesc({-1, 0}, {1, 0}, 0.5f)},
-                                     {CDynamicCircleDesc({0, 1.0f + r}, r)}, dt, {0.0f, -9.81f}));
+  CStepped stepped(column, {CLineSegDesc({-1, 0}, {1, 0}, 0.5f)}, {CDynamicCircleDesc({0, 1.0f + r}, r)}, dt,
+                   {0.0f, -9.81f});
   const double top = static_cast<double>(1.0f + r) - g_fDropHeight;
   double worst = 0.0;
   for (int i = 1; i <= 2 * g_nDropRate; ++i) {
@@ -178,8 +193,8 @@ double Drop(eColumn column) {
 double Rest(eColumn column, float e) {
   const int steps = column == eColumn::Native ? 1000000 : 200000;
   const float r = 0.1f;
-  CStepped stepped(column, MakeScene({CLineSegDesc({-1, 0}, {1, 0}, e)}, {CDynamicCircleDesc({0, r}, r)},
-                                     1.0f / 60.0f, {0.0f, -9.8f}));
+  CStepped stepped(column, {CLineSegDesc({-1, 0}, {1, 0}, e)}, {CDynamicCircleDesc({0, r}, r)}, 1.0f / 60.0f,
+                   {0.0f, -9.8f});
   double worst = 0.0;
   for (int i = 0; i < steps; ++i) {
     stepped.Step();
@@ -217,37 +232,22 @@ CHardCase RestOf(const std::string& name, const std::string& e, float elasticity
 } // namespace
 
 std::vector<CHardCase> SimultaneousCases() {
+  const CBound rounded{32 * g_fFloatRounding, 32 * g_fFloatRounding,
+                       "32 roundings of a float, to which the opening is rounded"};
   const double step = std::sqrt(2.0 * g_fDropGravity * g_fDropHeight) / g_nDropRate;
   return {
-      {"SquareCorner",
-       "r = .1 down the bisector of a corner of 90 degrees, both orders of adding, turned by 0, 30, .. "
-       "degrees: velocity, relative",
-       "v' = -v, after 2 reflections",
-       {32 * g_fDoubleRounding, 32 * g_fFloatRounding, "32 roundings"},
-       g_stdAllRight,
-       [](eColumn column) { return WorstCorner(column, 0.5 * std::numbers::pi); },
-       "both as one contact, with the mean of the normals",
-       [] { return NaiveCorner(0.5 * std::numbers::pi); }},
-      {"SharpCorner",
-       "The same with 60 degrees",
-       "v' = -v, after 3 reflections",
-       {32 * g_fFloatRounding, 32 * g_fFloatRounding,
-        "32 roundings of a float, to which the opening is rounded"},
-       {Right(), Right(), Deviates(0.000025, 0.0001, ".00005: it stops after 8 iterations"), Right(),
-        Right()},
-       [](eColumn column) { return WorstCorner(column, std::numbers::pi / 3.0); },
-       "each wall once, in the order of adding",
-       [] { return NaiveCorner(std::numbers::pi / 3.0); }},
-      {"NarrowCorner",
-       "The same with 45 degrees",
-       "v' = -v, after 4 reflections",
-       {32 * g_fFloatRounding, 32 * g_fFloatRounding,
-        "32 roundings of a float, to which the opening is rounded"},
-       {Deviates(1.3, 1.5, "1.4: it answers each wall once, and has set the ball back from both by then"),
-        Right(), Deviates(0.005, 0.02, ".01: it stops after 8 iterations"), Right(), Right()},
-       [](eColumn column) { return WorstCorner(column, std::numbers::pi / 4.0); },
-       "each wall once, in the order of adding",
-       [] { return NaiveCorner(std::numbers::pi / 4.0); }},
+      CornerOf(
+          "SquareCorner",
+          "r = .1 down the bisector of a corner of 90 degrees, both orders of adding, turned by 0, 30, .. "
+          "degrees: velocity, relative",
+          2, {32 * g_fDoubleRounding, 32 * g_fFloatRounding, "32 roundings"}, Right(), Right(),
+          "both as one contact, with the mean of the normals"),
+      CornerOf("SharpCorner", "The same with 60 degrees", 3, rounded, Right(),
+               Deviates(0.000025, 0.0001, ".00005: it stops after 8 iterations")),
+      CornerOf(
+          "NarrowCorner", "The same with 45 degrees", 4, rounded,
+          Deviates(1.3, 1.5, "1.4: it answers each wall once, and has set the ball back from both by then"),
+          Deviates(0.005, 0.02, ".01: it stops after 8 iterations")),
       CradleOf("CradleOfFive", "Five balls that touch, the first one comes at speed 1; both orders of adding",
                "(0, 0, 0, 0, 1)", 5, 1, 0.60, ".60: it answers all of them at once"),
       CradleOf("CradleOfFiveTwoComing", "The same, two come", "(0, 0, 0, 1, 1)", 5, 2, 0.77,

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace Shapes::HardCases {
 
@@ -48,9 +47,9 @@ Vector2d CStepped::GetVel(std::size_t ball) const {
   return m_pWorld->GetVel(m_stdIds.at(m_nShapes + ball)).cast<double>();
 }
 
-void CStepped::SetPos(std::size_t ball, const Vector2& p) {
-  if (!m_pWorld) return m_cReference->SetBall(ball, p.cast<double>(), GetVel(ball));
-  m_pWorld->SetPos(m_stdIds.at(m_nShapes + ball), p);
+void CStepped::SetPos(std::size_t ball, const Vector2d& p) {
+  if (!m_pWorld) return m_cReference->SetBall(ball, p, GetVel(ball));
+  m_pWorld->SetPos(m_stdIds.at(m_nShapes + ball), p.cast<float>());
 }
 
 void CStepped::SetOrientation(std::size_t shape, float angle) {
@@ -58,23 +57,14 @@ void CStepped::SetOrientation(std::size_t shape, float angle) {
   m_pWorld->SetOrientation(m_stdIds.at(shape), angle);
 }
 
-std::size_t CStepped::FindIndex(CShapeId id) const {
-  const auto it = std::find(m_stdIds.begin(), m_stdIds.end(), id);
-  if (it == m_stdIds.end()) throw std::logic_error("a contact with what is not in the scene");
-  return static_cast<std::size_t>(it - m_stdIds.begin());
-}
-
 std::vector<CImpact> CStepped::GetImpacts() const {
   std::vector<CImpact> impacts;
   for (const auto& e : m_stdEvents)
-    impacts.push_back({e.m_nBall, e.m_nShape, e.m_bIsBall, e.m_vPOI, e.m_vNorm});
-  if (!m_pWorld) return impacts;
-  for (const CContactEvent& e : m_pWorld->GetContacts()) {
-    const std::size_t other = FindIndex(e.m_cShape);
-    const bool isBall = other >= m_nShapes;
-    impacts.push_back({FindIndex(e.m_cBall) - m_nShapes, isBall ? other - m_nShapes : other, isBall,
-                       e.m_vPOI.cast<double>(), e.m_vNorm.cast<double>()});
-  }
+    impacts.push_back({e.m_vPOI, e.m_vNorm, e.m_fDepth, true, e.m_fTime});
+  if (m_pWorld)
+    for (const CContactEvent& e : m_pWorld->GetContacts())
+      impacts.push_back(
+          {e.m_vPOI.cast<double>(), e.m_vNorm.cast<double>(), e.m_fSetback, e.m_fSpeed != 0.0f});
   return impacts;
 }
 

@@ -27,23 +27,25 @@ CSceneDesc MakeScene(std::vector<CAnyShapeDesc> shapes, std::vector<CDynamicCirc
 
 /// A contact of the last step.
 struct CImpact {
-  std::size_t m_nBall;  ///< Index in the scene; of two balls the lower one.
-  std::size_t m_nOther; ///< Index of the shape, or of the other ball.
-  bool m_bIsBall;       ///< m_nOther is a ball.
-  Vector2d m_vPOI;
-  Vector2d m_vNorm; ///< From the shape to the ball.
+  Vector2d m_vPOI, m_vNorm; ///< The normal points to the ball.
+  double m_fSetback;        ///< Overlap that it tells of.
+  bool m_bApproaches;
+  double m_fTime = 0.0; ///< Seconds from the start of the step, of the reference only.
 };
 
 /// A scene in the hands of one column.
 class CStepped {
 public:
   CStepped(eColumn column, const CSceneDesc& scene);
+  CStepped(eColumn column, std::vector<CAnyShapeDesc> shapes, std::vector<CDynamicCircleDesc> balls,
+           float dt = 1.0f / 60.0f, const Vector2& gravity = Vector2::Zero())
+      : CStepped(column, MakeScene(std::move(shapes), std::move(balls), dt, gravity)) {}
 
   void Step(int times = 1);
   Vector2d GetPos(std::size_t ball = 0) const;
   Vector2d GetVel(std::size_t ball = 0) const;
-  /// Puts a ball there; it keeps its velocity.
-  void SetPos(std::size_t ball, const Vector2& p);
+  /// Puts a ball there, in a world rounded to float; it keeps its velocity.
+  void SetPos(std::size_t ball, const Vector2d& p);
   void SetOrientation(std::size_t shape, float angle);
   std::vector<CImpact> GetImpacts() const;
   /// nullptr for the reference.
@@ -53,8 +55,6 @@ public:
   CShapeId GetShapeId(std::size_t shape) const { return m_stdIds[shape]; }
 
 private:
-  std::size_t FindIndex(CShapeId id) const;
-
   float m_fTimeStep;
   std::size_t m_nShapes;
   std::unique_ptr<CWorld> m_pWorld;
@@ -62,6 +62,9 @@ private:
   std::optional<Compare::CReference<double>> m_cReference;
   std::vector<Compare::CExactEvent<double>> m_stdEvents;
 };
+
+/// On y = 0.
+inline const CLineSegDesc g_cFloor({-1.0f, 0.0f}, {1.0f, 0.0f});
 
 /// The larger one; infinite where either is not a number.
 double Worst(double a, double b);

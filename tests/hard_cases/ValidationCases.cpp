@@ -88,7 +88,7 @@ double AfterImpulse(double m) { return 1.0 - 2.0 * m / (m + 1.0) / m; }
 
 CHardCase NoRadius() {
   const CBall ball({0.0f, 1.0f}, 0.0f, {0.0f, -1.0f});
-  CShot shot{{CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f})}, {ball}, 1.25f};
+  CShot shot{{g_cFloor}, {ball}, 1.25f};
   return Named(ShotCase(shot, MeetFloor(ball)), "BallWithoutRadiusMeetsASegment",
                "ball r = 0 at (0, 1), v = (0, -1); segment (-1, 0)-(1, 0); one step of 1.25",
                "t = 1, v' = (0, 1)",
