@@ -174,24 +174,20 @@ std::set<std::string> AllFiles() {
   return files;
 }
 
+std::string Read(const std::string& path) {
+  std::ifstream in(fs::path(SHAPES_SOURCE_DIR) / path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
 TEST(HouseRulesTest, EveryFileKeepsThem) {
   const std::set<std::string> files = AllFiles();
   EXPECT_GT(files.size(), 50u); // found where they are
   EXPECT_TRUE(files.contains("src/Engines.cpp") && files.contains("tests/HouseRulesTest.cpp"));
   const std::set<std::string> engines = EnginesIn(files);
   EXPECT_TRUE(engines.contains("native/") && engines.contains("box2d_backend/"));
-  for (const std::string& path : files) {
-    std::ifstream in(fs::path(SHAPES_SOURCE_DIR) / path, std::ios::binary);
-    ASSERT_TRUE(in) << path;
-    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-    for (const std::string& broken : BrokenRules(path, text, files))
+  for (const std::string& path : files)
+    for (const std::string& broken : BrokenRules(path, Read(path), files))
       ADD_FAILURE() << broken;
-  }
-}
-
-std::string Read(const std::string& path) {
-  std::ifstream in(fs::path(SHAPES_SOURCE_DIR) / path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 TEST(HouseRulesTest, TheInterfaceShowsNothingOfTheInside) {

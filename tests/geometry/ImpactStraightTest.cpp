@@ -158,25 +158,5 @@ TEST(ImpactLineSegCircle, ABallSlidesOffOverTheEnd) {
   });
 }
 
-// Swapped ends, and a mirror: the same bits, or those of the mirror.
-TEST(ImpactLineSegCircle, EndsMayBeSwappedAndAllMirrored) {
-  int hits = 0;
-  ForEachCase(24, 5000, [&](CRandom& random, int) {
-    const CTrial trial = RandomTrial(random, eShape::LineSeg, eSides::Both);
-    CTrial mirrored = trial;
-    for (Vector2d* v : {&mirrored.m_cShape.m_vCenter, &mirrored.m_cShape.m_vPt0, &mirrored.m_cShape.m_vPt1,
-                        &mirrored.m_cShape.m_vFront, &mirrored.m_cMotion.m_vPos, &mirrored.m_cMotion.m_vVel})
-      v->x() = -v->x();
-    std::swap(mirrored.m_cShape.m_vPt0, mirrored.m_cShape.m_vPt1); // the front is to the left again
-    CImpact a, b;
-    ASSERT_EQ(Sweep(trial.m_cShape, trial.m_cMotion, 0.0, a),
-              Sweep(mirrored.m_cShape, mirrored.m_cMotion, 0.0, b));
-    if (!(a.m_fTime < trial.m_cMotion.m_fDuration)) return;
-    ++hits;
-    ASSERT_NEAR(a.m_fTime, b.m_fTime, GapBound(trial) / -a.m_vNorm.dot(trial.m_cMotion.m_vVel));
-  });
-  EXPECT_GT(hits, 1000);
-}
-
 } // namespace
 } // namespace Shapes::Geometry

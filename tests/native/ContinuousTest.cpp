@@ -267,18 +267,6 @@ TEST(ContinuousTest, ATurningBarCarriesABallAlong) {
   EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u);
 }
 
-TEST(ContinuousTest, AOneSidedShapeLetsPassFromItsOpenSide) {
-  for (const bool fromFront : {true, false}) {
-    auto pWorld = MakeContinuous();
-    pWorld->Add(Sided(CLineSegDesc({-1, 0}, {1, 0}), eSides::Front));
-    const float side = fromFront ? 1.0f : -1.0f;
-    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.3f, 0.52f * side}, 0.1f, {0, -7 * side}));
-    Steps(*pWorld, 20);
-    EXPECT_EQ(pWorld->GetVel(ball).y() > 0, true);
-    EXPECT_EQ(pWorld->GetStats().m_nContacts, fromFront ? 1u : 0u);
-  }
-}
-
 TEST(ContinuousTest, ABallThatWasPutIntoAWallIsSetBack) {
   auto pWorld = MakeContinuous();
   pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));

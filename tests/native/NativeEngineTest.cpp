@@ -318,18 +318,6 @@ TEST(NativeWorldTest, TheLargestGravityIsFinite) {
   }
 }
 
-// As docs/effects.md says.
-TEST(NativeWorldTest, TheApproximateModeFallsAheadOfTheParabola) {
-  const double g = 8.0, dt = 1.0 / 64.0;
-  for (const int steps : {1, 64, 128}) {
-    const auto pWorld = MakeNative(g_cApproximate, static_cast<float>(g), static_cast<float>(dt));
-    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 1, {0, 2}));
-    Steps(*pWorld, steps);
-    const double t = steps * dt, parabola = 2.0 * t - 0.5 * g * t * t;
-    EXPECT_NEAR(static_cast<double>(pWorld->GetPos(ball).y()), parabola - 0.5 * g * t * dt, 1e-5) << steps;
-  }
-}
-
 TEST(NativeWorldTest, MovesThatAreLostToRoundingAreCounted) {
   // Half an ulp at 2^23 is .5: what moves by less in a step does not move at all.
   for (const auto& [move, lost] : {std::pair(0.25f, 3u), std::pair(1.0f, 0u), std::pair(0.0f, 0u)}) {

@@ -32,13 +32,6 @@ TEST(Aabb2D, EmptyBoxMeetsNothing) {
   EXPECT_EQ(empty.GetHt(), 0.0f);
 }
 
-TEST(Aabb2D, EmptyBoxPlusAPointIsThatPoint) {
-  CAabb2D box;
-  box += Vector2(3.0f, -2.0f);
-  EXPECT_EQ(box.GetTopLeft(), Vector2(3.0f, -2.0f));
-  EXPECT_EQ(box.GetBottomRt(), Vector2(3.0f, -2.0f));
-}
-
 TEST(Aabb2D, TopIsNeverBelowBottomInWhateverOrderTheCornersCome) {
   const CAabb2D box = Box(1.0f, 2.0f, 3.0f, -4.0f);
   for (const CAabb2D& same :

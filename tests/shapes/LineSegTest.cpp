@@ -16,14 +16,6 @@ namespace {
 using Tests::CRandom;
 using Tests::ForEachCase;
 
-TEST(Line, InterceptsFollowTheirFormulas) {
-  const CLine line({2.0f, 1.0f}, 0.5f); // y = x/2, x = 2y
-  EXPECT_FLOAT_EQ(line.GetGradient(), 0.5f);
-  EXPECT_FLOAT_EQ(line.GetInverseGradient(), 2.0f);
-  EXPECT_NEAR(line.GetYIntercept(), 0.0f, 2 * g_fUlp);
-  EXPECT_NEAR(line.GetXIntercept(), 0.0f, 4 * g_fUlp);
-}
-
 TEST(Line, VerticalLineHasInfiniteGradientOfOneSign) {
   for (const float m : {g_fInf, -g_fInf}) {
     const CLine line({3.0f, 5.0f}, m);
@@ -32,28 +24,6 @@ TEST(Line, VerticalLineHasInfiniteGradientOfOneSign) {
     EXPECT_EQ(line.GetYIntercept(), g_fInf);
     EXPECT_EQ(line.GetXIntercept(), 3.0f);
   }
-}
-
-TEST(Line, HorizontalLineHasInfiniteInverseGradient) {
-  const CLine line({3.0f, 5.0f}, 0.0f);
-  EXPECT_EQ(line.GetGradient(), 0.0f);
-  EXPECT_EQ(line.GetInverseGradient(), g_fInf);
-  EXPECT_EQ(line.GetXIntercept(), g_fInf);
-  EXPECT_EQ(line.GetYIntercept(), 5.0f);
-}
-
-TEST(Line, VerticalLineIsComputedWithoutItsGradient) {
-  // y = m x + b of the line x = 0, in its own numbers.
-  const float m = g_fInf, x = 0.0f;
-  EXPECT_TRUE(std::isnan(m * x + (5.0f - x * m)));
-
-  const CLine line({0.0f, 5.0f}, g_fInf);
-  EXPECT_EQ(line.ClosestPt({7.0f, -2.0f}), Vector2(0.0f, -2.0f));
-  EXPECT_EQ(line.Intersect(CLine({4.0f, 1.0f}, 0.0f)), Vector2(0.0f, 1.0f));
-  EXPECT_EQ(CLine({4.0f, 1.0f}, 0.0f).Intersect(line), Vector2(0.0f, 1.0f));
-  const Vector2 p = line.Intersect(CLine({2.0f, 2.0f}, 1.0f));
-  EXPECT_NEAR(p.x(), 0.0f, 4 * g_fUlp);
-  EXPECT_NEAR(p.y(), 0.0f, 16 * g_fUlp);
 }
 
 TEST(Line, ParallelLinesHaveNoIntersection) {

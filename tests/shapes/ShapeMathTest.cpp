@@ -55,11 +55,6 @@ TEST(ShapeMath, PerpTurnsCounterclockwiseAndIsExact) {
   });
 }
 
-TEST(ShapeMath, CrossIsPositiveCounterclockwise) {
-  EXPECT_EQ(Cross({1.0f, 0.0f}, {0.0f, 1.0f}), 1.0f);
-  EXPECT_EQ(Cross({0.0f, 1.0f}, {1.0f, 0.0f}), -1.0f);
-}
-
 TEST(ShapeMath, ZeroHasNoLengthAndTheFallbackAsItsDirection) {
   EXPECT_EQ(Length(Vector2::Zero()), 0.0f);
   EXPECT_EQ(Normalize(Vector2::Zero()), Vector2(0.0f, 1.0f));

@@ -323,23 +323,6 @@ TEST(Shape, ARotationSpeedOfAStaticShapeIsRefused) {
   EXPECT_EQ(turning.GetRotSpeed(), 1);
 }
 
-TEST(Shape, CollisionDetectedGivesTheContact) {
-  CPoint point(CPointDesc({0.0f, 0.0f}));
-  CDynamicCircle ball(CDynamicCircleDesc({0.0f, 0.5f}, 1.0f, {0.0f, -2.0f}));
-  CContactDesc c(&point, &ball);
-  EXPECT_TRUE(point.CollisionDetected(c));
-  EXPECT_EQ(c.m_vPOI, Vector2(0.0f, 0.0f));
-  EXPECT_EQ(c.m_vNorm, Vector2(0.0f, 1.0f));
-  EXPECT_EQ(c.m_fSetback, 0.5f);
-  // Norm of the point's position, which is a length and 0 here: no speed at all.
-  EXPECT_NE(c.m_fSpeed, point.GetPos().norm());
-  EXPECT_EQ(c.m_fSpeed, 2.0f);
-  point.SetSensor(true);
-  EXPECT_TRUE(point.CollisionDetected(c)); // sensors detect
-  point.SetCanCollide(false);
-  EXPECT_FALSE(point.CollisionDetected(c));
-}
-
 TEST(MakeShapeTest, TheClassIsThatOfTypeAndMotion) {
   const CPointDesc point({1.0f, 2.0f});
   const CLineSegDesc seg({0.0f, 1.0f}, {2.0f, 3.0f});
