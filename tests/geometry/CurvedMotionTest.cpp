@@ -30,8 +30,7 @@ TEST(SweepTurning, AgreesWithTheReference) {
 
 // Sines of 50 digits take their time.
 TEST(SweepTurning, AgreesWith50Digits) {
-  const eShape types[] = {eShape::Point, eShape::LineSeg, eShape::Circle, eShape::Arc};
-  for (const eShape type : types)
+  for (const eShape type : g_eTypes)
     ExpectAgrees<CFifty>(type, eSides::Both, true, 110, 100);
 }
 
@@ -46,9 +45,8 @@ CSweepOracle MakeOracle(const CTrial& trial) {
 
 // A trial against something with both sides, clear of it at the beginning.
 CTrial ClearTrial(CRandom& random) {
-  const eShape types[] = {eShape::Point, eShape::LineSeg, eShape::Circle, eShape::Arc};
   for (;;) {
-    const CTrial trial = RandomTrial(random, types[random.Below(4)], eSides::Both, true);
+    const CTrial trial = RandomTrial(random, g_eTypes[random.Below(4)], eSides::Both, true);
     const bool fits = trial.m_cMotion.m_fRadius < trial.m_cShape.m_fRadius;
     if (trial.m_cShape.m_fTurnSpeed != 0.0 && MakeOracle(trial).Gap(0) > 1e-9L &&
         (fits || trial.m_cShape.m_eShapeType != eShape::Arc))
@@ -129,10 +127,8 @@ TEST(SweepTurning, TheLegMayBeginLater) {
 
 // A paddle at rest at first, with its end 1 unit from the axis, comes down on a ball that lies there.
 TEST(SweepTurning, APaddleComesDownOnABall) {
-  CLineSegDesc desc({0, 0}, {1, 0});
-  desc.m_eMotionType = eMotion::Kinematic;
   const double w = -2.0, r = 0.125;
-  const CShapeGeometry paddle = MakeShapeGeometry(CKinematicLineSeg(desc), w);
+  const CShapeGeometry paddle = MakeShapeGeometry(CKinematicLineSeg(CLineSegDesc({0, 0}, {1, 0})), w);
   // The line is r from the centre when it is asin(r / distance) short of the direction of the centre.
   const Vector2d p(0.5, -0.5);
   const double distance = p.norm(), angle = -std::numbers::pi / 4 + std::asin(r / distance);
@@ -159,14 +155,11 @@ TEST(SweepTurning, APaddleComesDownOnABall) {
 // A ball that lies on a drum which turns about its own centre, for all gaps down to none, is followed by few
 // steps: their number would be Unknown if it grew with the smallness of the gap.
 TEST(SweepTurning, ABallBesideATurningDrumIsQuick) {
-  CArcDesc desc({0, 0}, 0.5f, 0.5f, 6.0f);
-  desc.m_eMotionType = eMotion::Kinematic;
-  const CShapeGeometry drum = MakeShapeGeometry(CKinematicArc(desc), 50.0);
+  const CShapeGeometry drum = MakeShapeGeometry(CKinematicArc(CArcDesc({0, 0}, 0.5f, 0.5f, 6.0f)), 50.0);
   for (double gap = 1e-3; gap > 1e-18; gap /= 8.0)
     for (const double side : {1.0, -1.0})
       for (const double speed : {0.0, 1e-6}) {
-        const Vector2d p(0.0, 0.5 + side * (0.1 + gap));
-        const Vector2d v(speed, 0.0);
+        const Vector2d p(0.0, 0.5 + side * (0.1 + gap)), v(speed, 0.0);
         CImpact impact;
         const eSweep found = Sweep(drum, {p, v, 0.1, 0.001}, 0.0, impact);
         EXPECT_NE(found, eSweep::OutOfIterations) << "gap " << gap << " side " << side;
@@ -176,17 +169,16 @@ TEST(SweepTurning, ABallBesideATurningDrumIsQuick) {
 // What turns billions of times is not looked at to the end, but nothing is missed before that: motions that
 // begin where one was left come to the same impact.
 TEST(SweepTurning, WhatIsNotKnownIsSaid) {
-  CLineSegDesc desc({-0.5f, 0}, {0.5f, 0});
-  desc.m_eMotionType = eMotion::Kinematic;
+  const CKinematicLineSeg spinner(CLineSegDesc({-0.5f, 0}, {0.5f, 0}));
   CImpact impact;
   const double r = 0.1;
   // From 3 units away the ball comes to the circle of the spinner 2.4 seconds later.
-  const CShapeGeometry fastest = MakeShapeGeometry(CKinematicLineSeg(desc), 6e9);
+  const CShapeGeometry fastest = MakeShapeGeometry(spinner, 6e9);
   ASSERT_EQ(Sweep(fastest, {{3, 0}, {-1, 0}, r, 10.0}, 0.0, impact), eSweep::OutOfIterations);
   EXPECT_GT(impact.m_fTime, 0.0);
   EXPECT_LT(impact.m_fTime, 2.4 + 1e-6);
 
-  const CShapeGeometry fast = MakeShapeGeometry(CKinematicLineSeg(desc), 6e4);
+  const CShapeGeometry fast = MakeShapeGeometry(spinner, 6e4);
   double t = 0.0;
   int motions = 0;
   eSweep found;

@@ -3,6 +3,7 @@
 // way: coordinates, radii and speeds from denormal floats to 1e18 and beyond, no speed, no time, no extent.
 #include "geometry/TimeOfImpact.h"
 
+#include "../Descs.h"
 #include "Cases.h"
 
 #include <Shapes/Shapes.h>
@@ -35,23 +36,16 @@ std::unique_ptr<CShape> AnyShape(CRandom& random) {
   const Vector2 p = AnyPlace(random), q = AnyPlace(random), center = random.Coin() ? p : AnyPlace(random);
   const float R = AnySize(random);
   const auto make = [&]<class TKinematic>(auto desc) -> std::unique_ptr<CShape> {
-    desc.m_eMotionType = eMotion::Kinematic;
-    desc.m_vRotCenter = center;
-    return std::make_unique<TKinematic>(desc);
+    return std::make_unique<TKinematic>(Turning(desc, 0, center));
   };
   switch (random.Below(4)) {
   case 0: return make.operator()<CKinematicPoint>(CPointDesc(p));
-  case 1: {
-    CLineSegDesc desc(p, q);
-    desc.m_eSides = sides[random.Below(3)];
-    return make.operator()<CKinematicLineSeg>(desc);
-  }
+  case 1: return make.operator()<CKinematicLineSeg>(Sided(CLineSegDesc(p, q), sides[random.Below(3)]));
   case 2: return make.operator()<CKinematicCircle>(CCircleDesc(p, R));
   default: {
     const float a0 = random.Uniform(0.0f, 6.28f);
-    CArcDesc desc(p, R, a0, random.Below(3) == 0 ? a0 : random.Uniform(0.0f, 6.28f));
-    desc.m_eSides = sides[random.Below(3)];
-    return make.operator()<CKinematicArc>(desc);
+    const CArcDesc desc(p, R, a0, random.Below(3) == 0 ? a0 : random.Uniform(0.0f, 6.28f));
+    return make.operator()<CKinematicArc>(Sided(desc, sides[random.Below(3)]));
   }
   }
 }

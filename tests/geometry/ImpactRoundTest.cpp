@@ -89,9 +89,7 @@ TEST(ImpactCircleCircle, ABallInARingStaysThere) {
 
 // The right half of a circle.
 CShapeGeometry HalfCircle(eSides sides = eSides::Both) {
-  CArcDesc desc({0, 0}, 2, -0.5f * g_fPi, 0.5f * g_fPi);
-  desc.m_eSides = sides;
-  return MakeShapeGeometry(CArc(desc), 0.0);
+  return MakeShapeGeometry(CArc(Sided(CArcDesc({0, 0}, 2, -0.5f * g_fPi, 0.5f * g_fPi), sides)), 0.0);
 }
 
 TEST(ImpactCircleArc, AgreesWith50Digits) {

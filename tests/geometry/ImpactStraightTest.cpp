@@ -84,9 +84,7 @@ TEST(ImpactPointCircle, NearGrazesKeepTheBoundThatTheTextbookBreaks) {
 }
 
 CShapeGeometry Floor(eSides sides = eSides::Both) {
-  CLineSegDesc desc({-1, 0}, {1, 0});
-  desc.m_eSides = sides;
-  return MakeShapeGeometry(CLineSeg(desc), 0.0);
+  return MakeShapeGeometry(CLineSeg(Sided(CLineSegDesc({-1, 0}, {1, 0}), sides)), 0.0);
 }
 
 TEST(ImpactLineSegCircle, AgreesWith50Digits) {

@@ -36,9 +36,7 @@ Vector2d Vector(CRandom& random, double least, double most) {
 template <class TShape, class TKinematic, class TDesc>
 std::unique_ptr<CShape> Make(TDesc desc, bool turns, const Vector2& center) {
   if (!turns) return std::make_unique<TShape>(desc);
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_vRotCenter = center;
-  return std::make_unique<TKinematic>(desc);
+  return std::make_unique<TKinematic>(Turning(desc, 0, center));
 }
 
 // A circle about which something happens: the shape's own, or none about a point of it.
@@ -66,18 +64,16 @@ CShapeGeometry RandomOutline(CRandom& random, eShape type, eSides sides, bool tu
   if (type == eShape::Point) {
     shape = Make<CPoint, CKinematicPoint>(CPointDesc(p), turns, center);
   } else if (type == eShape::LineSeg) {
-    CLineSegDesc desc(p, random.Below(4) == 0 ? Vector2(p + random.Vector(-12, -2)) : q);
-    desc.m_eSides = sides;
-    shape = Make<CLineSeg, CKinematicLineSeg>(desc, turns, center);
+    const CLineSegDesc desc(p, random.Below(4) == 0 ? Vector2(p + random.Vector(-12, -2)) : q);
+    shape = Make<CLineSeg, CKinematicLineSeg>(Sided(desc, sides), turns, center);
   } else if (type == eShape::Circle) {
     shape = Make<CCircle, CKinematicCircle>(CCircleDesc(p, R), turns, center);
   } else {
     // Sectors that wrap around, short ones, half circles, almost full and full ones.
     const float spans[] = {random.Uniform(1e-3f, 6.28f), random.Scale(-12, -1), g_fPi, 6.28f, 0.0f};
     const float a0 = random.Coin() ? random.Uniform(0.0f, 6.28f) : 0.0f;
-    CArcDesc desc(p, R, a0, a0 + spans[random.Below(5)]);
-    desc.m_eSides = sides;
-    shape = Make<CArc, CKinematicArc>(desc, turns, center);
+    const CArcDesc desc(p, R, a0, a0 + spans[random.Below(5)]);
+    shape = Make<CArc, CKinematicArc>(Sided(desc, sides), turns, center);
   }
   return MakeShapeGeometry(*shape, turns ? Between(random, -60.0, 60.0) : 0.0);
 }

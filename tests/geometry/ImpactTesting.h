@@ -4,6 +4,7 @@
 
 #include "geometry/TimeOfImpact.h"
 
+#include "../Descs.h"
 #include "Cases.h"
 #include "reference/Scalar.h"
 #include "reference/Sweep.h"
@@ -17,6 +18,8 @@ namespace Shapes::Geometry {
 using Compare::CFifty;
 using Tests::CRandom;
 using Tests::ForEachCase;
+
+inline constexpr eShape g_eTypes[] = {eShape::Point, eShape::LineSeg, eShape::Circle, eShape::Arc};
 
 /// A motion, and the shape that it may meet.
 struct CTrial {

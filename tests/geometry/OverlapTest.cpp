@@ -10,8 +10,6 @@
 namespace Shapes::Geometry {
 namespace {
 
-const eShape g_eTypes[] = {eShape::Point, eShape::LineSeg, eShape::Circle, eShape::Arc};
-
 double Distance(const CShapeGeometry& o, const CMotion& motion, const Vector2d& p) {
   return static_cast<double>(
       Compare::Tests::CSweepOracle(ForReference(o), {}, {motion.m_vPos, motion.m_vVel, motion.m_fRadius}, 1.0)

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "../../src/geometry/TimeOfImpact.h"
+#include "geometry/TimeOfImpact.h"
+#include "geometry/VisitShape.h"
+
+#include "../Numbers.h"
+#include "Cases.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "../../src/geometry/VisitShape.h"
-#include "geometry/Cases.h"
 
 namespace Shapes::Geometry {
 namespace {
 
 using Tests::CRandom;
 using Tests::ForEachCase;
-
-Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
 
 // The distance of x from the shape, which has no sides; of a ring from inside and outside.
 double DistanceTo(const CShape& shape, const Vector2d& x) {

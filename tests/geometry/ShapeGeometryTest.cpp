@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/ShapeGeometry.h"
 
+#include "../Descs.h"
 #include "../Numbers.h"
 #include "Cases.h"
 
@@ -19,20 +20,14 @@ using Tests::ForEachCase;
 
 CLineSegDesc RandomLineSeg(CRandom& random) {
   const Vector2 p = random.InSquare(1.0f), q = random.InSquare(1.0f);
-  CLineSegDesc desc(p, q);
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_vRotCenter = random.InSquare(1.0f);
-  return desc;
+  return Turning(CLineSegDesc(p, q), 0, random.InSquare(1.0f));
 }
 
 CArcDesc RandomArc(CRandom& random) {
   const Vector2 p = random.InSquare(1.0f);
   const float R = random.Uniform(0.1f, 1.0f), a0 = random.Uniform(0.0f, 6.28f),
               a1 = random.Uniform(0.0f, 6.28f);
-  CArcDesc desc(p, R, a0, a1);
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_vRotCenter = random.InSquare(1.0f);
-  return desc;
+  return Turning(CArcDesc(p, R, a0, a1), 0, random.InSquare(1.0f));
 }
 
 // However a segment has turned: its normal is the shape's, and across it.
@@ -112,9 +107,7 @@ TEST(Outline, ItTurnsAsTheShapeDoes) {
 }
 
 TEST(Outline, WhatIsRoundAboutItsOwnCentreStaysButItsSurfaceMoves) {
-  CCircleDesc desc({1, 2}, 0.5f);
-  desc.m_eMotionType = eMotion::Kinematic;
-  desc.m_vRotCenter = {1, 2};
+  CCircleDesc desc = Turning(CCircleDesc({1, 2}, 0.5f), 0, {1, 2});
   CShapeGeometry o = MakeShapeGeometry(CKinematicCircle(desc), 3.0);
   EXPECT_EQ(o.m_fTurnSpeed, 0.0);
   EXPECT_EQ(o.m_fSpin, 3.0);
