@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arcs: where they begin and end, and what is at their angles.
-#include "ShotTesting.h"
-
-#include "reference/Reference.h"
+#include "StepTesting.h"
 
 #include <algorithm>
 #include <cmath>

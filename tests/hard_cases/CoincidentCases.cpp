@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Balls whose centre is where no direction leads from.
-#include "ShotTesting.h"
-
-#include "reference/Reference.h"
+#include "StepTesting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +14,7 @@ namespace {
 struct COnTheSpot {
   CAnyShapeDesc m_cShape;
   Vector2 m_vVel;
-  CVec2d m_vNorm, m_vAfter; ///< What is right.
+  Vector2d m_vNorm, m_vAfter; ///< What is right.
 };
 
 constexpr float g_fRadius = 0.5f;
@@ -83,13 +81,13 @@ double ErrorOfParting(eColumn column, float m0, float m1) {
   pWorld->Add(CDynamicCircleDesc({0.0f, 0.0f}, 0.5f, {0.0f, 0.0f}, m0));
   pWorld->Add(CDynamicCircleDesc({0.0f, 0.0f}, 0.5f, {0.0f, 0.0f}, m1));
   pWorld->Step();
-  const CVec2d p0 = pWorld->GetBallPositions()[0].cast<double>(),
-               p1 = pWorld->GetBallPositions()[1].cast<double>();
+  const Vector2d p0 = pWorld->GetBallPositions()[0].cast<double>(),
+                 p1 = pWorld->GetBallPositions()[1].cast<double>();
   const double w0 = static_cast<double>(m0), w1 = static_cast<double>(m1);
-  const double rest = std::max(Distance(pWorld->GetBallVelocities()[0].cast<double>(), CVec2d::Zero()),
-                               Distance(pWorld->GetBallVelocities()[1].cast<double>(), CVec2d::Zero()));
+  const double rest = std::max(Distance(pWorld->GetBallVelocities()[0].cast<double>(), Vector2d::Zero()),
+                               Distance(pWorld->GetBallVelocities()[1].cast<double>(), Vector2d::Zero()));
   return std::max({std::abs(p0.norm() - w1 / (w0 + w1)), std::abs(p1.norm() - w0 / (w0 + w1)),
-                   Distance(w0 * p0 + w1 * p1, CVec2d::Zero()), rest});
+                   Distance(w0 * p0 + w1 * p1, Vector2d::Zero()), rest});
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Balls that touch a little, not quite, or all the time; and curved ways.
-#include "ShotTesting.h"
+#include "StepTesting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 CShot Past(eColumn column, float y, double exactly) {
   CShot shot{{CPointDesc({0.0f, 0.0f})}, {CDynamicCircleDesc({-10.0f, y}, 1.0f, {1.0f, 0.0f})}, 10.5f};
   shot.m_nBox2DSteps = 7;
-  if (column == eColumn::Reference) shot.m_vExactPos = CVec2d(-10.0, exactly);
+  if (column == eColumn::Reference) shot.m_vExactPos = Vector2d(-10.0, exactly);
   return shot;
 }
 

@@ -49,23 +49,23 @@ double Distance(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 }
 
 std::vector<CHardCase> AllCases() {
+  const std::pair<const char*, std::vector<CHardCase>> groups[] = {
+      {"Inputs that are no numbers, or of no extent", ValidationCases()},
+      {"Centres that coincide", CoincidentCases()},
+      {"Lines in float", LineCases()},
+      {"Arcs", ArcCases()},
+      {"Grazes and curved ways", GrazingCases()},
+      {"Deep and fast", FastCases()},
+      {"Scale", ScaleCases()},
+      {"Mass and elasticity", MassCases()},
+      {"Kinematic", KinematicCases()},
+      {"Simultaneous", SimultaneousCases()},
+      {"Joints and ends", JointCases()},
+      {"Long runs", LongRunCases()}};
   std::vector<CHardCase> all;
-  const auto add = [&](const std::string& group, const std::vector<CHardCase>& cases) {
+  for (const auto& [pName, cases] : groups)
     for (const CHardCase& c : cases)
-      all.emplace_back(c).m_sGroup = group;
-  };
-  add("Inputs that are no numbers, or of no extent", ValidationCases());
-  add("Centres that coincide", CoincidentCases());
-  add("Lines in float", LineCases());
-  add("Arcs", ArcCases());
-  add("Grazes and curved ways", GrazingCases());
-  add("Deep and fast", FastCases());
-  add("Scale", ScaleCases());
-  add("Mass and elasticity", MassCases());
-  add("Kinematic", KinematicCases());
-  add("Simultaneous", SimultaneousCases());
-  add("Joints and ends", JointCases());
-  add("Long runs", LongRunCases());
+      all.emplace_back(c).m_sGroup = pName;
   return all;
 }
 

@@ -48,6 +48,21 @@ double NakedEnd(eColumn column, bool guarded) {
   return OffBy(stepped, Vector2d(x, top) + left * after, after);
 }
 
+CHardCase End(bool guarded) {
+  return {guarded ? "GuardedEnd" : "NakedEnd",
+          guarded ? "The same with a guard point on the end"
+                  : "Segment (0, 0)-(1, 0), r = .5 at (-.3, 2), v = (0, -1), 2 s",
+          guarded ? "the same" : "hits the end at 1.6 s, n = (-.6, .8), v' = (-.96, .28)",
+          {1e-12, 120 * 2 * g_fFloatRounding, "1e-12; engines a rounding of 2 for each of 120 steps"},
+          {guarded ? Deviates(0.02, 0.08, ".041: it meets the point where the step ends")
+                   : Deviates(1.5, 1.7, "passes: its ends are open"),
+           Right(), Right(), Right(), Right()},
+          [=](eColumn column) { return NakedEnd(column, guarded); },
+          guarded ? "segments before points, each on its own: the same miss, without the point"
+                  : "the foot of the perpendicular is not on the segment: no hit",
+          [] { return Distance(Vector2d(0.0, -1.0), Vector2d(-0.96, 0.28)); }};
+}
+
 // ---- A vertex that is there more than once.
 
 /// How many contacts more or less than one there are, for each of many ways to come; infinite if the velocity
@@ -126,23 +141,8 @@ std::vector<CHardCase> JointCases() {
              const Vector2d v(std::cos(slope), -std::sin(slope)), p(-0.04, 0.09);
              return AngleBetween(Mirrored(v, p.normalized()), Mirrored(v, {0.0, 1.0}));
            }},
-          {"NakedEnd",
-           "Segment (0, 0)-(1, 0), r = .5 at (-.3, 2), v = (0, -1), 2 s",
-           "hits the end at 1.6 s, n = (-.6, .8), v' = (-.96, .28)",
-           {1e-12, 120 * 2 * g_fFloatRounding, "1e-12; engines a rounding of 2 for each of 120 steps"},
-           {Deviates(1.5, 1.7, "passes: its ends are open"), Right(), Right(), Right(), Right()},
-           [](eColumn column) { return NakedEnd(column, false); },
-           "the foot of the perpendicular is not on the segment: no hit",
-           [] { return Distance(Vector2d(0.0, -1.0), Vector2d(-0.96, 0.28)); }},
-          {"GuardedEnd",
-           "The same with a guard point on the end",
-           "the same",
-           {1e-12, 120 * 2 * g_fFloatRounding, "1e-12; engines a rounding of 2 for each of 120 steps"},
-           {Deviates(0.02, 0.08, ".041: it meets the point where the step ends"), Right(), Right(), Right(),
-            Right()},
-           [](eColumn column) { return NakedEnd(column, true); },
-           "segments before points, each on its own: the same miss, without the point",
-           [] { return Distance(Vector2d(0.0, -1.0), Vector2d(-0.96, 0.28)); }},
+          End(false),
+          End(true),
           {"VertexAndGuard",
            "A guard point on the end of a segment; r = .1 straight onto it, from 33 directions of the half "
            "circle away from the segment: contacts more than one",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines and segments, computed in float.
-#include "ShotTesting.h"
+#include "StepTesting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ CVec<CFifty> MetAt50Digits(const Vector2& p0, const Vector2& p1, const CDynamicC
 }
 
 // The same as the crossing with the line of gradient -1/m through q.
-CVec2d FootByGradients(const Vector2& p0, const Vector2& p1, const Vector2& q) {
+Vector2d FootByGradients(const Vector2& p0, const Vector2& p1, const Vector2& q) {
   const float m0 = (p1.y() - p0.y()) / (p1.x() - p0.x()), m1 = -1.0f / m0;
   const float b0 = p0.y() - m0 * p0.x(), b1 = q.y() - m1 * q.x();
   const float x = (b1 - b0) / (m0 - m1);
@@ -40,8 +40,8 @@ CHardCase ClosestPoint(const std::string& name, const std::string& input, const 
                        const CDynamicCircleDesc& ball, float seconds, const std::string& control) {
   CShot shot{{CLineSegDesc(p0, p1)}, {ball}, seconds};
   const Vector2 q = ball.m_vPos;
-  const CVec2d foot = FootAt50Digits(p0, p1, q.cast<CFifty>()).cast<double>();
-  const CVec2d met = MetAt50Digits(p0, p1, ball).cast<double>();
+  const Vector2d foot = FootAt50Digits(p0, p1, q.cast<CFifty>()).cast<double>();
+  const Vector2d met = MetAt50Digits(p0, p1, ball).cast<double>();
   return {name,
           input,
           right,

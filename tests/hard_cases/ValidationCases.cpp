@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Inputs that are no numbers, or of no extent.
 #include "../Numbers.h"
-#include "ShotTesting.h"
-
-#include "reference/Reference.h"
+#include "StepTesting.h"
 
 #include <bit>
 #include <cmath>
@@ -163,7 +161,7 @@ std::vector<CHardCase> ValidationCases() {
             "segment (1, 1)-(1, 1); ball r = .5 at (1, 3), v = (0, -1); one step of 1.75", {}, {},
             "share of the length (q - p0).s / s.s: 0 / 0",
             [] {
-              const CVec2d q(0.0, 2.0), s(0.0, 0.0);
+              const Vector2d q(0.0, 2.0), s(0.0, 0.0);
               return q.dot(s) / s.dot(s);
             }),
       Named(PointLike(CLineSegDesc({0.0f, 0.0f}, {1e-30f, 0.0f}), 0.0f, 0.0f),
