@@ -2,7 +2,6 @@
 #include "../Numbers.h"
 #include "Bytes.h"
 #include "Fuzz.h"
-#include "Sound.h"
 
 #include "Tolerances.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Bytes.h"
 #include "Fuzz.h"
-#include "Sound.h"
 
 #include <Shapes/Shapes.h>
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "HardCase.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace Shapes::HardCases {
@@ -67,6 +69,57 @@ std::vector<CHardCase> AllCases() {
     for (const CHardCase& c : cases)
       all.emplace_back(c).m_sGroup = pName;
   return all;
+}
+
+namespace {
+
+bool HasDeviation(const CHardCase& c) {
+  return std::ranges::any_of(
+      c.m_stdExpect, [](const CExpect& expect) { return expect.m_eKind == CExpect::eKind::Deviates; });
+}
+
+std::string Row(const CHardCase& c) {
+  std::string deviations;
+  for (std::size_t i = 0; i < g_nColumns; ++i) {
+    const CExpect& expect = c.m_stdExpect[i];
+    if (expect.m_eKind != CExpect::eKind::Deviates) continue;
+    deviations += (deviations.empty() ? "**" : "<br>**") + std::string(GetName(static_cast<eColumn>(i))) +
+                  "** " + expect.m_sText;
+  }
+  return "| " + c.m_sInput + " | " + c.m_sRight + " | " + deviations + " | " + c.m_sControl + " |\n";
+}
+
+} // namespace
+
+std::string MakeTable(const std::vector<CHardCase>& cases) {
+  const auto deviating = std::ranges::count_if(cases, HasDeviation);
+  std::string text =
+      "# Hard cases\n\n"
+      "Inputs at which collision code is known to fail, and the engines that deviate from the right answer.\n"
+      "Written by the tests in `tests/hard_cases`; do not edit it by hand. Of " +
+      std::to_string(cases.size()) + " cases\n" + std::to_string(deviating) +
+      " are listed; in the others every engine is within the bound, or refuses the input.\n\n"
+      "- **native** is the approximate mode, **continuous** the continuous one; **box2d** is as it ships,\n"
+      "  **tuned** the tuned profile; **reference** is the exact reference of `compare`, in double. An "
+      "engine\n"
+      "  that a row does not name is right. The tests fail if a deviation grows, and if it goes away.\n"
+      "- The engines compute in float: inputs are rounded to it first, and the right answer is that to the\n"
+      "  rounded input. The bounds are in the tests, most of them a few roundings.\n"
+      "- The last column is a formula that fails; the tests hold that it does.\n";
+  std::map<std::string, std::ptrdiff_t> listed, right;
+  for (const CHardCase& c : cases)
+    ++(HasDeviation(c) ? listed : right)[c.m_sGroup];
+  std::string group;
+  for (const CHardCase& c : cases) {
+    if (c.m_sGroup != group) {
+      group = c.m_sGroup;
+      text += "\n## " + group + "\n\nNot listed: " + std::to_string(right[group]) + ".\n";
+      if (listed[group] > 0)
+        text += "\n| case | right answer | deviations | formula that fails |\n|---|---|---|---|\n";
+    }
+    if (HasDeviation(c)) text += Row(c);
+  }
+  return text;
 }
 
 } // namespace Shapes::HardCases
