@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../Descs.h"
 #include "../Numbers.h"
 #include "Bytes.h"
 #include "Fuzz.h"
@@ -50,17 +51,12 @@ std::unique_ptr<CShape> MakeShape(CBytes& bytes) {
   const unsigned type = bytes.Byte() % 4;
   const Vector2 p = bytes.Vector();
   if (type == 0) return Make<CPoint, CKinematicPoint>(bytes, CPointDesc(p));
-  if (type == 1) {
-    CLineSegDesc desc(p, bytes.Vector());
-    desc.m_eSides = sides;
-    return Make<CLineSeg, CKinematicLineSeg>(bytes, desc);
-  }
+  if (type == 1)
+    return Make<CLineSeg, CKinematicLineSeg>(bytes, Sided(CLineSegDesc(p, bytes.Vector()), sides));
   const float r = bytes.Number();
   if (type == 2) return Make<CCircle, CKinematicCircle>(bytes, CCircleDesc(p, r));
   const float a0 = bytes.Number(), a1 = bytes.Number();
-  CArcDesc desc(p, r, a0, a1);
-  desc.m_eSides = sides;
-  return Make<CArc, CKinematicArc>(bytes, desc);
+  return Make<CArc, CKinematicArc>(bytes, Sided(CArcDesc(p, r, a0, a1), sides));
 }
 
 std::unique_ptr<CDynamicCircle> MakeBall(CBytes& bytes) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../Descs.h"
 #include "Bytes.h"
 #include "Fuzz.h"
 
@@ -187,17 +188,13 @@ private:
     if (what == 0) return Moving(CPointDesc(m_cBytes.Vector()));
     if (what == 1) {
       const Vector2 p0 = m_cBytes.Vector(), p1 = m_cBytes.Vector();
-      CLineSegDesc desc(p0, p1);
-      desc.m_eSides = Sides();
-      return Moving(desc);
+      return Moving(Sided(CLineSegDesc(p0, p1), Sides()));
     }
     const Vector2 p = m_cBytes.Vector();
     const float r = m_cBytes.Number();
     if (what == 2) return Moving(CCircleDesc(p, r));
     const float a0 = m_cBytes.Number(), a1 = m_cBytes.Number();
-    CArcDesc desc(p, r, a0, a1);
-    desc.m_eSides = Sides();
-    return Moving(desc);
+    return Moving(Sided(CArcDesc(p, r, a0, a1), Sides()));
   }
 
   CDynamicCircleDesc AnyBall() {

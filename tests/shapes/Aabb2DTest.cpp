@@ -8,9 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-#include <utility>
-
 namespace Shapes {
 namespace {
 

@@ -11,22 +11,12 @@
 namespace Shapes {
 namespace {
 
-// Gravity and time step as a game sets them, put back at the end.
-class CGame : public CShapeCommon {
-public:
-  CGame(float gravity, float timeStep) : m_fOldGravity(m_fGravity), m_fOldTimeStep(m_fTimeStep) {
+// As a game sets them.
+struct CGame : CShapeCommon {
+  static void Set(float gravity, float timeStep) {
     m_fGravity = gravity;
     m_fTimeStep = timeStep;
   }
-  ~CGame() {
-    m_fGravity = m_fOldGravity;
-    m_fTimeStep = m_fOldTimeStep;
-  }
-  CGame(const CGame&) = delete;
-  CGame& operator=(const CGame&) = delete;
-
-private:
-  float m_fOldGravity, m_fOldTimeStep;
 };
 
 CDynamicCircle Ball(const Vector2& p, float r, const Vector2& v = Vector2::Zero(), float m = 1.0f,
@@ -58,9 +48,10 @@ TEST(DynamicCircle, IsWhatItsDescriptorSays) {
 }
 
 TEST(DynamicCircle, MoveChangesTheVelocityFirst) {
-  const CGame game(-8.0f, 0.5f);
+  CGame::Set(-8.0f, 0.5f);
   CDynamicCircle ball = Ball({1.0f, 2.0f}, 0.5f, {4.0f, 0.0f});
   ball.move();
+  CGame::Set(0.0f, g_fDt);
   EXPECT_EQ(ball.GetVel(), Vector2(4.0f, -4.0f));
   EXPECT_EQ(ball.GetPos(), Vector2(3.0f, 0.0f));
   EXPECT_EQ(ball.GetPrevPos(), Vector2(1.0f, 2.0f));

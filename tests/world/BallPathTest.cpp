@@ -14,14 +14,13 @@
 #include <memory>
 #include <vector>
 
+#include "Numbers.h"
 #include "Random.h"
 
 namespace Shapes {
 namespace {
 
 using Tests::CRandom;
-
-Vector2d Double(const Vector2& v) { return v.cast<double>(); }
 
 std::unique_ptr<CShape> RandomShape(CRandom& random, int kind) {
   const Vector2 p = random.InSquare(2);
@@ -48,10 +47,10 @@ double DistanceByShape(const CShape& shape, const Vector2d& p) {
 }
 
 std::vector<CPathVertex> RandomWay(CRandom& random, int bends) {
-  std::vector<CPathVertex> way{{0.0, Double(random.InSquare(3))}};
+  std::vector<CPathVertex> way{{0.0, Wide(random.InSquare(3))}};
   for (int i = 1; i <= bends; ++i)
-    way.push_back({static_cast<double>(i) / (bends + 1), Double(random.InSquare(3))});
-  way.push_back({1.0, Double(random.InSquare(3))});
+    way.push_back({static_cast<double>(i) / (bends + 1), Wide(random.InSquare(3))});
+  way.push_back({1.0, Wide(random.InSquare(3))});
   return way;
 }
 
@@ -147,7 +146,7 @@ TEST(BallPathTest, ATurnedWayErrsByAHundredthOfTheRadius) {
   for (int trial = 0; trial < 500; ++trial) {
     SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << " trial " << trial);
     const auto way = RandomWay(random, trial % 3);
-    const Vector2d center = Double(random.InSquare(2));
+    const Vector2d center = Wide(random.InSquare(2));
     const double turn = random.Uniform(-3, 3), r = random.Uniform(0.05f, 0.5f);
     std::vector<CPathVertex> turned;
     MakeRotatedPath(way, center, turn, {0, 0}, r, turned);
