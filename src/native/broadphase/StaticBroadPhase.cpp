@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace Shapes::Native {
@@ -54,7 +55,8 @@ void CStaticBroadPhase::Build(const std::vector<CShapeEntry>& shapes) {
     group.m_stdBoxes.push_back(BoxOf(shape));
   }
   m_stdIsOld.assign(Size(), 1);
-  m_bIsAnyOld = true;
+  m_stdOld.resize(Size());
+  std::iota(m_stdOld.begin(), m_stdOld.end(), 0u);
   m_bIsBoxedAtRest = false;
   m_cStatic.m_cTree.Build(m_cStatic.m_stdBoxes);
   m_cKinematic.m_cTree.Build(m_cKinematic.m_stdBoxes);
@@ -75,7 +77,7 @@ void CStaticBroadPhase::Update(const CShapeEntry& entry) {
   CGroup& group = shape.GetMotionType() == eMotion::Kinematic ? m_cKinematic : m_cStatic;
   const auto item = std::lower_bound(group.m_stdOrder.begin(), group.m_stdOrder.end(), order);
   const auto i = static_cast<std::uint32_t>(item - group.m_stdOrder.begin());
-  m_stdIsOld[order] = m_bIsAnyOld = true;
+  if (!std::exchange(m_stdIsOld[order], std::uint8_t{1})) m_stdOld.push_back(order);
   m_bIsBoxedAtRest = false;
   group.m_stdBoxes[i] = BoxOf(shape);
   if (m_cGrid.IsBuilt() && &group == &m_cStatic) {
@@ -193,12 +195,11 @@ void CStaticBroadPhase::MakeGeometries(float dt) {
         shape.GetRotating() ? static_cast<double>(TurnIn(shape, dt)) / static_cast<double>(dt) : 0.0;
     m_stdGeometries[order] = MakeShapeGeometry(shape, speed);
   };
-  if (m_bIsAnyOld) {
-    for (std::uint32_t order = 0; order < Size(); ++order)
-      if (m_stdIsOld[order]) make(order);
-    m_stdIsOld.assign(Size(), 0);
-    m_bIsAnyOld = false;
+  for (const std::uint32_t order : m_stdOld) {
+    make(order);
+    m_stdIsOld[order] = 0;
   }
+  m_stdOld.clear();
   for (const std::uint32_t order : m_cKinematic.m_stdOrder)
     if (GetShape(order).GetMoving()) make(order);
 }

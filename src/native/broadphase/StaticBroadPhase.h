@@ -84,8 +84,8 @@ private:
   std::size_t m_nAsked = 0;
   unsigned m_nLasted = 0; // substeps since it was made, or a shape has changed, as far as g_nBeforeSharing
   std::vector<CShapeGeometry> m_stdGeometries; // by order
-  std::vector<std::uint8_t> m_stdIsOld;        // whether that geometry is to be made anew
-  bool m_bIsAnyOld = false;
+  std::vector<std::uint32_t> m_stdOld;         // those that are to be made anew
+  std::vector<std::uint8_t> m_stdIsOld;        // whether each is among them
 };
 
 } // namespace Shapes::Native
