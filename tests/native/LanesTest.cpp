@@ -20,7 +20,7 @@ using Tests::CRandom;
 
 TEST(Lanes, HoldEachBallOnceInItsOrder) {
   for (const unsigned threads : {1u, 2u, 5u})
-    for (const std::size_t n : {0, 1, 1000, 5000, 100001}) {
+    for (const std::size_t n : {0u, 1u, 1000u, 5000u, 100001u}) {
       const CLanes lanes(threads);
       const std::size_t count = lanes.Count(n);
       ASSERT_EQ(count > 1, threads > 1 && n > 1000) << threads << " threads, " << n;
