@@ -112,13 +112,14 @@ void CNativeEngine::MoveBalls(float dt) {
       Move(pPos[i], pVel[i], dt);
       lost += pPos[i] == pPrevPos[i] && pVel[i] != Vector2::Zero();
     }
-    lane.m_cStats.m_nSpeedsCapped += capped;
-    lane.m_cStats.m_nMovesLost += lost;
+    lane.m_pStats->m_nSpeedsCapped += capped;
+    lane.m_pStats->m_nMovesLost += lost;
   });
 }
 
 // Into which the balls are cut.
 std::size_t CNativeEngine::CountLanes() {
+  if (m_stdLanes.size() == 1) return 1;
   const std::size_t lanes = m_cLanes.Count(m_cState.m_cBalls.Size());
   return lanes > 1 && m_cBroadPhase.MakeShareable() ? lanes : 1;
 }
@@ -127,16 +128,23 @@ std::size_t CNativeEngine::CountLanes() {
 template <class F>
 void CNativeEngine::ForEachLane(const F& f) {
   const std::size_t n = m_cState.m_cBalls.Size(), lanes = CountLanes();
-  if (lanes == 1)
+  if (lanes == 1) {
+    First().m_pStats = &Stats();
     f(First(), 0, n);
-  else
-    m_cLanes.ForEach(
-        n, lanes, [&](std::size_t k, std::size_t begin, std::size_t end) { f(m_stdLanes[k], begin, end); });
-  for (std::size_t k = 0; k < lanes; ++k)
-    Take(m_stdLanes[k]);
+    return Report(First());
+  }
+  m_cLanes.ForEach(n, lanes, [&](std::size_t k, std::size_t begin, std::size_t end) {
+    CLane& lane = m_stdLanes[k];
+    lane.m_pStats = &lane.m_cStats;
+    f(lane, begin, end);
+  });
+  for (std::size_t k = 0; k < lanes; ++k) {
+    AddCounts(m_stdLanes[k]);
+    Report(m_stdLanes[k]);
+  }
 }
 
-void CNativeEngine::Take(CLane& lane) {
+void CNativeEngine::AddCounts(CLane& lane) {
   const CWorldStats stats = std::exchange(lane.m_cStats, CWorldStats());
   Stats().m_nShapeTests += stats.m_nShapeTests;
   Stats().m_nSweeps += stats.m_nSweeps;
@@ -145,6 +153,9 @@ void CNativeEngine::Take(CLane& lane) {
   Stats().m_nMovesLost += stats.m_nMovesLost;
   Stats().m_nContacts += stats.m_nContacts;
   Stats().m_nSpeedsCapped += stats.m_nSpeedsCapped;
+}
+
+void CNativeEngine::Report(CLane& lane) {
   for (const CContactEvent& event : lane.m_stdContacts)
     m_cWorld.Report(event);
   lane.m_stdContacts.clear();
@@ -199,7 +210,7 @@ template <bool TReports>
 void CNativeEngine::CollideWithShape(std::size_t i, const CShapeEntry& entry, CLane& lane) {
   const CShape& shape = *entry.m_pShape;
   if (!shape.GetCanCollide()) return;
-  ++lane.m_cStats.m_nShapeTests;
+  ++lane.m_pStats->m_nShapeTests;
   CHit hit;
   if (!Collide(shape, Ball(i), hit)) return;
 
@@ -211,9 +222,9 @@ void CNativeEngine::CollideWithShape(std::size_t i, const CShapeEntry& entry, CL
     lane.m_stdContacts.push_back({entry.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback, speed,
                                   false, ImpulseOf(b.m_stdMass[i], e, speed)});
   }
-  ++lane.m_cStats.m_nContacts;
+  ++lane.m_pStats->m_nContacts;
   RespondKinematic(hit.m_vNorm, hit.m_fSetback, e, surface, b.m_stdPos[i], b.m_stdVel[i]);
-  lane.m_cStats.m_nSpeedsCapped += CapSpeed(b.m_stdVel[i]);
+  lane.m_pStats->m_nSpeedsCapped += CapSpeed(b.m_stdVel[i]);
 }
 
 // A disc around each ball with some margin, so that not every response has to update the grid.

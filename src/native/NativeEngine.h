@@ -46,7 +46,8 @@ private:
     CContinuous m_cContinuous;
     std::vector<std::uint32_t> m_stdCandidates;
     std::vector<CContactEvent> m_stdContacts;
-    CWorldStats m_cStats; // of the stage
+    CWorldStats m_cStats;            // of the stage, of one of several lanes
+    CWorldStats* m_pStats = nullptr; // these, or those of the world
   };
   using CStage = void (CNativeEngine::*)(float);
 
@@ -69,7 +70,8 @@ private:
   std::size_t CountLanes();
   template <class F>
   void ForEachLane(const F& f);
-  void Take(CLane& lane);
+  void AddCounts(CLane& lane);
+  void Report(CLane& lane);
   template <bool TReports>
   void CollideWithShapesOf(std::size_t ball, CLane& lane);
   template <bool TReports>
