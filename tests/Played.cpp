@@ -3,37 +3,9 @@
 
 #include "Random.h"
 
-#include <bit>
-
 namespace Shapes::Tests {
 
 using namespace Compare;
-
-void CHash::Add(std::uint32_t bits) {
-  for (int shift = 0; shift < 32; shift += 8)
-    m_nHash = (m_nHash ^ ((bits >> shift) & 0xFFu)) * 0x100000001B3u;
-}
-void CHash::Add(float f) { Add(std::bit_cast<std::uint32_t>(f)); }
-void CHash::Add(const Vector2& v) {
-  Add(v.x());
-  Add(v.y());
-}
-
-void AddTo(CHash& hash, const CWorld& world) {
-  for (const Vector2& p : world.GetBallPositions())
-    hash.Add(p);
-  for (const Vector2& v : world.GetBallVelocities())
-    hash.Add(v);
-  for (const CContactEvent& contact : world.GetContacts()) {
-    hash.Add(contact.m_cShape.m_nValue);
-    hash.Add(contact.m_cBall.m_nValue);
-    hash.Add(contact.m_vPOI);
-    hash.Add(contact.m_vNorm);
-    hash.Add(contact.m_fSetback);
-    hash.Add(contact.m_fSpeed);
-    hash.Add(static_cast<std::uint32_t>(contact.m_bIsSensor));
-  }
-}
 
 CScene LoadBundled(const std::string& name) {
   return LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");

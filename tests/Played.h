@@ -2,28 +2,13 @@
 // Scenes that are played on the native engine step by step, and what came out of them in one number.
 #pragma once
 
+#include "Hash.h"
 #include "scene/Trial.h"
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace Shapes::Tests {
-
-/// FNV-1a, 64 bits, over the bits of whatever is put in (G. Fowler, L. Noll, K. Vo).
-class CHash {
-public:
-  void Add(std::uint32_t bits);
-  void Add(float f);
-  void Add(const Vector2& v);
-  std::uint64_t Get() const { return m_nHash; }
-
-private:
-  std::uint64_t m_nHash = 0xCBF29CE484222325u;
-};
-
-/// Where and how fast all balls are, and every field of all contacts of the last step.
-void AddTo(CHash& hash, const CWorld& world);
 
 /// A scene of compare/scenes by its name.
 Compare::CScene LoadBundled(const std::string& name);

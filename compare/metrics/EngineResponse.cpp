@@ -4,7 +4,6 @@
 #include <algorithm>
 
 namespace Shapes::Compare {
-
 namespace {
 
 bool IsBounce(const CContactEvent& event) {

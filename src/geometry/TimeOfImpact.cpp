@@ -96,7 +96,7 @@ bool IsOutOfWay(const CShapeGeometry& shape, const CMotion& moving, double start
   }
   const Vector2d w = p - shape.m_vCenter;
   if (isPassed(w, shape.m_fRadius + far)) return true;
-  // What falls is farthest from the centre at an end of the chord, or by the sagitta beyond that.
+  // A falling ball is no farther from the centre than an end of its chord and the sagitta.
   const double inner = shape.m_fRadius - far - 0.25 * (std::abs(fall.x()) + std::abs(fall.y()));
   return inner > 0.0 && std::max(w.squaredNorm(), (w + way + fall).squaredNorm()) < inner * inner;
 }

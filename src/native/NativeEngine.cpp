@@ -9,9 +9,20 @@
 #include "../shapes/Response.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace Shapes::Native {
+
+CNativeEngine::CNativeEngine(CWorldCore& world)
+    : m_cWorld(world),
+      m_cState(world.GetState()),
+      m_cLanes(world.GetDesc().m_nThreads),
+      m_stdLanes(m_cLanes.Count(std::numeric_limits<std::size_t>::max())) {
+  for (CLane& lane : m_stdLanes)
+    lane.m_pStats = &lane.m_cStats;
+  First().m_pStats = &Stats();
+}
 
 void CNativeEngine::Added(CShapeId id) {
   m_bBallsChanged = true;
@@ -74,6 +85,8 @@ void CNativeEngine::Substep(float dt) {
     const std::vector<float>& radius = m_cState.m_cBalls.m_stdRadius;
     m_fLargestRadius = radius.empty() ? 0.0f : *std::max_element(radius.begin(), radius.end());
     m_bFilters = HasFilters();
+    for (CLane& lane : m_stdLanes)
+      lane.m_cContinuous.SetFilters(m_bFilters);
   }
   m_cBroadPhase.SetRadius(m_fLargestRadius);
   for (const CStage stage : m_stdStages)
@@ -128,18 +141,13 @@ std::size_t CNativeEngine::CountLanes() {
 template <class F>
 void CNativeEngine::ForEachLane(const F& f) {
   const std::size_t n = m_cState.m_cBalls.Size(), lanes = CountLanes();
-  if (lanes == 1) {
-    First().m_pStats = &Stats();
+  if (lanes == 1)
     f(First(), 0, n);
-    return Report(First());
-  }
-  m_cLanes.ForEach(n, lanes, [&](std::size_t k, std::size_t begin, std::size_t end) {
-    CLane& lane = m_stdLanes[k];
-    lane.m_pStats = &lane.m_cStats;
-    f(lane, begin, end);
-  });
+  else
+    m_cLanes.ForEach(
+        n, lanes, [&](std::size_t k, std::size_t begin, std::size_t end) { f(m_stdLanes[k], begin, end); });
   for (std::size_t k = 0; k < lanes; ++k) {
-    AddCounts(m_stdLanes[k]);
+    if (k > 0) AddCounts(m_stdLanes[k]);
     Report(m_stdLanes[k]);
   }
 }
@@ -307,34 +315,22 @@ void CNativeEngine::Sweep(float dt) {
   const Vector2 gravity = Runs(eEffect::Gravity) ? m_cState.m_vGravity : Vector2(Vector2::Zero());
   if (Runs(eEffect::Gravity)) Stats().m_nBallsAccelerated += m_cState.m_cBalls.Size();
   const bool pairs = Runs(eEffect::BallPairs);
+  for (CLane& lane : m_stdLanes)
+    lane.m_cContinuous.Begin(m_cState.m_cBalls, m_cBroadPhase, pairs, gravity, dt, *lane.m_pStats);
   CContinuous& all = First().m_cContinuous;
-  if (pairs || CountLanes() == 1) {
-    all.SetFilters(m_bFilters);
-    all.Step(m_cState.m_cBalls, m_cBroadPhase, pairs, gravity, dt, Stats());
-  } else {
-    SweepInLanes(gravity, dt);
+  const bool moves = all.Prepare();
+  if (moves && pairs) all.MoveTogether();
+  if (moves && !pairs) {
+    ForEachLane(
+        [](CLane& lane, std::size_t begin, std::size_t end) { lane.m_cContinuous.MoveAlone(begin, end); });
+    for (std::size_t k = 1; k < CountLanes(); ++k)
+      all.Append(m_stdLanes[k].m_cContinuous);
   }
   for (const CContinuous::CPathVertex& vertex : all.GetPathVertices())
     m_cWorld.AddPathVertex(vertex.m_nBall, vertex.m_vPos, vertex.m_fPart);
   if (!Runs(eEffect::Events)) return;
   for (const CContactEvent& event : all.GetContacts())
     m_cWorld.Report(event);
-}
-
-// Balls that do not meet each other. The first lane collects what came of it.
-void CNativeEngine::SweepInLanes(const Vector2& gravity, float dt) {
-  const auto begin = [&](CLane& lane) {
-    lane.m_cContinuous.SetFilters(m_bFilters);
-    lane.m_cContinuous.Begin(m_cState.m_cBalls, m_cBroadPhase, false, gravity, dt, lane.m_cStats);
-  };
-  begin(First());
-  if (!First().m_cContinuous.Prepare()) return;
-  ForEachLane([&](CLane& lane, std::size_t first, std::size_t end) {
-    if (&lane != &First()) begin(lane);
-    lane.m_cContinuous.MoveAlone(first, end);
-  });
-  for (std::size_t k = 1; k < CountLanes(); ++k)
-    First().m_cContinuous.Append(m_stdLanes[k].m_cContinuous);
 }
 
 namespace {

@@ -10,7 +10,6 @@
 #include "narrowphase/Collide.h"
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace Shapes::Native {
@@ -22,11 +21,7 @@ namespace Shapes::Native {
 /// must fail.
 class CNativeEngine final : public CEngine {
 public:
-  explicit CNativeEngine(CWorldCore& world)
-      : m_cWorld(world),
-        m_cState(world.GetState()),
-        m_cLanes(world.GetDesc().m_nThreads),
-        m_stdLanes(m_cLanes.Count(std::numeric_limits<std::size_t>::max())) {}
+  explicit CNativeEngine(CWorldCore& world);
 
   void Added(CShapeId id) override;
   void Removed(CShapeId id) override;
@@ -46,8 +41,8 @@ private:
     CContinuous m_cContinuous;
     std::vector<std::uint32_t> m_stdCandidates;
     std::vector<CContactEvent> m_stdContacts;
-    CWorldStats m_cStats;            // of the stage, of one of several lanes
-    CWorldStats* m_pStats = nullptr; // these, or those of the world
+    CWorldStats m_cStats;            // of the stage
+    CWorldStats* m_pStats = nullptr; // these, but of the first lane those of the world
   };
   using CStage = void (CNativeEngine::*)(float);
 
@@ -65,7 +60,6 @@ private:
   template <bool TReports>
   void CollideBalls(float dt);
   void Sweep(float dt);
-  void SweepInLanes(const Vector2& gravity, float dt);
 
   std::size_t CountLanes();
   template <class F>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of this folder share: both profiles, and worlds on Box2D.
+// Both profiles, and worlds on Box2D, for the tests of this folder.
 #pragma once
 
 #include "../Descs.h"

@@ -76,7 +76,7 @@ protected:
     return m_pGuest->GetWorld();
   }
   void Steps(int n, float dt = g_fDt) { Tests::Steps(m_cGame, *m_pGuest, n, dt); }
-  /// What n steps tell of contacts, sensors or touches.
+  /// The contacts, sensor events or touches of n steps.
   template <class T>
   std::vector<T> Told(int n, std::span<const T> (CWorld::*pGet)() const) {
     std::vector<T> told;

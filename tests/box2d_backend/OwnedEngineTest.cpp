@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is particular to a world on Box2D: its scale, its limits, what stands for shapes in it, what was
+// A world on Box2D has particulars: its scale, its limits, what stands for shapes in it, what was
 // changed of the way Box2D ships, and what runs of it.
 #include "Box2DTesting.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the tuned profile share: worlds of each tuning, and shots at static shapes whose exact
+// Tests of the tuned profile share these: worlds of each tuning, and shots at static shapes whose exact
 // resolution is known.
 #pragma once
 

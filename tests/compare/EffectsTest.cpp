@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What effects cost, and change; the instructions that they take are counted by another program.
+// Effects cost time, and change results; the instructions that they take are counted by another program.
 #include "metrics/Effects.h"
 #include "MadeScenes.h"
 #include "app/Child.h"

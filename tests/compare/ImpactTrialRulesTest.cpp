@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is judged, what is set aside, and what the options do; and responses to what is not touched: a scene
-// in which Box2D has them, by a mechanism that is known, and controls.
+// Some impacts are judged, others set aside, as the options say; and responses to what is not touched: a
+// scene in which Box2D has them, by a mechanism that is known, and controls.
 #include "MadeScenes.h"
 #include "metrics/Ghosts.h"
 #include "metrics/ImpactTrials.h"
@@ -300,7 +300,7 @@ TEST(GhostsTest, JointsOfAFloorBumpABallOnBox2D) {
   }
 }
 
-// What is farther away than a radius is not passed: only the steps beside the walls are quiet ones.
+// A ball does not pass walls more than a radius away: only the steps beside the walls are quiet ones.
 TEST(GhostsTest, StepsFarFromEverythingAreNotCounted) {
   const CImpactTrialResult near = JudgeGhosts(OverFloor(1, 0.195f), 300),
                            far = JudgeGhosts(OverFloor(1, 0.205f), 300);

@@ -77,7 +77,7 @@ inline const CMode g_stdModes[] = {{"automatic", g_cAutomatic},
 #define SHAPES_ON_EVERY_BACKEND(suite)                                                                       \
   INSTANTIATE_TEST_SUITE_P(, suite, testing::ValuesIn(BuiltBackends()), BackendName)
 
-/// What n steps tell of contacts, sensors or touches.
+/// The contacts, sensor events or touches of n steps.
 template <class T>
 std::vector<T> Told(CWorld& world, int n, std::span<const T> (CWorld::*pGet)() const) {
   std::vector<T> told;

@@ -2,13 +2,13 @@
 // Threads share balls that do not meet each other, and nothing that comes out depends on it.
 #include "../../src/native/Lanes.h"
 
+#include "../Hash.h"
 #include "../Random.h"
 
 #include <Shapes/Shapes.h>
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -16,6 +16,7 @@
 namespace Shapes::Native {
 namespace {
 
+using Tests::CHash;
 using Tests::CRandom;
 
 TEST(Lanes, HoldEachBallOnceInItsOrder) {
@@ -38,43 +39,16 @@ TEST(Lanes, HoldEachBallOnceInItsOrder) {
     }
 }
 
-// Of all that a world tells.
-class CDigest {
-public:
-  void Add(const CWorld& world) {
-    for (const std::span<const Vector2> all : {world.GetBallPositions(), world.GetBallVelocities()})
-      for (const Vector2& v : all)
-        Add(v);
-    for (const CContactEvent& c : world.GetContacts()) {
-      AddBits(c.m_fSpeed);
-      AddBits(c.m_fImpulse);
-      Add(c.m_vPOI);
-      Add(c.m_vNorm);
-      m_nHash = (m_nHash ^ (c.m_bIsSensor + 2u)) * g_nPrime;
-    }
-    const CWorldStats stats = world.GetStats();
-    for (const std::uint64_t n :
-         {stats.m_nShapeTests, stats.m_nSweeps, stats.m_nBallsSwept, stats.m_nContacts, stats.m_nSensorTests,
-          stats.m_nSensorHits, stats.m_nBallsAccelerated})
-      m_nHash = (m_nHash ^ n) * g_nPrime;
-  }
-  std::uint64_t Get() const { return m_nHash; }
-
-private:
-  static constexpr std::uint64_t g_nPrime = 0x100000001B3u; // FNV-1a
-
-  void Add(const Vector2& v) {
-    AddBits(v.x());
-    AddBits(v.y());
-  }
-  void AddBits(float f) {
-    std::uint32_t bits;
-    std::memcpy(&bits, &f, sizeof bits);
-    m_nHash = (m_nHash ^ bits) * g_nPrime;
-  }
-
-  std::uint64_t m_nHash = 0xCBF29CE484222325u;
-};
+// With impulses and counts.
+void AddAllTo(CHash& hash, const CWorld& world) {
+  AddTo(hash, world);
+  for (const CContactEvent& c : world.GetContacts())
+    hash.Add(c.m_fImpulse);
+  const CWorldStats stats = world.GetStats();
+  for (const std::uint64_t n : {stats.m_nShapeTests, stats.m_nSweeps, stats.m_nBallsSwept, stats.m_nContacts,
+                                stats.m_nSensorTests, stats.m_nSensorHits, stats.m_nBallsAccelerated})
+    hash.Add(static_cast<std::uint32_t>(n));
+}
 
 constexpr float g_fHalf = 12.0f;
 
@@ -121,15 +95,15 @@ std::unique_ptr<CWorld> MakeField(const CEffectChoice& choice, const Vector2& gr
 
 // A shape that is moved, a ball that comes and one that goes on the way.
 std::uint64_t Play(CWorld& world) {
-  CDigest digest;
+  CHash hash;
   for (int step = 0; step < 40; ++step) {
     if (step == 18) world.SetPos(world.GetShapeIds()[6], {1, 1});
     if (step == 24) world.Add(CDynamicCircleDesc({0.5f, 0.25f}, 0.05f, {3, 1}));
     if (step == 28) world.Remove(world.GetBallIds()[77]);
     world.Step();
-    digest.Add(world);
+    AddAllTo(hash, world);
   }
-  return digest.Get();
+  return hash.Get();
 }
 
 TEST(Lanes, NeitherBitsNorContactsNorCountsDependOnThem) {
@@ -158,13 +132,13 @@ TEST(Lanes, ShapesThatMoveInEachStepAndBallsThatMeetStayInOne) {
     const CShapeId wall = pWorld->Add(CLineSegDesc({-20, 0}, {20, 0}));
     for (int i = 0; i < 1200; ++i)
       pWorld->Add(CDynamicCircleDesc(random.InSquare(15) + Vector2(0, 16), 0.05f, random.InSquare(2)));
-    CDigest digest;
+    CHash hash;
     for (int step = 0; step < 20; ++step) {
       if (!pairs) pWorld->SetPos(wall, {0, 0.01f * static_cast<float>(step)});
       pWorld->Step();
-      digest.Add(*pWorld);
+      AddAllTo(hash, *pWorld);
     }
-    return digest.Get();
+    return hash.Get();
   };
   for (const bool pairs : {false, true})
     EXPECT_EQ(play(4, pairs), play(1, pairs)) << pairs;

@@ -15,23 +15,12 @@ bool CContinuous::CEvent::operator<(const CEvent& other) const {
   return std::tie(m_fTime, m_nOrder) > std::tie(other.m_fTime, other.m_nOrder);
 }
 
-void CContinuous::Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravity,
-                       float dt, CWorldStats& stats) {
-  Begin(balls, shapes, pairs, gravity, dt, stats);
-  if (!Prepare()) return;
-  if (m_bPairs)
-    MoveTogether();
-  else
-    MoveAlone(0, balls.Size());
-}
-
 void CContinuous::Begin(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravity,
                         float dt, CWorldStats& stats) {
   m_pBalls = &balls;
   m_pShapes = &shapes;
   m_pStats = &stats;
   m_bPairs = pairs;
-  m_fDt = dt;
   m_fStep = static_cast<double>(dt);
   m_vGravity = gravity.cast<double>();
   m_bIsFalling = !gravity.isZero(0.0f);
@@ -50,8 +39,9 @@ bool CContinuous::Prepare() {
     std::fill(balls.m_stdCalm.begin(), balls.m_stdCalm.end(), 0.0f);
   balls.m_stdPrevPos = balls.m_stdPos;
   FailIf(IsFalling() && AllSleep(balls) && !m_pShapes->IsAnyMoving());
-  m_pShapes->BoxKinematic(m_fDt);
-  m_pShapes->MakeGeometries(m_fDt);
+  const auto dt = static_cast<float>(m_fStep); // as it was given
+  m_pShapes->BoxKinematic(dt);
+  m_pShapes->MakeGeometries(dt);
   return true;
 }
 

@@ -40,21 +40,22 @@ namespace Shapes::Native {
 ///   that it has met last. It keeps its velocity; others bounce off it as off a wall.
 class CContinuous {
 public:
-  /// Moves the balls by dt seconds, and counts what was done.
+  /// Begins to move the balls by dt seconds, and counts what is done. Threads share balls that do not meet
+  /// each other: each has one of these, and all begin.
   /// @param shapes  as they are at the beginning of the substep
   /// @param pairs   whether balls meet each other
   /// @param gravity  user units per second squared
-  void Step(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravity, float dt,
-            CWorldStats& stats);
-
-  // The same for threads, which share balls that do not meet each other. Each has one of these: all Begin,
-  // one of them calls Prepare, and if that is true each moves a range of the balls alone. The contacts and
-  // path vertices of the ranges are then appended in their order.
+  /// @param stats  of this one alone
   void Begin(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravity, float dt,
              CWorldStats& stats);
+  /// One of them, before any moves balls.
   /// @returns whether anything moves
   bool Prepare();
+  /// All balls, where they meet each other.
+  void MoveTogether();
+  /// The balls from begin to end of the arrays, where they do not.
   void MoveAlone(std::size_t begin, std::size_t end);
+  /// Takes over the contacts and path vertices of the next range of balls.
   void Append(const CContinuous& next);
 
   /// Whether any ball or shape meets not all.
@@ -63,7 +64,7 @@ public:
   /// Forgets what the next substep would begin its search for forces with.
   void Forget() { m_cResting.Forget(); }
 
-  /// The impacts of the last call in the order of time.
+  /// The impacts in the order of time.
   const std::vector<CContactEvent>& GetContacts();
   /// Where balls were at the share m_fPart of the substep when they were answered.
   struct CPathVertex {
@@ -89,7 +90,6 @@ private:
     CImpact m_cImpact;
   };
 
-  void MoveTogether();
   void MoveAlone(std::size_t i);
   void MoveFreely(std::size_t i);
   void MoveFreely(std::size_t i, const CMotion& motion);
@@ -177,8 +177,7 @@ private:
   CBallArrays* m_pBalls = nullptr;
   CStaticBroadPhase* m_pShapes = nullptr;
   CWorldStats* m_pStats = nullptr;
-  float m_fDt = 0.0f;
-  double m_fStep = 0.0; // the same
+  double m_fStep = 0.0;
   double m_fFastest =
       0.0; // ball at the beginning, or surface that was met, of it g_fSqueezed times the speed
   Vector2d m_vGravity = Vector2d::Zero();
