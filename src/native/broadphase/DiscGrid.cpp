@@ -5,6 +5,12 @@
 #include <limits>
 
 namespace Shapes::Native {
+namespace {
+
+// Of two, that of the first bit of what is positive; of all that are subnormal the same. (std::ilogb is a call.)
+int GetExponent(float x) { return static_cast<int>(std::bit_cast<std::uint32_t>(x) >> 23) - 127; }
+
+} // namespace
 
 void CDiscGrid::Build(std::span<const CDisc> discs) {
   m_stdEntries.resize(discs.size());
@@ -16,6 +22,8 @@ void CDiscGrid::Build(std::span<const CDisc> discs) {
   }
   m_stdLevels.fill(CLevel());
   m_stdAdded.assign(std::bit_ceil(2 * discs.size() + 1), g_nNone);
+  m_nRowBits = static_cast<unsigned>(std::bit_width(m_stdAdded.size())) / 2;
+  m_nLevels = 0;
   m_stdBegins.assign(m_stdAdded.size() + 1, 0);
   m_stdBucketOf.resize(discs.size());
   m_stdEntryOf.resize(discs.size());
@@ -24,7 +32,7 @@ void CDiscGrid::Build(std::span<const CDisc> discs) {
     largest = std::max(largest, disc.m_fRadius);
 
   // Level 0 has the widest cells, at least as wide as the diameter.
-  m_nTop = largest > 0.0f ? std::ilogb(largest) + 2 : 0;
+  m_nTop = largest > 0.0f ? GetExponent(largest) + 2 : 0;
   for (std::size_t k = 0; k < m_stdLevels.size(); ++k)
     m_stdLevels[k].m_fCellsPerUnit = std::ldexp(1.0, g_nPowersPerLevel * static_cast<int>(k) - m_nTop);
   for (std::size_t i = 0; i < discs.size(); ++i)
@@ -59,7 +67,7 @@ void CDiscGrid::Move(std::uint32_t index, const CDisc& disc) {
 // last.
 std::size_t CDiscGrid::GetLevel(float radius) const {
   const int last = static_cast<int>(m_stdLevels.size()) - 1;
-  const int level = radius > 0.0f ? (m_nTop - std::ilogb(radius) - 2) / g_nPowersPerLevel : last;
+  const int level = radius > 0.0f ? (m_nTop - GetExponent(radius) - 2) / g_nPowersPerLevel : last;
   return static_cast<std::size_t>(std::clamp(level, 0, last));
 }
 
@@ -69,6 +77,7 @@ std::uint32_t CDiscGrid::Enter(const CDisc& disc) {
   CLevel& level = m_stdLevels[k];
   level.m_fLargest = std::max(level.m_fLargest, static_cast<double>(disc.m_fRadius));
   ++level.m_nDiscs;
+  m_nLevels = std::max(m_nLevels, k + 1);
   return GetBucket(k, CellAt(static_cast<double>(disc.m_vCenter.x()), level),
                    CellAt(static_cast<double>(disc.m_vCenter.y()), level));
 }

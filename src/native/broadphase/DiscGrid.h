@@ -21,6 +21,11 @@ public:
   struct CDisc {
     Vector2 m_vCenter;
     float m_fRadius;
+    /// Whether it lies within another one that is larger by `slack`.
+    bool IsWithin(const CDisc& other, float slack = 0.0f) const {
+      const float rest = other.m_fRadius + slack - m_fRadius;
+      return rest >= 0.0f && (m_vCenter - other.m_vCenter).squaredNorm() <= rest * rest;
+    }
   };
   /// Takes in these discs instead of those before; the index is the name of a disc from then on.
   void Build(std::span<const CDisc> discs);
@@ -49,10 +54,12 @@ private:
   static std::int64_t CellAt(double x, const CLevel& level);
   std::uint32_t GetBucket(std::size_t level, std::int64_t x, std::int64_t y) const;
 
-  static constexpr double g_fRounded = 1.0 + static_cast<double>(g_fBoxPadding); // as kernels round it
+  static constexpr float g_fRounded = 1.0f + g_fBoxPadding; // as kernels round it
   static constexpr std::uint32_t g_nNone = 0xFFFFFFFFu;
   bool m_bIsFew = false; // no cells: the entries are the discs in their order
   std::array<CLevel, g_nMostLevels> m_stdLevels;
+  std::size_t m_nLevels = 0; // up to the last one that has discs
+  unsigned m_nRowBits = 0;   // there are two to this power of buckets in a row
   int m_nTop = 0;                         // exponent of the widest cells
   std::vector<std::uint32_t> m_stdBegins; // of each bucket in the entries; the next one begins where it ends
   std::vector<CEntry> m_stdEntries;       // bucket by bucket, and then those that have come
@@ -70,23 +77,23 @@ inline std::int64_t CDiscGrid::CellAt(double x, const CLevel& level) {
   return towardsZero - (static_cast<double>(towardsZero) > cell);
 }
 
+// Neighbours in a row are neighbours in memory. Cells that are as far apart as a row is long, or as there are
+// rows, share a bucket: few do where all balls are in one place.
 inline std::uint32_t CDiscGrid::GetBucket(std::size_t level, std::int64_t x, std::int64_t y) const {
-  // Neighbours in a row are neighbours in memory.
-  const std::uint64_t row =
-      (static_cast<std::uint64_t>(y) * m_stdLevels.size() + level) * 0x9E3779B97F4A7C15u;
-  return static_cast<std::uint32_t>(((row >> 32) + static_cast<std::uint64_t>(x)) & (m_stdAdded.size() - 1));
+  const std::size_t size = m_stdAdded.size();
+  const std::uint64_t cell = (static_cast<std::uint64_t>(y) << m_nRowBits) + static_cast<std::uint64_t>(x);
+  return static_cast<std::uint32_t>((cell + level * (size / m_stdLevels.size())) & (size - 1));
 }
 
 template <class F>
 bool CDiscGrid::FindNear(const Vector2& p, float r, const F& f) const {
   const auto px = static_cast<double>(p.x()), py = static_cast<double>(p.y()), pr = static_cast<double>(r);
   const CEntry* const pEntries = m_stdEntries.data();
-  // In double, where no square overflows.
+  // A square that overflows is infinite, and is compared like others.
   const auto visit = [=, &f](std::size_t k) {
     const CDisc& disc = pEntries[k].m_cDisc;
-    const double x = static_cast<double>(disc.m_vCenter.x()) - px;
-    const double y = static_cast<double>(disc.m_vCenter.y()) - py;
-    const double reach = g_fRounded * (pr + static_cast<double>(disc.m_fRadius));
+    const float x = disc.m_vCenter.x() - p.x(), y = disc.m_vCenter.y() - p.y();
+    const float reach = g_fRounded * (r + disc.m_fRadius);
     return x * x + y * y <= reach * reach && f(pEntries[k].m_nIndex);
   };
   const auto visitRange = [&visit](std::size_t begin, std::size_t end) {
@@ -97,10 +104,10 @@ bool CDiscGrid::FindNear(const Vector2& p, float r, const F& f) const {
   const auto visitAll = [&] { return visitRange(0, m_stdEntries.size()); };
   if (m_bIsFew) return visitAll();
   const bool hasAdded = m_stdEntries.size() > m_stdEntryOf.size();
-  for (std::size_t k = 0; k < m_stdLevels.size(); ++k) {
+  for (std::size_t k = 0; k < m_nLevels; ++k) {
     const CLevel& level = m_stdLevels[k];
     if (level.m_nDiscs == 0) continue;
-    const double reach = g_fRounded * (pr + level.m_fLargest);
+    const double reach = static_cast<double>(g_fRounded) * (pr + level.m_fLargest);
     const std::int64_t x0 = CellAt(px - reach, level), x1 = CellAt(px + reach, level);
     const std::int64_t y0 = CellAt(py - reach, level), y1 = CellAt(py + reach, level);
     const auto cells = static_cast<double>(x1 - x0 + 1) * static_cast<double>(y1 - y0 + 1);
