@@ -47,6 +47,9 @@ inline constexpr float g_fShallow = 0.01f;
 /// Largest turn, in radians, of a surface or of a ball along it, after which the way of a ball that slides is
 /// computed anew. It is a parabola in between, off by the turn cubed times the radius / 6 at most.
 inline constexpr float g_fHoldTurn = 0.03125f;
+/// The same where it slides along one that does not turn: its parabola knows how its acceleration changes
+/// there, and is off by the turn cubed times the radius / 40 on the way and by its fourth power / 24 at the end.
+inline constexpr float g_fSlideTurn = 0.125f;
 /// Most of these parts in a substep.
 inline constexpr unsigned g_nMaxHolds = 64;
 /// Speed below which a ball that lies on something is at rest where Continuous runs, as a share of what

@@ -60,42 +60,6 @@ TEST(LastingContact, ABallComesToRestWhenItsBouncesEnd) {
   }
 }
 
-// The pendulum: elliptic integral of the first kind by the arithmetic-geometric mean.
-TEST(LastingContact, ABallSlidesInABowlAsAPendulum) {
-  for (const double amplitude : {0.1, 0.5, 1.0, 1.5}) {
-    const auto pWorld = MakeNative(g_cAutomatic, 10);
-    pWorld->Add(CArcDesc({0, 0}, 1, 0, 0, 0.0f));
-    const Vector2 start(0.8f * static_cast<float>(std::sin(amplitude)),
-                        -0.8f * static_cast<float>(std::cos(amplitude)));
-    const CShapeId ball = pWorld->Add(CDynamicCircleDesc(start, 0.2f));
-    double a = 1.0, g = std::cos(0.5 * amplitude);
-    for (int i = 0; i < 6; ++i) {
-      const double mean = 0.5 * (a + g);
-      g = std::sqrt(a * g);
-      a = mean;
-    }
-    const double period = 2.0 * 3.14159265358979 * std::sqrt(0.8 / 10.0) / a;
-    const auto energy = [&] { return EnergyOf(*pWorld, ball, 10.0, -0.8); };
-    const double first = energy();
-    int crossings = 0;
-    double time = 0.0, x = static_cast<double>(start.x()), lastCrossing = 0.0;
-    for (int step = 1; step <= 6000; ++step) {
-      pWorld->Step();
-      const double now = static_cast<double>(pWorld->GetPos(ball).x());
-      if ((x > 0.0) != (now > 0.0)) {
-        ++crossings;
-        lastCrossing = time + static_cast<double>(g_fDt) * x / (x - now);
-      }
-      x = now;
-      time = step * static_cast<double>(g_fDt);
-      ASSERT_NEAR(pWorld->GetPos(ball).norm(), 0.8f, 1e-6f);
-      ASSERT_NEAR(energy(), first, 2e-6 * (1.0 + first)) << step;
-    }
-    EXPECT_NEAR(lastCrossing / (0.5 * crossings - 0.25), period, 1e-3 * period) << amplitude;
-    EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u);
-  }
-}
-
 // However slow, however many substeps and wherever: what touches and approaches is answered.
 TEST(LastingContact, ASlowBallBounces) {
   for (const unsigned substeps : {1u, 64u, 4096u}) {

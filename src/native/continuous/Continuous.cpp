@@ -90,6 +90,10 @@ void CContinuous::FollowBalls() {
       FindShapes(i);
     if (m_stdBalls[i].m_bIsInPile) continue;
     HoldTouching(m_stdBalls[i]);
+    if (!m_stdBalls[i].m_cHolds.IsEmpty()) {
+      MoveDisc(i);
+      FindShapes(i);
+    }
     FindFirst(i);
   }
   if (!m_cResting.IsEmpty()) SolveRestingContacts();
@@ -131,7 +135,8 @@ void CContinuous::FindFirst(std::uint32_t i) {
 
 CMotion CContinuous::GetMotion(const CMoving& ball) const {
   return {ball.m_vPos, ball.m_bIsHalted ? ball.m_vCarried : ball.m_vVel, ball.m_fRadius,
-          m_fStep - ball.m_fTime, ball.m_bIsHalted ? Vector2d(Vector2d::Zero()) : ball.m_vAcc};
+          m_fStep - ball.m_fTime,
+          ball.m_bIsHalted ? Vector2d(Vector2d::Zero()) : Vector2d(ball.m_vAcc + ball.m_vBend)};
 }
 
 void CContinuous::SetBackFromBalls(std::uint32_t i) {
@@ -149,8 +154,12 @@ void CContinuous::SetBackFromBalls(std::uint32_t i) {
 
 // The shapes on the way of the motion, or within reach of it, by order.
 void CContinuous::FindShapes(std::uint32_t i, float reach) {
-  const CDiscGrid::CDisc& disc = m_stdBalls[i].m_cDisc;
-  m_pShapes->FindNear(disc.m_vCenter, disc.m_fRadius + reach, m_stdShapesFound);
+  CDiscGrid::CDisc disc = m_stdBalls[i].m_cDisc;
+  disc.m_fRadius += reach;
+  if (m_nFoundOf == i && disc.IsWithin(m_cFoundIn)) return;
+  m_nFoundOf = i;
+  m_cFoundIn = disc;
+  m_pShapes->FindNear(disc.m_vCenter, disc.m_fRadius, m_stdShapesFound);
   if (m_bFilters)
     std::erase_if(m_stdShapesFound, [&](std::uint32_t order) { return !MeetsShape(m_stdBalls[i], order); });
 }

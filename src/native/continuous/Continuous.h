@@ -98,6 +98,7 @@ private:
   void FindDiscs();
   void FindInvolved();
   bool IsInTheOpen(const CMotion& motion, const CDiscGrid::CDisc& disc);
+  bool IsFar(std::size_t i) const;
   bool MovesNear(const CDiscGrid::CDisc& disc) const;
   void TakeSolid(std::uint32_t k);
   void Take(std::size_t i, const CDiscGrid::CDisc& disc);
@@ -120,6 +121,8 @@ private:
   CMotion GetFreeMotion(std::size_t i) const;
   static CDiscGrid::CDisc GetDisc(const CMotion& motion, double sagitta);
   void MoveDisc(std::uint32_t i);
+  // How far a ball may leave the disc by which it was found near others: they were looked for twice as far.
+  float GetSlack() const { return static_cast<float>(0.5 * m_cResting.GetSlow() * m_fStep); }
   void FindShapes(std::uint32_t i, float reach = 0.0f);
   void FindFirst(std::uint32_t i);
   bool SetBackFromShapes(std::uint32_t i);
@@ -149,6 +152,8 @@ private:
   bool AreAtRest(std::uint32_t i, std::uint32_t j) const;
   void Settle(CMoving& ball, const CMotion& before);
   double GetHoldTime(const CMoving& ball) const;
+  const CHold* GetCurve(const CMoving& ball) const;
+  Vector2d GetBend(const CMoving& ball) const;
   void Free(CMoving& ball) const;
   void FindBallImpacts(std::uint32_t i);
   void KeepEarliest(const CNext& found, CMoving& ball) const;
@@ -198,6 +203,9 @@ private:
   std::vector<std::uint32_t> m_stdIndexOf;   // by k
   std::vector<CMoving> m_stdBalls;
   std::vector<CEvent> m_stdQueue; // a heap
+  std::uint32_t m_nFoundOf =
+      g_nNobody; // ball whose shapes m_stdShapesFound are, and the disc that they are near
+  CDiscGrid::CDisc m_cFoundIn{Vector2::Zero(), 0.0f};
   std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound, m_stdLate, m_stdInTheWay;
   std::vector<CTouching> m_stdTouching;
   CRestingContacts m_cResting;

@@ -19,6 +19,7 @@ void CContinuous::TakeBalls() {
   FindDiscs();
   m_cDiscGrid.Build(m_stdDiscs);
   FindInvolved();
+  m_nFoundOf = g_nNobody;
 
   m_stdBalls.clear();
   m_stdIndexOf.assign(m_stdSolid.size(), g_nNobody);
@@ -62,7 +63,7 @@ void CContinuous::FindInvolved() {
   m_stdNearOf.assign(m_stdSolid.size(), {0, 0});
   m_bAreDiscsMoved = false;
   const bool anySleeps = AnySleeps();
-  const auto reach = static_cast<float>(m_cResting.GetSlow() * m_fStep);
+  const float reach = 2.0f * GetSlack();
   const auto wake = [&](std::uint32_t k) {
     b.m_stdCalm[m_stdSolid[k]] = 0.0f;
     m_stdWoken.push_back(k);
@@ -135,10 +136,9 @@ void CContinuous::MoveDisc(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   const CMotion motion = GetMotion(ball);
   const CDiscGrid::CDisc disc = GetDisc(motion, motion.GetSagitta());
-  if (disc.m_vCenter == ball.m_cDisc.m_vCenter && disc.m_fRadius == ball.m_cDisc.m_fRadius) return;
   ball.m_cDisc = disc;
+  if (!m_bPairs || disc.IsWithin(m_stdDiscs[ball.m_nSolid], GetSlack())) return;
   m_bAreDiscsMoved = true;
-  if (!m_bPairs) return;
   m_stdDiscs[ball.m_nSolid] = ball.m_cDisc;
   // Those of the ways that it does not take any more have to be forgotten now and then.
   if (m_cDiscGrid.Size() > g_nMostDiscs * m_stdDiscs.size())
@@ -172,7 +172,7 @@ void CContinuous::FindBallsAtBegin(std::uint32_t i) {
 // Where it was not expected a ball may come upon those in the open.
 void CContinuous::SearchBalls(std::uint32_t i) {
   const CDiscGrid::CDisc disc = m_stdBalls[i].m_cDisc;
-  m_cDiscGrid.FindNear(disc.m_vCenter, disc.m_fRadius, [&](std::uint32_t k) {
+  m_cDiscGrid.FindNear(disc.m_vCenter, disc.m_fRadius + GetSlack(), [&](std::uint32_t k) {
     if (m_stdIndexOf[k] == g_nNobody)
       m_stdLate.push_back(k);
     else if (m_stdIndexOf[k] != i)
@@ -210,8 +210,24 @@ void CContinuous::MoveFreely(std::size_t i, const CMotion& motion) {
   Put(motion.PosAt(m_fStep), motion.VelAt(m_fStep), i);
 }
 
+// Whether surely nothing is near a ball that is awake and its way, by a larger disc than GetDisc has: without
+// a root, as most balls are far from everything.
+bool CContinuous::IsFar(std::size_t i) const {
+  if (IsAsleep(i)) return false;
+  const CBallArrays& b = *m_pBalls;
+  const Vector2 half = static_cast<float>(0.5 * m_fStep) * b.m_stdVel[i], center = b.m_stdPos[i] + half;
+  // It leaves the chord of its velocity by g dt^2/2, which is four sagittas.
+  const float radius = half.cwiseAbs().sum() + b.m_stdRadius[i] + static_cast<float>(4.0 * m_fSagitta);
+  const float size = center.cwiseAbs().maxCoeff() + radius;
+  return m_pShapes->IsClear(center, radius + 2.0f * g_fBoxPadding * size);
+}
+
 // A ball that does not meet others: they need not move at the same time.
 void CContinuous::MoveAlone(std::size_t i) {
+  if (IsFar(i)) {
+    m_pBalls->m_stdCalm[i] = 0.0f;
+    return MoveFreely(i);
+  }
   const CMotion motion = GetFreeMotion(i);
   if (!m_pBalls->IsSolid(i)) return MoveFreely(i, motion);
   const CDiscGrid::CDisc disc = GetDisc(motion, m_fSagitta);
@@ -224,6 +240,8 @@ void CContinuous::MoveAlone(std::size_t i) {
   }
   m_stdBalls.clear();
   Take(i, disc);
+  m_nFoundOf = m_bFilters ? g_nNobody : 0;
+  m_cFoundIn = disc;
   FollowBalls();
   PutTaken();
 }

@@ -36,7 +36,7 @@ void CContinuous::Queue(std::uint32_t i) {
 // Of the shapes that were found, or the end of what holds it.
 void CContinuous::FindNextShape(CMoving& ball) {
   FindShapeImpacts(ball);
-  const double time = GetHoldTime(ball);
+  const double time = ball.m_fHoldTime;
   CNext& next = ball.m_cNext;
   if (!(time < m_fStep - ball.m_fTime) || (next.m_eSweep != eSweep::None && !(time < next.m_cImpact.m_fTime)))
     return;
@@ -161,6 +161,7 @@ void CContinuous::Advance(CMoving& ball, double motion) {
   if (!ball.m_bIsHalted) {
     ball.m_vPos = before.PosAt(motion);
     ball.m_vVel = before.VelAt(motion);
+    ball.m_vBend.setZero();
   } else if (ball.m_nLastMoving != g_nNobody) {
     GoAlong(ball, motion);
   }

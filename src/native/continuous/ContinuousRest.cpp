@@ -62,6 +62,7 @@ void CContinuous::SolveRestingContacts() {
       });
   for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     if (!m_stdBalls[i].m_bIsInPile) continue;
+    m_stdBalls[i].m_fHoldTime = GetHoldTime(m_stdBalls[i]);
     MoveDisc(i);
     FindShapes(i);
     FindFirst(i);
@@ -86,7 +87,9 @@ bool CContinuous::CanFollow(const CMoving& ball, std::uint32_t order, const CImp
 
 void CContinuous::Free(CMoving& ball) const {
   ball.m_cHolds.Clear();
+  ball.m_fHoldTime = std::numeric_limits<double>::infinity();
   ball.m_vAcc = ball.m_vFall;
+  ball.m_vBend.setZero();
 }
 
 // The shapes that hold a ball, as they are now.
@@ -107,7 +110,7 @@ CHold CContinuous::MakeHold(const CMoving& ball, std::uint32_t order, const CImp
           n,
           n.dot(impact.m_vSurface),
           n.dot(ball.m_vAcc) + impact.m_fClosing,
-          std::abs(impact.m_fRadius + ball.m_fRadius)};
+          impact.m_fRadius + ball.m_fRadius};
 }
 
 void CContinuous::Hold(CMoving& ball, const CHold& hold) {
@@ -116,7 +119,32 @@ void CContinuous::Hold(CMoving& ball, const CHold& hold) {
   ball.m_vVel = ball.m_cHolds.ConstrainVel(ball.m_vVel);
   ball.m_vAcc = ball.m_cHolds.ConstrainAcc(ball.m_vFall);
   ball.m_cHolds.DropPulling(ball.m_vAcc, ball.m_vFall);
+  ball.m_fHoldTime = GetHoldTime(ball);
+  ball.m_vBend = GetBend(ball);
   ball.m_bIsMoved = true;
+}
+
+// The one shape that a ball slides along, if that curves and does not turn.
+const CHold* CContinuous::GetCurve(const CMoving& ball) const {
+  const auto holds = ball.m_cHolds.Get();
+  const bool isCurve = holds.size() == 1 && !ball.m_bIsInPile && !holds[0].m_bIsBall &&
+                       std::isfinite(holds[0].m_fRadius) &&
+                       m_pShapes->GetGeometry(holds[0].m_nOther).m_fTurnSpeed == 0.0;
+  return isCurve ? &holds[0] : nullptr;
+}
+
+// Of its acceleration on a curve the ball has that at the beginning. The derivative of it, times a third of
+// the time until the next part of its way, takes it to the place where it is then, up to the fourth power of
+// that time. With m the unit vector from the middle of the curve, u the velocity along it and R its radius
+// that derivative is -(g m + u^2/R) u/R - 3 (g u) m/R.
+Vector2d CContinuous::GetBend(const CMoving& ball) const {
+  const CHold* pCurve = GetCurve(ball);
+  if (pCurve == nullptr) return Vector2d::Zero();
+  const Vector2d &n = pCurve->m_vNorm, &g = ball.m_vFall;
+  const Vector2d u = ball.m_vVel - m_pShapes->GetGeometry(pCurve->m_nOther).m_vVel;
+  const double R = pCurve->m_fRadius; // with its sign, so that m / |R| = n / R
+  const double time = std::min(ball.m_fHoldTime, m_fStep - ball.m_fTime);
+  return -time / 3.0 * ((g.dot(n) / R + u.squaredNorm() / (R * R)) * u + 3.0 * g.dot(u) / R * n);
 }
 
 // On the shapes that were found to touch it. The first that holds it changes its motion.
@@ -160,7 +188,7 @@ void CContinuous::ReportHold(const CMoving& ball) {
 
 // Onto the surfaces that hold it: the parabola leaves those that curve with the third power of the time.
 void CContinuous::Settle(CMoving& ball, const CMotion& before) {
-  bool isAtRest = true, isMoved = false;
+  bool isAtRest = true, isMoved = GetCurve(ball) != nullptr;
   // Between two of them in turns.
   const int rounds = ball.m_cHolds.Get().size() > 1 ? g_nWedgeRounds : 1;
   for (int round = 0; round < rounds; ++round)
@@ -175,6 +203,8 @@ void CContinuous::Settle(CMoving& ball, const CMotion& before) {
       if (!Near(geometry, GetMotion(ball), ball.m_fTime, isFlat ? 0.0 : g_fSettleReach * ball.m_fRadius,
                 impact, gap))
         continue;
+      // Past the end of an arc it flies on, and does not turn round the end.
+      if (impact.m_fRadius + ball.m_fRadius != hold.m_fRadius) continue;
       const Vector2d& n = impact.m_vNorm;
       ball.m_vPos -= gap * n;
       if (isFlat) continue;
@@ -192,34 +222,59 @@ void CContinuous::Settle(CMoving& ball, const CMotion& before) {
     ball.m_vPos += std::min(Geometry::Quotient(-0.5 * square, pull, way), way) / pull * ball.m_vAcc;
 }
 
-// Until the ball is past the end of a segment, or has turned so far on what curves that it is no parabola.
+// When a way that begins at the speed v, with the acceleration a, has got as far as `gap`, which is 0 at
+// least: the first root of v t + a t^2/2 = gap. Infinite where that is after `most`.
+static double GetTimeTo(double gap, double v, double a, double most) {
+  const double discriminant = v * v + 2.0 * a * gap;
+  if (!(discriminant >= 0.0)) return std::numeric_limits<double>::infinity();
+  const double s = std::sqrt(discriminant);
+  return v > 0.0 ? Geometry::Quotient(2.0 * gap, v + s, most) : Geometry::Quotient(s - v, a, most);
+}
+
+// Until the ball is past the end of the shape, the shape would have to pull it, or it has turned so far on
+// what curves that it is no parabola.
 double CContinuous::GetHoldTime(const CMoving& ball) const {
   double time = std::numeric_limits<double>::infinity();
   const double left = m_fStep - ball.m_fTime;
   for (const CHold& hold : ball.m_cHolds.Get()) {
     if (hold.m_bIsBall) continue;
     const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
-    if (o.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius)) {
+    const Vector2d u = ball.m_vVel - o.m_vVel, moved = ball.m_fTime * o.m_vVel;
+    const bool isCurve = GetCurve(ball) != nullptr,
+               isFlat = o.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius);
+    if (!isFlat) {
+      const double speed = Norm(u) + Norm(ball.m_vAcc) * left;
+      double part = Geometry::Quotient(static_cast<double>(isCurve ? g_fSlideTurn : g_fHoldTurn),
+                                       std::abs(o.m_fTurnSpeed) + speed / std::abs(hold.m_fRadius), left);
+      // The push of a curve changes by -3 g u / R.
+      const double push = hold.m_vNorm.dot(ball.m_vAcc - ball.m_vFall);
+      const double less = 3.0 * ball.m_vFall.dot(u) / hold.m_fRadius;
+      if (isCurve && less > 0.0) part = std::min(part, Geometry::Quotient(std::max(push, 0.0), less, left));
+      time = std::min(time, std::max(part, m_fStep / g_nMaxHolds));
+    }
+    // So far that rounding leaves nothing of the shape below the ball.
+    const double past = Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + o.m_fSize);
+    if (isFlat) {
       const Vector2d along = -Perp(o.m_vFront);
       for (const double sign : {1.0, -1.0}) {
-        const Vector2d end = (sign > 0.0 ? o.m_vPt1 : o.m_vPt0) + ball.m_fTime * o.m_vVel;
-        const double gap = sign * along.dot(end - ball.m_vPos);
-        const double v = sign * along.dot(ball.m_vVel - o.m_vVel), a = sign * along.dot(ball.m_vAcc);
-        // The first root of v t + a t^2/2 = gap.
-        const double discriminant = v * v + 2.0 * a * gap;
-        if (!(discriminant >= 0.0)) continue;
-        const double s = std::sqrt(discriminant);
-        const double root = v > 0.0 ? Geometry::Quotient(2.0 * std::max(gap, 0.0), v + s, left)
-                                    : Geometry::Quotient(s - v, a, left);
-        time = std::min(time, root);
+        const Vector2d end = (sign > 0.0 ? o.m_vPt1 : o.m_vPt0) + moved;
+        const double gap = std::max(sign * along.dot(end - ball.m_vPos), 0.0) + past;
+        time = std::min(time, GetTimeTo(gap, sign * along.dot(u), sign * along.dot(ball.m_vAcc), left));
       }
-    } else {
-      const double speed = Norm(ball.m_vVel - o.m_vVel) + Norm(ball.m_vAcc) * left;
-      time = std::min(time, Geometry::Quotient(static_cast<double>(g_fHoldTurn),
-                                               std::abs(o.m_fTurnSpeed) + speed / hold.m_fRadius, left));
+    } else if (isCurve && o.m_eShapeType == eShape::Arc && !o.m_bFull) {
+      const Vector2d d = ball.m_vPos - o.m_vCenter - moved;
+      const double sign = Cross(d, u) > 0.0 ? 1.0 : -1.0;
+      const Vector2d end = (sign > 0.0 ? o.m_vPt1 : o.m_vPt0) - o.m_vCenter;
+      const double sine = sign * Cross(d, end) / (Norm(d) * o.m_fRadius);
+      // Not farther off than it gets.
+      const double R = std::abs(hold.m_fRadius), most = (Norm(u) + Norm(ball.m_vAcc) * left) * left;
+      if (!(d.dot(end) > 0.0) || !(sine > 0.0) || sine * R > most) continue;
+      const double gap = std::asin(std::min(sine, 1.0)) * R + past;
+      const Vector2d along = Unit(u, Vector2d::UnitX());
+      time = std::min(time, GetTimeTo(gap, u.dot(along), ball.m_vAcc.dot(along), left));
     }
   }
-  return std::max(time, m_fStep / g_nMaxHolds);
+  return time;
 }
 
 // Whether two balls meet no faster than what gravity gives in a substep presses them together.
@@ -236,6 +291,7 @@ void CContinuous::Rest(CMoving& ball, CMoving& other, const Vector2d& n) {
     pBall->m_bIsInPile = true;
     pBall->m_vVel = pBall->m_cHolds.ConstrainVel(pBall->m_vVel);
     pBall->m_vAcc = pBall->m_cHolds.ConstrainAcc(pBall->m_vFall);
+    pBall->m_vBend.setZero();
   }
   const bool isAbove = !(n.dot(m_vGravity) > 0.0);
   CMoving &upper = isAbove ? ball : other, &lower = isAbove ? other : ball;
@@ -247,6 +303,8 @@ void CContinuous::Rest(CMoving& ball, CMoving& other, const Vector2d& n) {
                       lower.m_nVersion});
   upper.m_vVel = upper.m_cHolds.ConstrainVel(upper.m_vVel);
   upper.m_vAcc = upper.m_cHolds.ConstrainAcc(upper.m_vFall);
+  for (CMoving* pBall : {&ball, &other})
+    pBall->m_fHoldTime = GetHoldTime(*pBall);
 }
 
 } // namespace Shapes::Native

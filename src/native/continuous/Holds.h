@@ -17,7 +17,8 @@ struct CHold {
   Vector2d m_vNorm; ///< unit, from the other one
   double m_fSpeed;  ///< of the surface along the normal
   double m_fAcc;    ///< along the normal, with which the ball follows the surface
-  /// Of curvature of the way of the centre along the surface; infinite where it is flat, or not looked at.
+  /// Of curvature of the way of the centre along the surface: the middle of the curve is so far away against
+  /// the normal. Negative inside an arc; infinite where it is flat, or not looked at.
   double m_fRadius;
   std::uint32_t m_nVersion = 0; ///< of the motion of the other ball
 };

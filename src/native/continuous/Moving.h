@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "../broadphase/DiscGrid.h"
 #include "Holds.h"
@@ -34,10 +35,12 @@ struct CMoving {
   Vector2d m_vPos = Vector2d::Zero();              // where the motion begins
   Vector2d m_vVel = Vector2d::Zero();              // likewise
   Vector2d m_vAcc = Vector2d::Zero();              // of the motion
+  Vector2d m_vBend = Vector2d::Zero();             // more of it, where it follows a curve
   Vector2d m_vCarried = Vector2d::Zero();          // velocity with which it goes along where it is halted
   Vector2d m_vFall = Vector2d::Zero(); // gravity, unless the velocity has what it gives in the substep
   double m_fRadius = 0.0, m_fMass = 1.0, m_fElasticity = 0.0;
   CHolds m_cHolds;
+  double m_fHoldTime = std::numeric_limits<double>::infinity(); // until they end, or its way is computed anew
   CNext m_cNext;
   double m_fTime = 0.0;                    // when the motion begins, seconds in the substep
   std::uint32_t m_nVersion = 0;            // changes with the motion

@@ -190,8 +190,7 @@ void CRestingContacts::Solve(std::vector<CMoving>& balls) {
     m_stdNear[c.m_nNear].m_fImpulse = c.m_fImpulse;
     CMoving& ball = balls[c.m_nBall];
     if (c.m_bIsBall) continue;
-    ball.m_cHolds.Add(
-        {c.m_nOther, false, c.m_vNorm, c.m_fSpeed, 0.0, std::abs(c.m_fRadius + ball.m_fRadius)});
+    ball.m_cHolds.Add({c.m_nOther, false, c.m_vNorm, c.m_fSpeed, 0.0, c.m_fRadius + ball.m_fRadius});
   }
 }
 
