@@ -172,12 +172,11 @@ bool CStaticBroadPhase::IsClearOfOthers(const Vector2& p, float r) const {
                       [&](std::uint32_t order) { return BoxOf(GetShape(order)) && box; });
 }
 
-void CStaticBroadPhase::FindNear(const Vector2& p, float r, std::vector<std::uint32_t>& orders) {
-  orders.clear();
+// Also where the grid does not say all.
+void CStaticBroadPhase::FindNearOfAll(const Vector2& p, float r, std::vector<std::uint32_t>& orders) {
   CountQuestion();
   const bool isInGrid = m_cGrid.IsBuilt() && r <= m_cGrid.GetReach();
   if (isInGrid) m_cGrid.ForEachNear(p, r, [&orders](std::uint32_t order) { orders.push_back(order); });
-  if (isInGrid && m_bIsGridComplete) return;
   const CAabb2D box = Padded(CAabb2D(p, p), r);
   if (!isInGrid) Query(m_cStatic, box, orders);
   Query(m_cKinematic, box, orders);

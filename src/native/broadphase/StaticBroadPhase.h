@@ -44,7 +44,11 @@ public:
   /// at the same time. They do once the grid has lasted for some substeps.
   bool MakeShareable();
   /// The orders of all shapes that come within r of p, and maybe some others, ascending.
-  void FindNear(const Vector2& p, float r, std::vector<std::uint32_t>& orders);
+  void FindNear(const Vector2& p, float r, std::vector<std::uint32_t>& orders) {
+    orders.clear();
+    if (!m_bIsGridComplete || !(r <= m_cGrid.GetReach())) return FindNearOfAll(p, r, orders);
+    m_cGrid.ForEachNear(p, r, [&orders](std::uint32_t order) { orders.push_back(order); });
+  }
   /// Whether surely none of them does: quicker.
   bool IsClear(const Vector2& p, float r) {
     if (m_cGrid.IsBuilt() ? !m_cGrid.IsClear(p, r) : !m_cStatic.m_stdOrder.empty()) return false;
@@ -65,6 +69,7 @@ private:
   };
   const CShape& GetShape(std::uint32_t order) const { return *m_stdByOrder[order]->m_pShape; }
   static void Query(const CGroup& group, const CAabb2D& box, std::vector<std::uint32_t>& orders);
+  void FindNearOfAll(const Vector2& p, float r, std::vector<std::uint32_t>& orders);
   void DropGrid();
   /// Whether no grid is to be made: its shapes have not changed.
   bool IsGridLasting() const { return m_cGrid.IsBuilt() && m_stdLoose.empty(); }
