@@ -23,8 +23,8 @@ public:
     float m_fRadius;
     /// Whether it lies within another one that is larger by `slack`.
     bool IsWithin(const CDisc& other, float slack = 0.0f) const {
-      const float rest = other.m_fRadius + slack - m_fRadius;
-      return rest >= 0.0f && (m_vCenter - other.m_vCenter).squaredNorm() <= rest * rest;
+      const auto rest = static_cast<double>(other.m_fRadius + slack - m_fRadius);
+      return rest >= 0.0 && (m_vCenter - other.m_vCenter).cast<double>().squaredNorm() <= rest * rest;
     }
   };
   /// Takes in these discs instead of those before; the index is the name of a disc from then on.
@@ -54,7 +54,7 @@ private:
   static std::int64_t CellAt(double x, const CLevel& level);
   std::uint32_t GetBucket(std::size_t level, std::int64_t x, std::int64_t y) const;
 
-  static constexpr float g_fRounded = 1.0f + g_fBoxPadding; // as kernels round it
+  static constexpr double g_fRounded = 1.0 + static_cast<double>(g_fBoxPadding); // as kernels round it
   static constexpr std::uint32_t g_nNone = 0xFFFFFFFFu;
   bool m_bIsFew = false; // no cells: the entries are the discs in their order
   std::array<CLevel, g_nMostLevels> m_stdLevels;
@@ -89,11 +89,12 @@ template <class F>
 bool CDiscGrid::FindNear(const Vector2& p, float r, const F& f) const {
   const auto px = static_cast<double>(p.x()), py = static_cast<double>(p.y()), pr = static_cast<double>(r);
   const CEntry* const pEntries = m_stdEntries.data();
-  // A square that overflows is infinite, and is compared like others.
+  // In double, where no square overflows.
   const auto visit = [=, &f](std::size_t k) {
     const CDisc& disc = pEntries[k].m_cDisc;
-    const float x = disc.m_vCenter.x() - p.x(), y = disc.m_vCenter.y() - p.y();
-    const float reach = g_fRounded * (r + disc.m_fRadius);
+    const double x = static_cast<double>(disc.m_vCenter.x()) - px;
+    const double y = static_cast<double>(disc.m_vCenter.y()) - py;
+    const double reach = g_fRounded * (pr + static_cast<double>(disc.m_fRadius));
     return x * x + y * y <= reach * reach && f(pEntries[k].m_nIndex);
   };
   const auto visitRange = [&visit](std::size_t begin, std::size_t end) {
@@ -107,7 +108,7 @@ bool CDiscGrid::FindNear(const Vector2& p, float r, const F& f) const {
   for (std::size_t k = 0; k < m_nLevels; ++k) {
     const CLevel& level = m_stdLevels[k];
     if (level.m_nDiscs == 0) continue;
-    const double reach = static_cast<double>(g_fRounded) * (pr + level.m_fLargest);
+    const double reach = g_fRounded * (pr + level.m_fLargest);
     const std::int64_t x0 = CellAt(px - reach, level), x1 = CellAt(px + reach, level);
     const std::int64_t y0 = CellAt(py - reach, level), y1 = CellAt(py + reach, level);
     const auto cells = static_cast<double>(x1 - x0 + 1) * static_cast<double>(y1 - y0 + 1);

@@ -151,6 +151,7 @@ private:
   void Rest(CMoving& ball, CMoving& other, const Vector2d& n);
   bool AreAtRest(std::uint32_t i, std::uint32_t j) const;
   void Settle(CMoving& ball, const CMotion& before);
+  double GetTimeToEnd(const CMoving& ball, const CHold& hold) const;
   double GetHoldTime(const CMoving& ball) const;
   const CHold* GetCurve(const CMoving& ball) const;
   Vector2d GetBend(const CMoving& ball) const;

@@ -231,48 +231,57 @@ static double GetTimeTo(double gap, double v, double a, double most) {
   return v > 0.0 ? Geometry::Quotient(2.0 * gap, v + s, most) : Geometry::Quotient(s - v, a, most);
 }
 
-// Until the ball is past the end of the shape, the shape would have to pull it, or it has turned so far on
-// what curves that it is no parabola.
+// Until the ball is past the end of a segment or an arc that holds it and does not turn.
+double CContinuous::GetTimeToEnd(const CMoving& ball, const CHold& hold) const {
+  double time = std::numeric_limits<double>::infinity();
+  const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
+  const Vector2d u = ball.m_vVel - o.m_vVel, moved = ball.m_fTime * o.m_vVel;
+  const double left = m_fStep - ball.m_fTime;
+  // So far that rounding leaves nothing of the shape below the ball.
+  const double past = Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + o.m_fSize);
+  if (!std::isfinite(hold.m_fRadius)) {
+    const Vector2d along = -Perp(o.m_vFront);
+    for (const double sign : {1.0, -1.0}) {
+      const Vector2d end = (sign > 0.0 ? o.m_vPt1 : o.m_vPt0) + moved;
+      const double gap = std::max(sign * along.dot(end - ball.m_vPos), 0.0) + past;
+      time = std::min(time, GetTimeTo(gap, sign * along.dot(u), sign * along.dot(ball.m_vAcc), left));
+    }
+  } else if (o.m_eShapeType == eShape::Arc && !o.m_bFull) {
+    const Vector2d d = ball.m_vPos - o.m_vCenter - moved;
+    const double sign = Cross(d, u) > 0.0 ? 1.0 : -1.0;
+    const Vector2d end = (sign > 0.0 ? o.m_vPt1 : o.m_vPt0) - o.m_vCenter;
+    if (!(d.dot(end) > 0.0)) return time;
+    const double sine = sign * Cross(d, end) / (Norm(d) * o.m_fRadius), R = std::abs(hold.m_fRadius);
+    // Not farther off than the ball gets.
+    if (!(sine > 0.0) || sine * R > (Norm(u) + Norm(ball.m_vAcc) * left) * left) return time;
+    const double gap = std::asin(std::min(sine, 1.0)) * R + past;
+    const Vector2d along = Unit(u, Vector2d::UnitX());
+    time = GetTimeTo(gap, u.dot(along), ball.m_vAcc.dot(along), left);
+  }
+  return time;
+}
+
+// Until the ball is past the end of a shape, a shape would have to pull it, or it has turned so far on what
+// curves that its way is no parabola.
 double CContinuous::GetHoldTime(const CMoving& ball) const {
   double time = std::numeric_limits<double>::infinity();
   const double left = m_fStep - ball.m_fTime;
+  const bool isCurve = GetCurve(ball) != nullptr;
   for (const CHold& hold : ball.m_cHolds.Get()) {
     if (hold.m_bIsBall) continue;
     const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
-    const Vector2d u = ball.m_vVel - o.m_vVel, moved = ball.m_fTime * o.m_vVel;
-    const bool isCurve = GetCurve(ball) != nullptr,
-               isFlat = o.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius);
-    if (!isFlat) {
-      const double speed = Norm(u) + Norm(ball.m_vAcc) * left;
-      double part = Geometry::Quotient(static_cast<double>(isCurve ? g_fSlideTurn : g_fHoldTurn),
-                                       std::abs(o.m_fTurnSpeed) + speed / std::abs(hold.m_fRadius), left);
-      // The push of a curve changes by -3 g u / R.
-      const double push = hold.m_vNorm.dot(ball.m_vAcc - ball.m_vFall);
-      const double less = 3.0 * ball.m_vFall.dot(u) / hold.m_fRadius;
-      if (isCurve && less > 0.0) part = std::min(part, Geometry::Quotient(std::max(push, 0.0), less, left));
-      time = std::min(time, std::max(part, m_fStep / g_nMaxHolds));
-    }
-    // So far that rounding leaves nothing of the shape below the ball.
-    const double past = Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + o.m_fSize);
-    if (isFlat) {
-      const Vector2d along = -Perp(o.m_vFront);
-      for (const double sign : {1.0, -1.0}) {
-        const Vector2d end = (sign > 0.0 ? o.m_vPt1 : o.m_vPt0) + moved;
-        const double gap = std::max(sign * along.dot(end - ball.m_vPos), 0.0) + past;
-        time = std::min(time, GetTimeTo(gap, sign * along.dot(u), sign * along.dot(ball.m_vAcc), left));
-      }
-    } else if (isCurve && o.m_eShapeType == eShape::Arc && !o.m_bFull) {
-      const Vector2d d = ball.m_vPos - o.m_vCenter - moved;
-      const double sign = Cross(d, u) > 0.0 ? 1.0 : -1.0;
-      const Vector2d end = (sign > 0.0 ? o.m_vPt1 : o.m_vPt0) - o.m_vCenter;
-      const double sine = sign * Cross(d, end) / (Norm(d) * o.m_fRadius);
-      // Not farther off than it gets.
-      const double R = std::abs(hold.m_fRadius), most = (Norm(u) + Norm(ball.m_vAcc) * left) * left;
-      if (!(d.dot(end) > 0.0) || !(sine > 0.0) || sine * R > most) continue;
-      const double gap = std::asin(std::min(sine, 1.0)) * R + past;
-      const Vector2d along = Unit(u, Vector2d::UnitX());
-      time = std::min(time, GetTimeTo(gap, u.dot(along), ball.m_vAcc.dot(along), left));
-    }
+    const bool isFlat = o.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius);
+    if (isFlat || isCurve) time = std::min(time, GetTimeToEnd(ball, hold));
+    if (isFlat) continue;
+    const Vector2d u = ball.m_vVel - o.m_vVel;
+    const double speed = Norm(u) + Norm(ball.m_vAcc) * left;
+    double part = Geometry::Quotient(static_cast<double>(isCurve ? g_fSlideTurn : g_fHoldTurn),
+                                     std::abs(o.m_fTurnSpeed) + speed / std::abs(hold.m_fRadius), left);
+    // The push of a curve changes by -3 g u / R.
+    const double push = hold.m_vNorm.dot(ball.m_vAcc - ball.m_vFall);
+    const double less = 3.0 * ball.m_vFall.dot(u) / hold.m_fRadius;
+    if (isCurve && less > 0.0) part = std::min(part, Geometry::Quotient(std::max(push, 0.0), less, left));
+    time = std::min(time, std::max(part, m_fStep / g_nMaxHolds));
   }
   return time;
 }
