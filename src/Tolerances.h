@@ -48,7 +48,8 @@ inline constexpr float g_fShallow = 0.01f;
 /// computed anew. It is a parabola in between, off by the turn cubed times the radius / 6 at most.
 inline constexpr float g_fHoldTurn = 0.03125f;
 /// The same where it slides along one that does not turn: its parabola knows how its acceleration changes
-/// there, and is off by the turn cubed times the radius / 40 on the way and by its fourth power / 24 at the end.
+/// there, and is off by the turn cubed times the radius / 40 on the way and by its fourth power / 24 at the
+/// end.
 inline constexpr float g_fSlideTurn = 0.125f;
 /// Most of these parts in a substep.
 inline constexpr unsigned g_nMaxHolds = 64;

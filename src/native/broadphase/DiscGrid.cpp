@@ -7,7 +7,8 @@
 namespace Shapes::Native {
 namespace {
 
-// Of two, that of the first bit of what is positive; of all that are subnormal the same. (std::ilogb is a call.)
+// Of two, that of the first bit of what is positive; of all that are subnormal the same. (std::ilogb is a
+// call.)
 int GetExponent(float x) { return static_cast<int>(std::bit_cast<std::uint32_t>(x) >> 23) - 127; }
 
 } // namespace

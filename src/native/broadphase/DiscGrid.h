@@ -58,8 +58,8 @@ private:
   static constexpr std::uint32_t g_nNone = 0xFFFFFFFFu;
   bool m_bIsFew = false; // no cells: the entries are the discs in their order
   std::array<CLevel, g_nMostLevels> m_stdLevels;
-  std::size_t m_nLevels = 0; // up to the last one that has discs
-  unsigned m_nRowBits = 0;   // there are two to this power of buckets in a row
+  std::size_t m_nLevels = 0;              // up to the last one that has discs
+  unsigned m_nRowBits = 0;                // there are two to this power of buckets in a row
   int m_nTop = 0;                         // exponent of the widest cells
   std::vector<std::uint32_t> m_stdBegins; // of each bucket in the entries; the next one begins where it ends
   std::vector<CEntry> m_stdEntries;       // bucket by bucket, and then those that have come
