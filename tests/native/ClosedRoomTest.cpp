@@ -192,7 +192,8 @@ TEST(SqueezedBalls, GoThroughNoShape) {
 // which one left at 2.8 to 7.6 when no bound was put on what the solver gives, or on what many impacts give
 // to one between others that go along with the piston.
 TEST(SqueezedBalls, LeaveAPistonAtItsSpeedNotAtThatOverASine) {
-  for (const std::uint64_t seed : {0, 1, 2, 3, 4, 5, 6, 7, 19, 30, 31, 34, 38, 178, 216, 240}) {
+  for (const std::uint64_t seed :
+       std::vector<std::uint64_t>{0, 1, 2, 3, 4, 5, 6, 7, 19, 30, 31, 34, 38, 178, 216, 240}) {
     CRandom random(seed);
     const float speed = 10.0f, e = 0.3f;
     const auto pWorld = MakeNative(g_cAutomatic, 10);
