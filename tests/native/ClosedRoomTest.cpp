@@ -188,33 +188,37 @@ TEST(SqueezedBalls, GoThroughNoShape) {
   EXPECT_GT(GetDeepest(g_cApproximate, 0.1f, 49), g_fDeepest) << "the control";
 }
 
-// The fastest of a heap of balls that a piston pushes against a wall, in its speeds. Some seeds are those in
-// which one left at 2.8 to 7.6 when no bound was put on what the solver gives, or on what many impacts give
-// to one between others that go along with the piston.
-TEST(SqueezedBalls, LeaveAPistonAtItsSpeedNotAtThatOverASine) {
-  for (const std::uint64_t seed :
-       std::vector<std::uint64_t>{0, 1, 2, 3, 4, 5, 6, 7, 19, 30, 31, 34, 38, 178, 216, 240}) {
-    CRandom random(seed);
-    const float speed = 10.0f, e = 0.3f;
-    const auto pWorld = MakeNative(g_cAutomatic, 10);
-    pWorld->Add(CLineSegDesc({0, 0}, {12, 0}, e));
-    pWorld->Add(CLineSegDesc({0, 0}, {0, 30}, e));
-    const CShapeId piston = pWorld->Add(Moving(CLineSegDesc({6, -1}, {6, 30}, e), {0, 0}));
-    const std::uint32_t balls = 20 + random.Below(60);
-    for (std::uint32_t i = 0; i < balls; ++i) {
-      const Vector2 p(0.4f + 0.42f * static_cast<float>(i % 12), 0.25f + 0.42f * static_cast<float>(i / 12));
-      pWorld->Add(CDynamicCircleDesc(p + random.InSquare(0.02f), 0.2f, {0, 0}, 1, e));
-    }
-    Steps(*pWorld, 60); // they come to rest
-    pWorld->SetVel(piston, {-speed, 0});
-    float fastest = 0.0f;
-    for (int step = 0; step < 24; ++step) {
-      pWorld->Step();
-      for (const Vector2& v : pWorld->GetBallVelocities())
-        fastest = std::max(fastest, v.norm() / speed);
-    }
-    EXPECT_LT(fastest, 2.5f) << "seed " << seed;
+// The fastest of a heap of balls that a piston pushes against a wall, in its speeds.
+float PushHeap(float speed, float e, std::uint64_t seed) {
+  CRandom random(seed);
+  const auto pWorld = MakeNative(g_cAutomatic, 10);
+  pWorld->Add(CLineSegDesc({0, 0}, {12, 0}, e));
+  pWorld->Add(CLineSegDesc({0, 0}, {0, 30}, e));
+  const CShapeId piston = pWorld->Add(Moving(CLineSegDesc({6, -1}, {6, 30}, e), {0, 0}));
+  const std::uint32_t balls = 20 + random.Below(60);
+  for (std::uint32_t i = 0; i < balls; ++i) {
+    const Vector2 p(0.4f + 0.42f * static_cast<float>(i % 12), 0.25f + 0.42f * static_cast<float>(i / 12));
+    pWorld->Add(CDynamicCircleDesc(p + random.InSquare(0.02f), 0.2f, {0, 0}, 1, e));
   }
+  Steps(*pWorld, 60); // they come to rest
+  pWorld->SetVel(piston, {-speed, 0});
+  float fastest = 0.0f;
+  for (int step = 0; step < static_cast<int>(240.0f / speed);
+       ++step) { // until two thirds of the room are gone
+    pWorld->Step();
+    for (const Vector2& v : pWorld->GetBallVelocities())
+      fastest = std::max(fastest, v.norm() / speed);
+  }
+  return fastest;
+}
+
+// Seeds in which one left at 2.8 to 7.6 when many impacts gave any speed to a ball between others that go
+// along with the piston, and at 6 to 15 when the solver did. (With e = .9 one may be faster, as on Box2D.)
+TEST(SqueezedBalls, LeaveAPistonAtItsSpeedNotAtThatOverASine) {
+  for (const std::uint64_t seed : std::vector<std::uint64_t>{0, 1, 2, 3, 4, 5, 6, 7, 19, 26, 34, 38, 43})
+    EXPECT_LT(PushHeap(10.0f, 0.3f, seed), 2.5f) << "seed " << seed;
+  for (const std::uint64_t seed : std::vector<std::uint64_t>{4, 10, 21, 33, 57})
+    EXPECT_LT(PushHeap(2.0f, 0.0f, seed), 2.5f) << "seed " << seed;
 }
 
 constexpr float g_fHalf = 4.0f;
