@@ -222,14 +222,18 @@ void CContinuous::Settle(CMoving& ball, const CMotion& before) {
     ball.m_vPos += std::min(Geometry::Quotient(-0.5 * square, pull, way), way) / pull * ball.m_vAcc;
 }
 
+namespace {
+
 // When a way that begins at the speed v, with the acceleration a, has got as far as `gap`, which is 0 at
 // least: the first root of v t + a t^2/2 = gap. Infinite where that is after `most`.
-static double GetTimeTo(double gap, double v, double a, double most) {
+double GetTimeTo(double gap, double v, double a, double most) {
   const double discriminant = v * v + 2.0 * a * gap;
   if (!(discriminant >= 0.0)) return std::numeric_limits<double>::infinity();
   const double s = std::sqrt(discriminant);
   return v > 0.0 ? Geometry::Quotient(2.0 * gap, v + s, most) : Geometry::Quotient(s - v, a, most);
 }
+
+} // namespace
 
 // Until the ball is past the end of a segment or an arc that holds it and does not turn.
 double CContinuous::GetTimeToEnd(const CMoving& ball, const CHold& hold) const {
