@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Circles: bumpers and posts. A static circle is a ring: a ball may be inside it and bounces off the inside.
+// Circles: bumpers and posts. On native a static circle is a ring: a ball may be inside it and bounces off
+// the inside. Box2D's circles are solid.
 #pragma once
 
 #include <Shapes/LineSeg.h>

@@ -24,7 +24,7 @@ struct CContactEvent {
   CShapeId m_cBall; ///< The ball; of two balls the one that was added first.
   Vector2 m_vPOI;   ///< Point of impact, user units.
   Vector2 m_vNorm;  ///< Unit normal from the shape to the ball.
-  /// Native: distance along the normal by which the ball was set back. 0 on Box2D and of sensors.
+  /// Native without Continuous: distance along the normal by which the ball was set back, user units. Else 0.
   float m_fSetback = 0.0f;
   /// Approach speed before the response, units per second, at least 0. Of sensors by the path of the ball,
   /// whose places are rounded.

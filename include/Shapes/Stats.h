@@ -23,8 +23,9 @@ struct CWorldStats {
   std::uint64_t m_nBallTests = 0;  ///< Native: pair kernels called for two balls.
   std::uint64_t m_nSweeps = 0;     ///< Native: times of impact looked for, of a ball with a shape or a ball.
   std::uint64_t m_nBallsSwept = 0; ///< Native: balls with an obstacle on their path, once for each substep.
-  std::uint64_t m_nBallsHalted =
-      0; ///< Native: balls that had more than g_nMaxImpacts in a substep, and stayed where they were then.
+  /// Native: balls that had too many impacts in a substep (g_nMaxImpacts, in a pile fewer), or met a shape
+  /// that turns too often in it: they stayed there for the rest of it, or went along with a moving shape.
+  std::uint64_t m_nBallsHalted = 0;
   /// Native, where Continuous does not run: times that a ball with a velocity stayed where it was, because
   /// its move was below half an ulp of its place.
   std::uint64_t m_nMovesLost = 0;
@@ -35,8 +36,8 @@ struct CWorldStats {
   std::uint64_t m_nReported = 0;   ///< Contacts of both kinds in GetContacts.
   std::uint64_t m_nSpeedsCapped =
       0; ///< Responses and gravity steps after which a ball had to be cut to g_fMaxSpeed.
-  std::uint64_t m_nMovesClamped =
-      0; ///< Box2D: ball steps longer than its 2 metres; Box2D slows such a ball down.
+  /// Box2D: steps of a ball or a kinematic shape longer than its 2 metres; it slows such a body down.
+  std::uint64_t m_nMovesClamped = 0;
   std::uint64_t m_nTurnsClamped =
       0; ///< Box2D: shape steps of more than its pi/2 radians; Box2D turns it by less.
   std::uint64_t m_nEngineSteps =
