@@ -11,6 +11,8 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
+
 /// Leaves the calling function with `false` if `x` holds. Write the condition so that NaN fails: FailIf(!(d <
 /// r)).
 #define FailIf(x)                                                                                            \
@@ -35,13 +37,22 @@ inline float Cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - 
 
 /// Length of v without overflow or underflow on the way: right for every finite v whose length is finite in
 /// float. Error at most 1 ulp, plus 2^-149 where it is denormal.
-float Length(const Vector2& v);
+inline float Length(const Vector2& v) {
+  // Float squares span twice the exponents of a float; in double none of them over- or underflows.
+  const double x = v.x(), y = v.y();
+  return static_cast<float>(std::sqrt(x * x + y * y));
+}
 
 /// Unit vector along v: each component within 1 ulp of itself (2^-149 where it is denormal) and the length
 /// within 1 ulp of 1, for every finite v that is not zero, denormal or huge ones included.
 /// @param fallback  the result for the zero vector, a unit vector. Up by default, so that nothing is pushed
 ///                  along it into the floor.
-Vector2 Normalize(const Vector2& v, const Vector2& fallback = Vector2(0.0f, 1.0f));
+inline Vector2 Normalize(const Vector2& v, const Vector2& fallback = Vector2(0.0f, 1.0f)) {
+  const double x = v.x(), y = v.y();
+  const double d = std::sqrt(x * x + y * y);
+  if (!(d > 0.0)) return fallback;
+  return {static_cast<float>(x / d), static_cast<float>(y / d)};
+}
 
 /// Component of v parallel to w, that is (v.w / w.w) w; zero if w is zero. Error at most 3 ulp of
 /// |v|, for w of any length.

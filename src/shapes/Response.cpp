@@ -20,7 +20,7 @@ Eigen::Vector2d GetDirection(const Eigen::Vector2d& v) { return v.normalized(); 
 } // namespace
 
 template <class TVector>
-bool CapSpeed(TVector& v, float most) {
+bool CutSpeed(TVector& v, float most) {
   const typename TVector::Scalar limit(most);
   FailIf(GetSpeed(v) <= limit);
   v = limit * GetDirection(v);
@@ -52,8 +52,8 @@ void RespondDynamic(const TVector& n, T setback, T e, T m0, T m1, TVector& p0, T
   p1 += (setback * share1) * n;
 }
 
-template bool CapSpeed(Vector2&, float);
-template bool CapSpeed(Eigen::Vector2d&, float);
+template bool CutSpeed(Vector2&, float);
+template bool CutSpeed(Eigen::Vector2d&, float);
 template void RespondKinematic(const Vector2&, float, float, const Vector2&, Vector2&, Vector2&);
 template void RespondKinematic(const Eigen::Vector2d&, double, double, const Eigen::Vector2d&,
                                Eigen::Vector2d&, Eigen::Vector2d&);

@@ -7,19 +7,6 @@
 
 namespace Shapes {
 
-float Length(const Vector2& v) {
-  // Float squares span twice the exponents of a float; in double none of them over- or underflows.
-  const double x = v.x(), y = v.y();
-  return static_cast<float>(std::sqrt(x * x + y * y));
-}
-
-Vector2 Normalize(const Vector2& v, const Vector2& fallback) {
-  const double x = v.x(), y = v.y();
-  const double d = std::sqrt(x * x + y * y);
-  if (!(d > 0.0)) return fallback;
-  return {static_cast<float>(x / d), static_cast<float>(y / d)};
-}
-
 Vector2 ParallelComponent(const Vector2& v, const Vector2& w) {
   const Vector2 what = Normalize(w, Vector2::Zero());
   return v.dot(what) * what;

@@ -69,6 +69,21 @@ TEST(KinematicResponse, OfASurfaceFasterThanAnyBallStaysFinite) {
   }
 }
 
+TEST(CapSpeed, CutsTheLengthInEveryDirectionAndNothingElse) {
+  // No component of (0.8, 0.8) is above 1.
+  for (const float most : {g_fMaxSpeed, 1.0f, 1e-3f})
+    for (int i = 0; i < 64; ++i) {
+      const float angle = static_cast<float>(i) * g_fTwoPi / 64;
+      const Vector2 slow = (most * (1 - 4 * g_fUlp)) * AngleToVector(angle);
+      Vector2 v = slow;
+      EXPECT_FALSE(CapSpeed(v, most)) << angle;
+      EXPECT_EQ(v, slow) << angle;
+      v = slow * 1.1f;
+      EXPECT_TRUE(CapSpeed(v, most)) << angle;
+      EXPECT_NEAR((v - slow).norm(), 0.0f, most * 16 * g_fUlp) << angle;
+    }
+}
+
 // One of speed 1 meets one at rest.
 TEST(DynamicResponse, OfExtremeMassesIsRight) {
   EXPECT_TRUE(std::isinf(1e30f * 1e30f)); // their product
