@@ -29,7 +29,11 @@ constexpr std::pair<std::string_view, const char*> g_stdFieldNames[] = {{"m_vPos
                                                                         {"m_fMass", "mass"},
                                                                         {"m_vGravity", "gravity"},
                                                                         {"m_fTimeStep", "time_step"},
-                                                                        {"m_fLengthUnit", "length_unit"}};
+                                                                        {"m_fLengthUnit", "length_unit"},
+                                                                        {"p0", "p0"},
+                                                                        {"p1", "p1"},
+                                                                        {"r0", "radii"},
+                                                                        {"r1", "radii"}};
 
 constexpr CNumberRule g_cNumber{"a number"}, g_cNotNegative{"a number of at least 0", 0.0},
     g_cPositive{"a number above 0", std::numeric_limits<double>::denorm_min()},
@@ -41,6 +45,7 @@ constexpr CNumberRule g_cNumber{"a number"}, g_cNotNegative{"a number of at leas
     g_cCount{"a whole number from 1 to 1000", 1.0, 1000.0};
 constexpr CPairRule g_cPoint{"a point [x, y]", g_cNumber}, g_cVector{"a vector [x, y]", g_cNumber},
     g_cAngles{"two angles [from, to] in radians, counterclockwise", g_cAngle},
+    g_cRadii{"two radii [r0, r1] above 0", g_cPositive},
     g_cHalfWidths{"two lengths [x, y] of at least 0", g_cLength},
     g_cFilter{"two whole numbers [category, mask] from 0 to 65535",
               {"a whole number from 0 to 65535", 0.0, 65535.0}};
@@ -51,7 +56,7 @@ struct CGrid {
   Vector2 m_vSpacing = Vector2::Zero();
 };
 
-constexpr std::string_view g_stdTypes[] = {"point", "line_segment", "circle", "arc"},
+constexpr std::string_view g_stdTypes[] = {"point", "line_segment", "circle", "arc", "capsule"},
                            g_stdMotions[] = {"static", "kinematic"}, g_stdSides[] = {"both", "front", "back"};
 
 // The motion of a kinematic shape, or of the shapes of a compound, which move and turn as one.
@@ -233,32 +238,41 @@ private:
       ReadShape(shape, &turning, path);
   }
 
-  CAnyShapeDesc ReadGeometry(CSceneFields& fields) const {
+  // The one shape that the fields describe, or those of which it consists.
+  std::vector<CAnyShapeDesc> ReadGeometry(CSceneFields& fields) const {
     std::string type;
     fields.ReadWord("type", type, g_stdTypes, eNeed::Required);
-    if (type == "line_segment") {
+    if (type == "line_segment" || type == "capsule") {
       Vector2 p0, p1;
       fields.Read("p0", p0, g_cPoint, eNeed::Required);
       fields.Read("p1", p1, g_cPoint, eNeed::Required);
       RequireEnd(fields.GetPath() / "p0", p0);
       RequireEnd(fields.GetPath() / "p1", p1);
+      if (type == "capsule") return ReadCapsule(fields, p0, p1);
       CLineSegDesc desc(p0, p1);
       desc.m_eSides = ReadSides(fields);
-      return desc;
+      return {desc};
     }
     Vector2 p;
     fields.Read("position", p, g_cPoint, eNeed::Required);
-    if (type == "point") return CPointDesc(p);
+    if (type == "point") return {CPointDesc(p)};
     float r = 0.0f;
     fields.Read("radius", r, g_cLength, eNeed::Required);
-    if (type == "circle") return CCircleDesc(p, r);
+    if (type == "circle") return {CCircleDesc(p, r)};
 
     CArcDesc desc;
     desc.m_vPos = p;
     desc.m_fRadius = r;
     desc.m_eSides = ReadSides(fields);
     ReadAngles(fields, desc);
-    return desc;
+    return {desc};
+  }
+
+  std::vector<CAnyShapeDesc> ReadCapsule(CSceneFields& fields, const Vector2& p0, const Vector2& p1) const {
+    std::array<double, 2> r{};
+    fields.Read("radii", r, g_cRadii, eNeed::Required);
+    return Checked({fields.GetPath()},
+                   [&] { return MakeCapsule(p0, static_cast<float>(r[0]), p1, static_cast<float>(r[1])); });
   }
 
   static eSides ReadSides(CSceneFields& fields) {
@@ -300,30 +314,34 @@ private:
   void ReadShape(const CJsonPath& path, const CSceneMotion* pCompound, const CJsonPath& mover) {
     CSceneFields fields = Fields(path, pCompound != nullptr ? "an object that describes a shape of a compound"
                                                             : "an object that describes a shape");
-    CSceneShape shape{ReadGeometry(fields), {}, {}, false};
+    std::vector<CAnyShapeDesc> descs = ReadGeometry(fields);
     const CSceneMotion turning = pCompound != nullptr ? *pCompound : ReadMotion(fields);
+    CSceneShape shape{descs.front(), {}, turning.m_cFlip, false, turning.m_cShuttle};
     fields.Read("name", shape.m_sName);
     fields.Read("drain", shape.m_bIsDrain);
-    shape.m_cFlip = turning.m_cFlip;
-    shape.m_cShuttle = turning.m_cShuttle;
-    std::visit(
-        [&](auto& desc) {
-          fields.Read("elasticity", desc.m_fElasticity, g_cElasticity);
-          desc.m_bIsSensor = shape.m_bIsDrain;
-          fields.Read("sensor", desc.m_bIsSensor);
-          desc.m_cFilter = ReadFilter(fields);
-          desc.m_eMotionType = turning.m_eMotion;
-          desc.m_vVel = turning.m_vVel;
-          desc.m_fRotSpeed = turning.m_fRotSpeed;
-          desc.m_vRotCenter = turning.m_vRotCenter;
-        },
-        shape.m_cDesc);
+    for (CAnyShapeDesc& any : descs)
+      std::visit(
+          [&](auto& desc) {
+            fields.Read("elasticity", desc.m_fElasticity, g_cElasticity);
+            desc.m_bIsSensor = shape.m_bIsDrain;
+            fields.Read("sensor", desc.m_bIsSensor);
+            desc.m_cFilter = ReadFilter(fields);
+            desc.m_eMotionType = turning.m_eMotion;
+            desc.m_vVel = turning.m_vVel;
+            desc.m_fRotSpeed = turning.m_fRotSpeed;
+            desc.m_vRotCenter = turning.m_vRotCenter;
+          },
+          any);
     fields.RefuseOthers();
     if (pCompound == nullptr) CheckMotion(path, turning);
-    if (shape.m_bIsDrain && !GetBase(shape.m_cDesc).m_bIsSensor) Refuse(path / "sensor", "true for a drain");
-    Checked({path, mover}, [&] { return m_pWorld->Add(shape.m_cDesc); });
-    m_cScene.m_stdShapes.push_back(std::move(shape));
+    if (shape.m_bIsDrain && !GetBase(descs.front()).m_bIsSensor) Refuse(path / "sensor", "true for a drain");
+    for (const CAnyShapeDesc& desc : descs) {
+      Checked({path, mover}, [&] { return m_pWorld->Add(desc); });
+      shape.m_cDesc = desc;
+      m_cScene.m_stdShapes.push_back(shape);
+    }
   }
+
   void ReadShape(const CJsonPath& path) { ReadShape(path, nullptr, path); }
 
   void ReadSpread(const CJsonPath& path, CSceneBall& ball) const {

@@ -13,12 +13,9 @@ constexpr float g_fUpSpeed = 2.0f, g_fDownSpeed = 1.2f; // revolutions per secon
 
 CFlipper::CFlipper(CWorld& world, const Vector2& pivot, float angle, float swing)
     : m_fUpwards(swing > 0 ? 1.0f : -1.0f) {
-  const CCircleDesc hub(pivot, g_fPivotRadius, g_fElasticity);
-  const CCircleDesc tip(pivot + g_fLength * AngleToVector(angle), g_fTipRadius, g_fElasticity);
-  CLineSegDesc left({0, 0}, {0, 0}, g_fElasticity), right = left;
-  const CCircle tipCircle(tip);
-  CCircle(hub).Tangents(&tipCircle, left, right);
-  const CAnyShapeDesc parts[] = {hub, tip, left, right};
+  const CLineSegDesc like({0, 0}, {0, 0}, g_fElasticity);
+  const Vector2 tip = pivot + g_fLength * AngleToVector(angle);
+  const auto parts = MakeCapsule(pivot, g_fPivotRadius, tip, g_fTipRadius, like);
   const auto stops = CMotionLimits::OfAngle(std::min(0.0f, swing), std::max(0.0f, swing));
   m_stdIds = world.AddCompound(parts, pivot, 0.0f, Vector2::Zero(), stops);
 }

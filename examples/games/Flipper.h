@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A flipper: two circles and their common tangents, which turn as one between two stops.
+// A flipper: a capsule that turns between two stops.
 #pragma once
 
 #include "Mode.h"

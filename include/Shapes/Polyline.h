@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Boxes and polylines as segments, with points that guard corners and ends where these are open.
+// Shapes that consist of others: boxes and polylines as segments, with points that guard corners and ends
+// where these are open; capsules as segments and circles.
 #pragma once
 
 #include <Shapes/WorldDesc.h>
@@ -24,5 +25,15 @@ std::vector<CAnyShapeDesc> MakePolyline(std::span<const Vector2> vertices, bool 
 /// @param angle  radians by which it is turned about its centre
 std::vector<CAnyShapeDesc> MakeBox(const Vector2& center, const Vector2& size, float angle = 0.0f,
                                    const CLineSegDesc& like = {});
+
+/// A capsule, or a flipper that tapers: circles about both centres, then the two segments that touch both
+/// from outside (CCircle::Tangents, with the same errors). Add them one by one, or as a compound. It is
+/// hollow: a ball that starts inside stays there, and as a sensor it detects on its parts.
+/// @param p0, p1  centres of the round ends, farther apart than their radii differ, user units
+/// @param r0, r1  radii of the ends, user units, above 0
+/// @param like    what all have in common; its sides do not count, as balls meet both
+/// @throws std::invalid_argument if a value is not finite or out of range, or if one end contains the other
+std::vector<CAnyShapeDesc> MakeCapsule(const Vector2& p0, float r0, const Vector2& p1, float r1,
+                                       const CLineSegDesc& like = {});
 
 } // namespace Shapes

@@ -20,12 +20,14 @@ CLineSegDesc MakeSegment(const Vector2& a, const Vector2& b, const CLineSegDesc&
   return seg;
 }
 
-CPointDesc MakeGuard(const Vector2& p, const CLineSegDesc& like) {
-  CPointDesc guard;
-  static_cast<CShapeDesc&>(guard) = like;
-  guard.m_eShapeType = eShape::Point;
-  guard.m_vPos = p;
-  return guard;
+// A descriptor with the properties of another one, at its own place and of its own type.
+template <class Desc>
+Desc Alike(const Desc& desc, const CShapeDesc& like) {
+  Desc made = desc;
+  static_cast<CShapeDesc&>(made) = like;
+  made.m_eShapeType = desc.m_eShapeType;
+  made.m_vPos = desc.m_vPos;
+  return made;
 }
 
 // Whether the way goes on so straight at b that a guard would be a bump.
@@ -53,7 +55,7 @@ std::vector<CAnyShapeDesc> MakePolyline(std::span<const Vector2> vertices, bool 
   for (std::size_t i = 0; i < n; ++i) {
     const bool isEnd = !closed && (i == 0 || i + 1 == n);
     if (isEnd || !IsSmooth(way[(i + n - 1) % n], way[i], way[(i + 1) % n]))
-      descs.emplace_back(MakeGuard(way[i], like));
+      descs.emplace_back(Alike(CPointDesc(way[i]), like));
   }
   return descs;
 }
@@ -67,6 +69,20 @@ std::vector<CAnyShapeDesc> MakeBox(const Vector2& center, const Vector2& size, f
   const Vector2 x = 0.5f * size.x() * AngleToVector(angle), y = 0.5f * size.y() * perp(AngleToVector(angle));
   const Vector2 corners[] = {center - x - y, center + x - y, center + x + y, center - x + y};
   return MakePolyline(corners, true, like);
+}
+
+std::vector<CAnyShapeDesc> MakeCapsule(const Vector2& p0, float r0, const Vector2& p1, float r1,
+                                       const CLineSegDesc& like) {
+  RequireVector("p0", p0, g_fMaxLength);
+  RequireVector("p1", p1, g_fMaxLength);
+  RequirePositive("r0", r0, g_fMaxLength);
+  RequirePositive("r1", r1, g_fMaxLength);
+  const CCircleDesc end0(p0, r0), end1(p1, r1);
+  const CCircle circle1(end1);
+  CLineSegDesc right, left; // of the way from p0 to p1
+  if (!CCircle(end0).Tangents(&circle1, right, left))
+    Refuse("p1", ToText(p1), "a point farther from p0 than the radii differ");
+  return {Alike(end0, like), Alike(end1, like), Alike(right, like), Alike(left, like)};
 }
 
 } // namespace Shapes

@@ -41,13 +41,15 @@ json OneOfEach() {
        "filter": [0, 65535]},
       {"type": "circle", "position": [4, 4], "radius": 0.25, "drain": true, "motion": "kinematic",
        "flip": {"angle": 1, "speed": 1, "period": 2}},
-      {"type": "arc", "position": [0, 5], "radius": 2, "angles": [3, 0.5], "sides": "front"}],
+      {"type": "arc", "position": [0, 5], "radius": 2, "angles": [3, 0.5], "sides": "front"},
+      {"type": "capsule", "p0": [0, 0], "p1": [3, 1], "radii": [0.5, 0.25], "sensor": true}],
     "compounds": [
       {"rotation_center": [-2, -2], "flip": {"angle": -1, "speed": 1, "period": 2, "phase": 0.5},
        "shapes": [{"type": "line_segment", "p0": [-2, -2], "p1": [-1, -2], "elasticity": 0.75, "sides": "both"},
                   {"type": "point", "position": [-1, -2], "name": "tip"},
                   {"type": "circle", "position": [-1, -2], "radius": 0.5, "sensor": true},
-                  {"type": "arc", "position": [-1, -2], "radius": 0.5, "angles": [0, 1], "drain": false}]},
+                  {"type": "arc", "position": [-1, -2], "radius": 0.5, "angles": [0, 1], "drain": false},
+                  {"type": "capsule", "p0": [0, 0], "p1": [3, 1], "radii": [0.5, 0.25], "filter": [2, 1]}]},
       {"rotation_center": [0, 0], "rotation_speed": 1, "shapes": [{"type": "point", "position": [-1, -2]}]}],
     "balls": [
       {"position": [0, 0], "velocity": [3, 4], "radius": 0.5, "mass": 2, "elasticity": 0.25, "filter": [4, 1],
@@ -101,7 +103,7 @@ bool IsBeyondSchemas(const std::string& fault) {
       "expected the time to turn",       "expected none for what has a flip",
       "expected the time to go",         "expected none for what has a shuttle",
       "expected two angles at most",     "expected true for a drain",
-      "expected a point in the bounds"};
+      "expected a point in the bounds",  "expected a point farther from p0"};
   return std::any_of(std::begin(reasons), std::end(reasons),
                      [&](std::string_view reason) { return fault.find(reason) != std::string::npos; });
 }

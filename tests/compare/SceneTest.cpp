@@ -123,6 +123,29 @@ TEST_F(SceneTest, LeftOutFieldsAreThoseOfTheDescriptors) {
   EXPECT_EQ(scene.m_stdBalls[0].m_vSpread, Vector2(0.0f, 0.0f));
 }
 
+TEST_F(SceneTest, ACapsuleIsTheShapesOfMakeCapsule) {
+  json doc = Valid();
+  const json capsule = {{"type", "capsule"}, {"p0", {1, 1}},         {"p1", {2, 3}},
+                        {"name", "finger"},  {"radii", {0.5, 0.25}}, {"elasticity", 0.5}};
+  doc["shapes"] = json::array({capsule});
+  doc["compounds"][0]["shapes"] = json::array({capsule});
+  const CScene scene = Load(doc);
+  CLineSegDesc like({0, 0}, {0, 0}, 0.5f);
+  CSceneDesc expected;
+  expected.m_stdNotes = {"one of each"};
+  expected.m_cWorld = scene.m_cWorld;
+  expected.m_stdShapes = MakeCapsule({1, 1}, 0.5f, {2, 3}, 0.25f, like);
+  for (const CAnyShapeDesc& any : MakeCapsule({1, 1}, 0.5f, {2, 3}, 0.25f, Turning(like, 0, {-2, -2})))
+    expected.m_stdShapes.push_back(any);
+  expected.m_stdBalls = {scene.m_stdBalls.at(0).m_cDesc};
+  EXPECT_EQ(ToDesc(scene).ToJson("all", 3), expected.ToJson("all", 3));
+  ASSERT_EQ(scene.m_stdShapes.size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(scene.m_stdShapes[i].m_sName, "finger");
+    EXPECT_EQ(scene.m_stdShapes[i].m_cFlip.has_value(), i >= 4);
+  }
+}
+
 TEST_F(SceneTest, AWholeTurnIsAFullCircle) {
   const auto arc = [&](double a0, double a1) {
     json doc = Valid();
@@ -156,15 +179,15 @@ TEST_F(SceneTest, AWrongFieldIsNamedWithWhatWasExpected) {
        "/shapes/1/a~1b: 'c': expected no such field (known are drain, elasticity, filter, flip, motion, "
        "name, p0, p1, rotation_center, rotation_speed, sensor, shuttle, sides, type, velocity), got true"},
       {"/shapes/1/type", R"("square")",
-       R"(expected one of "point", "line_segment", "circle", "arc", got "square")"},
+       R"(expected one of "point", "line_segment", "circle", "arc", "capsule", got "square")"},
       {"/shapes/1", R"({"type": null})",
-       R"(/shapes/1/type: expected one of "point", "line_segment", "circle", "arc", got nothing)"},
+       R"(/shapes/1/type: expected one of "point", "line_segment", "circle", "arc", "capsule", got nothing)"},
       {"/shapes/1", "5", "expected an object that describes a shape, got 5"},
       {"/shapes/1/sides", R"("left")", R"(expected one of "both", "front", "back", got "left")"},
       {"/shapes/3/motion", R"("dynamic")", R"(expected one of "static", "kinematic", got "dynamic")"},
       {"/shapes/3/angles/1", "90", "expected an angle in radians, from -2 pi to 2 pi, got 90"},
       {"/compounds/0/shapes/1/type", R"("compound")",
-       R"(expected one of "point", "line_segment", "circle", "arc", got "compound")"},
+       R"(expected one of "point", "line_segment", "circle", "arc", "capsule", got "compound")"},
       {"/compounds/0/shapes/1", R"({"motion": "static"})",
        "/compounds/0/shapes/1/motion: expected no such field (known are drain, elasticity, filter, name, "
        "position, sensor, type), got \"static\""},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Boxes and polylines: which segments and guards they are made of, and that no ball gets past a corner, on
-// every engine and in every mode.
+// Boxes, polylines and capsules: of which segments, guards and circles they consist, and that no ball gets
+// into them, on every engine and in every mode.
 #include "Backends.h"
 
 namespace Shapes {
@@ -44,6 +44,53 @@ TEST(Polyline, AllAreAlikeAndTheirFrontIsLeftOfTheWay) {
   }
 }
 
+TEST(Capsule, ConsistsOfItsEndsAndTheirTangentsWhichAreAllAlike) {
+  CLineSegDesc like = Sided(Turning(CLineSegDesc(), 1), eSides::Front);
+  like.m_fElasticity = 0.5f;
+  const auto parts = MakeCapsule({1, 1}, 0.5f, {4, 5}, 0.25f, like);
+  ASSERT_EQ(parts.size(), 4u);
+  const auto& end0 = std::get<CCircleDesc>(parts[0]);
+  const auto& end1 = std::get<CCircleDesc>(parts[1]);
+  EXPECT_EQ(end0.m_vPos, Vector2(1, 1));
+  EXPECT_EQ(end0.m_fRadius, 0.5f);
+  EXPECT_EQ(end1.m_vPos, Vector2(4, 5));
+  EXPECT_EQ(end1.m_fRadius, 0.25f);
+  for (const std::size_t i : {2u, 3u}) {
+    const auto& side = std::get<CLineSegDesc>(parts[i]);
+    EXPECT_EQ(side.m_eSides, eSides::Both);
+    for (const CCircleDesc& end : {end0, end1}) { // it touches the ends
+      const float distance = side.GetNormal().dot(end.m_vPos - side.GetEndPt0());
+      EXPECT_NEAR(std::abs(distance), end.m_fRadius, 12 * g_fUlp * 10);
+      EXPECT_EQ(distance > 0, i == 2); // the right one first
+    }
+  }
+  for (const CAnyShapeDesc& any : parts) {
+    const CShapeDesc& base = std::visit([](const auto& desc) -> const CShapeDesc& { return desc; }, any);
+    EXPECT_EQ(base.m_fElasticity, 0.5f);
+    EXPECT_EQ(base.m_eMotionType, eMotion::Kinematic);
+    EXPECT_EQ(base.m_fRotSpeed, 1.0f);
+    EXPECT_NE(MakeShape(any), nullptr);
+  }
+}
+
+TEST(Capsule, WhatIsNoneIsRefused) {
+  const auto message = [](const Vector2& p0, float r0, const Vector2& p1, float r1) -> std::string {
+    try {
+      MakeCapsule(p0, r0, p1, r1);
+    } catch (const std::invalid_argument& refusal) {
+      return refusal.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message({0, 0}, 1, {1, 0}, 0.25f), "");
+  EXPECT_EQ(message({0, 0}, 1, {0.5f, 0}, 0.25f),
+            "p1 is (0.5, 0): expected a point farther from p0 than the radii differ");
+  EXPECT_TRUE(message({0, 0}, 0, {1, 0}, 1).starts_with("r0 is 0: "));
+  EXPECT_TRUE(message({0, 0}, 1, {1, 0}, -1).starts_with("r1 is -1: "));
+  EXPECT_TRUE(message({g_fNan, 0}, 1, {1, 0}, 1).starts_with("p0 is (nan, 0): "));
+  EXPECT_TRUE(message({0, 0}, 1, {g_fInf, 0}, 1).starts_with("p1 is (inf, 0): "));
+}
+
 TEST(Polyline, WhatIsNoWayIsRefused) {
   const Vector2 one[] = {{1, 1}, {1, 1}}, bad[] = {{1, 1}, {g_fNan, 1}};
   EXPECT_THROW(MakePolyline(one), std::invalid_argument);
@@ -80,6 +127,53 @@ TEST_P(CPolylineContract, NoBallGetsIntoABoxPastItsCorners) {
       }
   EXPECT_EQ(lost[true], 0);
   EXPECT_EQ(lost[false] > 0, IsNative()); // the control: Box2D's ends are round
+}
+
+// How deep p is in the capsule of these ends, in double: the least distance to what bounds it, negative
+// outside. A cone of radii that change evenly along the way from end to end.
+double DepthIn(const CCircleDesc& end0, const CCircleDesc& end1, const Vector2& p) {
+  const Eigen::Vector2d a = end0.m_vPos.cast<double>(), way = end1.m_vPos.cast<double>() - a;
+  const double length = way.norm(), shrunk = static_cast<double>(end0.m_fRadius) - end1.m_fRadius;
+  const Eigen::Vector2d x = way / length, q = p.cast<double>() - a;
+  const double along = q.dot(x), aside = std::abs(q.x() * x.y() - q.y() * x.x());
+  const double tilt = shrunk / length, root = std::sqrt(1 - tilt * tilt);
+  const double foot = (along + aside * tilt / root) / length; // of the perpendicular on the side
+  if (foot <= 0) return end0.m_fRadius - q.norm();
+  if (foot >= 1) return end1.m_fRadius - (q - way).norm();
+  return end0.m_fRadius - tilt * along - root * aside;
+}
+
+// Shots from around at a capsule that lies, and at one that turns. The control leaves its sides out.
+TEST_P(CPolylineContract, NoBallGetsIntoACapsule) {
+  for (const bool turns : {false, true})
+    for (const bool whole : {true, false}) {
+      int in = 0, hits = 0;
+      for (const CEffectChoice& choice : {g_cApproximate, g_cContinuous})
+        for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+          SCOPED_TRACE(testing::Message() << "seed " << seed << (turns ? ", turning" : ", lying"));
+          CRandom random(seed);
+          const auto pWorld = Make(choice);
+          auto parts = MakeCapsule({-1, 0}, 0.4f, {1, 0}, 0.25f);
+          if (!whole) parts.resize(2);
+          const auto ids = pWorld->AddCompound(parts, {-1, 0}, turns ? 0.5f : 0.0f);
+          const Vector2 from = 3 * AngleToVector(random.Uniform(0, 2 * g_fPi));
+          const Vector2 to(random.Uniform(-1, 1), random.Uniform(-0.2f, 0.2f));
+          const CShapeId ball = pWorld->Add(CDynamicCircleDesc(from, 0.1f, 2 * Normalize(to - from)));
+          bool isIn = false, isHit = false;
+          for (int i = 0; i < 150; ++i) {
+            pWorld->Step();
+            isHit |= !pWorld->GetContacts().empty();
+            CCircleDesc ends[] = {std::get<CCircleDesc>(parts[0]), std::get<CCircleDesc>(parts[1])};
+            for (std::size_t end = 0; end < 2; ++end)
+              ends[end].m_vPos = pWorld->GetPos(ids[end]);
+            isIn |= DepthIn(ends[0], ends[1], pWorld->GetPos(ball)) > 0;
+          }
+          in += isIn;
+          hits += isHit;
+        }
+      EXPECT_EQ(in > 0, !whole) << in;
+      EXPECT_GT(hits, 60);
+    }
 }
 
 } // namespace
