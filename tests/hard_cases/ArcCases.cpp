@@ -24,7 +24,7 @@ CShot FromTheRight(float a0, float a1, const Vector2& direction = {1.0f, 0.0f}) 
 CHardCase ArcCase(const CShot& shot) {
   CHardCase c = ShotCase(shot, MeetDisc(shot.m_stdBalls[0], 1.0f));
   c.m_sRight = "t = .9, n = (1, 0)";
-  Of(c, eColumn::Native) = Off(0.0125, "as if t = .9125: the way after the impact is lost");
+  Of(c, eColumn::Approximate) = Off(0.0125, "as if t = .9125: the way after the impact is lost");
   return c;
 }
 
@@ -101,7 +101,7 @@ CHardCase Slit() {
   // The rounded angles are not alike: end 1 is met first.
   CHardCase c = ShotCase(shot, MeetEnd(shot.m_stdBalls[0], a1));
   c.m_sName = "ArcWithASlitThatIsTooNarrow";
-  Of(c, eColumn::Native) = Missed("flies through the slit: ends are open where no point guards them");
+  Of(c, eColumn::Approximate) = Missed("flies through the slit: ends are open where no point guards them");
   Of(c, eColumn::Box2D) = Off(3.6e-5, "v' off by .00004 radians: its skin");
   c.m_sInput = "arc R = 1 from 1e-6 to 2 pi - 1e-6, a slit of 2e-6; the same ball";
   c.m_sRight = "meets the ends: t = .9, thrown back";
@@ -123,7 +123,7 @@ CHardCase ThroughTheOpening() {
       ShotCase(shot, MeetRing(shot.m_stdBalls[0], 1.0f)), "BallThroughTheOpeningOfAnArc",
       "arc R = 1 from 45 to 315 degrees; ball r = .1 at (3, 0), v = (-1, 0); one step of 3.925, on Box2D two",
       "enters and meets the far side from inside: t = 3.9, n = (1, 0)",
-      {{eColumn::Native, Off(0.0125, "as if t = 3.9125: the way after the impact is lost")},
+      {{eColumn::Approximate, Off(0.0125, "as if t = 3.9125: the way after the impact is lost")},
        {eColumn::Box2D, Off(0.146, "v' off by .15 radians: it bounces off a chord")}},
       "the first root of the full circle: t = 1.9", [] { return 3.9 - 1.9; });
 }
@@ -136,7 +136,7 @@ CHardCase AtTheTopOfAShortArc() {
       ShotCase(shot, MeetDisc(shot.m_stdBalls[0], 1.0f)), "BallAtTheTopOfAShortArc",
       "the same arc; ball r = .1 at (0, 1.5), v = (0, -1); one step of .41, so it is .01 too deep at most",
       "t = .4, n = (0, 1)",
-      {{eColumn::Native, Off(0.005, "as if t = .405: the way after the impact is lost")},
+      {{eColumn::Approximate, Off(0.005, "as if t = .405: the way after the impact is lost")},
        {eColumn::Box2D, Off(2e-5, "as if t = .40002: it meets a corner of its chords")}},
       "box of the ends: the ball is .005 above it at the end", [] {
         const double low = 1.5 - 0.41 - 0.1, top = std::sin(80.0 * g_fDegree);

@@ -22,14 +22,14 @@ constexpr float g_fStep = 0.25f;
 
 // Largest error of the normal, of the velocity after, and of the setback, which is to be r.
 double ErrorOnTheSpot(eColumn column, const COnTheSpot& c) {
-  const bool native = column == eColumn::Native;
+  const bool approximate = column == eColumn::Approximate;
   CShot shot{
       {c.m_cShape},
-      {CDynamicCircleDesc(native ? Vector2(-g_fStep * c.m_vVel) : Vector2::Zero(), g_fRadius, c.m_vVel)},
+      {CDynamicCircleDesc(approximate ? Vector2(-g_fStep * c.m_vVel) : Vector2::Zero(), g_fRadius, c.m_vVel)},
       g_fStep};
   const CSeen seen = Shoot(column, shot);
   // The reference leaves what overlaps where it is, and tells how deep it is; worlds put it back.
-  const double flown = native ? 0.0 : static_cast<double>(g_fStep);
+  const double flown = approximate ? 0.0 : static_cast<double>(g_fStep);
   const double setback =
       column == eColumn::Reference ? seen.m_fSetback : (seen.m_vPos - flown * c.m_vAfter).dot(c.m_vNorm);
   return std::max({Distance(seen.m_vNorm, c.m_vNorm), Distance(seen.m_vVel, c.m_vAfter),

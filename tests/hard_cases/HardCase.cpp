@@ -10,8 +10,8 @@ namespace Shapes::HardCases {
 
 const char* GetName(eColumn column) {
   switch (column) {
+  case eColumn::Approximate: return "approximate";
   case eColumn::Native: return "native";
-  case eColumn::Continuous: return "continuous";
   case eColumn::Box2D: return "box2d";
   case eColumn::Tuned: return "tuned";
   case eColumn::Reference: return "reference";
@@ -34,13 +34,13 @@ CWorldDesc Desc(eColumn column, const Vector2& gravity, float dt) {
   CWorldDesc desc;
   desc.m_vGravity = gravity;
   desc.m_fTimeStep = dt;
-  desc.m_cEffects = column == eColumn::Native ? g_cApproximate : g_cContinuous;
+  desc.m_cEffects = column == eColumn::Approximate ? g_cApproximate : g_cContinuous;
   if (column == eColumn::Tuned) desc.m_cBox2D.m_eProfile = eProfile::Tuned;
   return desc;
 }
 
 std::unique_ptr<CWorld> MakeWorld(eColumn column, const CWorldDesc& desc) {
-  const bool native = column == eColumn::Native || column == eColumn::Continuous;
+  const bool native = column == eColumn::Approximate || column == eColumn::Native;
   if (column == eColumn::Reference) throw std::logic_error("the reference is no world");
   return GetBackend(native ? eBackend::Native : eBackend::Box2D)->MakeWorld(desc);
 }
@@ -99,10 +99,12 @@ std::string MakeTable(const std::vector<CHardCase>& cases) {
       "Written by the tests in `tests/hard_cases`; do not edit it by hand. Of " +
       std::to_string(cases.size()) + " cases\n" + std::to_string(deviating) +
       " are listed; in the others every engine is within the bound, or refuses the input.\n\n"
-      "- **native** is the approximate mode, **continuous** the continuous one; **box2d** is as it ships,\n"
-      "  **tuned** the tuned profile; **reference** is the exact reference of `compare`, in double. An "
-      "engine\n"
-      "  that a row does not name is right. The tests fail if a deviation grows, and if it goes away.\n"
+      "- **approximate** is the approximate mode of native, **native** the continuous one; **box2d** is as "
+      "it\n"
+      "  ships, **tuned** the tuned profile; **reference** is the exact reference of `compare`, in double. "
+      "An\n"
+      "  engine that a row does not name is right. The tests fail if a deviation grows, and if it goes "
+      "away.\n"
       "- The engines compute in float: inputs are rounded to it first, and the right answer is that to the\n"
       "  rounded input. The bounds are in the tests, most of them a few roundings.\n"
       "- The last column is a formula that fails; the tests hold that it does.\n";

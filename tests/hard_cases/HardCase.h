@@ -16,11 +16,11 @@
 
 namespace Shapes::HardCases {
 
-/// The engines. Native is its approximate mode, Continuous its continuous one; Box2D is as it ships, Tuned
-/// its tuned profile; Reference is the exact reference in double.
-enum class eColumn { Native, Continuous, Box2D, Tuned, Reference, Size };
+/// The engines. Approximate is the approximate mode of native, Native its continuous one; Box2D is as it
+/// ships, Tuned its tuned profile; Reference is the exact reference in double.
+enum class eColumn { Approximate, Native, Box2D, Tuned, Reference, Size };
 inline constexpr std::size_t g_nColumns = static_cast<std::size_t>(eColumn::Size);
-/// "native", "continuous", "box2d", "tuned", "reference".
+/// "approximate", "native", "box2d", "tuned", "reference".
 const char* GetName(eColumn column);
 
 /// The expected result of an engine in a case.

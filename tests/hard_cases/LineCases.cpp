@@ -49,7 +49,7 @@ CHardCase ClosestPoint(const std::string& name, const std::string& input, const 
           {Right(), Right(), Off(0.005, "off by .005: its skin"), Right(), Right()},
           [=](eColumn column) {
             const double error = Distance(Shoot(column, shot).m_vPOI, met);
-            if (column != eColumn::Native) return error;
+            if (column != eColumn::Approximate) return error;
             const CLineSegDesc desc(p0, p1);
             const double ofSegment = Distance(CLineSeg(desc).ClosestPt(q).cast<double>(), foot);
             const double ofLine = Distance(CLine(p0, desc.GetGradient()).ClosestPt(q).cast<double>(), foot);
@@ -119,7 +119,7 @@ CHardCase BetweenVerticalSegments() {
             "segments (-1, -1)-(-1, 1) and (1, 1)-(1, -1); ball r = .5 at (0, 0), v = (1, 0) and (-1, 0); "
             "one step of .75",
             "t = .5, back where it came from",
-            {{eColumn::Native, Off(0.125, "as if t = .625: the way after the impact is lost")},
+            {{eColumn::Approximate, Off(0.125, "as if t = .625: the way after the impact is lost")},
              {eColumn::Box2D, Off(0.00031, "as if t = .5003: its skin")}},
             "side by y - (m x + b): Inf - Inf", [] {
               const double m = g_fNever, x = 1.0, b = 1.0 - m * x;

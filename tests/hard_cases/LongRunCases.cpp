@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::uint64_t g_nLongRunSeed = 20240613;
 
-/// Impacts of a run: a million natively, a tenth of that elsewhere.
-int GetCount(eColumn column) { return column == eColumn::Native ? 1000000 : 100000; }
+/// Impacts of a run: a million in the approximate mode, a tenth of that elsewhere.
+int GetCount(eColumn column) { return column == eColumn::Approximate ? 1000000 : 100000; }
 
 // ---- Speed.
 
@@ -130,7 +130,7 @@ std::vector<int> Shuffled() {
 std::vector<CHardCase> LongRunCases() {
   return {{"MillionReflections",
            "r = .5 in boxes of 1.2 that are turned by .1, .3, .7 and 1.1 rad, v = (3, 4), a million "
-           "reflections natively, 100,000 elsewhere: largest change of the speed, relative",
+           "reflections in the approximate mode, 100,000 elsewhere: largest change of the speed, relative",
            "0",
            {1e-11, 64 * g_fFloatRounding,
             "1e-11; engines 64 roundings, 3.8e-6: of the million some 1,000, their root, could add up"},
@@ -149,7 +149,8 @@ std::vector<CHardCase> LongRunCases() {
            }},
           {"MillionPairImpacts",
            "Masses 1 and 3, e = 1, put together again after each impact, at a random angle, a million times "
-           "natively, 100,000 (times the root of 10) elsewhere: change of the momentum, relative",
+           "in the approximate mode, 100,000 (times the root of 10) elsewhere: change of the momentum, "
+           "relative",
            "0",
            {1e-12, 4 * 1000 * g_fFloatRounding,
             "1e-12; engines 4 x 1,000 roundings: they add up as the root of their number"},

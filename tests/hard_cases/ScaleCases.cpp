@@ -49,13 +49,13 @@ double NaiveFar(float x) {
 }
 
 CHardCase FarArc(const std::string& name, const std::string& input, const std::string& right,
-                 const CBound& bound, float x, float r, const CExpect& native, const CExpect& shipped,
+                 const CBound& bound, float x, float r, const CExpect& approximate, const CExpect& shipped,
                  const CExpect& tuned) {
   return {name,
           input,
           right,
           bound,
-          {native, Right(), shipped, tuned, Right()},
+          {approximate, Right(), shipped, tuned, Right()},
           [=](eColumn column) { return Far(column, x, r); },
           "quadratic equation in float, in absolute coordinates",
           [=] { return NaiveFar(x); }};

@@ -43,14 +43,14 @@ double NaiveCorner(double opening) {
 
 /// A corner of pi over the number of reflections.
 CHardCase CornerOf(const std::string& name, const std::string& input, int reflections, const CBound& bound,
-                   const CExpect& native, const CExpect& shipped,
+                   const CExpect& approximate, const CExpect& shipped,
                    const std::string& control = "each wall once, in the order of adding") {
   const double opening = std::numbers::pi / reflections;
   return {name,
           input,
           "v' = -v, after " + std::to_string(reflections) + " reflections",
           bound,
-          {native, Right(), shipped, Right(), Right()},
+          {approximate, Right(), shipped, Right(), Right()},
           [=](eColumn column) { return WorstCorner(column, opening); },
           control,
           [=] { return NaiveCorner(opening); }};
@@ -191,7 +191,7 @@ double Drop(eColumn column) {
 
 /// How far it gets at most from where it was put.
 double Rest(eColumn column, float e) {
-  const int steps = column == eColumn::Native ? 1000000 : 200000;
+  const int steps = column == eColumn::Approximate ? 1000000 : 200000;
   const float r = 0.1f;
   CStepped stepped(column, {CLineSegDesc({-1, 0}, {1, 0}, e)}, {CDynamicCircleDesc({0, r}, r)}, 1.0f / 60.0f,
                    {0.0f, -9.8f});
@@ -220,7 +220,7 @@ double NaiveRest(double e) {
 CHardCase RestOf(const std::string& name, const std::string& e, float elasticity, const CExpect& shipped) {
   return {name,
           "r = .1 at rest on a segment, g = 9.8, e = " + e +
-              ", a million steps natively, 200,000 elsewhere: largest way from its place",
+              ", a million steps in the approximate mode, 200,000 elsewhere: largest way from its place",
           "0",
           {1e-6, 1e-6, "1e-6"},
           {Right(), Right(), shipped, Right(), Right()},

@@ -108,7 +108,7 @@ CAnswer Bounce(const CVec<CFifty>& v, const CFifty& t, const CVec<CFifty>& n) {
 
 CSeen Shoot(eColumn column, const CShot& shot) {
   const bool exact = column == eColumn::Reference,
-             native = column == eColumn::Native || column == eColumn::Continuous;
+             native = column == eColumn::Approximate || column == eColumn::Native;
   const unsigned steps = exact ? 1 : native || shot.m_nBox2DSteps == 0 ? shot.m_nSteps : shot.m_nBox2DSteps;
   CStepped stepped(column, shot.m_stdShapes, shot.m_stdBalls, shot.m_fSeconds / static_cast<float>(steps),
                    shot.m_vGravity);

@@ -90,7 +90,7 @@ CHardCase NoRadius() {
   return Named(ShotCase(shot, MeetFloor(ball)), "BallWithoutRadiusMeetsASegment",
                "ball r = 0 at (0, 1), v = (0, -1); segment (-1, 0)-(1, 0); one step of 1.25",
                "t = 1, v' = (0, 1)",
-               {{eColumn::Native, Missed("missed: a radius of 0 overlaps nothing")},
+               {{eColumn::Approximate, Missed("missed: a radius of 0 overlaps nothing")},
                 {eColumn::Box2D, Off(0.005, "as if t = .995: its skin")}},
                "d < r with r = 0 never holds: missed", [] {
                  for (int i = 0; i <= 1000; ++i) // times up to 2, the right one among them
@@ -105,7 +105,7 @@ CHardCase PointLike(const CAnyShapeDesc& shape, float x, float y) {
   CShot shot{{shape}, {ball}, 1.75f};
   CHardCase c = ShotCase(shot, MeetFloor(CBall({x, 2.0f}, 0.5f, {0.0f, -1.0f})));
   c.m_sRight = "acts as a point: t = 1.5, v' = (0, 1)";
-  Of(c, eColumn::Native) = Off(0.125, "as if t = 1.625: the way after the impact is lost");
+  Of(c, eColumn::Approximate) = Off(0.125, "as if t = 1.625: the way after the impact is lost");
   Of(c, eColumn::Box2D) = Off(0.01, "as if t = 1.510: it stops a ball .015 deep");
   return c;
 }
