@@ -33,7 +33,8 @@ public:
   /// Whether a response had to cut the speed of the ball to g_fMaxSpeed since it was made.
   bool GetSpeedCapped() const { return m_bSpeedCapped; }
 
-  /// One step: v += g dt, then p += v dt (semi-implicit Euler, which does not gain energy in a drop).
+  /// One step: v += g dt, then p += v dt (semi-implicit Euler). A flight keeps v^2/2 - g.p + dt/2 g.v; a
+  /// bounce within a step can change the energy (docs/effects.md).
   void move() override;
 
   /// Responds to a collision that CollisionDetected has found with c.m_pCircle == this.

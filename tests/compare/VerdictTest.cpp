@@ -47,8 +47,8 @@ TEST(VerdictTest, TheFastestOfTheBestGradeIsTaken) {
             "faster than native but loses 1 in 4.9.");
   EXPECT_EQ(
       Does(report),
-      "It loses none of 1,000, and 95% of its bounces are within 0.011 degrees; Box2D loses 1 in 170 and "
-      "is within 1.1 degrees.");
+      "It loses none of 1,000, and 95% of its bounces are within 0.011 degrees of the exact direction; Box2D "
+      "loses 1 in 170 and is within 1.1 degrees.");
   engines[g_nBox2D] = MakeSampleEngine(0, 500.0, 0.0002);
   EXPECT_EQ(Use(report).substr(0, 50), "Use native: as good as Box2D here and 7.1 times fa");
   engines[g_nApproximate] = MakeSampleEngine(0, 50.0, 0.0002);
@@ -76,7 +76,8 @@ TEST(VerdictTest, WorseBouncesAreAReasonToo) {
 TEST(VerdictTest, OneEngineAloneIsNotCompared) {
   const CRunReport report = Of({g_nBox2D});
   EXPECT_EQ(Use(report), "Box2D is alone here.");
-  EXPECT_EQ(Does(report), "It loses 1 in 170, and 95% of its bounces are within 1.1 degrees.");
+  EXPECT_EQ(Does(report),
+            "It loses 1 in 170, and 95% of its bounces are within 1.1 degrees of the exact direction.");
   // Without Box2D the one that loses least is the measure.
   CRunReport two = Of({g_nNative, g_nApproximate});
   two.m_stdScenes[0].m_stdEngines[0] = MakeSampleEngine(0, 70.0, 0.0002);
@@ -184,14 +185,17 @@ TEST(OverallTest, TheResultBeginsWithTheEngineToTake) {
   CRunReport report = Of({g_nNative, g_nApproximate, g_nBox2D});
   report.m_stdScenes[0].m_stdEngines[g_nNative] = MakeSampleEngine(1, 70.0, 0.0002);
   const std::string result = MakeResult(report, MakeOverall(report));
-  EXPECT_EQ(result,
-            "Take native: 7.1 times faster than Box2D. It loses 1 of 1,000 balls (Box2D 6), and 95% of its "
-            "bounces are within 0.001 degrees; native-approximate is 1.4 times faster "
-            "than native but loses 1 in 4.9.");
+  EXPECT_EQ(
+      result,
+      "Take native: 7.1 times faster than Box2D. It loses a ball in 1 of 1,000 impacts (Box2D 6), and 95% "
+      "of its bounces are within 0.001 degrees of the exact direction; native-approximate is 1.4 times "
+      "faster than native but loses 1 in 4.9.");
   CRunReport alone = Of({g_nNative, g_nApproximate});
-  EXPECT_EQ(MakeResult(alone, MakeOverall(alone))
-                .rfind("Take native: it loses 12 of 1,000 balls, and 95% of its bounces are within ", 0),
-            0u)
+  EXPECT_EQ(
+      MakeResult(alone, MakeOverall(alone))
+          .rfind("Take native: it loses a ball in 12 of 1,000 impacts, and 95% of its bounces are within ",
+                 0),
+      0u)
       << MakeResult(alone, MakeOverall(alone));
   report.m_stdScenes.clear();
   EXPECT_EQ(MakeResult(report, MakeOverall(report)), "Nothing was judged.");

@@ -43,8 +43,8 @@ const Matrix = (() => {
         engines.map(({name}) => cell(scene, name)));
     place.append(
         el('p', {class: 'legend'}, el('span', {class: 'good'}, '\u2713 good'),
-           ': at most 1 in 1,000 balls lost, 95% of bounces within 1\u00b0. ',
-           el('span', {class: 'rough'}, '~ rough'), ': 1 in 100, 10\u00b0. ',
+           ': a ball lost in at most 1 of 1,000 impacts, 95% of bounces within 1\u00b0. ',
+           el('span', {class: 'rough'}, '~ rough'), ': 1 of 100, 10\u00b0. ',
            el('span', {class: 'poor'}, '\u2717 poor'),
            ': worse. The number is nanoseconds for one step of one ball; ',
            el('span', {class: 'take'}, 'framed'), ': what to take.'),
