@@ -10,92 +10,100 @@ namespace Shapes::Native {
 
 using Geometry::Norm;
 
-double CContactSolver::GetDifference(const CRow& row) const {
-  return row.m_vNorm.dot(m_stdVels[row.m_nBall] - m_stdVels[row.m_nOther]);
+void CContactSolver::Begin() {
+  m_stdRows.clear();
+  m_cImpulses.Clear();
+  m_cVels.Clear();
+  AddBall(Vector2d::Zero()); // g_nShape
 }
 
-void CContactSolver::Push(const CRow& row, double impulse) {
-  m_stdVels[row.m_nBall] += impulse * row.m_fInverse * row.m_vNorm;
-  m_stdVels[row.m_nOther] -= impulse * row.m_fOtherInverse * row.m_vNorm;
+std::uint32_t CContactSolver::AddBall(const Vector2d& vel) {
+  m_cVels.m_stdNow.push_back(vel);
+  return static_cast<std::uint32_t>(m_cVels.m_stdNow.size() - 1);
 }
 
-// Returns the velocity by which it was changed.
-double CContactSolver::Relax(CRow& row) {
-  const double before = row.m_fImpulse;
-  row.m_fImpulse = std::max(0.0, before + row.m_fShare * (row.m_fLeast - GetDifference(row)));
-  const double change = row.m_fImpulse - before;
-  if (change != 0.0) Push(row, change);
-  return std::abs(change) * (row.m_fInverse + row.m_fOtherInverse);
+void CContactSolver::Add(const CRow& row, double impulse) {
+  m_stdRows.push_back(row);
+  m_cImpulses.m_stdNow.push_back(impulse);
 }
 
-// Both ways; returns the largest change of a velocity on the way back.
-double CContactSolver::RelaxAll(CPile pile) {
-  for (CRow& row : pile)
-    Relax(row);
-  double most = 0.0;
-  for (auto it = pile.rbegin(); it != pile.rend(); ++it)
-    most = std::max(most, Relax(*it));
-  return most;
+// Of arrays, whose places need not be looked up again after each change.
+inline double CContactSolver::GetDifference(const CRow& row, const Vector2d* pVels) {
+  return row.m_vNorm.dot(pVels[row.m_nBall] - pVels[row.m_nOther]);
 }
 
-// On in the direction of the round before, as far as what is left has become smaller. Returns the square of
-// the change of this round.
-double CContactSolver::GoOn(CPile pile, double squareBefore) {
-  double square = 0.0;
-  for (std::size_t k = 0; k < pile.size(); ++k) {
-    const double change = pile[k].m_fImpulse - m_stdWays[k].m_fBefore;
-    square += change * change / pile[k].m_fShare;
+inline void CContactSolver::Push(const CRow& row, double impulse, Vector2d* pVels) {
+  pVels[row.m_nBall] += (impulse * row.m_fInverse) * row.m_vNorm;
+  pVels[row.m_nOther] -= (impulse * row.m_fOtherInverse) * row.m_vNorm;
+}
+
+// Returns what it adds to the impulse.
+inline double CContactSolver::Relax(const CRow& row, double& impulse, Vector2d* pVels) {
+  const double before = impulse;
+  impulse = std::max(0.0, before + row.m_fShare * (row.m_fLeast - GetDifference(row, pVels)));
+  // Without a branch, as it cannot be foreseen which rows change.
+  Push(row, impulse - before, pVels);
+  return impulse - before;
+}
+
+// Both ways.
+CContactSolver::CChange CContactSolver::RelaxAll() {
+  const std::span<const CRow> rows = m_stdRows;
+  double* const pImpulses = m_cImpulses.m_stdNow.data();
+  const double* const pBefore = m_cImpulses.m_stdBefore.data();
+  Vector2d* const pVels = m_cVels.m_stdNow.data();
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    Relax(rows[k], pImpulses[k], pVels);
+  CChange change{0.0, 0.0};
+  for (std::size_t k = rows.size(); k-- > 0;) {
+    const double mass = rows[k].m_fInverse + rows[k].m_fOtherInverse; // inverse
+    change.m_fMost = std::max(change.m_fMost, std::abs(Relax(rows[k], pImpulses[k], pVels)) * mass);
+    const double round = pImpulses[k] - pBefore[k];
+    change.m_fSquare += round * round * mass;
   }
-  const double on = square < squareBefore ? square / squareBefore : 0.0;
-  for (std::size_t k = 0; k < pile.size(); ++k) {
-    CRow& row = pile[k];
-    CWay& way = m_stdWays[k];
-    const double more = on * way.m_fOn;
-    way.m_fOn = row.m_fImpulse - way.m_fBefore + more;
-    row.m_fImpulse += more;
-    way.m_fBefore = row.m_fImpulse;
-    if (more != 0.0) Push(row, more);
-  }
-  return square;
+  return change;
 }
 
 // The other one does not give way.
 void CContactSolver::Stop(const CRow& row) {
-  const double now = GetDifference(row);
-  if (now < row.m_fLeast) m_stdVels[row.m_nBall] += (row.m_fLeast - now) * row.m_vNorm;
+  const double now = GetDifference(row, m_cVels.m_stdNow.data());
+  if (now < row.m_fLeast) m_cVels.m_stdNow[row.m_nBall] += (row.m_fLeast - now) * row.m_vNorm;
 }
 
-void CContactSolver::Solve(CPile pile, double slow, double surface) {
+void CContactSolver::Solve(double slow, double surface) {
   double fastest = 0.0; // squared
-  m_stdWays.clear();
-  for (const CRow& row : pile) {
-    for (const std::uint32_t i : {row.m_nBall, row.m_nOther})
-      fastest = std::max(fastest, m_stdVels[i].squaredNorm());
-    m_stdWays.push_back({row.m_fImpulse, 0.0});
-  }
+  for (const Vector2d& v : m_cVels.m_stdNow)
+    fastest = std::max(fastest, v.squaredNorm());
   const double flow = std::max(0.0, std::sqrt(fastest) - 0.5 * slow);
   const double accurate = std::max(g_fRestingError * slow, g_fFlowError * flow);
-  for (const CRow& row : pile)
-    if (row.m_fImpulse > 0.0) Push(row, row.m_fImpulse);
-  double most = RelaxAll(pile), square = 0.0;
-  for (int round = 1; most > accurate && round < g_nRestingRounds; ++round) {
-    square = GoOn(pile, square);
-    most = RelaxAll(pile);
+  for (std::size_t k = 0; k < m_stdRows.size(); ++k)
+    Push(m_stdRows[k], GetImpulse(k), m_cVels.m_stdNow.data());
+  m_cImpulses.Begin(0.0);
+  m_cVels.Begin(Vector2d::Zero());
+  CChange change = RelaxAll();
+  double squareBefore = 0.0;
+  for (int round = 1; change.m_fMost > accurate && round < g_nRestingRounds; ++round) {
+    // As far as what is left has become smaller. The velocities depend on the impulses linearly.
+    const double growth = squareBefore > 0.0 ? change.m_fSquare / squareBefore : 0.0;
+    const double share = growth > g_fMostGrowth ? 0.0 : std::min(growth, 1.0);
+    m_cImpulses.GoOn(share);
+    m_cVels.GoOn(share);
+    squareBefore = change.m_fSquare;
+    change = RelaxAll();
   }
   // Each lower one as if it were the ground, as far as the rounds have not come to an end. Shapes last: no
   // ball is pressed into one by others.
-  for (int round = 0; most > g_fShock * accurate && round < g_nShockRounds; ++round)
-    for (const CRow& row : pile)
+  for (int round = 0; change.m_fMost > g_fShock * accurate && round < g_nShockRounds; ++round)
+    for (const CRow& row : m_stdRows)
       Stop(row);
   // Between what comes upon it and what gives no way a ball would leave at the speed of that over the sine of
   // the angle between them, which is small for an instant only.
   const double limit = std::max(std::sqrt(fastest), g_fSqueezed * surface) + slow;
-  for (const CRow& row : pile)
-    for (const std::uint32_t i : {row.m_nBall, row.m_nOther})
-      if (const double speed = Norm(m_stdVels[i]); speed > limit) m_stdVels[i] *= limit / speed;
+  for (Vector2d& v : m_cVels.m_stdNow)
+    if (const double speed = Norm(v); speed > limit) v *= limit / speed;
   for (int round = 0; round < g_nWedgeRounds; ++round)
-    for (const CRow& row : pile)
-      if (row.m_fOtherInverse == 0.0) Stop(row);
+    for (const CRow& row : m_stdRows)
+      if (row.m_nOther == g_nShape) Stop(row);
 }
 
 } // namespace Shapes::Native

@@ -15,39 +15,66 @@ namespace Shapes::Native {
 /// bottom up and back, accelerated as a conjugate gradient is (Silcowitz-Hansen, Niebles, Erleben 2010).
 class CContactSolver {
 public:
-  /// A contact. A shape is a ball that does not move and that nothing moves.
+  /// A contact.
   struct CRow {
-    Vector2d m_vNorm;                ///< unit, to the ball
-    std::uint32_t m_nBall, m_nOther; ///< indices of velocities; of two balls the upper one and the lower one
-    double m_fInverse, m_fOtherInverse; ///< masses; 0 of a shape
+    Vector2d m_vNorm;                   ///< unit, to the ball
+    std::uint32_t m_nBall, m_nOther;    ///< of AddBall; of two balls the upper one and the lower one
+    double m_fInverse, m_fOtherInverse; ///< masses
     double m_fShare;                    ///< 1 / (their sum)
-    double m_fLeast;   ///< that the difference of velocities along the normal may be at the end
-    double m_fImpulse; ///< to begin with, and as it was found
+    double m_fLeast; ///< that the difference of velocities along the normal may be at the end
   };
+  /// A shape is a ball that nothing moves.
+  static constexpr std::uint32_t g_nShape = 0;
 
-  /// Of each ball, which Solve changes.
-  std::vector<Vector2d>& GetVels() { return m_stdVels; }
-
-  /// @param pile     contacts that share no ball with others, from the bottom up
+  /// Begins a pile: contacts that share no ball with those of other piles.
+  void Begin();
+  /// @returns  its index
+  std::uint32_t AddBall(const Vector2d& vel);
+  /// From the bottom up.
+  /// @param impulse  that the search begins with
+  void Add(const CRow& row, double impulse);
   /// @param slow     speed, units per second, of which g_fRestingError is the error that may stay
   /// @param surface  the speed along the normal of the fastest shape that pushes
-  void Solve(std::span<CRow> pile, double slow, double surface);
+  void Solve(double slow, double surface);
+
+  const Vector2d& GetVel(std::uint32_t ball) const { return m_cVels.m_stdNow[ball]; }
+  double GetImpulse(std::size_t row) const { return m_cImpulses.m_stdNow[row]; }
 
 private:
-  using CPile = std::span<CRow>;
-  struct CWay {
-    double m_fBefore; // the impulse before this round
-    double m_fOn;     // the direction of the search
+  // Unknowns, and the direction in which the search changes them.
+  template <class T>
+  struct CUnknowns {
+    std::vector<T> m_stdNow, m_stdBefore, m_stdDirection;
+
+    void Clear() { m_stdNow.clear(); }
+    void Begin(const T& zero) {
+      m_stdBefore = m_stdNow;
+      m_stdDirection.assign(m_stdNow.size(), zero);
+    }
+    // On by this share of the direction so far, to which the change of the last round is added.
+    void GoOn(double share) {
+      T *pNow = m_stdNow.data(), *pBefore = m_stdBefore.data(), *pDirection = m_stdDirection.data();
+      for (std::size_t k = 0, n = m_stdNow.size(); k < n; ++k) {
+        const T more = share * pDirection[k];
+        pDirection[k] = pNow[k] - pBefore[k] + more;
+        pBefore[k] = pNow[k] += more;
+      }
+    }
   };
-  double GetDifference(const CRow& row) const;
-  void Push(const CRow& row, double impulse);
-  double Relax(CRow& row);
-  double RelaxAll(CPile pile);
-  double GoOn(CPile pile, double squareBefore);
+  // By a round.
+  struct CChange {
+    double m_fMost;   // of a velocity, on the way back
+    double m_fSquare; // of all impulses, as energy
+  };
+  static double GetDifference(const CRow& row, const Vector2d* pVels);
+  static void Push(const CRow& row, double impulse, Vector2d* pVels);
+  static double Relax(const CRow& row, double& impulse, Vector2d* pVels);
+  CChange RelaxAll();
   void Stop(const CRow& row);
 
-  std::vector<Vector2d> m_stdVels;
-  std::vector<CWay> m_stdWays; // of each contact of the pile
+  std::vector<CRow> m_stdRows;
+  CUnknowns<double> m_cImpulses; // of each row
+  CUnknowns<Vector2d> m_cVels;   // of each ball, and of the shapes
 };
 
 } // namespace Shapes::Native

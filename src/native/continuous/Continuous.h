@@ -37,7 +37,8 @@ namespace Shapes::Native {
 ///   set.
 /// - A ball that has had g_nMaxImpacts impacts, or g_nCrowded in a pile, is halted: for the rest of the
 ///   substep it stays where it is, which is a place that it can be at, or goes along with the moving shape
-///   that it has met last. It keeps its velocity; others bounce off it as off a wall.
+///   that it has met last. It keeps its velocity, in a pile no more of it than what is slow; others bounce
+///   off it as off a wall.
 class CContinuous {
 public:
   /// Begins to move the balls by dt seconds, and counts what is done. Threads share balls that do not meet

@@ -146,46 +146,48 @@ void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
 }
 
 void CRestingContacts::Solve(std::vector<CMoving>& balls) {
+  m_stdSolved.assign(balls.size(), g_nNobody);
+  for (std::size_t begin = 0, end = 0; begin < m_stdContacts.size(); begin = end) {
+    const std::uint32_t root = FindRoot(m_stdContacts[begin].m_nBall);
+    while (end < m_stdContacts.size() && FindRoot(m_stdContacts[end].m_nBall) == root)
+      ++end;
+    SolvePile(std::span(m_stdContacts).subspan(begin, end - begin), balls);
+  }
+}
+
+void CRestingContacts::SolvePile(std::span<CContact> pile, std::vector<CMoving>& balls) {
   const double dt = m_fStep;
-  const auto nobody = static_cast<std::uint32_t>(balls.size()); // a shape: with a velocity that stays zero
-  std::vector<Vector2d>& vels = m_cSolver.GetVels();
-  vels.resize(balls.size() + 1);
-  vels[nobody] = Vector2d::Zero();
-  m_stdRows.clear();
-  const auto accelerate = [&](std::uint32_t i) { vels[i] = balls[i].m_vVel + m_vGravity * dt; };
-  for (const CContact& c : m_stdContacts) {
+  const auto take = [&](std::uint32_t i) {
+    std::uint32_t& solved = m_stdSolved[i];
+    if (solved == g_nNobody) solved = m_cSolver.AddBall(balls[i].m_vVel + m_vGravity * dt);
+    return solved;
+  };
+  double surface = 0.0; // the fastest
+  m_cSolver.Begin();
+  for (const CContact& c : pile) {
     CContactSolver::CRow row;
     row.m_vNorm = c.m_vNorm;
-    row.m_nBall = c.m_nBall;
-    row.m_nOther = c.m_bIsBall ? c.m_nOther : nobody;
+    row.m_nBall = take(c.m_nBall);
+    row.m_nOther = c.m_bIsBall ? take(c.m_nOther) : CContactSolver::g_nShape;
     row.m_fInverse = 1.0 / balls[c.m_nBall].m_fMass;
     row.m_fOtherInverse = c.m_bIsBall ? 1.0 / balls[c.m_nOther].m_fMass : 0.0;
     row.m_fShare = 1.0 / (row.m_fInverse + row.m_fOtherInverse);
     row.m_fLeast = c.m_fSpeed - 0.5 * c.m_fBend * dt - std::max(0.0, c.m_fGap) / dt;
-    row.m_fImpulse = c.m_fImpulse;
-    m_stdRows.push_back(row);
-    accelerate(c.m_nBall);
-    if (c.m_bIsBall) accelerate(c.m_nOther);
+    m_cSolver.Add(row, c.m_fImpulse);
+    surface = std::max(surface, std::abs(c.m_fSpeed));
   }
-  for (std::size_t begin = 0; begin < m_stdRows.size();) {
-    std::size_t end = begin;
-    double surface = 0.0; // the fastest
-    for (; end < m_stdRows.size() && FindRoot(m_stdRows[end].m_nBall) == FindRoot(m_stdRows[begin].m_nBall);
-         ++end)
-      surface = std::max(surface, std::abs(m_stdContacts[end].m_fSpeed));
-    m_cSolver.Solve(std::span(m_stdRows).subspan(begin, end - begin), m_fSlow, surface);
-    begin = end;
-  }
-  const auto take = [&](std::uint32_t i) {
-    balls[i].m_vVel = vels[i];
+  m_cSolver.Solve(m_fSlow, surface);
+
+  const auto put = [&](std::uint32_t i) {
+    balls[i].m_vVel = m_cSolver.GetVel(m_stdSolved[i]);
     balls[i].m_vFall = balls[i].m_vAcc = Vector2d::Zero(); // gravity has been there
     balls[i].m_bIsMoved = true;
   };
-  for (std::size_t k = 0; k < m_stdContacts.size(); ++k) {
-    CContact& c = m_stdContacts[k];
-    c.m_fImpulse = m_stdRows[k].m_fImpulse;
-    take(c.m_nBall);
-    if (c.m_bIsBall) take(c.m_nOther);
+  for (std::size_t k = 0; k < pile.size(); ++k) {
+    CContact& c = pile[k];
+    c.m_fImpulse = m_cSolver.GetImpulse(k);
+    put(c.m_nBall);
+    if (c.m_bIsBall) put(c.m_nOther);
     if (!(c.m_fImpulse > 0.0)) continue;
     m_stdNear[c.m_nNear].m_fImpulse = c.m_fImpulse;
     CMoving& ball = balls[c.m_nBall];

@@ -108,18 +108,19 @@ private:
   void Move(std::uint32_t ball, const Vector2d& way);
   void FindKnown();
   void FindNeighbours(std::size_t balls);
+  void SolvePile(std::span<CContact> pile, std::vector<CMoving>& balls);
 
   Vector2d m_vGravity = Vector2d::Zero();
   Vector2d m_vUp = Vector2d::Zero(); // unit
   double m_fStep = 0.0, m_fSlow = 0.0;
 
-  std::vector<CContact> m_stdContacts;         // pile by pile, from the bottom up
-  std::vector<CContactSolver::CRow> m_stdRows; // of the contacts, in the same order
+  std::vector<CContact> m_stdContacts; // pile by pile, from the bottom up
   std::vector<CContact> m_stdUnsorted;
   std::vector<std::pair<double, std::uint32_t>> m_stdOrder; // keys, and which contact has each
   std::vector<COverlap> m_stdOverlaps;                      // of the contacts, in the same order
   std::vector<CPlace> m_stdPlaces;                          // of each ball
   CContactSolver m_cSolver;
+  std::vector<std::uint32_t> m_stdSolved;     // of each ball: its index there
   std::vector<std::uint32_t> m_stdRoot;       // another ball of the same pile, or itself
   std::vector<bool> m_stdIsHeld;              // of each root: whether its pile lies on a shape
   std::vector<std::uint32_t> m_stdNeighbours; // of each ball on balls, ball by ball
