@@ -226,9 +226,9 @@ std::unique_ptr<CWorld> MakeSmallRoom(int kind) {
   auto pWorld = MakeBox2D(g_cTuned, {0, -10});
   if (kind < 2) pWorld->Add(CArcDesc({0, 0}, 1, kind == 0 ? 0 : g_fPi, 0));
   if (kind == 1) pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
-  const Vector2 corners[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  for (std::size_t i = 0; kind == 2 && i < 4; ++i)
-    pWorld->Add(CLineSegDesc(corners[i], corners[(i + 1) % 4]));
+  if (kind == 2)
+    for (const CLineSegDesc& wall : Walls({-1, -1}, {1, 1}))
+      pWorld->Add(wall);
   return pWorld;
 }
 

@@ -41,8 +41,7 @@ TEST(TunedExactTest, TheNativeEngineInTinyStepsAgrees) {
 }
 
 TEST(TunedExactTest, TheNativeEngineAgreesAtSegments) {
-  CRandom random(40);
-  for (int k = 0; k < 50; ++k) {
+  ForEachCase(40, 50, [&](CRandom& random, int) {
     const Vector2 along = random.Direction();
     CRange range(MakeNative(), {CLineSegDesc(-along, along)}, 0.1f);
     const double s = EitherSign(random, 0.8), incidence = EitherSign(random, 80 * g_fDegree);
@@ -50,7 +49,7 @@ TEST(TunedExactTest, TheNativeEngineAgreesAtSegments) {
     const auto shot = range.Aim({s * t, Perp(t), incidence, 10, random.Unit()});
     ASSERT_TRUE(shot);
     EXPECT_LE(range.DirectionError(*shot), 1e-5);
-  }
+  });
 }
 
 // Arcs are chords to Box2D. A tuned world bounces off the arc all the same, without more chords.
@@ -218,30 +217,17 @@ struct CTarget {
   bool m_bInside;
   CAnyShapeDesc (*m_fnMake)(const Vector2& u); // a shape about the origin that is met by a ball on the axis u
 };
+const Vector2 g_vHere(0, 0);
 const CTarget g_cTargets[]{
-    {"point", 0.1, false,
-     [](const Vector2&) -> CAnyShapeDesc {
-       return CPointDesc({0, 0});
-     }},
+    {"point", 0.1, false, [](const Vector2&) -> CAnyShapeDesc { return CPointDesc(g_vHere); }},
     {"face of a segment", 0.1, false,
      [](const Vector2& u) -> CAnyShapeDesc { return CLineSegDesc(perp(u), -perp(u)); }},
     {"end of a segment", 0.1, false,
-     [](const Vector2& u) -> CAnyShapeDesc { return CLineSegDesc(Vector2::Zero(), -u); }},
-    {"circle", 0.6, false,
-     [](const Vector2&) -> CAnyShapeDesc {
-       return CCircleDesc({0, 0}, 0.5f);
-     }},
-    {"arc, outside", 1.1, false,
-     [](const Vector2&) -> CAnyShapeDesc {
-       return CArcDesc({0, 0}, 1, 0, 0);
-     }},
-    {"arc, inside", 0.9, true,
-     [](const Vector2&) -> CAnyShapeDesc {
-       return CArcDesc({0, 0}, 1, 0, 0);
-     }},
-    {"ball", 0.2, false, [](const Vector2&) -> CAnyShapeDesc {
-       return CDynamicCircleDesc({0, 0}, 0.1f);
-     }}};
+     [](const Vector2& u) -> CAnyShapeDesc { return CLineSegDesc(g_vHere, -u); }},
+    {"circle", 0.6, false, [](const Vector2&) -> CAnyShapeDesc { return CCircleDesc(g_vHere, 0.5f); }},
+    {"arc, outside", 1.1, false, [](const Vector2&) -> CAnyShapeDesc { return CArcDesc(g_vHere, 1, 0, 0); }},
+    {"arc, inside", 0.9, true, [](const Vector2&) -> CAnyShapeDesc { return CArcDesc(g_vHere, 1, 0, 0); }},
+    {"ball", 0.2, false, [](const Vector2&) -> CAnyShapeDesc { return CDynamicCircleDesc(g_vHere, 0.1f); }}};
 
 /// How far the surface is out of place, towards the ball: half of the shift of the outgoing way against the
 /// exact one; infinity if there was no bounce. Of two balls in their relative motion.
