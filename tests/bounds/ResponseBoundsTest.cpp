@@ -131,10 +131,9 @@ TYPED_TEST(ResponseBounds, CapSpeed) {
 }
 
 TEST(FreeFlightBounds, AccelerateAndMove) {
-  CRandom random(1604);
   CKept vel("Accelerate", g_nResponseBoundsTrials), pos("Move", g_nResponseBoundsTrials);
   CBroken naive("Move by the mean of both velocities");
-  for (int i = 0; i < g_nResponseBoundsTrials; ++i) {
+  ForEachCase(1604, g_nResponseBoundsTrials, [&](CRandom& random, int) {
     const Vector2 g = AnyWay(random, AnySize(random)), v = AnyWay(random, AnySize(random)),
                   p = AnyPlace(random, AnySize(random));
     const float dt = random.Scale(-20, 0);
@@ -147,7 +146,7 @@ TEST(FreeFlightBounds, AccelerateAndMove) {
     const CFifty bound = g_fUlp * (Norm(Exact(p)) + Norm(vdt));
     pos.See(Exact(gotP), Exact(p) + vdt, bound);
     naive.See(Exact(Vector2(p + 0.5f * dt * (v + gotV))), Exact(p) + vdt, bound);
-  }
+  });
 }
 
 } // namespace

@@ -5,11 +5,6 @@
 
 #include "compare/SweepOracle.h"
 
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <string>
-
 namespace Shapes::Geometry {
 namespace {
 
@@ -86,12 +81,11 @@ TEST(SweepTurning, TheGapIsOpenUntilTheImpactAndClosedThen) {
 
 // The control: Newton's method on the same gap steps over impacts.
 TEST(SweepTurning, NewtonMissesImpacts) {
-  CRandom random(62);
   int hits = 0, missed = 0;
-  for (int i = 0; i < 1000; ++i) {
+  ForEachCase(62, 1000, [&](CRandom& random, int) {
     const CTrial trial = ClearTrial(random);
     CImpact impact;
-    if (Sweep(trial.m_cShape, trial.m_cMotion, 0.0, impact) != eSweep::Impact) continue;
+    if (Sweep(trial.m_cShape, trial.m_cMotion, 0.0, impact) != eSweep::Impact) return;
     ++hits;
     const CSweepOracle oracle = MakeOracle(trial);
     real t = 0, gap = oracle.Gap(t);
@@ -102,7 +96,7 @@ TEST(SweepTurning, NewtonMissesImpacts) {
       gap = oracle.Gap(t);
     }
     missed += std::abs(gap) > 1e-9L || std::abs(static_cast<double>(t) - impact.m_fTime) > 1e-6;
-  }
+  });
   EXPECT_GT(hits, 200);
   EXPECT_GT(missed, hits / 20);
 }

@@ -4,8 +4,6 @@
 
 #include "ImpactTesting.h"
 
-#include <cmath>
-
 namespace Shapes::Geometry {
 namespace {
 

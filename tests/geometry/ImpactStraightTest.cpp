@@ -4,8 +4,6 @@
 
 #include "ImpactTesting.h"
 
-#include <cmath>
-
 namespace Shapes::Geometry {
 namespace {
 
@@ -59,9 +57,8 @@ TEST(ImpactPointCircle, TheEndOfTheLegBelongsToIt) {
 
 // The bound of the straight way, and the control: the textbook's formula of the quadratic does not keep it.
 TEST(ImpactPointCircle, NearGrazesKeepTheBoundThatTheTextbookBreaks) {
-  CRandom random(31);
   double worst = 0.0, worstTextbook = 0.0;
-  for (int i = 0; i < 3000; ++i) {
+  ForEachCase(31, 3000, [&](CRandom& random, int) {
     const double r = 0.1, far = 1.0 + 99.0 * random.Unit(),
                  gap = r * std::pow(10.0, -1.0 - 5.0 * random.Unit());
     const double angle = 6.28 * random.Unit();
@@ -77,7 +74,7 @@ TEST(ImpactPointCircle, NearGrazesKeepTheBoundThatTheTextbookBreaks) {
     const double textbook = disc < 0.0 ? 0.0 : (-b - std::sqrt(disc)) / a;
     worst = std::max(worst, std::abs(impact.m_fTime - truth) / bound);
     worstTextbook = std::max(worstTextbook, std::abs(textbook - truth) / bound);
-  }
+  });
   EXPECT_LE(worst, 1.0);
   EXPECT_GT(worstTextbook, 10.0);
   RecordProperty("worst", std::to_string(worst));

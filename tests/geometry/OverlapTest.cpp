@@ -4,9 +4,6 @@
 
 #include "compare/SweepOracle.h"
 
-#include <cmath>
-#include <string>
-
 namespace Shapes::Geometry {
 namespace {
 

@@ -5,10 +5,6 @@
 #include "../Numbers.h"
 #include "Cases.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 namespace Shapes::Geometry {
 namespace {
 
