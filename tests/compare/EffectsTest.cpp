@@ -73,7 +73,7 @@ TEST(EffectsTest, WhatAsceneCallsForIsKnownWithTheReason) {
   const CEffectCost& kinematics = Get(costs, eEffect::Kinematics);
   EXPECT_GT(kinematics.m_fRuns, 0.05);
   EXPECT_LT(kinematics.m_fRuns, 0.95);
-  EXPECT_EQ(kinematics.m_sWhy.find("0 shapes"), std::string::npos) << kinematics.m_sWhy;
+  EXPECT_FALSE(Says(kinematics.m_sWhy, "0 shapes"));
   // The control: nothing of it.
   const CEffectCosts none = Measure(LoadBundled("corner"));
   for (const eEffect e : {eEffect::Gravity, eEffect::Kinematics, eEffect::BallPairs, eEffect::Sensors}) {

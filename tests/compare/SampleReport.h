@@ -20,10 +20,6 @@ inline std::vector<std::string> Lines(const std::string& text) {
   return lines;
 }
 
-inline bool Contains(const std::string& text, const std::string& part) {
-  return text.find(part) != text.npos;
-}
-
 inline CContact MakeSampleContact() {
   const CEngineContact right{.m_eOutcome = eOutcome::Correct,
                              .m_bDetected = true,
