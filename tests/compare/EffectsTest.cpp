@@ -195,12 +195,9 @@ TEST(InstructionsTest, WorldsAreWords) {
 TEST(InstructionsTest, TheSameWorldTakesTheSameAndAnEffectThatRunsMore) {
   const CScene scene = LoadBundled("spinner");
   const CEngine native = MakeAutomatic(g_nNative), box2d = MakeAutomatic(g_nBox2D);
-  const std::vector<CEngine> worlds{native,
-                                    native,
-                                    WithEffect(native, eEffect::Kinematics, false),
-                                    WithEffect(native, eEffect::Gravity, false),
-                                    box2d,
-                                    box2d};
+  const CEngine still = WithEffect(native, eEffect::Kinematics, false),
+                weightless = WithEffect(native, eEffect::Gravity, false);
+  const std::vector<CEngine> worlds{native, native, still, weightless, box2d, box2d};
   const CInstructions counted = Count(scene, worlds, 160);
   if (!CanCount()) {
     EXPECT_TRUE(counted.m_sWhyNot.starts_with("valgrind ")) << counted.m_sWhyNot;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What no shape can have is refused before anything is added, with the field and the value in the message.
+#include "../fuzz/Fuzz.h"
 #include "Backends.h"
 
 #include <functional>
@@ -186,10 +187,7 @@ TEST_P(CBadInputContract, LargestAndSmallestValuesAreStepped) {
   m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0, {0, speed}, light));
   m_pWorld->Add(CDynamicCircleDesc({0, 0}, 1e-30f, {0, 1e-30f}, 1));
   Steps(*m_pWorld, 20);
-  for (const Vector2& p : m_pWorld->GetBallPositions())
-    EXPECT_TRUE(p.allFinite()) << p.transpose();
-  for (const Vector2& v : m_pWorld->GetBallVelocities())
-    EXPECT_TRUE(v.allFinite()) << v.transpose();
+  EXPECT_NO_THROW(Fuzz::RequireSound(*m_pWorld));
 
   CLineSegDesc turning = Kinematic(); // the rest of Box2D's limits: NoAssertTest.cpp
   turning.m_vRotCenter = {1e10f, 0};

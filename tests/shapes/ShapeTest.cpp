@@ -120,9 +120,6 @@ TEST(Shape, SetPosDoesNotOutliveARotation) {
     p->SetPos({50.0f, 60.0f});
     p->Rotate({1.0f, 0.0f}, 1.0f); // from the pose at construction
     EXPECT_EQ(p->GetPos(), turned);
-    p->SetPos({50.0f, 60.0f});
-    p->Reset();
-    EXPECT_EQ(p->GetPos(), Vector2(1.0f, 2.0f));
   }
 }
 

@@ -111,19 +111,10 @@ TEST(Validate, SegmentEnds) {
   // Whichever way round they are given, the message is of the end that is bad, not of what follows from it.
   for (const auto& [value, text] :
        NotFiniteAnd({{g_fHuge, g_sHuge}, {-g_fHuge, "-" + g_sHuge}, {1.5e18f, "1.5"}})) {
-    for (const bool kinematic : {false, true}) {
-      const CLineSegDesc desc({1.0f, 2.0f}, {3.0f, value});
-      const std::string message = Refusal([&] {
-        if (kinematic)
-          CKinematicLineSeg shape(desc);
-        else
-          CLineSeg shape(desc);
-      });
-      EXPECT_EQ(message.substr(0, 6), "m_vPt1") << "end (3, " << text << "): " << message;
-      EXPECT_TRUE(Says(message, "(3, " + text));
-    }
-    const CLineSegDesc desc({value, 2.0f}, {1.0f, 2.0f});
-    const std::string message = Refusal([&] { CLineSeg shape(desc); });
+    const CLineSegDesc high({1.0f, 2.0f}, {3.0f, value}), wide({value, 2.0f}, {1.0f, 2.0f});
+    ExpectRefused("m_vPt1", "(3, " + text, [&] { CLineSeg shape(high); });
+    ExpectRefused("m_vPt1", "(3, " + text, [&] { CKinematicLineSeg shape(high); });
+    const std::string message = Refusal([&] { CLineSeg shape(wide); });
     EXPECT_EQ(message.substr(0, 5), "m_vPt") << "end (" << text << ", 2): " << message;
     EXPECT_TRUE(Says(message, "(" + text));
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "Descs.h"
 #include "Messages.h"
 
 #include <Shapes/Shapes.h>
@@ -75,9 +76,7 @@ TEST(SceneDescTest, JsonIsThisText) {
 
 TEST(SceneDescTest, BoundsTakeInWhatTurns) {
   CSceneDesc scene = Scene();
-  CLineSegDesc seg({3, 0}, {4, 0});
-  seg.m_eMotionType = eMotion::Kinematic;
-  scene.m_stdShapes = {seg}; // turns about (0, 0), up to 4 away
+  scene.m_stdShapes = {Turning(CLineSegDesc({3, 0}, {4, 0}))}; // turns about (0, 0), up to 4 away
   EXPECT_TRUE(Says(scene.ToJson("s", 1), R"("bounds": {"left": -8, "bottom": -8, "right": 8, "top": 8})"));
   scene.m_stdShapes.clear();
   scene.m_stdBalls = {CDynamicCircleDesc({1e8f, 0}, 0)}; // a box without extent, where 1 is below an ulp
