@@ -298,6 +298,7 @@ TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
        "there is no scene 'pinbal': did you mean 'pinball'? Known: ball_on_ball, "},
       {"run --engines bux2d",
        "there is no engine 'bux2d': did you mean 'box2d'? Known: native, native-approximate,"},
+      {"run --engines ''", "there is no engine ''. Known: native, native-approximate, box2d, box2d-tuned"},
       {"run --fail-above tunnelled=0", "there is no metric 'tunnelled': did you mean 'tunneled'?"},
       {"run --fail-above missed=-1", "missed=VALUE: expected a finite number of at least 0, got '-1'"},
       {"run --seed -1", "--seed"},

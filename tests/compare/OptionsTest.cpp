@@ -25,16 +25,6 @@ TEST(OptionsTest, EnginesComeInTheirOrderWhateverIsAsked) {
   EXPECT_EQ(Selected({"native"}), (CNames{"native"}));
 }
 
-TEST(OptionsTest, UnknownNamesAreRefused) {
-  EXPECT_THROW(Selected({"native", "boxtd"}), std::invalid_argument);
-  EXPECT_THROW(Selected({""}), std::invalid_argument);
-  CScene scene;
-  scene.m_sName = "bowl";
-  const std::vector<std::string> known{"bowl"}, unknown{"bowls"};
-  EXPECT_EQ(SelectScenes({scene}, known).size(), 1u);
-  EXPECT_THROW(SelectScenes({scene}, unknown), std::invalid_argument);
-}
-
 TEST(OptionsTest, CommandsAreQuotedForAShell) {
   EXPECT_EQ(JoinCommand(std::vector<std::string>{"a", "--out=b/c", "x,y"}), "a --out=b/c x,y");
   EXPECT_EQ(JoinCommand(std::vector<std::string>{"a b", "", "it's", "$x"}), "'a b' '' 'it'\\''s' '$x'");
@@ -74,13 +64,6 @@ TEST(NearMatchesTest, NearestFirstAndNoStrangers) {
   EXPECT_TRUE(NearMatches("", known).empty());
 }
 
-TEST(NearMatchesTest, TheMessageNamesThem) {
-  const std::vector<std::string> known{"native", "box2d"};
-  EXPECT_EQ(UnknownName("engine", "box2", known),
-            "there is no engine 'box2': did you mean 'box2d'? Known: native, box2d");
-  EXPECT_EQ(UnknownName("engine", "jolt", known), "there is no engine 'jolt'. Known: native, box2d");
-}
-
 std::vector<std::string> Find(const CRunReport& report, const std::string& limit) {
   const CLimit limits[] = {ParseLimit(limit)};
   return FindAbove(report, limits);
@@ -98,8 +81,6 @@ TEST(FailAboveTest, WhatIsNoLimitIsRefused) {
        {"missed", "missed=", "missed=x", "missed=1x", "missed=-1", "missed=nan", "missed=inf", "missed=1e999",
         "missed= 1", "missed==1", "", "=1", "Missed=1", "misses=1"})
     EXPECT_THROW(ParseLimit(pText), std::invalid_argument) << pText;
-  EXPECT_TRUE(Says(MessageOf<std::invalid_argument>([] { ParseLimit("tunelled=1"); }),
-                   "there is no metric 'tunelled': did you mean 'tunneled'?"));
 }
 
 // Each metric with what native-approximate and box2d have of it in the sample. At a value that one of them
