@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 #include "CommandCalls.h"
+#include "SampleReport.h"
 #include "scene/Engines.h"
 
 namespace {
@@ -89,15 +90,10 @@ TEST_F(CommandTest, RunWritesTheTableThreeFilesAndTheChart) {
       EXPECT_EQ(engine.at("contacts"), 50);
   }
 
-  std::istringstream csv(Read("contacts.csv"));
-  std::string line;
-  std::size_t rows = 0, fields = 0;
-  while (std::getline(csv, line)) {
-    const auto n = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
-    if (rows++ == 0) fields = n;
-    EXPECT_EQ(n, fields) << line;
-  }
-  EXPECT_EQ(rows, 1u + 2u * 50u);
+  const std::vector<std::string> lines = Shapes::Compare::Lines(Read("contacts.csv"));
+  EXPECT_EQ(lines.size(), 1u + 2u * 50u);
+  for (const std::string& line : lines)
+    EXPECT_EQ(std::ranges::count(line, ','), std::ranges::count(lines[0], ',')) << line;
 
   EXPECT_TRUE(Says(Read("report.html"), "<html"));
   EXPECT_TRUE(Says(Read("report.html"), "corner"));
