@@ -99,10 +99,11 @@ CMeeting MeetBalls(const CTuning& tuning, double speed) {
     };
     const CShapeId ball0 = add(0.2 * n, v0, m0), ball1 = add({0, 0}, v1, m1);
 
-    // In the relative motion one of them is a point, and the other a circle of both radii.
+    // In the relative motion one of them is a point, and the other has both radii.
     const Vector2d p = (pWorld->GetPos(ball0) - pWorld->GetPos(ball1)).cast<double>();
+    const CFigure point{.m_eShapeType = eShape::Point};
     const auto resolution = [&](double sum, const Vector2d& aside) {
-      return Mirror(relative, MeetOutside({p + aside, relative, 0}, {0, 0}, sum).m_vNorm);
+      return Mirror(relative, Meet(point, {p + aside, relative, sum}, 2 * t).m_vNorm);
     };
     const double sum = 2 * static_cast<double>(0.1f);
     const Vector2d exact = resolution(sum, {0, 0}), across = g_fTunedOffset * Perp(relative.normalized());

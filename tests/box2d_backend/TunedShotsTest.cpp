@@ -6,52 +6,6 @@
 namespace Shapes::Tests {
 namespace {
 
-// The exact resolutions, held against the native engine in tiny steps.
-
-constexpr unsigned g_nTinySteps = 250;
-
-std::unique_ptr<CWorld> MakeNative() {
-  CWorldDesc desc;
-  desc.m_fTimeStep = g_fDt;
-  desc.m_nSubsteps = g_nTinySteps;
-  return GetBackend(eBackend::Native)->MakeWorld(desc);
-}
-
-/// The largest direction error of 50 shots of 10 m/s, up to 60 degrees from the normal, at `surface`
-/// u (u is a random unit vector above the x axis).
-double MostError(const CAnyShapeDesc& shape, double surface, bool inside) {
-  CRange range(MakeNative(), {shape}, 0.1f);
-  CRandom random(40);
-  const auto aim = [&] {
-    const Vector2d u = UnitVector((20 + 140 * random.Unit()) * g_fDegree);
-    return CAim{surface * u, inside ? Vector2d(-u) : u, EitherSign(random, 60 * g_fDegree), 10,
-                random.Unit()};
-  };
-  return Quantile(range.Errors(50, aim), 1);
-}
-
-TEST(TunedExactTest, TheNativeEngineInTinyStepsAgrees) {
-  // A ball is late by a substep at most; the normal turns by that way, seen from the centre of curvature of
-  // the way of its centre, and the direction by twice as much. Half of that again for the rounding of floats.
-  const auto bound = [](double radius) { return 1.5 * 2 * (10.0 * g_fDt / g_nTinySteps) / radius; };
-  EXPECT_LE(MostError(CPointDesc({0, 0}), 0, false), bound(0.1));
-  EXPECT_LE(MostError(CCircleDesc({0, 0}, 0.5f), 0.5, false), bound(0.6));
-  EXPECT_LE(MostError(CArcDesc({0, 0}, 1, 0, g_fPi), 1, false), bound(1.1));
-  EXPECT_LE(MostError(CArcDesc({0, 0}, 1, 0, g_fPi), 1, true), bound(0.9));
-}
-
-TEST(TunedExactTest, TheNativeEngineAgreesAtSegments) {
-  ForEachCase(40, 50, [&](CRandom& random, int) {
-    const Vector2 along = random.Direction();
-    CRange range(MakeNative(), {CLineSegDesc(-along, along)}, 0.1f);
-    const double s = EitherSign(random, 0.8), incidence = EitherSign(random, 80 * g_fDegree);
-    const Vector2d t = along.cast<double>().normalized();
-    const auto shot = range.Aim({s * t, Perp(t), incidence, 10, random.Unit()});
-    ASSERT_TRUE(shot);
-    EXPECT_LE(range.DirectionError(*shot), 1e-5);
-  });
-}
-
 // Arcs are chords to Box2D. A tuned world bounces off the arc all the same, without more chords.
 
 /// Direction errors of 4,000 shots, half of them at a full circle and half at half circles, r = .1, R = 1,
