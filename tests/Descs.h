@@ -4,6 +4,8 @@
 
 #include <Shapes/Circle.h>
 
+#include <array>
+
 namespace Shapes {
 
 /// Kinematic, turning so many times a second about a centre.
@@ -27,6 +29,13 @@ template <class TDesc>
 TDesc Sensor(TDesc desc) {
   desc.m_bIsSensor = true;
   return desc;
+}
+
+/// Four walls of a box: at the bottom, on the right, at the top, on the left.
+inline std::array<CLineSegDesc, 4> Walls(const Vector2& low, const Vector2& high, float e = 1) {
+  const Vector2 right(high.x(), low.y()), left(low.x(), high.y());
+  return {CLineSegDesc(low, right, e), CLineSegDesc(right, high, e), CLineSegDesc(left, high, e),
+          CLineSegDesc(low, left, e)};
 }
 
 inline CCircleDesc MakeZone(const Vector2& p = Vector2::Zero(), float r = 1) {

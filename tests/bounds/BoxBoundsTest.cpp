@@ -12,11 +12,10 @@ namespace {
 constexpr int g_nBoxBoundsTrials = 5000;
 
 TEST(BoxBounds, TranslateWidthAndHeight) {
-  CRandom random(1401);
   CKept moved("CAabb2D::Translate", g_nBoxBoundsTrials),
       width("CAabb2D::GetWidth, GetHt", g_nBoxBoundsTrials);
   CBroken naive("Width of a box that was moved");
-  for (int i = 0; i < g_nBoxBoundsTrials; ++i) {
+  ForEachCase(1401, g_nBoxBoundsTrials, [&](CRandom& random, int) {
     const float size = AnySize(random);
     const Vector2 p = AnyPlace(random, size);
     const Vector2 q = p + AnyWay(random, size);
@@ -32,12 +31,11 @@ TEST(BoxBounds, TranslateWidthAndHeight) {
     see(naive);
     moved.SeeEach(box.GetTopLeft(), tl + Exact(v), 0.5);
     moved.SeeEach(box.GetBottomRt(), br + Exact(v), 0.5);
-  }
+  });
 }
 
 TEST(BoxBounds, PointsAndSegmentsHaveExactBoxes) {
-  CRandom random(1402);
-  for (int i = 0; i < g_nBoxBoundsTrials; ++i) {
+  ForEachCase(1402, g_nBoxBoundsTrials, [&](CRandom& random, int) {
     const float size = AnySize(random);
     const Vector2 p = AnyPlace(random, size);
     const Vector2 q = p + AnyWay(random, size);
@@ -45,14 +43,13 @@ TEST(BoxBounds, PointsAndSegmentsHaveExactBoxes) {
     ASSERT_TRUE(point.GetTopLeft() == p && point.GetBottomRt() == p);
     ASSERT_EQ(seg.GetTopLeft(), Vector2(std::min(p.x(), q.x()), std::max(p.y(), q.y())));
     ASSERT_EQ(seg.GetBottomRt(), Vector2(std::max(p.x(), q.x()), std::min(p.y(), q.y())));
-  }
+  });
 }
 
 TEST(BoxBounds, Circles) {
-  CRandom random(1403);
   CKept worst("CCircle::GetAABB", g_nBoxBoundsTrials);
   CBroken naive("Box of a circle by its diameter");
-  for (int i = 0; i < g_nBoxBoundsTrials; ++i) {
+  ForEachCase(1403, g_nBoxBoundsTrials, [&](CRandom& random, int) {
     const float r = AnySize(random);
     const Vector2 c = AnyPlace(random, r);
     const CCircle circle(CCircleDesc(c, r));
@@ -66,14 +63,13 @@ TEST(BoxBounds, Circles) {
     see(worst, box.GetTopLeft().y(), c.y() + R);
     see(worst, box.GetBottomRt().y(), c.y() - R);
     see(naive, box.GetTopLeft().x() + 2.0f * r, right);
-  }
+  });
 }
 
 TEST(BoxBounds, Arcs) {
-  CRandom random(1404);
   CKept worst("CArc::GetAABB", g_nBoxBoundsTrials);
   CBroken naive("Box of an arc by its ends");
-  for (int i = 0; i < 2 * g_nBoxBoundsTrials; ++i) {
+  ForEachCase(1404, 2 * g_nBoxBoundsTrials, [&](CRandom& random, int i) {
     const float r = AnySize(random);
     const Vector2 c = AnyPlace(random, r);
     const float a0 = AnyAngle(random);
@@ -92,7 +88,7 @@ TEST(BoxBounds, Arcs) {
     worst.See(abs(box.GetTopLeft().x() - left), bound);
     worst.See(abs(box.GetBottomRt().y() - bottom), bound);
     naive.See(abs(std::max(arc.GetEndPt0().x(), arc.GetEndPt1().x()) - right), bound);
-  }
+  });
 }
 
 } // namespace

@@ -13,15 +13,14 @@ constexpr int g_nCircleBoundsTrials = 10000;
 CCircle Circle(const Vector2& p, float r) { return CCircle(CCircleDesc(p, r)); }
 
 TEST(CircleBounds, ClosestPtAndPtInCircle) {
-  CRandom random(1201);
   CKept closest("CCircle::ClosestPt", 9000), inside("CCircle::PtInCircle", 9000);
   CBroken naive("CCircle::ClosestPt by the gradient"), naiveInside("PtInCircle by squares");
-  for (int i = 0; i < g_nCircleBoundsTrials; ++i) {
+  ForEachCase(1201, g_nCircleBoundsTrials, [&](CRandom& random, int i) {
     const float r = AnySize(random);
     const Vector2 c = AnyPlace(random, r);
     const float away = i % 2 ? r * NearOne(random) : r * random.Scale(-30, 10);
     const Vector2 q = c + AnyWay(random, away);
-    if (q == c) continue;
+    if (q == c) return;
     const CCircle circle = Circle(c, r);
     const CVec ec = Exact(c), eq = Exact(q), exact = ClosestOnCircle(ec, r, eq);
     const CFifty d = Gap(ec, eq), bound = 3 * g_fUlp * (Norm(ec) + r);
@@ -31,7 +30,7 @@ TEST(CircleBounds, ClosestPtAndPtInCircle) {
     naive.See(Exact(Vector2(c + Vector2(x, m * x))), exact, bound);
     inside.SeeAnswer(!circle.PtInCircle(q), d - r, g_fUlp * d);
     naiveInside.SeeAnswer(q.dot(q) - 2.0f * q.dot(c) + c.dot(c) >= r * r, d - r, g_fUlp * d);
-  }
+  });
 }
 
 // How well q is where a tangent through p touches: on the circle, and at a right angle to its radius.
@@ -43,11 +42,10 @@ void SeeTouch(CWorst& worst, const CVec& c, const CFifty& r, const CVec& p, cons
 }
 
 TEST(CircleBounds, TangentsThroughAPoint) {
-  CRandom random(1202);
   CKept touch("CCircle::Tangents through a point", 10000), where("where they touch", 10000),
       exists("that there are tangents through a point", 9000);
   CBroken naive("Tangent length d^2 - r^2");
-  for (int i = 0; i < g_nCircleBoundsTrials; ++i) {
+  ForEachCase(1202, g_nCircleBoundsTrials, [&](CRandom& random, int i) {
     const float r = AnySize(random);
     const Vector2 c = AnyPlace(random, r);
     const float away = i % 2 ? r * NearOne(random) : r * (1.0f + random.Scale(-20, 8));
@@ -56,9 +54,9 @@ TEST(CircleBounds, TangentsThroughAPoint) {
     const CFifty d = Gap(ec, ep);
     Vector2 q[2];
     const bool got = Circle(c, r).Tangents(p, q[0], q[1]);
-    if (d == 0) continue;
+    if (d == 0) return;
     exists.SeeAnswer(got, d - r, g_fUlp * d);
-    if (!got) continue;
+    if (!got) return;
     const CFifty bound = 10 * g_fUlp * (Norm(ep) + d);
     for (const int side : {1, -1}) {
       const CVec is = Exact(q[side < 0]);
@@ -70,15 +68,14 @@ TEST(CircleBounds, TangentsThroughAPoint) {
     const float df = v.norm(), phi = std::atan2(v.y(), v.x());
     const float delta = df * df - r * r, theta = phi + std::atan2(r, delta);
     SeeTouch(naive, ec, r, ep, Exact(Vector2(p + delta * Vector2(std::cos(theta), std::sin(theta)))), bound);
-  }
+  });
 }
 
 TEST(CircleBounds, CommonTangents) {
-  CRandom random(1203);
   CKept touch("CCircle::Tangents of two circles", 10000), where("where they touch both", 10000),
       exists("that two circles have tangents", g_nCircleBoundsTrials);
   CBroken naive("Common tangents by the tangent length");
-  for (int i = 0; i < g_nCircleBoundsTrials; ++i) {
+  ForEachCase(1203, g_nCircleBoundsTrials, [&](CRandom& random, int i) {
     const float r0 = AnySize(random);
     const float r1 = i % 4 == 0 ? r0 : i % 4 == 1 ? r0 * NearOne(random) : r0 * random.Scale(-12, 12);
     const Vector2 c0 = AnyPlace(random, r0);
@@ -91,7 +88,7 @@ TEST(CircleBounds, CommonTangents) {
     CLineSegDesc t[2];
     const bool got = a.Tangents(&b, t[0], t[1]);
     exists.SeeAnswer(!got, abs(f0 - f1) - d, 2 * g_fUlp * d);
-    if (!got || d - abs(f0 - f1) <= 16 * g_fUlp * d) continue;
+    if (!got || d - abs(f0 - f1) <= 16 * g_fUlp * d) return;
     const CFifty bound = 8 * g_fUlp * (Norm(e0) + Norm(e1) + f0 + f1);
     const CFifty slope = sqrt((d - f0 + f1) * (d + f0 - f1)) / d;
     for (const int side : {-1, 1}) {
@@ -109,7 +106,7 @@ TEST(CircleBounds, CommonTangents) {
     const float angle = std::atan2(v.y(), v.x()) + std::atan2(df * df - shrunk * shrunk, shrunk);
     const Vector2 n(std::cos(angle), std::sin(angle));
     SeeTouch(naive, e0, f0, Exact(Vector2(c1 + r1 * n)), Exact(Vector2(c0 + r0 * n)), bound);
-  }
+  });
 }
 
 constexpr int g_nArcBoundsTrials = 5000;
@@ -132,11 +129,10 @@ CArcOracle Exactly(const CArcDesc& desc) {
 CFifty Size(const CArcDesc& desc) { return Norm(Exact(desc.m_vPos)) + desc.m_fRadius; }
 
 TEST(ArcBounds, EndsTangentsAndAngles) {
-  CRandom random(1301);
   CKept ends("CArc::GetEndPts", 4000), tangents("CArcDesc::GetTangents", 4000),
       atEnds("CArc::GetTangents", 4000), span("CArc::GetSpan", 4000), angle1("CArc::GetAngle1", 4000);
   CBroken naive("Ends of an arc by a root");
-  for (int i = 0; i < g_nArcBoundsTrials; ++i) {
+  ForEachCase(1301, g_nArcBoundsTrials, [&](CRandom& random, int) {
     const CArcDesc desc = AnyArc(random);
     const CArcOracle exact = Exactly(desc);
     const CArc arc(desc);
@@ -155,11 +151,11 @@ TEST(ArcBounds, EndsTangentsAndAngles) {
     arc.GetTangents(t0, t1);
     atEnds.See(Exact(t0), Left(u0), 4 * g_fUlp * size / r);
     atEnds.See(CFifty(-1) * Exact(t1), Left(u1), 4 * g_fUlp * size / r);
-    if (arc.IsFullCircle()) continue;
+    if (arc.IsFullCircle()) return;
     span.See(abs(arc.GetSpan() - exact.m_fSpan), 6 * g_fUlp);
     const CFifty off = Turn(CFifty(arc.GetAngle1()) - end1);
     angle1.See(off < 3 ? off : CFifty(2 * Pi() - off), 12 * g_fUlp);
-  }
+  });
 }
 
 // On the end rays and beside them, around the centre, and anywhere.
@@ -175,16 +171,15 @@ Vector2 AnyPointFor(CRandom& random, const CArc& arc) {
 }
 
 TEST(ArcBounds, PtInSectorAndClosestPt) {
-  CRandom random(1302);
   CKept sector("CArc::PtInSector", 10000), distance("Distance of CArc::ClosestPt", 10000),
       on("CArc::ClosestPt off the arc", 10000);
   CBroken naive("PtInSector by angles from -pi to pi"), naiveClosest("Closest point by those angles");
-  for (int i = 0; i < 3 * g_nArcBoundsTrials; ++i) {
+  ForEachCase(1302, 3 * g_nArcBoundsTrials, [&](CRandom& random, int) {
     const CArcDesc desc = AnyArc(random);
     const CArc arc(desc);
     const CArcOracle exact = Exactly(desc);
     const Vector2 q = AnyPointFor(random, arc);
-    if (q == arc.GetPos() || arc.IsFullCircle()) continue;
+    if (q == arc.GetPos() || arc.IsFullCircle()) return;
     const CVec eq = Exact(q);
     const CFifty inside = exact.Inside(eq), bound = 10 * g_fUlp * Size(desc);
     sector.SeeAnswer(arc.PtInSector(q), inside, bound / exact.m_fRadius);
@@ -200,14 +195,13 @@ TEST(ArcBounds, PtInSectorAndClosestPt) {
     const float clamped = std::min(std::max(angle, arc.GetAngle0()), arc.GetAngle1());
     const CVec naiveIs = Exact(Vector2(arc.GetPos() + arc.GetRadius() * AngleToVector(clamped)));
     naiveClosest.See(abs(Gap(eq, naiveIs) - Gap(eq, best)), bound + far);
-  }
+  });
 }
 
 // No error at all on this side: what is on an end ray is never outside.
 TEST(ArcBounds, EndRaysBelongToTheSector) {
-  CRandom random(1303);
   int lost = 0;
-  for (int i = 0; i < g_nArcBoundsTrials; ++i) {
+  ForEachCase(1303, g_nArcBoundsTrials, [&](CRandom& random, int i) {
     CArcDesc desc = AnyArc(random);
     const CArc anywhere(desc);
     ASSERT_TRUE(anywhere.PtInSector(anywhere.GetEndPt0()) && anywhere.PtInSector(anywhere.GetEndPt1()));
@@ -216,13 +210,13 @@ TEST(ArcBounds, EndRaysBelongToTheSector) {
     const float far = std::ldexp(1.0f, static_cast<int>(random.Below(40)) - 20);
     for (const Vector2& end : {arc.GetEndPt0(), arc.GetEndPt1()}) {
       if (Vector2(far * end) / far != end) continue; // a denormal would be rounded
-      ASSERT_TRUE(arc.PtInSector(far * end)) << "seed " << random.GetSeed() << " trial " << i;
+      ASSERT_TRUE(arc.PtInSector(far * end));
       const float angle = NormalizeAngle(std::atan2(end.y(), end.x()));
       const float past = NormalizeAngle(angle - arc.GetAngle0()),
                   span = NormalizeAngle(desc.GetAngle1() - desc.GetAngle0());
       lost += !arc.IsFullCircle() && past > span;
     }
-  }
+  });
   EXPECT_GT(lost, 0); // by angles in [0, 2 pi)
 }
 

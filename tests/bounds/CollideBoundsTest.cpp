@@ -61,10 +61,9 @@ float NaiveDistance(const Vector2& p, const Vector2& q) {
 }
 
 TEST(DetectBounds, PointCircle) {
-  CRandom random(1701);
   CHitErrors errors("CollidePointCircle", 5000);
   CBroken naive("Setback from a point by squares");
-  for (int i = 0; i < g_nDetectBoundsTrials; ++i) {
+  ForEachCase(1701, g_nDetectBoundsTrials, [&](CRandom& random, int) {
     const float r = AnySize(random);
     const CPoint point(CPointDesc(AnyPlace(random, r)));
     const float gap = AnyGap(random, r);
@@ -75,20 +74,19 @@ TEST(DetectBounds, PointCircle) {
     CHit hit;
     const bool got = CollidePointCircle(point, ball, hit);
     errors.m_cAnswer.SeeAnswer(!got, -(r - d), g_fUlp * r);
-    if (!got || d == 0) continue;
+    if (!got || d == 0) return;
     errors.m_cPOI.See(Exact(hit.m_vPOI), Exact(point.GetPos()), 0);
     errors.m_cNorm.See(Exact(hit.m_vNorm), Unit(e), 2 * g_fUlp);
     errors.SeeSetback(hit, r - d, 2 * g_fUlp * r, ball,
                       [&](const CBall& b, CHit& h) { return CollidePointCircle(point, b, h); });
     naive.See(abs(r - NaiveDistance(p, point.GetPos()) - (r - d)), 2 * g_fUlp * r);
-  }
+  });
 }
 
 TEST(DetectBounds, BallBall) {
-  CRandom random(1702);
   CHitErrors errors("CollideBallBall", 5000);
   CBroken naive("Setback of two balls by squares");
-  for (int i = 0; i < g_nDetectBoundsTrials; ++i) {
+  ForEachCase(1702, g_nDetectBoundsTrials, [&](CRandom& random, int i) {
     const float r0 = AnySize(random), r1 = i % 3 ? r0 * random.Scale(-8, 8) : r0 * NearOne(random);
     const CBall other = Resting(random, AnyPlace(random, r0), r0);
     const float gap = AnyGap(random, r0 + r1);
@@ -99,7 +97,7 @@ TEST(DetectBounds, BallBall) {
     CHit hit;
     const bool got = CollideBallBall(other, ball, hit);
     errors.m_cAnswer.SeeAnswer(!got, -(r - d), 2 * g_fUlp * r);
-    if (!got || d == 0) continue;
+    if (!got || d == 0) return;
     const CVec n = Unit(e);
     errors.m_cPOI.See(Exact(hit.m_vPOI), Exact(other.m_vPos) + CFifty(r0) * n,
                       3 * g_fUlp * (Norm(Exact(other.m_vPos)) + r0));
@@ -107,20 +105,19 @@ TEST(DetectBounds, BallBall) {
     errors.SeeSetback(hit, r - d, 2 * g_fUlp * r, ball,
                       [&](const CBall& b, CHit& h) { return CollideBallBall(other, b, h); });
     naive.See(abs(r0 + r1 - NaiveDistance(p, other.m_vPos) - (r - d)), 2 * g_fUlp * r);
-  }
+  });
 }
 
 TEST(DetectBounds, LineSegCircle) {
-  CRandom random(1703);
   CHitErrors errors("CollideLineSegCircle", 5000);
   CBroken naive("Setback from a segment by gradients");
-  for (int i = 0; i < 2 * g_nDetectBoundsTrials; ++i) {
+  ForEachCase(1703, 2 * g_nDetectBoundsTrials, [&](CRandom& random, int i) {
     const float size = AnySize(random), r = size * random.Scale(-10, 2);
     const Vector2 from = AnyPlace(random, size);
     const Vector2 to = from + AnyWay(random, size);
     const CLineSeg seg(CLineSegDesc(from, to));
     const Vector2 &p0 = seg.GetEndPt0(), &p1 = seg.GetEndPt1();
-    if (p0 == p1) continue;
+    if (p0 == p1) return;
     const float share = i % 3 ? random.Uniform(-0.1f, 1.1f) : random.SignedScale(-24, -10);
     const float side = random.Coin() ? 1.0f : -1.0f;
     const float gap = side * AnyGap(random, r);
@@ -134,7 +131,7 @@ TEST(DetectBounds, LineSegCircle) {
     // What is met overlaps, and is between both ends.
     const CFifty overlap = std::min({CFifty(r - abs(s)), Dot(e - e0, t), CFifty(-Dot(e - e1, t))});
     errors.m_cAnswer.SeeAnswer(!got, -overlap, 3 * g_fUlp * (d0 + d1));
-    if (!got || abs(s) <= 3 * g_fUlp * d0) continue; // on the segment: either side
+    if (!got || abs(s) <= 3 * g_fUlp * d0) return; // on the segment: either side
     errors.m_cPOI.See(Exact(hit.m_vPOI), ClosestOnSegment(e0, e1, e),
                       8 * g_fUlp * (Norm(e) + Norm(e0) + Gap(e0, e1)));
     errors.m_cNorm.See(Exact(hit.m_vNorm), s > 0 ? Left(t) : CFifty(-1) * Left(t), 2 * g_fUlp);
@@ -143,15 +140,14 @@ TEST(DetectBounds, LineSegCircle) {
                       [&](const CBall& b, CHit& h) { return CollideLineSegCircle(seg, b, h); });
     const float m = (p1.y() - p0.y()) / (p1.x() - p0.x()), b = p0.y() - m * p0.x();
     naive.See(abs(r - std::abs(p.y() - m * p.x() - b) / std::sqrt(1.0f + m * m) - (r - abs(s))), bound);
-  }
+  });
 }
 
 TEST(DetectBounds, ApproachSpeed) {
-  CRandom random(1704);
   CKept worst("CContactDesc::m_fSpeed", 5000);
   CBroken naive("Approach speed as the loss of distance");
   const CBackend& native = *GetBackend(eBackend::Native);
-  for (int i = 0; i < g_nDetectBoundsTrials; ++i) {
+  ForEachCase(1704, g_nDetectBoundsTrials, [&](CRandom& random, int i) {
     const float size = AnySize(random), r = size * random.Scale(-10, 2);
     const Vector2 from = AnyPlace(random, size);
     const Vector2 to = from + AnyWay(random, size);
@@ -159,18 +155,18 @@ TEST(DetectBounds, ApproachSpeed) {
     desc.m_fRotSpeed = random.SignedScale(-8, 6);
     desc.m_vRotCenter = from + AnyWay(random, size);
     CKinematicLineSeg seg(desc);
-    if (from == to) continue;
+    if (from == to) return;
     const Vector2 p = from + random.Uniform(0.1f, 0.9f) * (to - from) + 0.5f * r * seg.GetNormal();
     const Vector2 v =
         i % 2 ? AnyWay(random, AnySize(random)) : Vector2(NearOne(random) * seg.GetSurfaceVelocity(p));
-    if (v.norm() > 1e12f) continue;
+    if (v.norm() > 1e12f) return;
     CDynamicCircle ball(CDynamicCircleDesc(p, r, v));
     CContactDesc c(&seg, &ball);
-    if (!native.CollisionDetected(c)) continue;
+    if (!native.CollisionDetected(c)) return;
     const CVec e0 = Exact(seg.GetEndPt0()), e1 = Exact(seg.GetEndPt1()), e = Exact(p),
                n = Left(Unit(e1 - e0));
     const CFifty side = Dot(e - e0, n);
-    if (abs(side) <= 3 * g_fUlp * Gap(e, e0)) continue;
+    if (abs(side) <= 3 * g_fUlp * Gap(e, e0)) return;
     const CFifty spin = 2 * Pi() * CFifty(desc.m_fRotSpeed);
     const CVec surface = spin * Left(ClosestOnSegment(e0, e1, e) - Exact(desc.m_vRotCenter));
     const CFifty approach = -Dot(Exact(v) - surface, side > 0 ? n : CFifty(-1) * n),
@@ -181,14 +177,13 @@ TEST(DetectBounds, ApproachSpeed) {
     const float dt = 0x1p-10f;
     const float before = Length(p - c.m_vPOI), after = Length(Vector2(p + dt * v) - c.m_vPOI);
     naive.See(abs(std::max(0.0f, (before - after) / dt) - exact), bound);
-  }
+  });
 }
 
 TEST(DetectBounds, CircleCircle) {
-  CRandom random(1801);
   CHitErrors errors("CollideCircleCircle", 5000);
   CBroken naive("Setback from a ring by d^2 - R^2");
-  for (int i = 0; i < g_nDetectBoundsTrials; ++i) {
+  ForEachCase(1801, g_nDetectBoundsTrials, [&](CRandom& random, int i) {
     const float R = AnySize(random), r = R * (i % 3 ? random.Scale(-10, 4) : NearOne(random));
     const CCircle circle(CCircleDesc(AnyPlace(random, R), R));
     const float gap = AnyGap(random, r);
@@ -201,17 +196,17 @@ TEST(DetectBounds, CircleCircle) {
     CHit hit;
     const bool got = CollideCircleCircle(circle, ball, hit);
     errors.m_cAnswer.SeeAnswer(!got, -(r - exactGap), 2 * g_fUlp * size);
-    if (!got || d == 0) continue;
+    if (!got || d == 0) return;
     const CVec n = Unit(e);
     errors.m_cPOI.See(Exact(hit.m_vPOI), c + CFifty(R) * n, 3 * g_fUlp * (Norm(c) + R));
     errors.SeeSetback(hit, r - exactGap, 2 * g_fUlp * size, ball,
                       [&](const CBall& b, CHit& h) { return CollideCircleCircle(circle, b, h); });
-    if (fits && abs(d - R) <= g_fUlp * d) continue; // on the ring: either side
+    if (fits && abs(d - R) <= g_fUlp * d) return; // on the ring: either side
     errors.m_cNorm.See(Exact(hit.m_vNorm), fits && d < R ? CFifty(-1) * n : n, 2 * g_fUlp);
     const Vector2 v = p - circle.GetPos();
     const float naiveGap = std::abs(v.squaredNorm() - R * R) / (2.0f * R);
     naive.See(abs(r - naiveGap - (r - exactGap)), 2 * g_fUlp * size);
-  }
+  });
 }
 
 // The ball is let go past the end of an arc: more than 0 if all of what docs/conventions.md asks for that
@@ -232,23 +227,22 @@ CFifty LetsGo(const CArcOracle& arc, const CVec& p, const CFifty& r, const CVec&
 }
 
 TEST(DetectBounds, CircleArc) {
-  CRandom random(1802);
   CHitErrors errors("CollideCircleArc", 2000);
   CBroken naive("Answer of an arc by angles from -pi to pi");
   int letGo = 0;
-  for (int i = 0; i < g_nDetectBoundsTrials; ++i) {
+  ForEachCase(1802, g_nDetectBoundsTrials, [&](CRandom& random, int i) {
     const float R = AnySize(random), r = R * (i % 3 ? random.Scale(-10, 1) : NearOne(random));
     const Vector2 c = AnyPlace(random, R);
     const float a0 = AnyAngle(random);
     const CArcDesc desc(c, R, a0, AnyAngle(random));
     const CArc arc(desc);
-    if (arc.IsFullCircle()) continue;
+    if (arc.IsFullCircle()) return;
     const float gap = AnyGap(random, r);
     const float away = random.Coin() ? R + gap : std::abs(R - gap);
     const float share = i % 2 ? random.Uniform(-0.1f, 1.1f) : random.SignedScale(-24, -10);
     const Vector2 p = c + away * AngleToVector(desc.GetAngle0() + share * arc.GetSpan());
     const CBall ball = Resting(random, p, r);
-    if (p == c) continue;
+    if (p == c) return;
     const CArcOracle exact{Exact(c), R, desc.GetAngle0(),
                            Turn(CFifty(desc.GetAngle1()) - CFifty(desc.GetAngle0()))};
     const CVec e = Exact(p);
@@ -262,9 +256,9 @@ TEST(DetectBounds, CircleArc) {
       if (lets > -angleBound * (1 + CFifty(R) / r)) {
         if (lets > angleBound * (1 + CFifty(R) / r) && s < -g_fUlp * d) {
           ++letGo;
-          EXPECT_FALSE(got) << "seed " << random.GetSeed() << " trial " << i;
+          EXPECT_FALSE(got);
         }
-        continue;
+        return;
       }
     }
     // Both in shares of their bounds: how far in the sector, and how deep.
@@ -275,7 +269,7 @@ TEST(DetectBounds, CircleArc) {
     const float angle = std::atan2(v.y(), v.x());
     const bool naiveGot = std::abs(v.norm() - R) < r && arc.GetAngle0() <= angle && angle <= arc.GetAngle1();
     naive.SeeAnswer(!naiveGot, -met, 1);
-    if (!got) continue;
+    if (!got) return;
     const CVec n = Unit(e - exact.m_vCenter);
     errors.m_cPOI.See(Exact(hit.m_vPOI), exact.m_vCenter + CFifty(R) * n,
                       3 * g_fUlp * (Norm(exact.m_vCenter) + R));
@@ -283,9 +277,9 @@ TEST(DetectBounds, CircleArc) {
     const bool sound = r < R || abs(s) > g_fUlp * d;
     errors.SeeSetback(hit, r - abs(s), bound, ball,
                       [&](const CBall& b, CHit& h) { return sound && CollideCircleArc(arc, b, h); });
-    if (abs(s) <= g_fUlp * d) continue; // on the arc: either side
+    if (abs(s) <= g_fUlp * d) return; // on the arc: either side
     errors.m_cNorm.See(Exact(hit.m_vNorm), s < 0 ? CFifty(-1) * n : n, 2 * g_fUlp);
-  }
+  });
   EXPECT_GT(letGo, 50);
 }
 

@@ -3,14 +3,14 @@
 // floats that are neighbours.
 #pragma once
 
-#include "../Random.h"
+#include "../geometry/Cases.h"
 
 #include <cmath>
 #include <limits>
 
 namespace Shapes::Bounds {
 
-using Tests::CRandom;
+using Tests::CRandom, Tests::ForEachCase;
 
 /// 1e-6 to 1e6.
 inline float AnySize(CRandom& random) { return random.Scale(-20, 19); }

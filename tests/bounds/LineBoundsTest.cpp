@@ -32,10 +32,9 @@ CLineSegDesc AnySegment(CRandom& random) {
 }
 
 TEST(LineBounds, ClosestPtOfALine) {
-  CRandom random(1101);
   CKept worst("CLine::ClosestPt", g_nLineBoundsTrials);
   CBroken naive("CLine::ClosestPt by gradients");
-  for (int i = 0; i < g_nLineBoundsTrials; ++i) {
+  ForEachCase(1101, g_nLineBoundsTrials, [&](CRandom& random, int) {
     const float size = AnySize(random), m = AnyGradient(random);
     const Vector2 p = AnyPlace(random, size);
     const Vector2 q = p + AnyWay(random, size);
@@ -43,28 +42,27 @@ TEST(LineBounds, ClosestPtOfALine) {
     const CFifty bound = 4 * g_fUlp * (Norm(Exact(q)) + Gap(Exact(q), Exact(p)));
     worst.See(Exact(CLine(p, m).ClosestPt(q)), exact, bound);
     naive.See(Exact(NaiveClosestPt(p, m, q)), exact, bound);
-  }
+  });
 }
 
 TEST(LineBounds, Intersect) {
-  CRandom random(1102);
   CKept worst("CLine::Intersect", 10000);
   CBroken naive("CLine::Intersect by gradients");
-  for (int i = 0; i < g_nLineBoundsTrials; ++i) {
+  ForEachCase(1102, g_nLineBoundsTrials, [&](CRandom& random, int i) {
     const float size = AnySize(random), m0 = AnyGradient(random);
     const float m1 = i % 3 ? AnyGradient(random) : m0 * NearOne(random);
     const Vector2 p = AnyPlace(random, size);
     const Vector2 q = p + AnyWay(random, size);
     const CVec d0 = Along(m0), d1 = Along(m1);
     const CFifty sine = abs(Cross(d0, d1));
-    if (sine < CFifty(0x1p-20)) continue;
+    if (sine < CFifty(0x1p-20)) return;
     const CVec exact = Crossing(Exact(p), d0, Exact(q), d1);
     const CFifty bound =
         8 * g_fUlp * (Norm(Exact(p)) + Gap(Exact(p), Exact(q)) + Gap(exact, Exact(p))) / sine;
     worst.See(Exact(CLine(p, m0).Intersect(CLine(q, m1))), exact, bound);
     const float b0 = p.y() - p.x() * m0, b1 = q.y() - q.x() * m1, x = (b1 - b0) / (m0 - m1);
     naive.See(Exact(Vector2(x, m0 * x + b0)), exact, bound);
-  }
+  });
 }
 
 // Whether float holds it with all its digits.
@@ -91,10 +89,9 @@ void SeeGradients(const CLine& line, const CVec& p, const CVec& d, CWorst& gradi
 }
 
 TEST(LineBounds, GradientsAndIntercepts) {
-  CRandom random(1103);
   CKept gradients("Gradients", g_nLineBoundsTrials), intercepts("Intercepts", g_nLineBoundsTrials / 2);
   CBroken naive("Gradient by the angle");
-  for (int i = 0; i < g_nLineBoundsTrials; ++i) {
+  ForEachCase(1103, g_nLineBoundsTrials, [&](CRandom& random, int i) {
     if (i % 2) {
       const Vector2 p = AnyPlace(random, AnySize(random));
       const float m = i % 4 == 1 ? AnyGradient(random) : random.SignedScale(-120, 119);
@@ -106,21 +103,20 @@ TEST(LineBounds, GradientsAndIntercepts) {
       SeeGradients(CLineSeg(desc), p, d, gradients, intercepts);
       EXPECT_EQ(desc.GetGradient(), CLineSeg(desc).GetGradient());
     }
-  }
+  });
 }
 
 TEST(LineBounds, NormalsTangentsAndMidpointsOfSegments) {
-  CRandom random(1104);
   CKept tangent("CLineSeg::GetTangents", g_nLineBoundsTrials - 2000),
       normal("CLineSeg::GetNormal", g_nLineBoundsTrials - 2000),
       middle("Midpoint of a segment", g_nLineBoundsTrials - 2000),
       unit("Length of CLineSeg::GetNormal", g_nLineBoundsTrials - 2000);
   CBroken naive("Normal by the gradient");
-  for (int i = 0; i < g_nLineBoundsTrials; ++i) {
+  ForEachCase(1104, g_nLineBoundsTrials, [&](CRandom& random, int) {
     const CLineSegDesc desc = AnySegment(random);
     const CVec p0 = Exact(desc.GetEndPt0()), p1 = Exact(desc.GetEndPt1());
     const CFifty length = Gap(p0, p1);
-    if (length == 0) continue;
+    if (length == 0) return;
     const CVec t = Unit(p1 - p0);
     const CLineSeg seg(desc);
     Vector2 t0, t1;
@@ -134,14 +130,13 @@ TEST(LineBounds, NormalsTangentsAndMidpointsOfSegments) {
     const float m =
         (desc.GetEndPt1().y() - desc.GetEndPt0().y()) / (desc.GetEndPt1().x() - desc.GetEndPt0().x());
     naive.See(Exact(Vector2(Vector2(-m, 1.0f) / std::sqrt(1.0f + m * m))), Left(t), 2 * g_fUlp);
-  }
+  });
 }
 
 TEST(LineBounds, ClosestPtOfASegment) {
-  CRandom random(1105);
   CKept worst("CLineSeg::ClosestPt", g_nLineBoundsTrials);
   CBroken naive("CLineSeg::ClosestPt by gradients");
-  for (int i = 0; i < g_nLineBoundsTrials; ++i) {
+  ForEachCase(1105, g_nLineBoundsTrials, [&](CRandom& random, int i) {
     const CLineSegDesc desc = AnySegment(random);
     const Vector2 &p0 = desc.GetEndPt0(), &p1 = desc.GetEndPt1();
     // Around the segment, at its ends, and far beyond them.
@@ -154,7 +149,7 @@ TEST(LineBounds, ClosestPtOfASegment) {
     const CFifty bound = 8 * g_fUlp * (Norm(Exact(q)) + Norm(e0) + Gap(e0, e1));
     worst.See(Exact(CLineSeg(desc).ClosestPt(q)), exact, bound);
     naive.See(Exact(NaiveClosestPt(p0, (p1.y() - p0.y()) / (p1.x() - p0.x()), q)), exact, bound);
-  }
+  });
 }
 
 } // namespace

@@ -44,13 +44,12 @@ float AnyElasticity(CRandom& random) {
 
 TYPED_TEST(ResponseBounds, AgainstAStaticOrTurningShape) {
   using T = TypeParam;
-  CRandom random(1601);
   CKept vel("RespondKinematic, velocity", g_nResponseBoundsTrials),
       pos("RespondKinematic, place", g_nResponseBoundsTrials),
       speed("ApproachSpeed", g_nResponseBoundsTrials);
   CBroken naive("Response by parallel and perpendicular component");
   const CFifty ulp = Ulp<T>();
-  for (int i = 0; i < g_nResponseBoundsTrials; ++i) {
+  ForEachCase(1601, g_nResponseBoundsTrials, [&](CRandom& random, int i) {
     const float size = AnySize(random);
     const TVec<T> n = AnyNormal<T>(random), p = AnyPlace(random, size).cast<T>(), v = AnyVel<T>(random);
     const TVec<T> surface = i % 2 ? TVec<T>(TVec<T>::Zero()) : Beside<T>(random, v);
@@ -63,25 +62,24 @@ TYPED_TEST(ResponseBounds, AgainstAStaticOrTurningShape) {
     vel.See(Exact(gotV), ev - along * en, bound);
     pos.See(Exact(gotP), Exact(p) + CFifty(setback) * en, ulp * (Norm(Exact(p)) + setback));
     speed.See(abs(ApproachSpeed(v, surface, n) - std::max(CFifty(0), CFifty(-vn))), 2 * ulp * Norm(w));
-    if (vn >= 0) continue;
+    if (vn >= 0) return;
     // Across by Pythagoras.
     const T rel = (v - surface).dot(n),
             across = std::sqrt(std::max(T(0), (v - surface).squaredNorm() - rel * rel));
     const TVec<T> t(-n.y(), n.x());
     naive.See(Exact(TVec<T>(surface - e * rel * n + std::copysign(across, (v - surface).dot(t)) * t)),
               ev - along * en, bound);
-  }
+  });
 }
 
 TYPED_TEST(ResponseBounds, OfTwoBalls) {
   using T = TypeParam;
-  CRandom random(1602);
   CKept vel("RespondDynamic, velocity", g_nResponseBoundsTrials),
       pos("RespondDynamic, place", g_nResponseBoundsTrials),
       momentum("RespondDynamic, momentum", g_nResponseBoundsTrials);
   CBroken naive("Response of two balls by mass differences");
   const CFifty ulp = Ulp<T>();
-  for (int i = 0; i < g_nResponseBoundsTrials; ++i) {
+  ForEachCase(1602, g_nResponseBoundsTrials, [&](CRandom& random, int i) {
     const float size = AnySize(random);
     const TVec<T> n = AnyNormal<T>(random), v0 = AnyVel<T>(random), v1 = Beside<T>(random, v0);
     const TVec<T> p0 = AnyPlace(random, size).cast<T>(), p1 = p0 + T(size) * n;
@@ -100,19 +98,18 @@ TYPED_TEST(ResponseBounds, OfTwoBalls) {
     pos.See(Exact(q1), Exact(p1) + (setback * share1) * en, 3 * ulp * (Norm(Exact(p1)) + setback * share1));
     momentum.See(CFifty(m0) * Exact(u0) + CFifty(m1) * Exact(u1), CFifty(m0) * e0 + CFifty(m1) * e1,
                  m0 * bound0 + m1 * bound1);
-    if (vn >= 0) continue;
+    if (vn >= 0) return;
     // Each from the textbook's ((m1 - e m0) v1 + (1 + e) m0 v0) / (m0 + m1) along n.
     const T a0 = v0.dot(n), a1 = v1.dot(n);
     const T b1 = ((m1 - e * m0) * a1 + (T(1) + e) * m0 * a0) / (m0 + m1);
     naive.See(Exact(TVec<T>(v1 + (b1 - a1) * n)), e1 - (along * share1) * en, bound1);
-  }
+  });
 }
 
 TYPED_TEST(ResponseBounds, CapSpeed) {
   using T = TypeParam;
-  CRandom random(1603);
   CKept worst("CapSpeed", 1000);
-  for (int i = 0; i < g_nResponseBoundsTrials; ++i) {
+  ForEachCase(1603, g_nResponseBoundsTrials, [&](CRandom& random, int) {
     const float most = AnySize(random);
     const TVec<T> v = AnyVel<T>(random);
     TVec<T> got = v;
@@ -124,17 +121,16 @@ TYPED_TEST(ResponseBounds, CapSpeed) {
     }
     if (!cut) {
       EXPECT_EQ(got, v);
-      continue;
+      return;
     }
     worst.See(Exact(got), (CFifty(most) / speed) * e, 4 * Ulp<T>() * most);
-  }
+  });
 }
 
 TEST(FreeFlightBounds, AccelerateAndMove) {
-  CRandom random(1604);
   CKept vel("Accelerate", g_nResponseBoundsTrials), pos("Move", g_nResponseBoundsTrials);
   CBroken naive("Move by the mean of both velocities");
-  for (int i = 0; i < g_nResponseBoundsTrials; ++i) {
+  ForEachCase(1604, g_nResponseBoundsTrials, [&](CRandom& random, int) {
     const Vector2 g = AnyWay(random, AnySize(random)), v = AnyWay(random, AnySize(random)),
                   p = AnyPlace(random, AnySize(random));
     const float dt = random.Scale(-20, 0);
@@ -147,7 +143,7 @@ TEST(FreeFlightBounds, AccelerateAndMove) {
     const CFifty bound = g_fUlp * (Norm(Exact(p)) + Norm(vdt));
     pos.See(Exact(gotP), Exact(p) + vdt, bound);
     naive.See(Exact(Vector2(p + 0.5f * dt * (v + gotV))), Exact(p) + vdt, bound);
-  }
+  });
 }
 
 } // namespace

@@ -19,10 +19,9 @@ Vector2 AnyVector(CRandom& random, int leastExp, int mostExp) {
 }
 
 TEST(ShapeMathBounds, Cross) {
-  CRandom random(1001);
   CKept worst("Cross", g_nShapeMathBoundsTrials);
   CBroken single("Cross from a sum of products that were not rounded apart");
-  for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
+  ForEachCase(1001, g_nShapeMathBoundsTrials, [&](CRandom& random, int i) {
     const Vector2 a = AnyVector(random, -80, 60);
     const Vector2 b = i % 2 ? Vector2(NearOne(random) * a) : AnyVector(random, -80, 60);
     const CVec ea = Exact(a), eb = Exact(b);
@@ -32,16 +31,15 @@ TEST(ShapeMathBounds, Cross) {
     const float angle = std::atan2(b.y(), b.x()) - std::atan2(a.y(), a.x());
     single.See(abs(a.norm() * b.norm() * std::sin(angle) - Cross(ea, eb)), bound);
     ASSERT_EQ(Shapes::Cross(a, a), 0.0f);
-  }
+  });
 }
 
 TEST(ShapeMathBounds, LengthAndNormalize) {
-  CRandom random(1002);
   CKept length("Length", 9000), unit("Normalize", 9000), one("Length of Normalize", 9000);
   CBroken squares("Length by float squares"), quotient("Normalize by float squares");
-  for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
+  ForEachCase(1002, g_nShapeMathBoundsTrials, [&](CRandom& random, int i) {
     const Vector2 v = i % 2 ? AnyVector(random, -149, 126) : AnyWay(random, AnySize(random));
-    if (v == Vector2::Zero()) continue;
+    if (v == Vector2::Zero()) return;
     const CVec e = Exact(v);
     const CFifty d = Norm(e);
     const CFifty bound = g_fUlp * d + CFifty(0x1p-149);
@@ -51,28 +49,26 @@ TEST(ShapeMathBounds, LengthAndNormalize) {
     unit.SeeEach(u, Unit(e), 1, 0x1p-149);
     quotient.SeeEach(v / std::sqrt(v.x() * v.x() + v.y() * v.y()), Unit(e), 1, 0x1p-149);
     one.See(abs(Norm(Exact(u)) - 1), g_fUlp);
-  }
+  });
 }
 
 TEST(ShapeMathBounds, ParallelComponent) {
-  CRandom random(1003);
   CKept worst("ParallelComponent", 9000);
   CBroken naive("ParallelComponent by w.w");
-  for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
+  ForEachCase(1003, g_nShapeMathBoundsTrials, [&](CRandom& random, int i) {
     const Vector2 v = AnyWay(random, AnySize(random));
     const Vector2 w = i % 2 ? AnyVector(random, -140, 120) : Vector2(NearOne(random) * perp(v));
-    if (w == Vector2::Zero()) continue;
+    if (w == Vector2::Zero()) return;
     const CVec ev = Exact(v), ew = Exact(w), exact = (Dot(ev, ew) / Dot(ew, ew)) * ew;
     worst.See(Exact(ParallelComponent(v, w)), exact, 3 * g_fUlp * Norm(ev));
     naive.See(Exact(Vector2((v.dot(w) / w.dot(w)) * w)), exact, 3 * g_fUlp * Norm(ev));
-  }
+  });
 }
 
 TEST(ShapeMathBounds, RotatePt) {
-  CRandom random(1004);
   CKept worst("RotatePt", g_nShapeMathBoundsTrials);
   CBroken naive("RotatePt in float");
-  for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
+  ForEachCase(1004, g_nShapeMathBoundsTrials, [&](CRandom& random, int i) {
     const float size = AnySize(random);
     const Vector2 center = AnyPlace(random, size);
     const Vector2 p = center + AnyWay(random, size);
@@ -86,14 +82,13 @@ TEST(ShapeMathBounds, RotatePt) {
       return Vector2(c * v.x() - s * v.y(), s * v.x() + c * v.y());
     };
     naive.See(Exact(Vector2(turned(p) + (center - turned(center)))), exact, bound);
-  }
+  });
 }
 
 TEST(ShapeMathBounds, NormalizeAngle) {
-  CRandom random(1005);
   CKept worst("NormalizeAngle", g_nShapeMathBoundsTrials);
   CBroken naive("NormalizeAngle in float");
-  for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
+  ForEachCase(1005, g_nShapeMathBoundsTrials, [&](CRandom& random, int i) {
     float angle = i % 2 ? AnyAngle(random) : random.SignedScale(-20, 28);
     if (i % 4 == 0) {
       const int exponent = static_cast<int>(random.Below(28));
@@ -111,32 +106,30 @@ TEST(ShapeMathBounds, NormalizeAngle) {
     see(worst, got);
     const float rest = std::fmod(angle, g_fTwoPi);
     see(naive, rest < 0.0f ? rest + g_fTwoPi : rest);
-  }
+  });
 }
 
 TEST(ShapeMathBounds, AngleToVector) {
-  CRandom random(1006);
   CKept worst("AngleToVector", g_nShapeMathBoundsTrials);
   CBroken naive("AngleToVector by a root");
-  for (int i = 0; i < g_nShapeMathBoundsTrials; ++i) {
+  ForEachCase(1006, g_nShapeMathBoundsTrials, [&](CRandom& random, int i) {
     const float angle = i % 50 ? AnyAngle(random) : random.SignedScale(10, 120);
     const CVec exact = AtAngle(angle);
     worst.SeeEach(AngleToVector(angle), exact, 1);
     const float c = std::cos(angle);
     naive.SeeEach({c, std::copysign(std::sqrt(1.0f - c * c), std::sin(angle))}, exact, 1);
-  }
+  });
 }
 
 constexpr int g_nRotationBoundsTrials = 5000;
 
 TEST(RotationBounds, Rotate) {
-  CRandom random(1501);
   CKept points("CKinematicPoint::Rotate", g_nRotationBoundsTrials),
       circles("CKinematicCircle::Rotate", g_nRotationBoundsTrials),
       segments("CKinematicLineSeg::Rotate", g_nRotationBoundsTrials),
       arcs("CKinematicArc::Rotate", g_nRotationBoundsTrials);
   CBroken naive("Rotate in eight parts");
-  for (int i = 0; i < g_nRotationBoundsTrials; ++i) {
+  ForEachCase(1501, g_nRotationBoundsTrials, [&](CRandom& random, int i) {
     const float size = AnySize(random);
     const Vector2 center = AnyPlace(random, size);
     const Vector2 p = center + AnyWay(random, size);
@@ -175,14 +168,13 @@ TEST(RotationBounds, Rotate) {
     for (int k = 0; k < 8; ++k)
       turned = RotatePt(turned, center, angle / 8.0f);
     see(naive, turned, p);
-  }
+  });
 }
 
 TEST(RotationBounds, GetSurfaceVelocity) {
-  CRandom random(1502);
   CKept worst("CShape::GetSurfaceVelocity", g_nRotationBoundsTrials);
   CBroken naive("Surface velocity by a short turn");
-  for (int i = 0; i < g_nRotationBoundsTrials; ++i) {
+  ForEachCase(1502, g_nRotationBoundsTrials, [&](CRandom& random, int) {
     const float size = AnySize(random);
     CPointDesc desc(AnyPlace(random, size));
     desc.m_vRotCenter = AnyPlace(random, size);
@@ -193,7 +185,7 @@ TEST(RotationBounds, GetSurfaceVelocity) {
     worst.SeeEach(point.GetSurfaceVelocity(q), exact, 2);
     const float dt = 0x1p-10f / std::abs(desc.m_fRotSpeed);
     naive.SeeEach((RotatePt(q, desc.m_vRotCenter, g_fTwoPi * desc.m_fRotSpeed * dt) - q) / dt, exact, 2);
-  }
+  });
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../Descs.h"
+#include "../Messages.h"
 #include "../Numbers.h"
 #include "../Steps.h"
 #include "../geometry/Cases.h"

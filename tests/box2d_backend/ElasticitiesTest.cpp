@@ -142,9 +142,8 @@ TEST(FitElasticitiesTest, AFewBallsOfDifferentRestitution) {
 
 // Where pairs with shapes alone can all be reproduced, pairs of balls take none of them away.
 TEST(FitElasticitiesTest, BallsNeverSpoilShapes) {
-  Tests::CRandom random(4);
   int spoiled = 0, withWrongBalls = 0;
-  for (int n = 0; n < 2000; ++n) {
+  Tests::ForEachCase(4, 2000, [&](Tests::CRandom& random, int) {
     CKinds kinds;
     CPairs withShapes, all;
     const auto draw = [&] {
@@ -161,10 +160,10 @@ TEST(FitElasticitiesTest, BallsNeverSpoilShapes) {
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j <= i; ++j)
         if (random.Coin()) all.push_back({j, i});
-    if (CountWrong(kinds, withShapes) > 0) continue;
+    if (CountWrong(kinds, withShapes) > 0) return;
     spoiled += CountWrong(kinds, all, true, false) > 0;
     withWrongBalls += CountWrong(kinds, all) > 0;
-  }
+  });
   EXPECT_EQ(spoiled, 0);
   EXPECT_GT(withWrongBalls, 100); // there was something to spoil them
 }
@@ -195,9 +194,8 @@ bool GivesProducts(const CMixing& mixing, const std::vector<float>& balls, const
 }
 
 TEST(MixingTest, WhatIsGivenIsTheProductBitForBit) {
-  Tests::CRandom random(77);
   int given = 0, wrongWithoutIt = 0;
-  for (int k = 0; k < 20000; ++k) {
+  Tests::ForEachCase(77, 20000, [&](Tests::CRandom& random, int) {
     // Of a few values each, so that sets of one are frequent.
     const float values[] = {0.0f, 1.0f, random.Uniform(0, 1), random.Uniform(0.5f, 1.2f)};
     std::vector<float> balls(random.Below(4)), shapes(random.Below(4));
@@ -209,11 +207,11 @@ TEST(MixingTest, WhatIsGivenIsTheProductBitForBit) {
     }
     const bool pairs = random.Coin();
     const auto mixing = FindMixing(MakeState(balls, shapes), pairs);
-    if (!mixing) continue;
+    if (!mixing) return;
     ++given;
     ASSERT_TRUE(GivesProducts(*mixing, balls, shapes, pairs));
     wrongWithoutIt += !GivesProducts(CMixing(), balls, shapes, pairs);
-  }
+  });
   EXPECT_GT(given, 2000);
   EXPECT_GT(wrongWithoutIt, 1000); // the control: Box2D left alone
 }

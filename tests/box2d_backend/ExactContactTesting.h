@@ -5,7 +5,7 @@
 
 #include "box2d_backend/contact/ExactContact.h"
 
-#include "TunedExact.h"
+#include "DoubleVectors.h"
 
 namespace Shapes::Tests {
 

@@ -55,9 +55,7 @@ TEST_P(CGuestEffects, ContinuousIsThatOfTheGameHoweverFastBallsAre) {
         EXPECT_NEAR(world.GetVel(ball).x(), -1, 1e-3f);
       }
     }
-  EXPECT_NE(world.ExplainEffects().find("Continuous: does not run, decided by the world around; "),
-            std::string::npos)
-      << world.ExplainEffects();
+  EXPECT_TRUE(Says(world.ExplainEffects(), "Continuous: does not run, decided by the world around; "));
 }
 
 TEST_P(CGuestEffects, WhatIsTheGamesCanBeNeitherForcedNorForbidden) {
@@ -65,7 +63,7 @@ TEST_P(CGuestEffects, WhatIsTheGamesCanBeNeitherForcedNorForbidden) {
     for (const CEffectChoice& choice : {CEffectChoice{{e}, {}}, CEffectChoice{{}, {e}}}) {
       const std::string refusal = Thrown([&] { Join(choice); });
       for (const std::string_view word : {std::string_view("m_cEffects"), GetName(e), {"b2World"}})
-        EXPECT_NE(refusal.find(word), std::string::npos) << refusal;
+        EXPECT_TRUE(Says(refusal, word));
       EXPECT_EQ(m_cGame.GetBodyCount(), 0); // nothing is half done
     }
   EXPECT_EQ(Thrown([&] { Join({{eEffect::Kinematics}, {eEffect::BallPairs, eEffect::Events}}); }), "");

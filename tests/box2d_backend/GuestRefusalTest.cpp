@@ -7,7 +7,7 @@ namespace {
 
 /// That f throws, and that the message has these words in it.
 void ExpectThrows(const std::string& words, const std::function<void()>& f) {
-  EXPECT_NE(Thrown(f).find(words), std::string::npos) << words;
+  EXPECT_TRUE(Says(Thrown(f), words));
 }
 
 TEST(GuestRefusalTest, NothingIsChangedInCallbacksOfBox2D) {
@@ -49,7 +49,7 @@ TEST(GuestRefusalTest, NothingIsChangedInCallbacksOfBox2D) {
     }
     ASSERT_EQ(thrown.size(), 12u);
     for (const std::string& what : thrown)
-      EXPECT_NE(what.find("callback of Box2D"), std::string::npos) << what;
+      EXPECT_TRUE(Says(what, "callback of Box2D"));
     EXPECT_EQ(balls, 2u);
     EXPECT_EQ(table.World().GetElasticity(table.m_cArc), 1);
     EXPECT_EQ(table.World().GetUserPtr(table.m_cArc), &table.m_nUserData[1]);
@@ -76,7 +76,7 @@ TEST(GuestRefusalTest, WhatTheGuestItselfDestroysIsHeardOfButNotActedUpon) {
         goodbye.m_stdAct = [&] { thrown = Thrown([&] { table.World().Remove(table.m_cSegment); }); };
     if (byDestructionListener) table.m_pGame->SetDestructionListener(&goodbye);
     table.World().Remove(table.m_cOther);
-    EXPECT_NE(thrown.find("callback of Box2D"), std::string::npos) << thrown;
+    EXPECT_TRUE(Says(thrown, "callback of Box2D"));
     EXPECT_TRUE(table.World().Contains(table.m_cSegment));
     table.m_pGame->SetDestructionListener(nullptr);
     table.m_pGuest.reset();
@@ -135,7 +135,7 @@ TEST(GuestRefusalTest, NoGuestIsMadeInTheMiddleOfAStepOfBox2D) {
   table.m_pGame->SetContactListener(&acting);
   acting.m_stdAct = [&] { thrown = Thrown([&] { MakeGuest(*table.m_pGame); }); };
   table.Step();
-  EXPECT_NE(thrown.find("during b2World::Step"), std::string::npos) << thrown;
+  EXPECT_TRUE(Says(thrown, "during b2World::Step"));
   table.m_pGuest.reset();
 }
 

@@ -111,15 +111,7 @@ inline b2ContactListener* Installed(const b2World& game) {
   return game.GetContactManager().m_contactListener;
 }
 
-/// What it throws, "" if nothing.
-inline std::string Thrown(const std::function<void()>& f) {
-  try {
-    f();
-  } catch (const std::logic_error& e) {
-    return e.what();
-  }
-  return "";
-}
+inline std::string Thrown(const std::function<void()>& f) { return MessageOf<std::logic_error>(f); }
 
 /// A game with a ground and a box, and a guest with a bit of everything, in touch with both.
 struct CTable {

@@ -185,9 +185,8 @@ TEST(ImportNotesTest, FrictionAndThresholdWhereTheyMatter) {
 
 // Every pair of a ball and something else has Box2D's restitution, or is in a note.
 TEST(ImportNotesTest, EveryPairBouncesAsInBox2DOrIsTold) {
-  Tests::CRandom random(7);
   int clean = 0, told = 0;
-  for (int n = 0; n < 500; ++n) {
+  Tests::ForEachCase(7, 500, [&](Tests::CRandom& random, int) {
     CGame game;
     const auto draw = [&] { return 0.3f * static_cast<float>(random.Below(4)); };
     std::vector<float> r;
@@ -214,11 +213,11 @@ TEST(ImportNotesTest, EveryPairBouncesAsInBox2DOrIsTold) {
         const bool areBalls = j < nBalls, swap = areBalls && r[j] < r[i];
         wrong.emplace(swap ? r[j] : r[i], areBalls, swap ? r[i] : r[j]);
       }
-    ASSERT_EQ(scene.m_stdNotes.size(), wrong.size()) << "seed " << random.GetSeed() << ", case " << n;
+    ASSERT_EQ(scene.m_stdNotes.size(), wrong.size());
     for (const std::string& note : scene.m_stdNotes)
       ASSERT_EQ(note.find("Restitution of "), 0u) << note;
     ++(wrong.empty() ? clean : told);
-  }
+  });
   EXPECT_GT(clean, 100);
   EXPECT_GT(told, 100);
 }

@@ -3,6 +3,7 @@
 // what it bears is stepped, in both profiles, and everything stays a number; what is beyond is refused.
 #include "Box2DTesting.h"
 #include "box2d_backend/world/Tuning.h"
+#include "fuzz/Fuzz.h"
 #include "traps/Traps.h"
 
 namespace Shapes::Box2D {
@@ -46,12 +47,7 @@ protected:
   void Step(int n = 3) {
     for (; n > 0; --n)
       m_pWorld->Step();
-    for (const Vector2& p : m_pWorld->GetBallPositions())
-      EXPECT_TRUE(p.allFinite()) << p.transpose();
-    for (const Vector2& v : m_pWorld->GetBallVelocities())
-      EXPECT_TRUE(v.allFinite()) << v.transpose();
-    for (const CContactEvent& event : m_pWorld->GetContacts())
-      EXPECT_TRUE(event.m_vPOI.allFinite() && event.m_vNorm.allFinite() && std::isfinite(event.m_fSpeed));
+    EXPECT_NO_THROW(Fuzz::RequireSound(*m_pWorld));
   }
 
   /// With balls at its ends and its middle or centre.

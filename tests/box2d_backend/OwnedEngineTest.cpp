@@ -176,26 +176,6 @@ TEST(OwnedWorldTest, ABallStaysInABowlOfAnArc) {
   }
 }
 
-TEST(OwnedWorldTest, AThrownBallDoesNotTurnOrRub) { // Box2D ships with friction .2
-  auto pWorld = Make({0, -10});
-  pWorld->Add(CLineSegDesc({-50, 0}, {50, 0}, 0));
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.105f}, 0.1f, {3, 0}));
-  Steps(*pWorld, 300);
-  EXPECT_NEAR(pWorld->GetVel(ball).x(), 3, 1e-4f);
-  EXPECT_NEAR(pWorld->GetPos(ball).y(), 0.105f, 0.011f);
-}
-
-TEST(OwnedWorldTest, ABallThatRestsDoesNotSleep) {
-  auto pWorld = Make({0, -10});
-  const CShapeId floor = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, 0));
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.11f}, 0.1f));
-  Steps(*pWorld, 300); // Box2D would have put it to sleep after half a second
-  EXPECT_FALSE(pWorld->GetContacts().empty());
-  pWorld->Remove(floor);
-  Steps(*pWorld, 60);
-  EXPECT_NEAR(pWorld->GetVel(ball).y(), -10, 1e-3f);
-}
-
 TEST(OwnedWorldTest, AShapeAddedDuringTheRunIsMet) {
   auto pWorld = Make();
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 1}, 0.1f, {0, -1}));

@@ -3,6 +3,7 @@
 // its skin begins.
 #include "box2d_backend/contact/PairSweep.h"
 
+#include "../GameClock.h"
 #include "Box2DTesting.h"
 
 namespace Shapes::Box2D {
@@ -23,13 +24,7 @@ constexpr float g_fR = 0.1f; // radius of balls
 
 class CPairSweepTest : public testing::Test {
 protected:
-  struct CClock : CShapeCommon {
-    static void Set() {
-      m_fTimeStep = g_fDt;
-      m_fGravity = 0.0f;
-    }
-  };
-  void SetUp() override { CClock::Set(); }
+  void SetUp() override { CGameClock::Set(g_fDt, 0.0f); }
 
   /// A ball that has flown from `from` by `way` in the last step.
   static CDynamicCircle Fly(const Vector2& from, const Vector2& way, float r = g_fR) {

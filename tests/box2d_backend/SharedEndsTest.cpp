@@ -2,7 +2,7 @@
 // Which ends go on in another shape, and how.
 #include "box2d_backend/world/SharedEnds.h"
 
-#include "TunedExact.h"
+#include "DoubleVectors.h"
 
 namespace Shapes::Tests {
 namespace {

@@ -99,10 +99,11 @@ CMeeting MeetBalls(const CTuning& tuning, double speed) {
     };
     const CShapeId ball0 = add(0.2 * n, v0, m0), ball1 = add({0, 0}, v1, m1);
 
-    // In the relative motion one of them is a point, and the other a circle of both radii.
+    // In the relative motion one of them is a point, and the other has both radii.
     const Vector2d p = (pWorld->GetPos(ball0) - pWorld->GetPos(ball1)).cast<double>();
+    const CFigure point{.m_eShapeType = eShape::Point};
     const auto resolution = [&](double sum, const Vector2d& aside) {
-      return Mirror(relative, MeetOutside({p + aside, relative, 0}, {0, 0}, sum).m_vNorm);
+      return Mirror(relative, Meet(point, {p + aside, relative, sum}, 2 * t).m_vNorm);
     };
     const double sum = 2 * static_cast<double>(0.1f);
     const Vector2d exact = resolution(sum, {0, 0}), across = g_fTunedOffset * Perp(relative.normalized());
@@ -226,9 +227,9 @@ std::unique_ptr<CWorld> MakeSmallRoom(int kind) {
   auto pWorld = MakeBox2D(g_cTuned, {0, -10});
   if (kind < 2) pWorld->Add(CArcDesc({0, 0}, 1, kind == 0 ? 0 : g_fPi, 0));
   if (kind == 1) pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
-  const Vector2 corners[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  for (std::size_t i = 0; kind == 2 && i < 4; ++i)
-    pWorld->Add(CLineSegDesc(corners[i], corners[(i + 1) % 4]));
+  if (kind == 2)
+    for (const CLineSegDesc& wall : Walls({-1, -1}, {1, 1}))
+      pWorld->Add(wall);
   return pWorld;
 }
 

@@ -6,53 +6,6 @@
 namespace Shapes::Tests {
 namespace {
 
-// The exact resolutions, held against the native engine in tiny steps.
-
-constexpr unsigned g_nTinySteps = 250;
-
-std::unique_ptr<CWorld> MakeNative() {
-  CWorldDesc desc;
-  desc.m_fTimeStep = g_fDt;
-  desc.m_nSubsteps = g_nTinySteps;
-  return GetBackend(eBackend::Native)->MakeWorld(desc);
-}
-
-/// The largest direction error of 50 shots of 10 m/s, up to 60 degrees from the normal, at `surface`
-/// u (u is a random unit vector above the x axis).
-double MostError(const CAnyShapeDesc& shape, double surface, bool inside) {
-  CRange range(MakeNative(), {shape}, 0.1f);
-  CRandom random(40);
-  const auto aim = [&] {
-    const Vector2d u = UnitVector((20 + 140 * random.Unit()) * g_fDegree);
-    return CAim{surface * u, inside ? Vector2d(-u) : u, EitherSign(random, 60 * g_fDegree), 10,
-                random.Unit()};
-  };
-  return Quantile(range.Errors(50, aim), 1);
-}
-
-TEST(TunedExactTest, TheNativeEngineInTinyStepsAgrees) {
-  // A ball is late by a substep at most; the normal turns by that way, seen from the centre of curvature of
-  // the way of its centre, and the direction by twice as much. Half of that again for the rounding of floats.
-  const auto bound = [](double radius) { return 1.5 * 2 * (10.0 * g_fDt / g_nTinySteps) / radius; };
-  EXPECT_LE(MostError(CPointDesc({0, 0}), 0, false), bound(0.1));
-  EXPECT_LE(MostError(CCircleDesc({0, 0}, 0.5f), 0.5, false), bound(0.6));
-  EXPECT_LE(MostError(CArcDesc({0, 0}, 1, 0, g_fPi), 1, false), bound(1.1));
-  EXPECT_LE(MostError(CArcDesc({0, 0}, 1, 0, g_fPi), 1, true), bound(0.9));
-}
-
-TEST(TunedExactTest, TheNativeEngineAgreesAtSegments) {
-  CRandom random(40);
-  for (int k = 0; k < 50; ++k) {
-    const Vector2 along = random.Direction();
-    CRange range(MakeNative(), {CLineSegDesc(-along, along)}, 0.1f);
-    const double s = EitherSign(random, 0.8), incidence = EitherSign(random, 80 * g_fDegree);
-    const Vector2d t = along.cast<double>().normalized();
-    const auto shot = range.Aim({s * t, Perp(t), incidence, 10, random.Unit()});
-    ASSERT_TRUE(shot);
-    EXPECT_LE(range.DirectionError(*shot), 1e-5);
-  }
-}
-
 // Arcs are chords to Box2D. A tuned world bounces off the arc all the same, without more chords.
 
 /// Direction errors of 4,000 shots, half of them at a full circle and half at half circles, r = .1, R = 1,
@@ -218,30 +171,17 @@ struct CTarget {
   bool m_bInside;
   CAnyShapeDesc (*m_fnMake)(const Vector2& u); // a shape about the origin that is met by a ball on the axis u
 };
+const Vector2 g_vHere(0, 0);
 const CTarget g_cTargets[]{
-    {"point", 0.1, false,
-     [](const Vector2&) -> CAnyShapeDesc {
-       return CPointDesc({0, 0});
-     }},
+    {"point", 0.1, false, [](const Vector2&) -> CAnyShapeDesc { return CPointDesc(g_vHere); }},
     {"face of a segment", 0.1, false,
      [](const Vector2& u) -> CAnyShapeDesc { return CLineSegDesc(perp(u), -perp(u)); }},
     {"end of a segment", 0.1, false,
-     [](const Vector2& u) -> CAnyShapeDesc { return CLineSegDesc(Vector2::Zero(), -u); }},
-    {"circle", 0.6, false,
-     [](const Vector2&) -> CAnyShapeDesc {
-       return CCircleDesc({0, 0}, 0.5f);
-     }},
-    {"arc, outside", 1.1, false,
-     [](const Vector2&) -> CAnyShapeDesc {
-       return CArcDesc({0, 0}, 1, 0, 0);
-     }},
-    {"arc, inside", 0.9, true,
-     [](const Vector2&) -> CAnyShapeDesc {
-       return CArcDesc({0, 0}, 1, 0, 0);
-     }},
-    {"ball", 0.2, false, [](const Vector2&) -> CAnyShapeDesc {
-       return CDynamicCircleDesc({0, 0}, 0.1f);
-     }}};
+     [](const Vector2& u) -> CAnyShapeDesc { return CLineSegDesc(g_vHere, -u); }},
+    {"circle", 0.6, false, [](const Vector2&) -> CAnyShapeDesc { return CCircleDesc(g_vHere, 0.5f); }},
+    {"arc, outside", 1.1, false, [](const Vector2&) -> CAnyShapeDesc { return CArcDesc(g_vHere, 1, 0, 0); }},
+    {"arc, inside", 0.9, true, [](const Vector2&) -> CAnyShapeDesc { return CArcDesc(g_vHere, 1, 0, 0); }},
+    {"ball", 0.2, false, [](const Vector2&) -> CAnyShapeDesc { return CDynamicCircleDesc(g_vHere, 0.1f); }}};
 
 /// How far the surface is out of place, towards the ball: half of the shift of the outgoing way against the
 /// exact one; infinity if there was no bounce. Of two balls in their relative motion.

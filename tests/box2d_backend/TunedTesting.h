@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Tests of the tuned profile share these: worlds of each tuning, and shots at static shapes whose exact
-// resolution is known.
+// Tests of the tuned profile share these: worlds of each tuning, and shots at static shapes whose resolution
+// the exact reference knows. Everything is met at the distance r; ends of segments and arcs are round.
 #pragma once
 
-#include "TunedExact.h"
+#include "DoubleVectors.h"
 #include "box2d_backend/world/OwnedEngine.h"
+#include "geometry/ImpactTesting.h"
+#include "reference/Distance.h"
 
 namespace Shapes::Tests {
 
@@ -42,6 +44,69 @@ inline double Quantile(std::vector<double> values, double q) {
   std::nth_element(values.begin(), values.begin() + i, values.end());
   return values[static_cast<std::size_t>(i)];
 }
+
+/// A ball on its way: exactly what the floats that an engine is given say.
+struct CBallState {
+  Vector2d m_vPos, m_vVel;
+  double m_fRadius;
+};
+
+struct CHit {
+  double m_fTime = std::numeric_limits<double>::infinity(); // never
+  Vector2d m_vNorm = Vector2d::Zero();                      // from the shape to the ball
+};
+
+using CFigure = Compare::CShapeGeometry<double>;
+
+/// When and where the ball meets the shape, within so many seconds.
+inline CHit Meet(const CFigure& shape, const CBallState& b, double seconds) {
+  Compare::CHit<double> hit;
+  if (!Compare::Sweep<double>(shape, {b.m_vPos, b.m_vVel, b.m_fRadius}, seconds, hit)) return {};
+  return {hit.m_fTime, hit.m_vNorm};
+}
+
+/// Shapes that do not move.
+class CExactTable {
+public:
+  explicit CExactTable(const std::vector<CAnyShapeDesc>& descs) {
+    for (const CAnyShapeDesc& desc : descs)
+      m_stdShapes.push_back(Geometry::ForReference(Geometry::MakeShapeGeometry(*MakeShape(desc), 0.0)));
+  }
+
+  CHit FirstHit(const CBallState& b, double seconds = 1000) const {
+    CHit first;
+    for (const CFigure& shape : m_stdShapes)
+      if (const CHit hit = Meet(shape, b, seconds); hit.m_fTime < first.m_fTime) first = hit;
+    return first;
+  }
+
+  /// Every hit within so many seconds, and the ball after them.
+  std::vector<CHit> Fly(CBallState& b, double seconds) const {
+    std::vector<CHit> hits;
+    double now = 0;
+    while (hits.size() < 1000) {
+      const CHit hit = FirstHit(b, seconds - now);
+      if (now + hit.m_fTime > seconds) break;
+      b.m_vPos += hit.m_fTime * b.m_vVel;
+      b.m_vVel = Mirror(b.m_vVel, hit.m_vNorm);
+      now += hit.m_fTime;
+      hits.push_back({now, hit.m_vNorm});
+    }
+    b.m_vPos += (seconds - now) * b.m_vVel;
+    return hits;
+  }
+
+  /// Distance of p from the nearest surface.
+  double Distance(const Vector2d& p) const {
+    double d = std::numeric_limits<double>::infinity();
+    for (const CFigure& shape : m_stdShapes)
+      d = std::min(d, Compare::Distance<double>(shape, p));
+    return d;
+  }
+
+private:
+  std::vector<CFigure> m_stdShapes;
+};
 
 /// What a shot is meant to be.
 struct CAim {

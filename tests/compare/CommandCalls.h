@@ -2,6 +2,7 @@
 // Programs called as a user calls them.
 #pragma once
 
+#include "Messages.h"
 #include "OwnFolder.h"
 
 #include <sys/wait.h>
@@ -14,11 +15,7 @@ struct CResult {
   int m_nExit;
   std::string m_sOutput; // both streams
 
-  testing::AssertionResult Says(const std::string& text) const {
-    const bool says = m_sOutput.find(text) != std::string::npos;
-    return (says ? testing::AssertionSuccess() : testing::AssertionFailure()) << text << "\nin\n"
-                                                                              << m_sOutput;
-  }
+  testing::AssertionResult Says(const std::string& text) const { return Shapes::Says(m_sOutput, text); }
 };
 
 class CCommandTest : public CFolderTest {

@@ -1,29 +1,22 @@
 // SPDX-License-Identifier: MIT
 // shapes-compare as a user calls it.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <pty.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <sstream>
-#include <string>
 
 #include "CommandCalls.h"
+#include "SampleReport.h"
 #include "scene/Engines.h"
 
 namespace {
 
 namespace fs = std::filesystem;
+using Shapes::Says;
 using Shapes::Compare::Tests::CCommandTest;
 using Shapes::Compare::Tests::CResult;
 
@@ -97,30 +90,43 @@ TEST_F(CommandTest, RunWritesTheTableThreeFilesAndTheChart) {
       EXPECT_EQ(engine.at("contacts"), 50);
   }
 
-  std::istringstream csv(Read("contacts.csv"));
-  std::string line;
-  std::size_t rows = 0, fields = 0;
-  while (std::getline(csv, line)) {
-    const auto n = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
-    if (rows++ == 0) fields = n;
-    EXPECT_EQ(n, fields) << line;
-  }
-  EXPECT_EQ(rows, 1u + 2u * 50u);
+  const std::vector<std::string> lines = Shapes::Compare::Lines(Read("contacts.csv"));
+  EXPECT_EQ(lines.size(), 1u + 2u * 50u);
+  for (const std::string& line : lines)
+    EXPECT_EQ(std::ranges::count(line, ','), std::ranges::count(lines[0], ',')) << line;
 
-  const std::string page = Read("report.html");
-  EXPECT_NE(page.find("<html"), std::string::npos);
-  EXPECT_NE(page.find("corner"), std::string::npos);
+  EXPECT_TRUE(Says(Read("report.html"), "<html"));
+  EXPECT_TRUE(Says(Read("report.html"), "corner"));
   EXPECT_TRUE(Read("chart.svg").starts_with("<svg ")) << Read("chart.svg").substr(0, 80);
-  EXPECT_NE(Read("chart.svg").find("data-engine=\"native\""), std::string::npos);
+  EXPECT_TRUE(Says(Read("chart.svg"), "data-engine=\"native\""));
 }
 
-TEST_F(CommandTest, TheSameCommandGivesTheSamePhysicsBitForBit) {
-  const std::string once = (m_cFolder / "a").string(), again = (m_cFolder / "b").string();
-  ASSERT_EQ(Call("run --scenes pinball,spinner --contacts 60 --seed 5 --out " + once).m_nExit, 0);
-  ASSERT_EQ(Call("run --scenes pinball,spinner --contacts 60 --seed 5 --out " + again).m_nExit, 0);
-  EXPECT_EQ(Read("a/contacts.csv"), Read("b/contacts.csv"));
-  ASSERT_EQ(Call("run --scenes pinball,spinner --contacts 60 --seed 6 --out " + again).m_nExit, 0);
-  EXPECT_NE(Read("a/contacts.csv"), Read("b/contacts.csv")); // the control
+// Leaves out what depends on times (docs/run_json.md says which does), and the command.
+void Strip(nlohmann::json& value) {
+  for (const char* pKey : {"front_by_error", "front_by_misses", "answers", "verdict", "proof", "take",
+                           "result", "front", "remarks", "command"})
+    if (value.is_object()) value.erase(pKey);
+  for (auto it = value.begin(); value.is_structured() && it != value.end();)
+    if (value.is_object() && it.key().starts_with("ns_"))
+      it = value.erase(it);
+    else
+      Strip(*it++);
+}
+
+TEST_F(CommandTest, TheSameCommandGivesTheSameBitsApartFromTimes) {
+  const auto run = [&](int seed) {
+    const CResult result =
+        Run(fmt::format("run --scenes pinball,spinner,disc_in_square --contacts 40 --seed {}", seed));
+    EXPECT_EQ(result.m_nExit, 0) << result.m_sOutput;
+    nlohmann::json doc = ReadRun();
+    Strip(doc);
+    return std::pair(Read("contacts.csv"), doc.dump(1));
+  };
+  const auto once = run(5), again = run(5), other = run(6);
+  EXPECT_EQ(once.first, again.first);
+  EXPECT_EQ(once.second, again.second);
+  EXPECT_NE(once.first, other.first); // the control
+  EXPECT_NE(once.second, other.second);
 }
 
 TEST_F(CommandTest, EnginesAreChosen) {
@@ -134,9 +140,6 @@ TEST_F(CommandTest, EnginesAreChosen) {
       EXPECT_NE((text + "exact ").find(row.at("engine").get<std::string>() + " "), text.npos) << row;
     return text;
   };
-  EXPECT_EQ(engines("box2d"), "box2d ");
-  EXPECT_EQ(engines("native"), "native ");
-  EXPECT_EQ(engines("box2d,native"), "native box2d ");
   EXPECT_EQ(engines("box2d,native-approximate,native"), "native native-approximate box2d ");
   EXPECT_EQ(engines("box2d-tuned"), "box2d-tuned ");
 }
@@ -187,13 +190,13 @@ TEST_F(CommandTest, TheReportIsOpenedInTheDefaultBrowser) {
   setenv("PATH", path.c_str(), 1);
   for (int i = 0; i < 500 && !fs::exists(m_cFolder / "opened"); ++i)
     usleep(10000); // it runs on its own
-  EXPECT_NE(Read("opened").find("report.html"), std::string::npos);
+  EXPECT_TRUE(Says(Read("opened"), "report.html"));
 }
 
 TEST_F(CommandTest, ScenesAreShownAsTheyAreFinishedAndReportedAfterCtrlC) {
   const CInterrupted result = Interrupt("run --contacts 300", "2/23 ");
-  EXPECT_NE(result.m_sBefore.find("ball_on_ball "), std::string::npos) << result.m_sBefore;
-  EXPECT_EQ(result.m_sBefore.find("\nbowl "), std::string::npos) << result.m_sBefore;
+  EXPECT_TRUE(Says(result.m_sBefore, "ball_on_ball "));
+  EXPECT_FALSE(Says(result.m_sBefore, "\nbowl "));
   EXPECT_EQ(result.m_nExit, 130) << result.m_sOutput;
   EXPECT_TRUE(result.Says("Interrupted: only the"));
   EXPECT_TRUE(result.Says("1/23 ball_on_ball  impacts 0%"));
@@ -211,16 +214,6 @@ TEST_F(CommandTest, CtrlCBeforeTheFirstSceneLeavesAnEarlierReportAlone) {
   EXPECT_TRUE(result.Says("nothing is written"));
   EXPECT_EQ(Read("run.json"), "earlier");
   EXPECT_FALSE(fs::exists(m_cFolder / "report.html"));
-}
-
-TEST_F(CommandTest, ASceneOfOnesOwnIsRun) {
-  const CResult result = Run(
-      "scene " +
-      WriteScene(R"({"type": "arc", "position": [0, 0], "radius": 1, "angles": [0, 0]})",
-                 R"({"position": [0.3, 0], "velocity": [3, 2], "radius": 0.1})", R"("time_step": 0.01,)") +
-      " --contacts 20");
-  EXPECT_EQ(result.m_nExit, 0) << result.m_sOutput;
-  EXPECT_TRUE(result.Says("\nmine  "));
 }
 
 TEST_F(CommandTest, EverySceneFitsOnOneScreen) {
@@ -245,11 +238,9 @@ TEST_F(CommandTest, TheNumberOfContactsIsObeyed) {
 
 TEST_F(CommandTest, ALongRunSaysBeforeHowLongItTakes) {
   const CInterrupted result = Interrupt("run --full", "1/23 ");
-  const std::size_t told = result.m_sOutput.find("this takes about 11 minutes");
-  ASSERT_NE(told, std::string::npos) << result.m_sOutput;
-  EXPECT_LT(told, result.m_sOutput.find("1/23 "));
-  EXPECT_EQ(Run("run --scenes bowl --contacts 20").m_sOutput.find("minutes"),
-            std::string::npos); // the control
+  const std::string before = result.m_sOutput.substr(0, result.m_sOutput.find("1/23 "));
+  EXPECT_TRUE(Says(before, "this takes about 11 minutes"));
+  EXPECT_FALSE(Run("run --scenes bowl --contacts 20").Says("minutes")); // the control
 }
 
 // A ball that flies away from the only wall; one that flies at it is the control.
@@ -288,6 +279,7 @@ TEST_F(CommandTest, ManyBallsThatFallForAWhileAreNoEmptyScene) {
                                         R"("gravity": [0, -10],)") +
                              " --engines native --contacts 1");
   EXPECT_EQ(result.m_nExit, 0) << result.m_sOutput;
+  EXPECT_TRUE(result.Says("\nmine  "));
 }
 
 TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
@@ -298,23 +290,19 @@ TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
                                                   ball, "", 1, "field.json");
   const std::string fast = "scene " + WriteScene(R"({"type": "point", "position": [0, 0]})", ball);
   const std::pair<std::string, const char*> cases[] = {
-      {"run --scenes pinbal", "there is no scene 'pinbal': did you mean 'pinball'? Known: ball_on_ball, "},
-      {"run --scenes bowl,nothing_like_it", "there is no scene 'nothing_like_it'. Known: "},
+      {"run --scenes bowl,pinbal",
+       "there is no scene 'pinbal': did you mean 'pinball'? Known: ball_on_ball, "},
       {"run --engines bux2d",
        "there is no engine 'bux2d': did you mean 'box2d'? Known: native, native-approximate,"},
+      {"run --engines ''", "there is no engine ''. Known: native, native-approximate, box2d, box2d-tuned"},
       {"run --fail-above tunnelled=0", "there is no metric 'tunnelled': did you mean 'tunneled'?"},
       {"run --fail-above missed=-1", "missed=VALUE: expected a finite number of at least 0, got '-1'"},
-      {"run --fail-above missed=nan", "got 'nan'"},
-      {"run --fail-above missed", "got ''"},
-      {"run --seed x", "--seed"},
       {"run --seed -1", "--seed"},
       {"run --folder " + (m_cFolder / "empty").string(), "empty: expected a folder of scenes"},
       {"run --contacts 0", "--contacts"},
-      {"jump", "there is no command 'jump'. Known: run, scene, list"},
-      {"rum", "there is no command 'rum': did you mean 'run'?"},
+      {"rum", "there is no command 'rum': did you mean 'run'? Known: run, scene, list"},
       {"run scene mine.json", "following arguments were not expected"},
       {"run --sede 3", "there is no option '--sede': did you mean '--seed'?"},
-      {"run --ful", "there is no option '--ful': did you mean '--full'?"},
       {"run --fail_above missed=1", "did you mean '--fail-above'?"},
       {"scene /nowhere/at_all.json", "/nowhere/at_all.json"},
       {syntax, "syntax.json:2:15"},

@@ -9,7 +9,6 @@
 
 #include "../../src/Tolerances.h"
 
-#include <array>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>

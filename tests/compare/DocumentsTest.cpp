@@ -50,8 +50,8 @@ TEST_F(DocumentsTest, ResultTablesAreWrittenFromTheRun) {
   const auto fill = [&] { return Results((m_cFolder / "run.json").string() + " " + page); };
   EXPECT_EQ(fill().m_nExit, 0);
   const std::string filled = Read("page.md");
-  EXPECT_NE(filled.find("\n| bowl | "), std::string::npos) << filled;
-  EXPECT_EQ(filled.find("old"), std::string::npos) << filled;
+  EXPECT_TRUE(Shapes::Says(filled, "\n| bowl | "));
+  EXPECT_FALSE(Shapes::Says(filled, "old"));
   EXPECT_TRUE(filled.starts_with("above\n") && filled.ends_with("<!-- end -->\nbelow\n")) << filled;
   nlohmann::json old = nlohmann::json::parse(Read("run.json"));
   old["version"] = 4;

@@ -166,6 +166,7 @@ TEST(ImpactTrialTest, Box2DAnswersTwoBallsAStepLate) {
       EXPECT_EQ(native.m_eOutcome, eOutcome::Correct);
       EXPECT_EQ(box2d.m_eOutcome, eOutcome::Late);
       EXPECT_TRUE(native.m_bCompared && box2d.m_bCompared);
+      EXPECT_GT(box2d.m_fPositionError, 0.0f);
     }
     EXPECT_NEAR(box2d.m_fDirectionError, 0.0, 1e-6); // at the end of the step in which it has answered
     EXPECT_NEAR(box2d.m_fEnergyError, 0.0, 1e-6);

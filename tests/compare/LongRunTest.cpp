@@ -5,8 +5,6 @@
 #include "MadeScenes.h"
 #include "metrics/Lasting.h"
 
-#include <numbers>
-
 namespace Shapes::Compare::Tests {
 namespace {
 

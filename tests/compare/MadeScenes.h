@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Descs.h"
+#include "Messages.h"
 #include "metrics/ImpactTrials.h"
 #include "metrics/Statistics.h"
 #include "scene/Trial.h"
@@ -74,17 +75,6 @@ inline CSceneDesc ToDesc(const CScene& scene) {
   for (const CSceneBall& ball : scene.m_stdBalls)
     desc.m_stdBalls.push_back(ball.m_cDesc);
   return desc;
-}
-
-/// The message of the error that f throws; empty if it throws none.
-template <class TError, class F>
-std::string MessageOf(const F& f) {
-  try {
-    f();
-  } catch (const TError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 /// Whether so many hits do not contradict the rate: within 3.3 standard errors, one in a thousand.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The exact reference in billiards, against their mean free paths.
-#include "Random.h"
 #include "ReferenceTesting.h"
+#include "geometry/Cases.h"
 
 #include <functional>
 #include <ostream>
@@ -9,7 +9,7 @@
 namespace Shapes::Compare::Tests {
 namespace {
 
-using Shapes::Tests::CRandom;
+using Shapes::Tests::CRandom, Shapes::Tests::ForEachCase;
 
 // The mean free path of a billiard is pi A / P (N. Chernov, Entropy, Lyapunov exponents, and mean free path
 // for billiards, Journal of Statistical Physics 88 (1997)), where A and P are area and perimeter of what the
@@ -130,11 +130,9 @@ TEST_P(CMeanFreePath, IsPiAreaOverPerimeter) {
   const double truth = path(r), naive = path(0);
   constexpr int nBalls = 5000;
   const double length = 60 * truth;
-  CRandom random(1997);
   CExact reference = Make(b.m_stdShapes, {CDynamicCircleDesc({0, 0}, b.m_fRadius)});
   double sum = 0, squares = 0;
-  for (int k = 0; k < nBalls; ++k) {
-    SCOPED_TRACE("seed 1997 ball " + std::to_string(k));
+  ForEachCase(1997, nBalls, [&](CRandom& random, int) {
     CVec2d p;
     do {
       p.x() = Between(b.m_vLow.x() + r, b.m_vHigh.x() - r, random.Unit());
@@ -152,11 +150,11 @@ TEST_P(CMeanFreePath, IsPiAreaOverPerimeter) {
                 (end - b.m_vLow).minCoeff() > r - 1e-6 && // the shapes are floats
                 (b.m_vHigh - end).minCoeff() > r - 1e-6);
     ASSERT_FALSE(std::any_of(events.begin(), events.end(), [](const auto& e) { return e.m_bOverlapped; }));
-  }
+  });
   const double mean = sum / nBalls, variance = (squares / nBalls - mean * mean) * nBalls / (nBalls - 1);
   const double measured = length / mean, error = measured * std::sqrt(variance / nBalls) / mean;
   EXPECT_GE(sum, 1e5);
-  EXPECT_NEAR(measured, truth, 3 * error) << "seed 1997";
+  EXPECT_NEAR(measured, truth, 3 * error);
   EXPECT_GT(std::abs(measured - naive), 6 * error); // control: the table of a point
   EXPECT_EQ(reference.GetSlideCount(), 0u);
 }

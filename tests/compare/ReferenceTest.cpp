@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The exact reference on cases with known answers; and under gravity: balls that bounce, come to rest, lie on
 // slopes, in wedges and on each other, and roll off.
-#include "Random.h"
 #include "ReferenceTesting.h"
+#include "geometry/Cases.h"
 
 #include <stdexcept>
 
 namespace Shapes::Compare::Tests {
 namespace {
 
-using Shapes::Tests::CRandom;
+using Shapes::Tests::CRandom, Shapes::Tests::ForEachCase;
 
 TEST(Reference, AnEventTellsOfItsImpact) {
   CExact reference = Make({Wall({-10, 0}, {10, 0}, 2)}, {CDynamicCircleDesc({0, 1}, .5f, {3, -4})});
@@ -49,10 +49,8 @@ TEST(Reference, MeetsWhatTheFiltersLetMeet) {
 }
 
 TEST(Reference, FrameOfTheSurface) { // whatever the place: v_n' = V + e (V - v_n), the tangential part kept
-  CRandom random(58);
   int hits = 0;
-  for (int i = 0; i < 500; ++i) {
-    SCOPED_TRACE("seed 58 trial " + std::to_string(i));
+  ForEachCase(58, 500, [&](CRandom& random, int) {
     const Vector2 p = random.InSquare(1.5f), v = random.InSquare(20);
     const float e = random.Uniform(0, 2), revs = random.Uniform(-10, 10);
     CExact reference = Make({Turning(Wall({0, 0}, {1, 0}, e), revs)}, {CDynamicCircleDesc(p, .1f, v)});
@@ -67,7 +65,7 @@ TEST(Reference, FrameOfTheSurface) { // whatever the place: v_n' = V + e (V - v_
         std::remainder(reference.GetOrientation(0) - 2 * std::numbers::pi * static_cast<double>(revs) / 60,
                        2 * std::numbers::pi);
     EXPECT_NEAR(turned, 0, 1e-14);
-  }
+  });
   EXPECT_GT(hits, 20);
 }
 

@@ -33,12 +33,11 @@ inline const double g_fPull = static_cast<double>(9.81f);
 
 inline CLineSegDesc Wall(const Vector2& a, const Vector2& b, float e = 1) { return CLineSegDesc(a, b, e); }
 
-/// Four walls: at the bottom, on the right, at the top, on the left.
 inline CShapes Box(const Vector2& low, const Vector2& high, float e = 1) {
-  const Vector2 right(high.x(), low.y()), left(low.x(), high.y());
-  return {Wall(low, right, e), Wall(right, high, e), Wall(left, high, e), Wall(low, left, e)};
+  const auto walls = Walls(low, high, e);
+  return {walls.begin(), walls.end()};
 }
-/// The same about the origin.
+/// About the origin.
 inline CShapes Box(float half, float e = 1) { return Box({-half, -half}, {half, half}, e); }
 
 inline CExact Make(const CShapes& shapes, const CBalls& balls, const Vector2& g = Vector2::Zero()) {

@@ -193,8 +193,7 @@ TEST_F(CWriteTest, WhatCannotBeWrittenIsKnownBefore) {
   EXPECT_EQ(Read("run.json"), "kept");
 
   fs::create_directory(m_cFolder / "report.html"); // a folder in the place of a file
-  const std::string what = MessageOf<std::runtime_error>([&] { RequireWritable(m_cFolder); });
-  EXPECT_TRUE(Contains(what, "report.html")) << what;
+  EXPECT_TRUE(Says(MessageOf<std::runtime_error>([&] { RequireWritable(m_cFolder); }), "report.html"));
   EXPECT_THROW(RequireWritable(m_cFolder / "run.json"), std::runtime_error);
 }
 
@@ -233,8 +232,8 @@ TEST(HtmlTest, EveryPartIsThereAndEndsWhereItShould) {
   EXPECT_EQ(Count(page, "<script"), Count(page, "</script>"));
   EXPECT_EQ(Count(page, "<style>"), 1u);
   EXPECT_EQ(Count(page, "</style>"), 1u);
-  EXPECT_NE(page.find("Chart.js v3"), std::string::npos);
-  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+  EXPECT_TRUE(Says(page, "Chart.js v3"));
+  EXPECT_TRUE(Says(page, "default-src 'none'"));
   for (const char* pOutside : {"src=\"", "url(", "@import", "<link rel=\"stylesheet\""})
     EXPECT_EQ(Count(page, pOutside), 0u) << pOutside;
 }
@@ -295,7 +294,7 @@ TEST(Replay, TheWorstContactOfNativeAtAWallIsWhereItTunnels) {
   const CReplay replay = Make("head_on_wall");
   const CClip& clip = replay.m_stdClips.at(1 + g_nApproximate);
   const std::size_t exact = clip.m_stdTracks.size() - 1;
-  EXPECT_NE(clip.m_sWhat.find("native-approximate"), std::string::npos);
+  EXPECT_TRUE(Says(clip.m_sWhat, "native-approximate"));
   ASSERT_GT(clip.m_nContact, 0u);
   // Up to the frame before, all fly alike; at the contact the exact ball has turned back, and some steps
   // later native's is on the other side of the wall, which is at x = 0.

@@ -5,8 +5,6 @@
 #include "page/PageDocuments.h"
 #include "report/Report.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cstdlib>
 #include <stdexcept>

@@ -60,15 +60,13 @@ TEST(TableTest, ShowsTheEnginesBelowEachOther) {
       {"box2d-tuned ", " <0.3%", "0.50%", "0.750", "2e-6", " 800"}};
   for (std::size_t e = 0; e < expected.size(); ++e)
     for (const char* pText : expected[e])
-      EXPECT_TRUE(Contains(scene[static_cast<std::ptrdiff_t>(e) + 1], pText))
-          << pText << " in " << scene[static_cast<std::ptrdiff_t>(e) + 1];
-  EXPECT_TRUE(
-      Contains(Unwrapped(table),
-               "Engines: native (what a game gets by default), native-approximate (no ball is swept), "
-               "box2d (Box2D as it ships), box2d-tuned (Box2D "
-               "set for accuracy)."));
+      EXPECT_TRUE(Says(scene[static_cast<std::ptrdiff_t>(e) + 1], pText));
+  EXPECT_TRUE(Says(Unwrapped(table),
+                   "Engines: native (what a game gets by default), native-approximate (no ball is swept), "
+                   "box2d (Box2D as it ships), box2d-tuned (Box2D "
+                   "set for accuracy)."));
   // The verdict comes after the table.
-  EXPECT_TRUE(Contains(table, "\n  " + MakeVerdict(MakeSampleReport(), MakeSampleScene())[0].substr(0, 40)));
+  EXPECT_TRUE(Says(table, "\n  " + MakeVerdict(MakeSampleReport(), MakeSampleScene())[0].substr(0, 40)));
 }
 
 void ExpectFits(const std::string& table) {
@@ -86,7 +84,7 @@ TEST(SummaryTest, ShowsEachSceneInALineAndTheResultOverAll) {
             "scene              take                          lost   degrees      ns  x box2d");
   EXPECT_EQ(MakeSceneLine(report, report.m_stdScenes[0]),
             "spinner            box2d-tuned          none of 1,000    <0.001     800     0.62\n");
-  EXPECT_TRUE(Contains(MakeSceneLine(report, MakeUndecidedScene()), "nothing to judge"));
+  EXPECT_TRUE(Says(MakeSceneLine(report, MakeUndecidedScene()), "nothing to judge"));
 
   // What is lost, 95% of the directions in degrees (2 rad, and 0 on two engines), ns, times as fast.
   const std::string summary = MakeSummary(report);
@@ -95,22 +93,21 @@ TEST(SummaryTest, ShowsEachSceneInALineAndTheResultOverAll) {
         "                   native-approximate      1 in 4.9 !       115      50       10\n",
         "                   box2d                   1 in 170 ~         -     500        1\n",
         "                   box2d-tuned          none of 1,000    <0.001     800     0.62\n"})
-    EXPECT_TRUE(Contains(summary, pLine)) << pLine << summary;
-  EXPECT_TRUE(Contains(Unwrapped(summary), "Result: Take tuned Box2D: ")) << summary;
-  EXPECT_FALSE(Contains(summary, "Interrupted"));
+    EXPECT_TRUE(Says(summary, pLine));
+  EXPECT_TRUE(Says(Unwrapped(summary), "Result: Take tuned Box2D: "));
+  EXPECT_FALSE(Says(summary, "Interrupted"));
   report.m_bInterrupted = true;
-  EXPECT_TRUE(Contains(MakeSummary(report), "Interrupted: only the scenes that were finished (1) are here."));
+  EXPECT_TRUE(Says(MakeSummary(report), "Interrupted: only the scenes that were finished (1) are here."));
   report.m_stdScenes.clear();
-  EXPECT_TRUE(Contains(MakeSummary(report), "Nothing was judged."));
+  EXPECT_TRUE(Says(MakeSummary(report), "Nothing was judged."));
 }
 
 TEST(SummaryTest, OneEngineAloneIsHeldAgainstNone) {
   CRunReport report = MakeSampleReport();
   report.m_stdEngines.resize(1);
   report.m_stdScenes[0].m_stdEngines.resize(1);
-  EXPECT_TRUE(Contains(MakeSummary(report), "Result: native: it loses a ball in 12 of 1,000 impacts"))
-      << MakeSummary(report);
-  EXPECT_FALSE(Contains(MakeSummary(report), "ox2"));
+  EXPECT_TRUE(Says(MakeSummary(report), "Result: native: it loses a ball in 12 of 1,000 impacts"));
+  EXPECT_FALSE(Says(MakeSummary(report), "ox2"));
 }
 
 TEST(TableTest, FitsATerminalWhateverTheFiguresAndNames) {
@@ -138,33 +135,32 @@ TEST(TableTest, FitsATerminalWhateverTheFiguresAndNames) {
   ExpectFits(MakeHeading(report) + MakeSummary(report));
   for (const CSceneReport& scene : report.m_stdScenes)
     ExpectFits(MakeSceneLine(report, scene));
-  EXPECT_TRUE(Contains(MakeTable(report), "Interrupted: only the scenes that were finished (4) are here."));
-  EXPECT_FALSE(Contains(MakeTable(MakeSampleReport()), "Interrupted"));
+  EXPECT_TRUE(Says(MakeTable(report), "Interrupted: only the scenes that were finished (4) are here."));
+  EXPECT_FALSE(Says(MakeTable(MakeSampleReport()), "Interrupted"));
   report.m_stdScenes.clear();
-  EXPECT_TRUE(Contains(MakeTable(report), "Interrupted before any scene was finished."));
+  EXPECT_TRUE(Says(MakeTable(report), "Interrupted before any scene was finished."));
 }
 
 TEST(TableTest, SaysWhereNothingCouldBeJudged) {
   CRunReport report = MakeSampleReport();
   report.m_stdScenes = {MakeUndecidedScene()};
   const std::string table = MakeTable(report);
-  EXPECT_TRUE(Contains(Unwrapped(table),
-                       "gave up 40 of 40 trials, the first at trial 0, step 2: ball 0 is jammed at (1, 2)"))
-      << table;
+  EXPECT_TRUE(Says(Unwrapped(table),
+                   "gave up 40 of 40 trials, the first at trial 0, step 2: ball 0 is jammed at (1, 2)"));
   const std::vector<std::string> lines = Lines(table);
   const auto scene = std::find(lines.begin(), lines.end(), "hopeless, 0 impacts");
   ASSERT_LT(scene - lines.begin() + 4, static_cast<std::ptrdiff_t>(lines.size()));
   for (auto line = scene + 1; line <= scene + 4; ++line) {
-    EXPECT_FALSE(Contains(*line, "%")) << *line; // no rate, not even of zero
-    EXPECT_TRUE(Contains(*line, " - ")) << *line;
+    EXPECT_FALSE(Says(*line, "%")); // no rate, not even of zero
+    EXPECT_TRUE(Says(*line, " - "));
   }
   // Where only some trials are given up, that is said beside the figures.
   report.m_stdScenes = {MakeSampleScene()};
-  EXPECT_FALSE(Contains(MakeTable(report), "gave up"));
+  EXPECT_FALSE(Says(MakeTable(report), "gave up"));
   report.m_stdScenes[0].m_cImpactTrials.m_cExcluded.m_nUndecided = 1;
   report.m_stdScenes[0].m_cImpactTrials.m_cExcluded.m_sUndecided = "trial 7, step 1: somewhere";
-  EXPECT_TRUE(Contains(Unwrapped(MakeTable(report)),
-                       "gave up 1 of 1200 trials, the first at trial 7, step 1: somewhere."));
+  EXPECT_TRUE(Says(Unwrapped(MakeTable(report)),
+                   "gave up 1 of 1200 trials, the first at trial 7, step 1: somewhere."));
 }
 
 CEffectCost& Get(CRunReport& report, eEffect e) {
@@ -174,28 +170,26 @@ CEffectCost& Get(CRunReport& report, eEffect e) {
 TEST(EffectTableTest, ShowsWhatEachEffectCosts) {
   CRunReport report = MakeSampleReport();
   EXPECT_TRUE(
-      Contains(MakeEffectTable(report),
-               "spinner\n native              (+20%)       +50%      (+20%)   (+20%)      ~0        +10%\n"))
-      << MakeEffectTable(report);
-  EXPECT_TRUE(Contains(MakeTable(report), MakeEffectTable(report)));
+      Says(MakeEffectTable(report),
+           "spinner\n native              (+20%)       +50%      (+20%)   (+20%)      ~0        +10%\n"));
+  EXPECT_TRUE(Says(MakeTable(report), MakeEffectTable(report)));
   SetSampleTimes(Get(report, eEffect::Kinematics).m_cWithout.m_cCost, 100.0 / 15, 1);
   SetSampleTimes(Get(report, eEffect::Gravity).m_cWith.m_cCost, 99.8, 1);
   SetSampleTimes(Get(report, eEffect::Sensors).m_cWith.m_cCost, 98.0, 1);
   EXPECT_TRUE(
-      Contains(MakeEffectTable(report),
-               "spinner\n native                (~0)        x15      (+20%)    (-2%)      ~0        +10%\n"))
-      << MakeEffectTable(report);
+      Says(MakeEffectTable(report),
+           "spinner\n native                (~0)        x15      (+20%)    (-2%)      ~0        +10%\n"));
 }
 
 TEST(EffectTableTest, TellsWhatASavingCosts) {
   CRunReport report = MakeSampleReport();
   const auto changes = [&] { return MakeEffectChanges(report.m_stdScenes[0]); };
   EXPECT_EQ(changes(), std::vector<std::string>{"native without Continuous: loses 50.0% instead of 1.7%."});
-  EXPECT_TRUE(Contains(MakeEffectTable(report), "What else changes, at up to 60 impacts (p95 of errors):\n"
-                                                "  spinner, native without Continuous: loses 50.0%"));
+  EXPECT_TRUE(Says(MakeEffectTable(report), "What else changes, at up to 60 impacts (p95 of errors):\n"
+                                            "  spinner, native without Continuous: loses 50.0%"));
   Get(report, eEffect::Continuous).m_cWithout.m_cTotals.m_nMissed = 3; // chance
   EXPECT_TRUE(changes().empty());
-  EXPECT_FALSE(Contains(MakeEffectTable(report), "What else"));
+  EXPECT_FALSE(Says(MakeEffectTable(report), "What else"));
 
   CEffectCost& kinematics = Get(report, eEffect::Kinematics);
   kinematics.m_cWithout.m_cFlightError.m_fP95 = 3.0;
@@ -302,11 +296,11 @@ TEST(ChartTest, LossesMoveNoMark) {
 
 TEST(ChartTest, AFileOfItsOwnHasItsColoursAndSafeText) {
   const std::string alone = DrawChart(Sample(0), g_cWideChart, true);
-  EXPECT_TRUE(alone.find("a &lt; b &amp; c") != alone.npos);
+  EXPECT_TRUE(Says(alone, "a &lt; b &amp; c"));
   EXPECT_EQ(CountMatches(alone, "<[a-z]"), CountMatches(alone, "/>|</[a-z]")); // every element ends
   for (const CEngineRow& row : GetEngineRows())
-    EXPECT_TRUE(alone.find(std::string("--") + row.m_sName + ":" + row.m_sDark) != alone.npos);
-  EXPECT_EQ(DrawChart(Sample(0), g_cWideChart, false).find("<style>"), std::string::npos); // the control
+    EXPECT_TRUE(Says(alone, std::string("--") + row.m_sName + ":" + row.m_sDark));
+  EXPECT_FALSE(Says(DrawChart(Sample(0), g_cWideChart, false), "<style>")); // the control
 }
 
 TEST(ChartTest, NothingMeasuredIsStillAPicture) {
@@ -314,7 +308,7 @@ TEST(ChartTest, NothingMeasuredIsStillAPicture) {
   report.m_stdScenes = {MakeUndecidedScene()};
   const CChart chart = MakeSceneChart(report, report.m_stdScenes[0]);
   EXPECT_TRUE(chart.m_stdPoints.empty());
-  EXPECT_EQ(DrawChart(chart, g_cNarrowChart, false).find("nan"), std::string::npos);
+  EXPECT_FALSE(Says(DrawChart(chart, g_cNarrowChart, false), "nan"));
 }
 
 } // namespace

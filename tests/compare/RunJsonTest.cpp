@@ -2,8 +2,6 @@
 // run.json fits compare/run.schema.json, which is strict and describes every field.
 #include "app/Run.h"
 
-#include <nlohmann/json.hpp>
-
 #include <functional>
 #include <limits>
 #include <set>
@@ -40,60 +38,17 @@ const json& SchemaJson() {
 // Where a document does not fit the schema; empty if it does.
 std::string FindFault(const json& doc) { return Tests::FindSchemaFaults(SchemaJson(), {doc}).front(); }
 
-// A real run, small; made once.
-const CRunReport& RealRun() {
-  static const CRunReport report = [] {
-    CProgress progress(2, false);
-    CRunReport run = RunScenes({LoadBundled("bowl"), LoadBundled("pinball")}, GetEngines(),
-                               g_cQuickSizes.ForContacts(40), 3, progress, [] {});
-    run.m_sCommand = "shapes-compare run";
-    return run;
-  }();
-  return report;
-}
-
 TEST(RunJsonTest, ARealRunFitsTheSchema) {
-  const json doc = json::parse(MakeJson(RealRun()));
+  CProgress progress(2, false);
+  const json doc = json::parse(MakeJson(RunScenes({LoadBundled("bowl"), LoadBundled("pinball")}, GetEngines(),
+                                                  g_cQuickSizes.ForContacts(40), 3, progress, [] {})));
   EXPECT_EQ(FindFault(doc), "");
   ASSERT_EQ(doc.at("scenes").size(), 2u);
   EXPECT_EQ(doc.at("/scenes/1/engines/2/settings/velocity_iterations"_json_pointer), 8);
-  // What is written is what was meant: nothing is lost on the way through the text.
-  EXPECT_EQ(json::parse(doc.dump()), doc);
-}
-
-TEST(RunJsonTest, TheSameRunGivesTheSameBitsApartFromTimes) {
-  CProgress progress(2, false);
-  const auto run = [&](std::uint64_t seed) {
-    json doc =
-        json::parse(MakeJson(RunScenes({LoadBundled("spinner"), LoadBundled("disc_in_square")}, GetEngines(),
-                                       g_cQuickSizes.ForContacts(25), seed, progress, [] {})));
-    // docs/run_json.md says which depend on times.
-    const std::function<void(json&)> strip = [&](json& value) {
-      if (value.is_object())
-        for (auto it = value.begin(); it != value.end();) {
-          const std::string& key = it.key();
-          if (key.starts_with("ns_") || key == "front_by_error" || key == "front_by_misses" ||
-              key == "answers" || key == "verdict" || key == "proof" || key == "take" || key == "result" ||
-              key == "front" || key == "remarks")
-            it = value.erase(it);
-          else
-            strip(*it), ++it;
-        }
-      else if (value.is_array())
-        for (json& item : value)
-          strip(item);
-    };
-    strip(doc);
-    return doc;
-  };
-  const json once = run(5), again = run(5);
-  EXPECT_EQ(once.dump() == again.dump(), true) << json::diff(once, again).dump(1).substr(0, 2000);
-  EXPECT_NE(once.dump(), run(6).dump()); // the control
 }
 
 TEST(RunJsonTest, TheSampleFitsTheSchema) {
-  CRunReport report = MakeSampleReport();
-  EXPECT_EQ(FindFault(json::parse(MakeJson(report))), "");
+  CRunReport report = MakeSampleReport(); // as it is: AChangedDocumentIsRefused
   report.m_stdScenes.push_back(MakeUndecidedScene());
   report.m_bInterrupted = true;
   report.m_nSeed = std::numeric_limits<std::uint64_t>::max();

@@ -20,10 +20,6 @@ inline std::vector<std::string> Lines(const std::string& text) {
   return lines;
 }
 
-inline bool Contains(const std::string& text, const std::string& part) {
-  return text.find(part) != text.npos;
-}
-
 inline CContact MakeSampleContact() {
   const CEngineContact right{.m_eOutcome = eOutcome::Correct,
                              .m_bDetected = true,
@@ -135,23 +131,20 @@ inline CSceneReport MakeSampleScene() {
   report.m_cDifference = {850, 0.06, 0.5, 1.25};
   report.m_stdEngines = {MakeSampleEngine(12, 70.0, 0.0002), MakeSampleEngine(203, 50.0, 0.04),
                          MakeSampleEngine(6, 500.0, 0.02), MakeSampleEngine(0, 800.0, 2e-6)};
+  const auto setting = [](const CEngine& engine, std::optional<double> error) {
+    CSetting made;
+    made.m_cEngine = engine;
+    made.m_cNsPerBallSecond = {3000.0, {2900.0, 3100.0}};
+    made.m_fDirectionErrorP95 = error;
+    made.m_nContacts = 100;
+    made.m_nMissed = 10;
+    made.m_nTunneled = 20;
+    return made;
+  };
   const std::vector<CEngine> engines = GetEngines();
-  CSetting native, box2d, tuned, exact;
-  native.m_cEngine = engines[Tests::g_nNative];
-  native.m_cNsPerBallSecond = {3000.0, {2900.0, 3100.0}};
-  native.m_nContacts = 100;
-  native.m_nMissed = 10;
-  native.m_nTunneled = 20;
-  box2d = native;
-  box2d.m_cEngine = engines[Tests::g_nBox2D];
-  box2d.m_fDirectionErrorP95 = 0.02;
-  tuned = native;
-  tuned.m_cEngine = engines[Tests::g_nTuned];
-  tuned.m_fDirectionErrorP95 = 2e-6;
-  exact = native;
-  exact.m_cEngine = {g_sExact, nullptr};
-  exact.m_fDirectionErrorP95 = 0.0;
-  report.m_cWork.m_stdSettings = {native, box2d, tuned, exact};
+  report.m_cWork.m_stdSettings = {setting(engines[Tests::g_nNative], {}),
+                                  setting(engines[Tests::g_nBox2D], 0.02),
+                                  setting(engines[Tests::g_nTuned], 2e-6), setting({g_sExact, nullptr}, 0.0)};
   report.m_cWork.m_stdRecommendations = {{"Bounces within 1 degree", {1, 2}, {"native"}, {}},
                                          {"None lost in 100 impacts", {}, {"native", "box2d"}, 1}};
   report.m_cHeatMap.m_stdSpeeds = {1.0, 2.0};

@@ -7,15 +7,8 @@
 #include "scene/Scene.h"
 #include "schema/Schema.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <bit>
-#include <filesystem>
 #include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace Shapes::Compare::Tests {
 namespace {

@@ -12,7 +12,7 @@ namespace Shapes::Compare {
 namespace {
 
 using nlohmann::json;
-using Tests::MessageOf, Tests::ToDesc;
+using Tests::ToDesc;
 
 // A change of the valid scene: what is an object there is merged with the value, and loses its nulls;
 // anything else is replaced by it. Then what the error says after the name of the file, and after the path if
@@ -167,9 +167,6 @@ TEST_F(SceneTest, AWrongFieldIsNamedWithWhatWasExpected) {
       {"/shapes/2", R"({"radius": null})", "/shapes/2/radius: expected a length of at least 0, got nothing"},
       {"/shapes/0/position/1", "null", "expected a number, got null"},
       {"/shapes/0/position", "[1, 2, 3]", "expected a point [x, y], got [1,2,3]"},
-      {"/shapes/0", R"({"radius": 1})",
-       "/shapes/0/radius: expected no such field (known are drain, elasticity, filter, flip, motion, name, "
-       "position, rotation_center, rotation_speed, sensor, shuttle, type, velocity), got 1"},
       // A misspelled field comes before what its absence leads to.
       {"/shapes/3", R"({"motion": null, "moton": "kinematic"})",
        "/shapes/3/moton: expected no such field (known are angles, drain, elasticity, filter, flip, motion, "
@@ -180,8 +177,6 @@ TEST_F(SceneTest, AWrongFieldIsNamedWithWhatWasExpected) {
        "name, p0, p1, rotation_center, rotation_speed, sensor, shuttle, sides, type, velocity), got true"},
       {"/shapes/1/type", R"("square")",
        R"(expected one of "point", "line_segment", "circle", "arc", "capsule", got "square")"},
-      {"/shapes/1", R"({"type": null})",
-       R"(/shapes/1/type: expected one of "point", "line_segment", "circle", "arc", "capsule", got nothing)"},
       {"/shapes/1", "5", "expected an object that describes a shape, got 5"},
       {"/shapes/1/sides", R"("left")", R"(expected one of "both", "front", "back", got "left")"},
       {"/shapes/3/motion", R"("dynamic")", R"(expected one of "static", "kinematic", got "dynamic")"},
@@ -303,8 +298,7 @@ TEST_F(SceneTest, NumbersBeyondDoubleAreNamedByTheirPath) {
 TEST_F(SceneTest, RepeatedFieldsAndEndlessNestingAreRefused) {
   EXPECT_EQ(ErrorOf(R"({"balls": [{"radius": 1, "radius": 2}]})"),
             " /balls/0/radius: expected each field once, got it a second time");
-  const std::string error = ErrorOf(std::string(200000, '['));
-  EXPECT_NE(error.find("expected at most 16 levels, got another one"), std::string::npos) << error;
+  EXPECT_TRUE(Says(ErrorOf(std::string(200000, '[')), "expected at most 16 levels, got another one"));
 }
 
 TEST_F(SceneTest, LongValuesAreShortened) {

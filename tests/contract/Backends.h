@@ -3,6 +3,8 @@
 #pragma once
 
 #include "../Descs.h"
+#include "../GameClock.h"
+#include "../Messages.h"
 #include "../Numbers.h"
 #include "../Steps.h"
 #include "Random.h"
@@ -125,13 +127,5 @@ inline float GetDistance(const CWorld& world, CShapeId id, const Vector2& p) {
   default: return Length(p - shape.GetPos());
   }
 }
-
-/// Sets what CShape::move uses, as a game does it.
-struct CGameClock : CShapeCommon {
-  static void Set(float dt, float gravity) {
-    m_fTimeStep = dt;
-    m_fGravity = gravity;
-  }
-};
 
 } // namespace Shapes

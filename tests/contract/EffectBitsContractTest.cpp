@@ -19,9 +19,8 @@ std::unique_ptr<CWorld> MakeWorldOf(const CBackend& backend, const CScene& scene
                                     eProfile profile = eProfile::Shipped) {
   const Vector2 gravity(0, scene.m_bGravity ? -2 : 0);
   auto pWorld = backend.MakeWorld(Described(gravity, 1.0f / 120.0f, 1, choice, profile));
-  const Vector2 corners[] = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
-  for (std::size_t i = 0; i < 4; ++i)
-    pWorld->Add(CLineSegDesc(corners[i], corners[(i + 1) % 4], scene.m_fElasticity));
+  for (const CLineSegDesc& wall : Walls({-2, -2}, {2, 2}, scene.m_fElasticity))
+    pWorld->Add(wall);
   pWorld->Add(CArcDesc({0, 0}, 1.9f, 0.2f, 2.9f, scene.m_fElasticity));
   pWorld->Add(CPointDesc(Vector2(0.3f, -1)));
   pWorld->Add(Turning(CLineSegDesc({-1, -1}, {-0.5f, -1}, scene.m_fElasticity), scene.m_bTurns ? 0.6f : 0.0f,

@@ -100,16 +100,20 @@ TEST_P(CPairContract, WhatIsFarAwayIsNotMet) {
 TEST_P(CPairContract, ABallDoesNotMeetItself) { EXPECT_FALSE(Detects(m_cBall, m_cBall)); }
 
 TEST_P(CPairContract, SensorsAreDetectedButNotAnswered) {
-  m_cSeg.SetSensor(true);
-  CContactDesc c(&m_cSeg, &m_cBall);
-  ASSERT_TRUE(Backend().CollisionDetected(c));
-  const Vector2 p = m_cBall.GetPos(), v = m_cBall.GetVel();
-  m_cBall.CollisionResponse(c);
-  EXPECT_EQ(m_cBall.GetPos(), p);
-  EXPECT_EQ(m_cBall.GetVel(), v);
-  m_cSeg.SetSensor(false); // the control: the same contact is answered
-  m_cBall.CollisionResponse(c);
-  EXPECT_NE(m_cBall.GetVel(), v);
+  for (const bool isBall : {false, true}) {
+    CDynamicCircle ball = Arrive({0, 0.07f}, {0, -6});
+    CShape& sensor = isBall ? static_cast<CShape&>(ball) : m_cSeg;
+    sensor.SetSensor(true);
+    CContactDesc c(&m_cSeg, &ball);
+    ASSERT_TRUE(Backend().CollisionDetected(c));
+    const Vector2 p = ball.GetPos(), v = ball.GetVel();
+    ball.CollisionResponse(c);
+    EXPECT_EQ(ball.GetPos(), p);
+    EXPECT_EQ(ball.GetVel(), v);
+    sensor.SetSensor(false); // the control: the same contact is answered
+    ball.CollisionResponse(c);
+    EXPECT_NE(ball.GetVel(), v);
+  }
 }
 
 TEST_P(CPairContract, WhatCannotCollideIsNotMet) {

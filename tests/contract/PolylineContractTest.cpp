@@ -74,13 +74,8 @@ TEST(Capsule, ConsistsOfItsEndsAndTheirTangentsWhichAreAllAlike) {
 }
 
 TEST(Capsule, WhatIsNoneIsRefused) {
-  const auto message = [](const Vector2& p0, float r0, const Vector2& p1, float r1) -> std::string {
-    try {
-      MakeCapsule(p0, r0, p1, r1);
-    } catch (const std::invalid_argument& refusal) {
-      return refusal.what();
-    }
-    return "";
+  const auto message = [](const Vector2& p0, float r0, const Vector2& p1, float r1) {
+    return MessageOf<std::invalid_argument>([&] { MakeCapsule(p0, r0, p1, r1); });
   };
   EXPECT_EQ(message({0, 0}, 1, {1, 0}, 0.25f), "");
   EXPECT_EQ(message({0, 0}, 1, {0.5f, 0}, 0.25f),

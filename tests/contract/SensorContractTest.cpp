@@ -44,8 +44,7 @@ TEST_P(CSensorContract, ABallIsSeenAtTenDiametersAStep) {
       std::size_t contacts = 0;
       for (int step = 0; step < steps; ++step) {
         pWorld->Step();
-        for (const CSensorEvent& event : pWorld->GetSensorEvents())
-          events.push_back(event);
+        events.insert(events.end(), pWorld->GetSensorEvents().begin(), pWorld->GetSensorEvents().end());
         for (const CContactEvent& contact : pWorld->GetContacts()) {
           ++contacts;
           EXPECT_TRUE(contact.m_bIsSensor);
@@ -78,8 +77,7 @@ TEST_P(CSensorContract, ABallAtRestIsSeenByASensorThatTurnsOverIt) {
     std::vector<CSensorEvent> events;
     for (int step = 0; step < 3; ++step) {
       pWorld->Step();
-      for (const CSensorEvent& event : pWorld->GetSensorEvents())
-        events.push_back(event);
+      events.insert(events.end(), pWorld->GetSensorEvents().begin(), pWorld->GetSensorEvents().end());
       if (!events.empty() && events.back().m_bBegin) ++atTheEnd;
       for (const CContactEvent& contact : pWorld->GetContacts()) {
         if (pWorld->GetSensorEvents().size() != 2) continue; // it is over it at the end, or was at first

@@ -2,6 +2,7 @@
 // Games that are played for long: 10^5 steps, or as many as SHAPES_ENDURANCE_STEPS says (run.sh). What is
 // expected is in docs/testing.md.
 #include "Endurance.h"
+#include "../Descs.h"
 #include "LiveBlocks.h"
 
 #include <gtest/gtest.h>
@@ -9,9 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <string>
 #include <variant>
-#include <vector>
 
 namespace Shapes::Tests {
 namespace {
@@ -168,9 +167,8 @@ std::unique_ptr<CWorld> MakePegs(const CEffectChoice& effects) {
   desc.m_vGravity = {0, -10};
   desc.m_cEffects = effects;
   auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
-  const Vector2 corners[] = {{0, 0}, {12, 0}, {12, 12}, {0, 12}};
-  for (std::size_t i = 0; i < 4; ++i)
-    pWorld->Add(CLineSegDesc(corners[i], corners[(i + 1) % 4]));
+  for (const CLineSegDesc& wall : Walls({0, 0}, {12, 12}))
+    pWorld->Add(wall);
   for (int i = 1; i < 100; ++i) {
     const Vector2 place(1.2f * static_cast<float>(i % 10), 1.2f * static_cast<float>(i / 10));
     pWorld->Add(CCircleDesc(place, 0.15f));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "../Descs.h"
+#include "../GameClock.h"
 #include "../Numbers.h"
 #include "Bytes.h"
 #include "Fuzz.h"
@@ -13,8 +14,6 @@
 #include "traps/Traps.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -23,14 +22,6 @@ namespace {
 
 using namespace Native;
 using namespace Geometry;
-
-/// Sets what CShape::move uses, as a game does it.
-struct CGameClock : CShapeCommon {
-  static void Set(float dt, float gravity) {
-    m_fTimeStep = dt;
-    m_fGravity = gravity;
-  }
-};
 
 double Largest(const Vector2d& v) { return v.cwiseAbs().maxCoeff(); }
 

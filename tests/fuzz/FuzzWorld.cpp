@@ -6,7 +6,6 @@
 #include <Shapes/Shapes.h>
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <memory>
 #include <set>

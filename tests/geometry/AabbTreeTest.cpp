@@ -3,10 +3,7 @@
 
 #include "Cases.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
-#include <cmath>
 
 namespace Shapes::Geometry {
 namespace {

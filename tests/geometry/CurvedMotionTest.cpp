@@ -3,13 +3,6 @@
 // take.
 #include "ImpactTesting.h"
 
-#include "compare/SweepOracle.h"
-
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <string>
-
 namespace Shapes::Geometry {
 namespace {
 
@@ -34,21 +27,12 @@ TEST(SweepTurning, AgreesWith50Digits) {
     ExpectAgrees<CFifty>(type, eSides::Both, true, 110, 100);
 }
 
-CSweepOracle MakeOracle(const CTrial& trial) {
-  const CShapeGeometry& o = trial.m_cShape;
-  const CMotion& motion = trial.m_cMotion;
-  return {ForReference(o),
-          {o.m_vRotCenter, o.m_fTurnSpeed},
-          {motion.m_vPos, motion.m_vVel, motion.m_fRadius},
-          motion.m_fDuration};
-}
-
 // A trial against something with both sides, clear of it at the beginning.
 CTrial ClearTrial(CRandom& random) {
   for (;;) {
     const CTrial trial = RandomTrial(random, g_eTypes[random.Below(4)], eSides::Both, true);
     const bool fits = trial.m_cMotion.m_fRadius < trial.m_cShape.m_fRadius;
-    if (trial.m_cShape.m_fTurnSpeed != 0.0 && MakeOracle(trial).Gap(0) > 1e-9L &&
+    if (trial.m_cShape.m_fTurnSpeed != 0.0 && MakeOracle(trial.m_cShape, trial.m_cMotion).Gap(0) > 1e-9L &&
         (fits || trial.m_cShape.m_eShapeType != eShape::Arc))
       return trial;
   }
@@ -58,7 +42,7 @@ TEST(SweepTurning, TheGapIsOpenUntilTheImpactAndClosedThen) {
   int hits = 0, misses = 0;
   ForEachCase(61, 4000, [&](CRandom& random, int) {
     const CTrial trial = ClearTrial(random);
-    const CSweepOracle oracle = MakeOracle(trial);
+    const CSweepOracle oracle = MakeOracle(trial.m_cShape, trial.m_cMotion);
     const double bound = GapBound(trial);
     CImpact impact;
     const eSweep found = Sweep(trial.m_cShape, trial.m_cMotion, 0.0, impact);
@@ -86,14 +70,13 @@ TEST(SweepTurning, TheGapIsOpenUntilTheImpactAndClosedThen) {
 
 // The control: Newton's method on the same gap steps over impacts.
 TEST(SweepTurning, NewtonMissesImpacts) {
-  CRandom random(62);
   int hits = 0, missed = 0;
-  for (int i = 0; i < 1000; ++i) {
+  ForEachCase(62, 1000, [&](CRandom& random, int) {
     const CTrial trial = ClearTrial(random);
     CImpact impact;
-    if (Sweep(trial.m_cShape, trial.m_cMotion, 0.0, impact) != eSweep::Impact) continue;
+    if (Sweep(trial.m_cShape, trial.m_cMotion, 0.0, impact) != eSweep::Impact) return;
     ++hits;
-    const CSweepOracle oracle = MakeOracle(trial);
+    const CSweepOracle oracle = MakeOracle(trial.m_cShape, trial.m_cMotion);
     real t = 0, gap = oracle.Gap(t);
     for (int k = 0; k < 100 && gap > 1e-12L && t < trial.m_cMotion.m_fDuration; ++k) {
       const real slope = (oracle.Gap(t + 1e-9L) - gap) / 1e-9L;
@@ -102,7 +85,7 @@ TEST(SweepTurning, NewtonMissesImpacts) {
       gap = oracle.Gap(t);
     }
     missed += std::abs(gap) > 1e-9L || std::abs(static_cast<double>(t) - impact.m_fTime) > 1e-6;
-  }
+  });
   EXPECT_GT(hits, 200);
   EXPECT_GT(missed, hits / 20);
 }

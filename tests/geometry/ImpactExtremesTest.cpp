@@ -8,12 +8,8 @@
 
 #include <Shapes/Shapes.h>
 
-#include <gtest/gtest.h>
-
 #include <cfenv>
-#include <cmath>
 #include <memory>
-#include <string>
 
 namespace Shapes::Geometry {
 namespace {
@@ -124,16 +120,15 @@ TEST_F(CSweepExtremes, BallsAreAnsweredByNumbers) {
 
 // The control: the textbook's root of the quadratic, on the same trials.
 TEST_F(CSweepExtremes, TheTextbookRaisesExceptions) {
-  CRandom random(19);
   int raised = 0;
-  for (int i = 0; i < 1000; ++i) {
+  ForEachCase(19, 1000, [&](CRandom& random, int) {
     const CMotion other = AnyLeg(random), ball = AnyLeg(random);
     std::feclearexcept(FE_ALL_EXCEPT);
     const Vector2d d = ball.m_vPos - other.m_vPos, v = ball.m_vVel - other.m_vVel;
     const double R = other.m_fRadius + ball.m_fRadius, b = d.dot(v), a = v.squaredNorm();
     [[maybe_unused]] volatile double t = (-b - std::sqrt(b * b - a * (d.squaredNorm() - R * R))) / a;
     raised += Raised();
-  }
+  });
   EXPECT_GT(raised, 100);
 }
 

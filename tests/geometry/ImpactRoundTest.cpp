@@ -4,8 +4,6 @@
 
 #include "ImpactTesting.h"
 
-#include <cmath>
-
 namespace Shapes::Geometry {
 namespace {
 
@@ -87,40 +85,10 @@ TEST(ImpactCircleCircle, ABallInARingStaysThere) {
   });
 }
 
-// The right half of a circle.
-CShapeGeometry HalfCircle(eSides sides = eSides::Both) {
-  return MakeShapeGeometry(CArc(Sided(CArcDesc({0, 0}, 2, -0.5f * g_fPi, 0.5f * g_fPi), sides)), 0.0);
-}
-
 TEST(ImpactCircleArc, AgreesWith50Digits) {
   ExpectAgrees<CFifty>(eShape::Arc, eSides::Both, false, 40, 8000);
   ExpectAgrees<CFifty>(eShape::Arc, eSides::Front, false, 41, 4000);
   ExpectAgrees<CFifty>(eShape::Arc, eSides::Back, false, 42, 4000);
-}
-
-TEST(ImpactCircleArc, AnArcIsMetInItsSector) {
-  CImpact impact;
-  ASSERT_EQ(Sweep(HalfCircle(), {{5, 0}, {-1, 0}, 0.5, 20.0}, 0.0, impact), eSweep::Impact);
-  EXPECT_EQ(impact.m_fTime, 2.5);
-  EXPECT_EQ(impact.m_vNorm, Vector2d(1, 0));
-  // Through the opening, and from inside.
-  ASSERT_EQ(Sweep(HalfCircle(), {{-5, 0}, {1, 0}, 0.5, 20.0}, 0.0, impact), eSweep::Impact);
-  EXPECT_EQ(impact.m_fTime, 6.5);
-  EXPECT_EQ(impact.m_vNorm, Vector2d(-1, 0));
-  EXPECT_EQ(Sweep(HalfCircle(), {{-5, -1}, {0, 1}, 0.5, 20.0}, 0.0, impact), eSweep::None);
-  // At an end.
-  ASSERT_EQ(Sweep(HalfCircle(), {{-5, 2}, {1, 0}, 0.5, 20.0}, 0.0, impact), eSweep::Impact);
-  EXPECT_NEAR(impact.m_fTime, 4.5, 1e-6); // the angles are floats
-  EXPECT_NEAR(impact.m_vNorm.x(), -1.0, 1e-6);
-}
-
-TEST(ImpactCircleArc, AOneSidedArcIsOpenFromTheOtherSide) {
-  CImpact impact;
-  const CMotion in{{5, 0}, {-1, 0}, 0.5, 4.0}, out{{0, 0}, {1, 0}, 0.5, 9.0};
-  EXPECT_EQ(Sweep(HalfCircle(eSides::Front), in, 0.0, impact), eSweep::Impact);
-  EXPECT_EQ(Sweep(HalfCircle(eSides::Front), out, 0.0, impact), eSweep::None);
-  EXPECT_EQ(Sweep(HalfCircle(eSides::Back), in, 0.0, impact), eSweep::None);
-  EXPECT_EQ(Sweep(HalfCircle(eSides::Back), out, 0.0, impact), eSweep::Impact);
 }
 
 // In a gap that is narrower than itself a ball touches both ends: each stops it, also where the other is

@@ -4,11 +4,8 @@
 #include "ImpactTesting.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace Shapes::Geometry {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "../Descs.h"
 #include "Cases.h"
+#include "compare/SweepOracle.h"
 #include "reference/Scalar.h"
 #include "reference/Sweep.h"
 
@@ -42,6 +43,13 @@ bool OverlapsInside(const CTrial& trial);
 
 inline Compare::CShapeGeometry<double> ForReference(const CShapeGeometry& o) {
   return {o.m_eShapeType, o.m_eSides, o.m_bFull, o.m_bWide, o.m_vCenter, o.m_vPt0, o.m_vPt1, o.m_fRadius};
+}
+/// Distances by closest points and angles alone, in long double.
+inline Compare::Tests::CSweepOracle MakeOracle(const CShapeGeometry& o, const CMotion& motion) {
+  return {ForReference(o),
+          {o.m_vRotCenter, o.m_fTurnSpeed},
+          {motion.m_vPos, motion.m_vVel, motion.m_fRadius, motion.m_vAcc},
+          motion.m_fDuration};
 }
 template <class T>
 Compare::CVec<T> To(const Vector2d& v) {

@@ -2,18 +2,11 @@
 // What overlaps at the beginning of a motion, against distances by closest points and angles.
 #include "ImpactTesting.h"
 
-#include "compare/SweepOracle.h"
-
-#include <cmath>
-#include <string>
-
 namespace Shapes::Geometry {
 namespace {
 
 double Distance(const CShapeGeometry& o, const CMotion& motion, const Vector2d& p) {
-  return static_cast<double>(
-      Compare::Tests::CSweepOracle(ForReference(o), {}, {motion.m_vPos, motion.m_vVel, motion.m_fRadius}, 1.0)
-          .DistanceOf(p, 0));
+  return static_cast<double>(MakeOracle(o, motion).DistanceOf(p, 0));
 }
 
 TEST(SweepOverlap, IsTheDistanceToWhatHasBothSides) {

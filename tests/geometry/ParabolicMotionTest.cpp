@@ -1,54 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/TimeOfImpact.h"
-#include "geometry/VisitShape.h"
-
 #include "../Numbers.h"
-#include "Cases.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "ImpactTesting.h"
 
 namespace Shapes::Geometry {
 namespace {
-
-using Tests::CRandom;
-using Tests::ForEachCase;
-
-// The distance of x from the shape, which has no sides; of a ring from inside and outside.
-double DistanceTo(const CShape& shape, const Vector2d& x) {
-  const Vector2d c = Wide(shape.GetPos());
-  return VisitShape(
-      shape, CPerShape{[&](const CPoint&) { return (x - c).norm(); },
-                       [&](const CLineSeg& seg) {
-                         const Vector2d a = Wide(seg.GetEndPt0()), u = Wide(seg.GetEndPt1()) - a;
-                         return (x - a - std::clamp(u.dot(x - a) / u.squaredNorm(), 0.0, 1.0) * u).norm();
-                       },
-                       [&](const CCircle& circle) {
-                         return std::abs((x - c).norm() - static_cast<double>(circle.GetRadius()));
-                       },
-                       [&](const CArc& arc) {
-                         // Its ends are moved onto the circle, by less than their rounding.
-                         const CShapeGeometry o = MakeShapeGeometry(arc, 0.0);
-                         const double ends = std::min((x - o.m_vPt0).norm(), (x - o.m_vPt1).norm());
-                         const double ring = std::abs((x - c).norm() - static_cast<double>(arc.GetRadius()));
-                         return InSector(o, x - c, 0.0) ? std::min(ring, ends) : ends;
-                       }});
-}
-
-// The first time at which the path comes as close as the radius, by small steps and bisection.
-double Search(const CShape& shape, const CMotion& motion) {
-  const auto gap = [&](double t) { return DistanceTo(shape, motion.PosAt(t)) - motion.m_fRadius; };
-  const int n = 5000;
-  for (int i = 1; i <= n; ++i) {
-    double high = motion.m_fDuration * i / n, low = motion.m_fDuration * (i - 1) / n;
-    if (!(gap(high) <= 0.0)) continue;
-    for (int k = 0; k < 80; ++k)
-      (gap(0.5 * (low + high)) <= 0.0 ? high : low) = 0.5 * (low + high);
-    return high;
-  }
-  return std::numeric_limits<double>::infinity();
-}
 
 std::unique_ptr<CShape> MakeRandomShape(CRandom& random, int i, const Vector2& origin) {
   const Vector2 p = origin + random.InSquare(1);
@@ -77,14 +32,14 @@ TEST(ParabolicMotion, FindsTheFirstImpactOnAParabola) {
   ForEachCase(17, 1200, [&](CRandom& random, int i) {
     const std::unique_ptr<CShape> pShape = MakeRandomShape(random, i, Vector2::Zero());
     const CMotion motion = MakeRandomMotion(random);
-    if (DistanceTo(*pShape, motion.m_vPos) <= motion.m_fRadius) return; // begins in it
-    const double exact = Search(*pShape, motion);
-    CImpact impact;
     const CShapeGeometry geometry = MakeShapeGeometry(*pShape, 0.0);
+    const auto oracle = MakeOracle(geometry, motion);
+    if (oracle.Gap(0) <= 0) return; // begins in it
+    const auto first = oracle.FirstImpact();
+    CImpact impact;
     const eSweep found = Sweep(geometry, motion, 0.0, impact);
     ASSERT_NE(found, eSweep::OutOfIterations) << i;
-    if (std::isinf(exact)) {
-      // A graze between two steps of the search is all that it may miss.
+    if (!first) { // or hardly
       if (found == eSweep::Impact) {
         EXPECT_LT(std::abs(motion.VelAt(impact.m_fTime).dot(impact.m_vNorm)), 0.01) << i;
       }
@@ -92,13 +47,14 @@ TEST(ParabolicMotion, FindsTheFirstImpactOnAParabola) {
     }
     ++impacts;
     ASSERT_EQ(found, eSweep::Impact) << i;
+    const double exact = static_cast<double>(*first);
     const double approach = -motion.VelAt(impact.m_fTime).dot(impact.m_vNorm);
     EXPECT_GT(approach, 0.0);
     // The documented bound, size and speed being below 20, with a factor of 4 for the search.
     EXPECT_LT(std::abs(impact.m_fTime - exact) * std::min(approach, 1.0),
               4.0 * (64 + 16) * 20.0 * std::numeric_limits<double>::epsilon())
         << i;
-    EXPECT_NEAR(DistanceTo(*pShape, motion.PosAt(impact.m_fTime)), motion.m_fRadius, 1e-12);
+    EXPECT_NEAR(static_cast<double>(oracle.Gap(impact.m_fTime)), 0.0, 1e-12);
     CMotion straight = motion;
     straight.m_vAcc = Vector2d::Zero();
     CImpact other;
@@ -122,10 +78,12 @@ TEST(ParabolicMotion, ABallThatIsOutOfTheWayStaysAway) {
     motion.m_vPos += Wide(origin);
     motion.m_fDuration = static_cast<double>(random.Scale(-6, 0));
     const double start = random.Unit(), reach = random.Coin() ? 0.0 : 0.1 * random.Unit();
+    const auto oracle = MakeOracle(o, motion);
     double nearest = std::numeric_limits<double>::infinity();
     for (int k = 0; k <= 200; ++k) {
       const double t = motion.m_fDuration * k / 200;
-      nearest = std::min(nearest, DistanceTo(*pShape, motion.PosAt(t) - (start + t) * o.m_vVel));
+      const Vector2d x = motion.PosAt(t) - (start + t) * o.m_vVel;
+      nearest = std::min(nearest, static_cast<double>(oracle.DistanceOf(x, 0)));
     }
     const bool isOut = IsOutOfWay(o, motion, start, reach);
     ASSERT_FALSE(isOut && nearest <= motion.m_fRadius + reach) << nearest;
@@ -176,13 +134,8 @@ TEST(ParabolicMotion, TheGapClosesAsItsSecondDerivativeSays) {
     o.m_fSize = 4.0;
     CMotion motion{Wide(random.InSquare(2)), Wide(random.VectorOfLength(0, 4)), 0.1, 1.0,
                    Wide(random.VectorOfLength(0, 12))};
-    const auto gap = [&](double t) {
-      const CShapeGeometry now = RotatedFor(o, t);
-      const Vector2d x = motion.PosAt(t), u = now.m_vPt1 - now.m_vPt0;
-      if (i % 2 == 0) return (x - now.m_vCenter).norm() - now.m_fRadius - 0.1;
-      return (x - now.m_vPt0 - std::clamp(u.dot(x - now.m_vPt0) / u.squaredNorm(), 0.0, 1.0) * u).norm() -
-             0.1;
-    };
+    const auto oracle = MakeOracle(o, motion);
+    const auto gap = [&](double t) { return static_cast<double>(oracle.Gap(t)); };
     CImpact impact;
     if (!(gap(0.0) > 0.0) || Sweep(o, motion, 0.0, impact) != eSweep::Impact) return;
     const double t = impact.m_fTime, h = 1e-4;

@@ -7,10 +7,7 @@
 
 #include <Shapes/Shapes.h>
 
-#include <gtest/gtest.h>
-
 #include <numbers>
-#include <string>
 
 namespace Shapes::Geometry {
 namespace {

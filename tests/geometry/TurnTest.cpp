@@ -4,11 +4,8 @@
 #include "Cases.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <gtest/gtest.h>
 
 #include <bit>
-#include <cmath>
-#include <cstdint>
 #include <limits>
 
 namespace Shapes::Geometry {

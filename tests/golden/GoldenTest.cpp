@@ -8,9 +8,7 @@
 #include <array>
 #include <cinttypes>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
-#include <string>
 
 #ifdef SHAPES_GOLDEN_TRAPS
 #include <cfenv>

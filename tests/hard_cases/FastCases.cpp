@@ -4,7 +4,6 @@
 #include "StepTesting.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace Shapes::HardCases {
 

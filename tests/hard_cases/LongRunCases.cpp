@@ -4,8 +4,6 @@
 #include "Random.h"
 #include "StepTesting.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace Shapes::HardCases {
@@ -81,10 +79,8 @@ std::vector<float> RunBoxes(eColumn column, const std::vector<int>& order) {
   CSceneDesc scene = MakeScene({}, {}, 1.0f / 60.0f, {0.0f, -9.8f});
   for (const int cell : order) {
     const Vector2 c(3.0f * static_cast<float>(cell % 4), 3.0f * static_cast<float>(cell / 4));
-    const Vector2 corners[] = {c + Vector2(-1, -1), c + Vector2(1, -1), c + Vector2(1, 1),
-                               c + Vector2(-1, 1)};
-    for (std::size_t i = 0; i < 4; ++i)
-      scene.m_stdShapes.emplace_back(CLineSegDesc(corners[i], corners[(i + 1) % 4], 0.9f));
+    for (const CLineSegDesc& wall : Walls(c - Vector2(1, 1), c + Vector2(1, 1), 0.9f))
+      scene.m_stdShapes.emplace_back(wall);
     scene.m_stdShapes.emplace_back(Turning(CLineSegDesc(c, c + Vector2(0.4f, 0.0f)), 0.5f, c));
     Tests::CRandom random(g_nLongRunSeed + static_cast<std::uint64_t>(cell));
     scene.m_stdBalls.emplace_back(c + Vector2(0.6f, 0.5f), 0.1f, 4.0f * random.Direction());

@@ -3,7 +3,6 @@
 #include "StepTesting.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace Shapes::HardCases {

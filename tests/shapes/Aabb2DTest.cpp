@@ -6,8 +6,6 @@
 
 #include "traps/Traps.h"
 
-#include <gtest/gtest.h>
-
 namespace Shapes {
 namespace {
 
@@ -51,8 +49,7 @@ TEST(Aabb2D, AssignmentShrinksToAPoint) {
 }
 
 TEST(Aabb2D, GrowingGivesTheSmallestBoxAroundAllPoints) {
-  CRandom random(21);
-  for (int trial = 0; trial < 200; ++trial) {
+  ForEachCase(21, 200, [&](CRandom& random, int) {
     CAabb2D box;
     float l = 1e9f, t = -1e9f, r = -1e9f, b = 1e9f;
     for (int i = 0; i < 20; ++i) {
@@ -62,11 +59,11 @@ TEST(Aabb2D, GrowingGivesTheSmallestBoxAroundAllPoints) {
       r = std::max(r, p.x());
       t = std::max(t, p.y());
       b = std::min(b, p.y());
-      EXPECT_TRUE(box && p) << "seed " << random.GetSeed();
+      EXPECT_TRUE(box && p);
     }
     EXPECT_EQ(box.GetTopLeft(), Vector2(l, t));
     EXPECT_EQ(box.GetBottomRt(), Vector2(r, b));
-  }
+  });
 }
 
 TEST(Aabb2D, BoxesMeetExactlyIfBothTheirShadowsOverlap) {
@@ -125,11 +122,7 @@ TEST(Aabb2D, ANanThatWasTakenInStays) {
   EXPECT_FALSE(box && Box(-1.0f, 1.0f, 1.0f, -1.0f));
 }
 
-TEST(Aabb2D, TranslateMovesBothCorners) {
-  CAabb2D box = Box(-1.0f, 2.0f, 3.0f, -4.0f);
-  box.Translate({10.0f, -20.0f});
-  EXPECT_EQ(box.GetTopLeft(), Vector2(9.0f, -18.0f));
-  EXPECT_EQ(box.GetBottomRt(), Vector2(13.0f, -24.0f));
+TEST(Aabb2D, AnEmptyBoxThatIsMovedStaysEmpty) {
   CAabb2D empty;
   empty.Translate({1.0f, 1.0f});
   EXPECT_FALSE(empty && Box(-1e18f, 1e18f, 1e18f, -1e18f));

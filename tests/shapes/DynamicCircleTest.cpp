@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../GameClock.h"
 #include "../Numbers.h"
 
 #include <Shapes/Shapes.h>
@@ -10,14 +11,6 @@
 
 namespace Shapes {
 namespace {
-
-// As a game sets them.
-struct CGame : CShapeCommon {
-  static void Set(float gravity, float timeStep) {
-    m_fGravity = gravity;
-    m_fTimeStep = timeStep;
-  }
-};
 
 CDynamicCircle Ball(const Vector2& p, float r, const Vector2& v = Vector2::Zero(), float m = 1.0f,
                     float e = 1.0f) {
@@ -48,10 +41,10 @@ TEST(DynamicCircle, IsWhatItsDescriptorSays) {
 }
 
 TEST(DynamicCircle, MoveChangesTheVelocityFirst) {
-  CGame::Set(-8.0f, 0.5f);
+  CGameClock::Set(0.5f, -8.0f);
   CDynamicCircle ball = Ball({1.0f, 2.0f}, 0.5f, {4.0f, 0.0f});
   ball.move();
-  CGame::Set(0.0f, g_fDt);
+  CGameClock::Set(g_fDt, 0.0f);
   EXPECT_EQ(ball.GetVel(), Vector2(4.0f, -4.0f));
   EXPECT_EQ(ball.GetPos(), Vector2(3.0f, 0.0f));
   EXPECT_EQ(ball.GetPrevPos(), Vector2(1.0f, 2.0f));
@@ -86,18 +79,6 @@ TEST(DynamicCollision, MovesAndKicksBoth) {
   EXPECT_EQ(b.GetVel(), Vector2(2.0f, -2.0f));
   EXPECT_NEAR(a.GetAABB().GetTopLeft().y(), 0.425, 4 * g_fUlp); // boxes follow
   EXPECT_NEAR(b.GetAABB().GetBottomRt().y(), 0.425, 4 * g_fUlp);
-}
-
-TEST(CollisionResponse, OfASensorDoesNothing) {
-  for (const bool ballIsSensor : {false, true}) {
-    CLineSeg floor(CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f}));
-    CDynamicCircle ball = Ball({0.0f, 0.05f}, 0.1f, {3.0f, -4.0f});
-    floor.SetSensor(!ballIsSensor);
-    ball.SetSensor(ballIsSensor);
-    Collide(floor, ball); // detected all the same
-    EXPECT_EQ(ball.GetPos(), Vector2(0.0f, 0.05f));
-    EXPECT_EQ(ball.GetVel(), Vector2(3.0f, -4.0f));
-  }
 }
 
 TEST(CollisionResponse, OfAnotherBallsContactIsRefused) {

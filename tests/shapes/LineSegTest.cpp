@@ -5,11 +5,6 @@
 #include "../Numbers.h"
 #include "../geometry/Cases.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-
 namespace Shapes {
 namespace {
 

@@ -4,10 +4,6 @@
 #include "../Numbers.h"
 #include "../geometry/Cases.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 namespace Shapes {
 namespace {
 

@@ -10,17 +10,16 @@
 
 #include <algorithm>
 #include <cfenv>
-#include <cmath>
 #include <memory>
 #include <vector>
 
 #include "Numbers.h"
-#include "Random.h"
+#include "geometry/Cases.h"
 
 namespace Shapes {
 namespace {
 
-using Tests::CRandom;
+using Tests::CRandom, Tests::ForEachCase;
 
 std::unique_ptr<CShape> RandomShape(CRandom& random, int kind) {
   const Vector2 p = random.InSquare(2);
@@ -55,12 +54,10 @@ std::vector<CPathVertex> RandomWay(CRandom& random, int bends) {
 }
 
 TEST(BallPathTest, TheClosestApproachIsThatOfManyPlaces) {
-  CRandom random(11);
   constexpr int places = 400;
   constexpr double rounding = 1e-5; // of DistanceByShape: 8 ulp of 10
   int crossed = 0;
-  for (int trial = 0; trial < 4000; ++trial) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << " trial " << trial);
+  ForEachCase(11, 4000, [&](CRandom& random, int trial) {
     const auto pShape = RandomShape(random, trial % 4);
     const auto way = RandomWay(random, trial % 3);
     const CZone::CApproach near = CZone(*pShape).Approach(way);
@@ -76,22 +73,20 @@ TEST(BallPathTest, TheClosestApproachIsThatOfManyPlaces) {
     ASSERT_NEAR(DistanceByShape(*pShape, near.m_vPos), near.m_fDistance, rounding);
     ASSERT_NEAR((GetPos(way, near.m_fTime) - near.m_vPos).norm(), 0, 1e-12);
     crossed += near.m_fDistance == 0.0;
-  }
+  });
   EXPECT_GT(crossed, 400);
 }
 
 TEST(BallPathTest, ATouchHasItsPointOnTheShapeAndItsNormalToTheBall) {
-  CRandom random(12);
   int touched = 0, atEnd = 0;
-  for (int trial = 0; trial < 4000; ++trial) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << " trial " << trial);
+  ForEachCase(12, 4000, [&](CRandom& random, int trial) {
     const auto pShape = RandomShape(random, trial % 4);
     const auto way = RandomWay(random, trial % 2);
     const double r = random.Uniform(0.05f, 0.5f);
     const CZone zone(*pShape);
     const auto touch = zone.Touch(way, r);
     ASSERT_EQ(touch.has_value(), zone.Approach(way).m_fDistance < r);
-    if (!touch) continue;
+    if (!touch) return;
     ++touched;
     atEnd += touch->m_bAtEnd;
     const Vector2d p = GetPos(way, touch->m_fTime);
@@ -102,7 +97,7 @@ TEST(BallPathTest, ATouchHasItsPointOnTheShapeAndItsNormalToTheBall) {
     ASSERT_LT(d, r + 1e-12);
     ASSERT_NEAR((touch->m_vPOI + d * touch->m_vNorm - p).norm(), 0, 1e-6); // ends are rounded off the circle
     ASSERT_NEAR(isDisk ? 0 : DistanceByShape(*pShape, touch->m_vPOI), 0, 1e-5);
-  }
+  });
   EXPECT_GT(touched, 1000);
   EXPECT_GT(atEnd, 100);
 }
@@ -141,10 +136,8 @@ TEST(BallPathTest, TouchingExactlyIsNone) {
 }
 
 TEST(BallPathTest, ATurnedWayErrsByAHundredthOfTheRadius) {
-  CRandom random(13);
   double worst = 0, worstOfOne = 0;
-  for (int trial = 0; trial < 500; ++trial) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << " trial " << trial);
+  ForEachCase(13, 500, [&](CRandom& random, int trial) {
     const auto way = RandomWay(random, trial % 3);
     const Vector2d center = Wide(random.InSquare(2));
     const double turn = random.Uniform(-3, 3), r = random.Uniform(0.05f, 0.5f);
@@ -158,7 +151,7 @@ TEST(BallPathTest, ATurnedWayErrsByAHundredthOfTheRadius) {
       worstOfOne = std::max(worstOfOne, (GetPos(chord, t) - exact).norm() / r);
     }
     ASSERT_EQ(turned.back().m_vPos, way.back().m_vPos); // the frame is that of the end
-  }
+  });
   EXPECT_LE(worst, static_cast<double>(g_fRotatedPathError) * (1 + 1e-6));
   EXPECT_GT(worst, 0.5 * static_cast<double>(g_fRotatedPathError)); // not finer than it needs to be
   EXPECT_GT(worstOfOne, 1);                                         // the control
@@ -178,9 +171,7 @@ TEST(BallPathTest, AWildTurnEnds) { // 10^9 turns a second for a second, and a b
 }
 
 TEST(BallPathTest, ARelativeWayIsTheDifferenceAtAnyTime) {
-  CRandom random(14);
-  for (int trial = 0; trial < 200; ++trial) {
-    SCOPED_TRACE(testing::Message() << "seed " << random.GetSeed() << " trial " << trial);
+  ForEachCase(14, 200, [&](CRandom& random, int trial) {
     const auto a = RandomWay(random, trial % 4), b = RandomWay(random, trial / 4 % 4);
     std::vector<CPathVertex> relative;
     MakeRelativePath(a, b, relative);
@@ -188,7 +179,7 @@ TEST(BallPathTest, ARelativeWayIsTheDifferenceAtAnyTime) {
       const double t = k / 100.0;
       ASSERT_NEAR((GetPos(relative, t) - (GetPos(a, t) - GetPos(b, t))).norm(), 0, 1e-12) << t;
     }
-  }
+  });
 }
 
 TEST(BallPathTest, TheVelocityIsThatBeforeABend) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "../Descs.h"
+#include "../Messages.h"
 #include "../Numbers.h"
 
 namespace Shapes {
@@ -52,10 +53,8 @@ TEST(DebugDraw, AWorldIsItsShapesItsBallsAndItsContacts) {
                              RolesAre(eRole::Kinematic) + "circle 3 3" + RolesAre(eRole::Sensor) + "arc 4 4" +
                              RolesAre(eRole::Off) + "circle 6 6" + RolesAre(eRole::Static) + "circle ";
   EXPECT_TRUE(drawn.starts_with(shapes)) << drawn;
-  EXPECT_NE(drawn.find(RolesAre(eRole::Ball) + "point 2 0.5" + RolesAre(eRole::Contact) + "segment 2 0.5" +
-                       RolesAre(eRole::Contact)),
-            std::string::npos)
-      << drawn;
+  EXPECT_TRUE(Says(drawn, RolesAre(eRole::Ball) + "point 2 0.5" + RolesAre(eRole::Contact) + "segment 2 0.5" +
+                              RolesAre(eRole::Contact)));
 }
 
 TEST(DebugDraw, SvgIsInPixelsWithYDown) {

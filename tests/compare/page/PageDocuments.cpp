@@ -24,14 +24,11 @@ CEngineReport MakeEngine(std::size_t e, std::size_t lost, double ns, double degr
   engine.m_cLongRun = {100000, 800.0, e < 2 ? -0.0012 : 6.5, 0.002, {}};
   SetTimes(engine.m_cCost, ns);
   engine.m_stdBins.clear();
-  for (const auto& [pBy, pLabel] : {std::pair("travel", "< 0.5 r"),
-                                    {"travel", "0.5 - 1 r"},
-                                    {"travel", "1 - 2 r"},
-                                    {"incidence", "0 - 30 deg"},
-                                    {"incidence", "30 - 60 deg"},
-                                    {"pair", "segment"},
-                                    {"pair", "segment end"},
-                                    {"elasticity", "< 1"}})
+  const char* const bins[][2] = {{"travel", "< 0.5 r"},        {"travel", "0.5 - 1 r"},
+                                 {"travel", "1 - 2 r"},        {"incidence", "0 - 30 deg"},
+                                 {"incidence", "30 - 60 deg"}, {"pair", "segment"},
+                                 {"pair", "segment end"},      {"elasticity", "< 1"}};
+  for (const auto& [pBy, pLabel] : bins)
     engine.m_stdBins.push_back({pBy, pLabel, engine.m_cTotals});
   for (std::size_t i = 0; i < g_nHistogramBins; ++i) {
     const auto bell = [&](double middle) {
