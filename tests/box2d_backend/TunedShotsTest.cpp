@@ -72,7 +72,7 @@ Vector2d Turned(const Vector2d& v, double angle) {
 
 /// Two segments or arcs that join smoothly at the origin, where their tangent has the direction `m_fTurn`.
 /// Curvature 0 is a segment; to the left is positive.
-struct CSharedEnd {
+struct CTwoCurves {
   double m_fCurvature0, m_fCurvature1; // before and after the origin
   double m_fTurn;
 
@@ -104,7 +104,7 @@ int CountWrong(const CTuning& tuning, double curvature0, double curvature1, bool
   CRandom random(42);
   int wrong = 0;
   for (int table = 0; table < 10; ++table) { // half of the shots at axially aligned shapes
-    const CSharedEnd joint{curvature0, curvature1, table < 5 ? 0 : 360 * g_fDegree * random.Unit()};
+    const CTwoCurves joint{curvature0, curvature1, table < 5 ? 0 : 360 * g_fDegree * random.Unit()};
     CRange range(MakeBox2D(tuning), joint.Shapes(), 0.1f);
     wrong += range.CountWrong(200, [&] {
       const double s = EitherSign(random, 0.15), incidence = EitherSign(random, 85 * g_fDegree);

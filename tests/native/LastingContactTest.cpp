@@ -189,6 +189,17 @@ TEST(LastingContact, AJammedPileComesToRest) {
   }
 }
 
+// The search for impulses begins with those of the step before. From zero each of these four piles would still
+// overlap by a hundredth of a radius after 15 seconds, as 1 and 2 do even so.
+TEST(LastingContact, ALargePileComesToRest) {
+  for (const std::uint64_t seed : {3u, 4u}) {
+    CPile pile(g_cAutomatic, 200, false, 0.5f, seed);
+    Steps(*pile.m_pWorld, 900);
+    EXPECT_LT(pile.GetFastest(), 2.0f * 10.0f * g_fDt) << "seed " << seed;
+    EXPECT_LT(pile.GetOverlap(), 0.001f) << "seed " << seed;
+  }
+}
+
 // Balls that are halted for the rest of a step hold up those behind them. 300 of these pass at the rate of 31
 // in a second where none is halted, at 23 where each is after 16 impacts.
 TEST(LastingContact, BallsFlowThroughANeck) {
