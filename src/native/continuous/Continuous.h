@@ -110,8 +110,10 @@ private:
   void PutTaken();
   bool AllSleep(const CBallArrays& balls) const;
   bool AnySleeps() const;
-  bool IsAsleep(std::size_t i) const;
+  bool IsAsleep(std::size_t i) const { return IsFalling() && m_pBalls->m_stdCalm[i] >= g_fCalmTime; }
   bool IsOnWay(std::size_t sleeper, std::size_t ball) const;
+  float GetCalm(const CMoving& ball) const;
+  void SetCalm(std::size_t k, float calm);
   void FallAsleep();
   void Put(const Vector2d& p, Vector2d v, std::size_t i);
   CMotion GetMotion(const CMoving& ball) const;
@@ -189,6 +191,7 @@ private:
       0.0; // ball at the beginning, or surface that was met, of it g_fSqueezed times the speed
   Vector2d m_vGravity = Vector2d::Zero();
   double m_fSagitta = 0.0; // of a motion that nothing deflects
+  float m_fCalmSpeed = 0.0f;
   bool m_bIsFalling = false;
   bool m_bCapsSpeeds = false; // gravity can take a ball beyond g_fMaxSpeed
   bool m_bPairs = false;

@@ -33,6 +33,7 @@ Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound
   };
   offer(x);
   if (bestRank[0] == 0.0 && bestRank[1] == 0.0) return x;
+  if (holds.size() == 1) return x + (bound(holds[0]) - holds[0].m_vNorm.dot(x)) * holds[0].m_vNorm;
   for (std::size_t i = 0; i < holds.size(); ++i) {
     const Vector2d& n = holds[i].m_vNorm;
     offer(x + (bound(holds[i]) - n.dot(x)) * n);
