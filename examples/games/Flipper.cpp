@@ -21,9 +21,7 @@ CFlipper::CFlipper(CWorld& world, const Vector2& pivot, float angle, float swing
 }
 
 void CFlipper::Move(CWorld& world, bool up) {
-  const float speed = m_fUpwards * (up ? g_fUpSpeed : -g_fDownSpeed);
-  for (const CShapeId id : m_stdIds)
-    world.SetRotSpeed(id, speed);
+  world.SetRotSpeed(m_stdIds, m_fUpwards * (up ? g_fUpSpeed : -g_fDownSpeed));
 }
 
 } // namespace Shapes::Games

@@ -45,7 +45,8 @@ public:
   /// @throws std::invalid_argument naming the field and the value that is not valid; nothing is added then
   CShapeId Add(const CAnyShapeDesc& desc);
   /// Adds a compound: kinematic shapes about one rotation centre with one rotation speed, one velocity and
-  /// the same stops. All or none is added.
+  /// the same stops, whatever their descriptors say of these. All or none is added.
+  /// @returns an id for each of them, in their order
   std::vector<CShapeId> AddCompound(std::span<const CAnyShapeDesc> descs, const Vector2& rotCenter,
                                     float revsPerSecond = 0.0f, const Vector2& v = Vector2::Zero(),
                                     const CMotionLimits& limits = {});
@@ -99,6 +100,9 @@ public:
   /// The one that it was given, be it at a stop or not.
   float GetRotSpeed(CShapeId id) const;
   void SetRotSpeed(CShapeId id, float revsPerSecond);
+  /// The same of all shapes of a compound, which one alone would leave.
+  /// @throws std::invalid_argument if any of them cannot turn; none does then
+  void SetRotSpeed(std::span<const CShapeId> ids, float revsPerSecond);
   const Vector2& GetRotCenter(CShapeId id) const;
   void SetRotCenter(CShapeId id, const Vector2& center);
   /// The stops of a kinematic shape, between which it moves and turns; of a compound those of all its shapes

@@ -310,6 +310,14 @@ void CWorld::SetRotSpeed(CShapeId id, float revsPerSecond) {
                        [&](CShapeEntry& changed) { changed.SetRotSpeed(revsPerSecond); });
 }
 
+void CWorld::SetRotSpeed(std::span<const CShapeId> ids, float revsPerSecond) {
+  m_pImpl->Access(eAccess::Change);
+  for (const CShapeId id : ids)
+    FindKinematic(m_pImpl->GetState(), id, g_sToBeTurned);
+  for (const CShapeId id : ids)
+    SetRotSpeed(id, revsPerSecond);
+}
+
 void CWorld::SetRotCenter(CShapeId id, const Vector2& center) {
   m_pImpl->Access(eAccess::Change);
   RequireVector("m_vRotCenter", center, m_pImpl->GetLimits().m_fMaxLength);

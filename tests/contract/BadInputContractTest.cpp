@@ -103,6 +103,10 @@ TEST_P(CBadInputContract, SettersAreChecked) {
   EXPECT_THROW(m_pWorld->SetVel(fixed, {1, 0}), std::invalid_argument);
   EXPECT_THROW(m_pWorld->SetRotSpeed(fixed, 1), std::invalid_argument);
   EXPECT_THROW(m_pWorld->SetRotSpeed(m_cBall, 1), std::invalid_argument);
+  const CShapeId some[] = {m_cFlipper, fixed};
+  const float speed = m_pWorld->GetRotSpeed(m_cFlipper);
+  EXPECT_THROW(m_pWorld->SetRotSpeed(some, speed + 1), std::invalid_argument);
+  EXPECT_EQ(m_pWorld->GetRotSpeed(m_cFlipper), speed);
   EXPECT_THROW(m_pWorld->GetShape(m_cBall), std::invalid_argument);
 }
 

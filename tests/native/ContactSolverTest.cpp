@@ -7,8 +7,9 @@
 namespace Shapes::Native {
 namespace {
 
-// n balls of mass 1 on each other on a floor, each with the speed that gravity has given it; the impulses that
-// stop them are the weights above them. Returns the largest error of an impulse, as a share of the lowest.
+// n balls of mass 1 on each other on a floor, each with the speed that gravity has given it; the impulses
+// that stop them are the weights above them. Returns the largest error of an impulse, as a share of the
+// lowest.
 double SolveTower(int n, bool known) {
   const double speed = 1.0 / 6.0;
   CContactSolver solver;
@@ -33,9 +34,7 @@ TEST(ContactSolver, ATowerPressesWithItsWeight) {
   EXPECT_LT(SolveTower(100, false), 0.05); // .78 where the search keeps no direction
 }
 
-TEST(ContactSolver, KnownImpulsesStay) {
-  EXPECT_LT(SolveTower(400, true), 1e-12);
-}
+TEST(ContactSolver, KnownImpulsesStay) { EXPECT_LT(SolveTower(400, true), 1e-12); }
 
 } // namespace
 } // namespace Shapes::Native
