@@ -97,7 +97,8 @@ TEST(InvolvedBallsTest, AWorldThatGoesOnAndOneThatIsLoadedHaveTheSameBitsWhateve
 // A ball that slides leaves the disc by which it was found near others, in long steps by much. Seeds in which
 // two got into each other when that was not allowed for.
 TEST(InvolvedBallsTest, BallsThatLeaveTheirDiscsFindWhatIsThere) {
-  for (const std::uint64_t seed : std::vector<std::uint64_t>{4, 13, 77, 89, 170, 188, 198, 1000, 2448, 2623}) {
+  for (const std::uint64_t seed :
+       std::vector<std::uint64_t>{4, 13, 77, 89, 170, 188, 198, 1000, 2448, 2623}) {
     CRandom random(seed);
     const auto pWorld = MakeNative(g_cContinuous, 10, random.Uniform(0.03f, 0.1f));
     AddBox(*pWorld, 1.5f, 0.5f);

@@ -189,8 +189,8 @@ TEST(LastingContact, AJammedPileComesToRest) {
   }
 }
 
-// The search for impulses begins with those of the step before. From zero each of these four piles would still
-// overlap by a hundredth of a radius after 15 seconds, as 1 and 2 do even so.
+// The search for impulses begins with those of the step before. From zero each of these four piles would
+// still overlap by a hundredth of a radius after 15 seconds, as 1 and 2 do even so.
 TEST(LastingContact, ALargePileComesToRest) {
   for (const std::uint64_t seed : {3u, 4u}) {
     CPile pile(g_cAutomatic, 200, false, 0.5f, seed);
