@@ -201,7 +201,7 @@ TEST(ArcBounds, PtInSectorAndClosestPt) {
 // No error at all on this side: what is on an end ray is never outside.
 TEST(ArcBounds, EndRaysBelongToTheSector) {
   int lost = 0;
-  ForEachCase(1303, g_nArcBoundsTrials, [&](CRandom& random, int i) {
+  ForEachCase(1303, g_nArcBoundsTrials, [&](CRandom& random, int) {
     CArcDesc desc = AnyArc(random);
     const CArc anywhere(desc);
     ASSERT_TRUE(anywhere.PtInSector(anywhere.GetEndPt0()) && anywhere.PtInSector(anywhere.GetEndPt1()));
