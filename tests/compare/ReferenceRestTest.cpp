@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The exact reference where balls rest, slide, jam, pass or are only noticed.
+#include "Messages.h"
 #include "Random.h"
 #include "ReferenceTesting.h"
 #include "SweepOracle.h"

@@ -17,7 +17,8 @@ namespace {
 class CEveryColumn : public testing::TestWithParam<std::tuple<CHardCase, eColumn>> {};
 
 TEST_P(CEveryColumn, IsWithinItsBoundOrDeviatesAsExpected) {
-  const auto& [hard, column] = GetParam();
+  const CHardCase& hard = std::get<0>(GetParam());
+  const eColumn column = std::get<1>(GetParam());
   const CExpect& expect = hard.m_stdExpect[static_cast<std::size_t>(column)];
   const double bound = column == eColumn::Reference ? hard.m_cBound.m_fExact : hard.m_cBound.m_fFloat;
   if (expect.m_eKind == CExpect::eKind::Refused) {
