@@ -18,13 +18,13 @@ void CContactSolver::Begin() {
 }
 
 std::uint32_t CContactSolver::AddBall(const Vector2d& vel) {
-  m_cVels.m_stdNow.push_back(vel);
+  m_cVels.Add(vel);
   return static_cast<std::uint32_t>(m_cVels.m_stdNow.size() - 1);
 }
 
 void CContactSolver::Add(const CRow& row, double impulse) {
   m_stdRows.push_back(row);
-  m_cImpulses.m_stdNow.push_back(impulse);
+  m_cImpulses.Add(impulse);
 }
 
 // Of arrays, whose places need not be looked up again after each change.

@@ -4,6 +4,7 @@
 
 #include "../../geometry/Vector.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -46,10 +47,18 @@ private:
   struct CUnknowns {
     std::vector<T> m_stdNow, m_stdBefore, m_stdDirection;
 
-    void Clear() { m_stdNow.clear(); }
+    void Clear() {
+      for (std::vector<T>* pVector : {&m_stdNow, &m_stdBefore, &m_stdDirection})
+        pVector->clear();
+    }
+    // All three grow alike, as copies of one would be allocated anew for each larger pile.
+    void Add(const T& x) {
+      for (std::vector<T>* pVector : {&m_stdNow, &m_stdBefore, &m_stdDirection})
+        pVector->push_back(x);
+    }
     void Begin(const T& zero) {
-      m_stdBefore = m_stdNow;
-      m_stdDirection.assign(m_stdNow.size(), zero);
+      std::copy(m_stdNow.begin(), m_stdNow.end(), m_stdBefore.begin());
+      std::fill(m_stdDirection.begin(), m_stdDirection.end(), zero);
     }
     // On by this share of the direction so far, to which the change of the last round is added.
     void GoOn(double share) {
