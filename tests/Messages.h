@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What errors and reports say.
+// Texts of errors and reports.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -178,26 +178,26 @@ TEST(LastingContact, APileSettlesAndLosesNone) {
   EXPECT_GT(pile.GetFastest() + static_cast<float>(pile.CountLost()), 1.0f);
 }
 
+// After 15 seconds.
+void ExpectRest(int balls, bool isV, float e, std::uint64_t seed) {
+  CPile pile(g_cAutomatic, balls, isV, e, seed);
+  Steps(*pile.m_pWorld, 900);
+  EXPECT_LT(pile.GetFastest(), 2.0f * 10.0f * g_fDt) << "seed " << seed;
+  EXPECT_LT(pile.GetOverlap(), 0.001f) << "seed " << seed;
+}
+
 // Jammed balls that kept the speed at which they were halted were halted again in each step: a quarter of
 // these piles never came to rest.
 TEST(LastingContact, AJammedPileComesToRest) {
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    CPile pile(g_cAutomatic, 50, true, 0.0f, seed);
-    Steps(*pile.m_pWorld, 900);
-    EXPECT_LT(pile.GetFastest(), 2.0f * 10.0f * g_fDt) << "seed " << seed;
-    EXPECT_LT(pile.GetOverlap(), 0.001f) << "seed " << seed;
-  }
+  for (std::uint64_t seed = 1; seed <= 12; ++seed)
+    ExpectRest(50, true, 0.0f, seed);
 }
 
 // The search for impulses begins with those of the step before. From zero each of these four piles would
 // still overlap by a hundredth of a radius after 15 seconds, as 1 and 2 do even so.
 TEST(LastingContact, ALargePileComesToRest) {
-  for (const std::uint64_t seed : {3u, 4u}) {
-    CPile pile(g_cAutomatic, 200, false, 0.5f, seed);
-    Steps(*pile.m_pWorld, 900);
-    EXPECT_LT(pile.GetFastest(), 2.0f * 10.0f * g_fDt) << "seed " << seed;
-    EXPECT_LT(pile.GetOverlap(), 0.001f) << "seed " << seed;
-  }
+  for (const std::uint64_t seed : {3u, 4u})
+    ExpectRest(200, false, 0.5f, seed);
 }
 
 // Balls that are halted for the rest of a step hold up those behind them. 300 of these pass at the rate of 31
