@@ -18,8 +18,8 @@ namespace {
 using namespace Compare;
 
 constexpr std::size_t g_nControlSteps = 20000;
-// Vectors that are used for the first time after the first tenth.
-constexpr std::ptrdiff_t g_nLateVectors = 8;
+// Vectors that are used for the first time after the first tenth, such as the seven of the solver of piles.
+constexpr std::ptrdiff_t g_nLateVectors = 16;
 // Vectors of contacts, and of balls that touch, each of which grows where there are more than ever before.
 constexpr std::size_t g_nVectorsOfContacts = 24;
 // Steps of the pinball table, at least, in which the approximate way loses a ball.
@@ -103,7 +103,7 @@ TEST_P(EnduranceTest, ALeakIsSeen) {
   std::vector<std::unique_ptr<int>> leaks;
   leaks.reserve(g_nControlSteps);
   const CFigures f = Control(LoadBundled("pinball"), {[&](CPlayed&, std::size_t i) {
-                                                        if (i % 1000 == 0)
+                                                        if (i % 500 == 0)
                                                           leaks.push_back(std::make_unique<int>());
                                                       },
                                                       {}});
