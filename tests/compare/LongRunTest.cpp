@@ -229,14 +229,16 @@ TEST(LastingTest, FlowIsBallsPerSecondUntilTheLastOne) {
 
 // By default none is lost, however balls are pushed: a jammed row of them has to give way upward, and none is
 // shot out of it. The worst of Box2D in trials of the paddle is faster than twelve. Where nothing pushes they
-// do not overlap either. The control: balls that are never swept get out of the hourglass.
+// do not overlap either; while they flow one that is pushed goes for a step into one on which it rests, by
+// g_fRestingSteps g dt^2 at most, which is .028 of their radius. The control: balls that are never swept get
+// out of the hourglass.
 TEST(LastingTest, NoBundledSceneLosesABallByDefault) {
   for (const CScene& scene : LoadScenes(SHAPES_SCENES_DIR)) {
     const CLasting lasting = Measure(scene, g_nNative);
     EXPECT_EQ(lasting.m_nLost, 0u) << scene.m_sName;
     EXPECT_LT(lasting.m_fSpeed.value_or(0.0), 10.0) << scene.m_sName;
     if (!lasting.m_fEnergyGained) continue;
-    EXPECT_LT(lasting.m_fOverlap.value(), 0.002) << scene.m_sName;
+    EXPECT_LT(lasting.m_fOverlap.value(), lasting.m_fFlow ? 0.028 : 0.002) << scene.m_sName;
     EXPECT_LT(*lasting.m_fEnergyGained, 0.002) << scene.m_sName;
   }
   EXPECT_GT(Measure(LoadBundled("hourglass"), g_nApproximate).m_nLost, 0u);

@@ -169,7 +169,7 @@ TEST(PinballTest, BallsRestWithoutTheDrain) {
   CScene scene = LoadBundled("pinball");
   RemoveShapes(scene, "drain");
   CWatched game(scene);
-  game.Run(120.0);
+  game.Run(600.0);
   EXPECT_GT(game.m_fLongestStay, 20.0);
 }
 

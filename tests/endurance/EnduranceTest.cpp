@@ -21,7 +21,7 @@ constexpr std::size_t g_nControlSteps = 20000;
 // Vectors that are used for the first time after the first tenth, such as the seven of the solver of piles.
 constexpr std::ptrdiff_t g_nLateVectors = 16;
 // Vectors of contacts, and of balls that touch, each of which grows where there are more than ever before.
-constexpr std::size_t g_nVectorsOfContacts = 24;
+constexpr std::size_t g_nVectorsOfContacts = 48;
 // Steps of the pinball table, at least, in which the approximate way loses a ball.
 constexpr std::size_t g_nStepsPerEscape = 1000000;
 // Standard deviations: by chance in one of 10^6 runs.

@@ -245,10 +245,23 @@ TEST(ContinuousTest, WhatLiesGoesOnLying) {
     const float speed = std::sqrt(0.01f + 2 * 9.8f * 1e-3f), time = (speed - 0.1f) / 9.8f;
     EXPECT_NEAR(pWorld->GetVel(impact).y(), e * speed - (e > 0 ? 9.8f * (g_fDt - time) : 0), 16 * g_fUlp);
     Steps(*pWorld, 10000);
+    // Of the two balls on each other the solver lets this speed go on for one step, and then knows better.
+    const float left = static_cast<float>(g_fRestingError * g_fRestingSteps) * 9.8f * g_fDt;
     for (std::size_t i = 0; i + 1 < first.size(); ++i)
-      EXPECT_LT((pWorld->GetBallPositions()[i] - first[i]).norm(), 1e-6f)
+      EXPECT_LT((pWorld->GetBallPositions()[i] - first[i]).norm(), i < 2 ? left * g_fDt : 1e-6f)
           << "ball " << i << ", elasticity " << e;
   }
+}
+
+// Neither lies on anything.
+TEST(ContinuousTest, BallsThatFallInEachOtherComeApart) {
+  auto pWorld = MakeContinuous(10);
+  const CShapeId light = pWorld->Add(CDynamicCircleDesc({0, 10}, 0.5f, {0, 0}, 1));
+  const CShapeId heavy = pWorld->Add(CDynamicCircleDesc({0.9f, 10}, 0.5f, {0, 0}, 3));
+  Steps(*pWorld, 10);
+  EXPECT_NEAR(pWorld->GetPos(light).x(), -0.075f, g_fSeparateError);
+  EXPECT_NEAR(pWorld->GetPos(heavy).x(), 0.925f, g_fSeparateError);
+  EXPECT_EQ(pWorld->GetPos(light).y(), pWorld->GetPos(heavy).y());
 }
 
 TEST(ContinuousTest, ATurningBarCarriesABallAlong) {

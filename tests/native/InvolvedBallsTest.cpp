@@ -98,7 +98,8 @@ TEST(InvolvedBallsTest, AWorldThatGoesOnAndOneThatIsLoadedHaveTheSameBitsWhateve
 // two got into each other when that was not allowed for.
 TEST(InvolvedBallsTest, BallsThatLeaveTheirDiscsFindWhatIsThere) {
   for (const std::uint64_t seed :
-       std::vector<std::uint64_t>{4, 13, 77, 89, 170, 188, 198, 1000, 2448, 2623}) {
+       std::vector<std::uint64_t>{4, 13, 77, 170, 188, 198, 1399, 2448, 2623, 4063, 4813, 7568}) {
+    const bool areApart = seed != 2448 && seed != 2623; // there some do not get out of each other
     CRandom random(seed);
     const auto pWorld = MakeNative(g_cContinuous, 10, random.Uniform(0.03f, 0.1f));
     AddBox(*pWorld, 1.5f, 0.5f);
@@ -116,7 +117,7 @@ TEST(InvolvedBallsTest, BallsThatLeaveTheirDiscsFindWhatIsThere) {
       const auto places = pWorld->GetBallPositions();
       for (std::size_t i = 0; i < places.size(); ++i) {
         ASSERT_LT(places[i].cwiseAbs().maxCoeff(), 1.5f) << "seed " << seed << ", step " << step;
-        for (std::size_t j = 0; seed < 2000 && j < i; ++j)
+        for (std::size_t j = 0; areApart && j < i; ++j)
           ASSERT_GT((places[i] - places[j]).norm(), 0.75f * 0.12f) << "seed " << seed << ", step " << step;
       }
     }

@@ -24,6 +24,7 @@ std::uint32_t CContactSolver::AddBall(const Vector2d& vel) {
 
 void CContactSolver::Add(const CRow& row, double impulse) {
   m_stdRows.push_back(row);
+  m_stdRows.back().m_fShare = 1.0 / (row.m_fInverse + row.m_fOtherInverse);
   m_cImpulses.Add(impulse);
 }
 
@@ -37,31 +38,44 @@ inline void CContactSolver::Push(const CRow& row, double impulse, Vector2d* pVel
   pVels[row.m_nOther] -= (impulse * row.m_fOtherInverse) * row.m_vNorm;
 }
 
-// Returns what it adds to the impulse.
-inline double CContactSolver::Relax(const CRow& row, double& impulse, Vector2d* pVels) {
-  const double before = impulse;
-  impulse = std::max(0.0, before + row.m_fShare * (row.m_fLeast - GetDifference(row, pVels)));
-  // Without a branch, as it cannot be foreseen which rows change.
-  Push(row, impulse - before, pVels);
-  return impulse - before;
-}
-
-// Both ways.
-CContactSolver::CChange CContactSolver::RelaxAll() {
-  const std::span<const CRow> rows = m_stdRows;
+// A round that gives each contact this part of what it lacks.
+CContactSolver::CChange CContactSolver::Relax(double part) {
   double* const pImpulses = m_cImpulses.m_stdNow.data();
-  const double* const pBefore = m_cImpulses.m_stdBefore.data();
+  const double* pBefore = m_cImpulses.m_stdBefore.data();
   Vector2d* const pVels = m_cVels.m_stdNow.data();
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    Relax(rows[k], pImpulses[k], pVels);
   CChange change{0.0, 0.0};
-  for (std::size_t k = rows.size(); k-- > 0;) {
-    const double mass = rows[k].m_fInverse + rows[k].m_fOtherInverse; // inverse
-    change.m_fMost = std::max(change.m_fMost, std::abs(Relax(rows[k], pImpulses[k], pVels)) * mass);
-    const double round = pImpulses[k] - pBefore[k];
-    change.m_fSquare += round * round * mass;
+  for (std::size_t k = 0; k < m_stdRows.size(); ++k) {
+    const CRow& row = m_stdRows[k];
+    const double now = pImpulses[k];
+    const double next = std::max(0.0, now + part * row.m_fShare * (row.m_fLeast - GetDifference(row, pVels)));
+    const double more = next - now, mass = row.m_fInverse + row.m_fOtherInverse; // inverse
+    pImpulses[k] = next;
+    // Without a branch, as it cannot be foreseen which rows change.
+    Push(row, more, pVels);
+    change.m_fMost = std::max(change.m_fMost, std::abs(more) * mass);
+    change.m_fBack -= more * (next - pBefore[k]) * mass;
   }
   return change;
+}
+
+// Returns the largest change of a velocity in the last round.
+double CContactSolver::Search(double accurate, std::size_t rounds) {
+  for (std::size_t k = 0; k < m_stdRows.size(); ++k)
+    Push(m_stdRows[k], GetImpulse(k), m_cVels.m_stdNow.data());
+  m_cImpulses.Begin();
+  m_cVels.Begin();
+  CChange change = Relax(1.0);
+  double momentum = 1.0;
+  for (std::size_t round = 1; change.m_fMost > accurate && round < rounds; ++round) {
+    if (change.m_fBack > 0.0) momentum = 1.0;
+    const double next = 0.5 + std::sqrt(0.25 + momentum * momentum);
+    // The velocities depend on the impulses linearly.
+    m_cImpulses.GoOn((momentum - 1.0) / next);
+    m_cVels.GoOn((momentum - 1.0) / next);
+    change = Relax(momentum > 1.0 ? g_fRelaxation : 1.0);
+    momentum = next;
+  }
+  return change.m_fMost;
 }
 
 // The other one does not give way.
@@ -70,30 +84,22 @@ void CContactSolver::Stop(const CRow& row) {
   if (now < row.m_fLeast) m_cVels.m_stdNow[row.m_nBall] += (row.m_fLeast - now) * row.m_vNorm;
 }
 
+// Shapes last: no ball is pressed into one by others.
+void CContactSolver::StopAtShapes() {
+  for (int round = 0; round < g_nWedgeRounds; ++round)
+    for (const CRow& row : m_stdRows)
+      if (row.m_nOther == g_nShape) Stop(row);
+}
+
 void CContactSolver::Solve(double slow, double surface) {
   double fastest = 0.0; // squared
   for (const Vector2d& v : m_cVels.m_stdNow)
     fastest = std::max(fastest, v.squaredNorm());
   const double flow = std::max(0.0, std::sqrt(fastest) - 0.5 * slow);
   const double accurate = std::max(g_fRestingError * slow, g_fFlowError * flow);
-  for (std::size_t k = 0; k < m_stdRows.size(); ++k)
-    Push(m_stdRows[k], GetImpulse(k), m_cVels.m_stdNow.data());
-  m_cImpulses.Begin(0.0);
-  m_cVels.Begin(Vector2d::Zero());
-  CChange change = RelaxAll();
-  double squareBefore = 0.0;
-  for (int round = 1; change.m_fMost > accurate && round < g_nRestingRounds; ++round) {
-    // As far as what is left has become smaller. The velocities depend on the impulses linearly.
-    const double growth = squareBefore > 0.0 ? change.m_fSquare / squareBefore : 0.0;
-    const double share = growth > g_fMostGrowth ? 0.0 : std::min(growth, 1.0);
-    m_cImpulses.GoOn(share);
-    m_cVels.GoOn(share);
-    squareBefore = change.m_fSquare;
-    change = RelaxAll();
-  }
-  // Each lower one as if it were the ground, as far as the rounds have not come to an end. Shapes last: no
-  // ball is pressed into one by others.
-  for (int round = 0; change.m_fMost > g_fShock * accurate && round < g_nShockRounds; ++round)
+  const double change = Search(accurate, g_nRestingRounds);
+  // Each lower one as if it were the ground, as far as the rounds have not come to an end.
+  for (int round = 0; change > g_fShock * accurate && round < g_nShockRounds; ++round)
     for (const CRow& row : m_stdRows)
       Stop(row);
   // Between what comes upon it and what gives no way a ball would leave at the speed of that over the sine of
@@ -101,9 +107,12 @@ void CContactSolver::Solve(double slow, double surface) {
   const double limit = std::max(std::sqrt(fastest), g_fSqueezed * surface) + slow;
   for (Vector2d& v : m_cVels.m_stdNow)
     if (const double speed = Norm(v); speed > limit) v *= limit / speed;
-  for (int round = 0; round < g_nWedgeRounds; ++round)
-    for (const CRow& row : m_stdRows)
-      if (row.m_nOther == g_nShape) Stop(row);
+  StopAtShapes();
+}
+
+void CContactSolver::Separate(double accurate, std::size_t rounds) {
+  Search(accurate, rounds);
+  StopAtShapes();
 }
 
 } // namespace Shapes::Native

@@ -157,21 +157,11 @@ void CRestingContacts::Solve(std::vector<CMoving>& balls) {
 
 void CRestingContacts::SolvePile(std::span<CContact> pile, std::vector<CMoving>& balls) {
   const double dt = m_fStep;
-  const auto take = [&](std::uint32_t i) {
-    std::uint32_t& solved = m_stdSolved[i];
-    if (solved == g_nNobody) solved = m_cSolver.AddBall(balls[i].m_vVel + m_vGravity * dt);
-    return solved;
-  };
   double surface = 0.0; // the fastest
   m_cSolver.Begin();
   for (const CContact& c : pile) {
-    CContactSolver::CRow row;
-    row.m_vNorm = c.m_vNorm;
-    row.m_nBall = take(c.m_nBall);
-    row.m_nOther = c.m_bIsBall ? take(c.m_nOther) : CContactSolver::g_nShape;
-    row.m_fInverse = 1.0 / balls[c.m_nBall].m_fMass;
-    row.m_fOtherInverse = c.m_bIsBall ? 1.0 / balls[c.m_nOther].m_fMass : 0.0;
-    row.m_fShare = 1.0 / (row.m_fInverse + row.m_fOtherInverse);
+    CContactSolver::CRow row =
+        MakeRow(c, balls, [&](std::uint32_t i) { return Vector2d(balls[i].m_vVel + m_vGravity * dt); });
     row.m_fLeast = c.m_fSpeed - 0.5 * c.m_fBend * dt - std::max(0.0, c.m_fGap) / dt;
     m_cSolver.Add(row, c.m_fImpulse);
     surface = std::max(surface, std::abs(c.m_fSpeed));

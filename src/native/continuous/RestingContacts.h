@@ -47,7 +47,9 @@ public:
   /// The other balls of the pairs of a ball, by their indices.
   std::span<const std::uint32_t> GetNeighbours(std::uint32_t ball) const;
 
-  /// Moves balls that overlap apart, and out of shapes: by less than a quarter of their radius.
+  /// Moves balls that overlap apart, and out of shapes: by less than a quarter of their radius. What the
+  /// solver finds are the velocities at which they are apart after the substep, and none of these stays
+  /// (split impulses).
   void Separate(std::vector<CMoving>& balls);
   /// Keeps the contacts of piles only, and tells their balls.
   void FindPiles(std::vector<CMoving>& balls);
@@ -73,23 +75,6 @@ private:
     double m_fKey = 0.0;       // of sorting: the height against gravity, and then the pile
     std::uint32_t m_nNear = 0; // where m_stdNear has it
   };
-  // The same while balls are moved apart, and where they are.
-  struct COverlap {
-    std::uint32_t m_nBall, m_nOther;
-    bool m_bIsBall;
-    Vector2d m_vNorm;
-    Vector2d m_vFrom;   // the place of the ball at which a shape has this gap
-    double m_fGap;      // of a shape
-    double m_fTouching; // the distance of two balls that touch
-    double m_fShare;    // of the depth by which the ball moves, the other one by the rest
-    double m_fLeast;    // depth that may stay
-    double m_fSqueezed; // depth above which the ball is lifted, too
-  };
-  struct CPlace {
-    Vector2d m_vPos;
-    Vector2d m_vMoved; // since the beginning
-    double m_fMost;    // that it may be moved
-  };
   // A pair that was within reach, and its impulse.
   struct CKnown {
     std::uint64_t m_nPair;
@@ -102,13 +87,27 @@ private:
   std::uint32_t FindRoot(std::uint32_t ball);
   double GetSpeed(const CContact& c, const std::vector<CMoving>& balls) const;
   void Order(std::vector<CMoving>& balls);
-  void FindOverlaps(const std::vector<CMoving>& balls);
-  void MoveApart(std::size_t balls, bool flows);
-  bool MoveApart(const COverlap& o, bool isLowerFixed);
-  void Move(std::uint32_t ball, const Vector2d& way);
   void FindKnown();
   void FindNeighbours(std::size_t balls);
   void SolvePile(std::span<CContact> pile, std::vector<CMoving>& balls);
+
+  // For the solver, which gets the balls of the contact with the velocities getVel(ball) unless it has them.
+  template <class F>
+  CContactSolver::CRow MakeRow(const CContact& c, const std::vector<CMoving>& balls, const F& getVel) {
+    const auto take = [&](std::uint32_t i) {
+      std::uint32_t& solved = m_stdSolved[i];
+      if (solved == g_nNobody) solved = m_cSolver.AddBall(getVel(i));
+      return solved;
+    };
+    const std::uint32_t ball = take(c.m_nBall);
+    const std::uint32_t other = c.m_bIsBall ? take(c.m_nOther) : CContactSolver::g_nShape;
+    return {c.m_vNorm,
+            ball,
+            other,
+            1.0 / balls[c.m_nBall].m_fMass,
+            c.m_bIsBall ? 1.0 / balls[c.m_nOther].m_fMass : 0.0,
+            0.0};
+  }
 
   Vector2d m_vGravity = Vector2d::Zero();
   Vector2d m_vUp = Vector2d::Zero(); // unit
@@ -117,8 +116,6 @@ private:
   std::vector<CContact> m_stdContacts; // pile by pile, from the bottom up
   std::vector<CContact> m_stdUnsorted;
   std::vector<std::pair<double, std::uint32_t>> m_stdOrder; // keys, and which contact has each
-  std::vector<COverlap> m_stdOverlaps;                      // of the contacts, in the same order
-  std::vector<CPlace> m_stdPlaces;                          // of each ball
   CContactSolver m_cSolver;
   std::vector<std::uint32_t> m_stdSolved;     // of each ball: its index there
   std::vector<std::uint32_t> m_stdRoot;       // another ball of the same pile, or itself
