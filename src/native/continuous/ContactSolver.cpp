@@ -58,8 +58,7 @@ CContactSolver::CChange CContactSolver::Relax(double part) {
   return change;
 }
 
-// Returns the largest change of a velocity in the last round.
-double CContactSolver::Search(double accurate, std::size_t rounds) {
+void CContactSolver::Search(double accurate, std::size_t rounds, double shock) {
   for (std::size_t k = 0; k < m_stdRows.size(); ++k)
     Push(m_stdRows[k], GetImpulse(k), m_cVels.m_stdNow.data());
   m_cImpulses.Begin();
@@ -75,7 +74,10 @@ double CContactSolver::Search(double accurate, std::size_t rounds) {
     change = Relax(momentum > 1.0 ? g_fRelaxation : 1.0);
     momentum = next;
   }
-  return change.m_fMost;
+  // Each lower one as if it were the ground, as far as the rounds have not come to an end.
+  for (int round = 0; change.m_fMost > shock * accurate && round < g_nShockRounds; ++round)
+    for (const CRow& row : m_stdRows)
+      Stop(row);
 }
 
 // The other one does not give way.
@@ -96,12 +98,7 @@ void CContactSolver::Solve(double slow, double surface) {
   for (const Vector2d& v : m_cVels.m_stdNow)
     fastest = std::max(fastest, v.squaredNorm());
   const double flow = std::max(0.0, std::sqrt(fastest) - 0.5 * slow);
-  const double accurate = std::max(g_fRestingError * slow, g_fFlowError * flow);
-  const double change = Search(accurate, g_nRestingRounds);
-  // Each lower one as if it were the ground, as far as the rounds have not come to an end.
-  for (int round = 0; change > g_fShock * accurate && round < g_nShockRounds; ++round)
-    for (const CRow& row : m_stdRows)
-      Stop(row);
+  Search(std::max(g_fRestingError * slow, g_fFlowError * flow), g_nRestingRounds, g_fShock);
   // Between what comes upon it and what gives no way a ball would leave at the speed of that over the sine of
   // the angle between them, which is small for an instant only.
   const double limit = std::max(std::sqrt(fastest), g_fSqueezed * surface) + slow;
@@ -111,7 +108,7 @@ void CContactSolver::Solve(double slow, double surface) {
 }
 
 void CContactSolver::Separate(double accurate, std::size_t rounds) {
-  Search(accurate, rounds);
+  Search(accurate, rounds, g_fSeparateShock);
   StopAtShapes();
 }
 

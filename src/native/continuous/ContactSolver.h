@@ -81,7 +81,7 @@ private:
   static double GetDifference(const CRow& row, const Vector2d* pVels);
   static void Push(const CRow& row, double impulse, Vector2d* pVels);
   CChange Relax(double part);
-  double Search(double accurate, std::size_t rounds);
+  void Search(double accurate, std::size_t rounds, double shock);
   void Stop(const CRow& row);
   void StopAtShapes();
 
