@@ -133,6 +133,7 @@ TEST_P(CBadInputContract, WorldDescriptionsAreChecked) {
   refuse([](auto& d) { d.m_fTimeStep = 1e-39f; }, "m_fTimeStep / m_nSubsteps", "1e-39");
   refuse([](auto& d) { d.m_cBox2D.m_fLengthUnit = -1, d.m_vGravity = {0, -10}; }, "m_fLengthUnit", "-1");
   refuse([](auto& d) { d.m_nSubsteps = 0; }, "m_nSubsteps", "0");
+  refuse([](auto& d) { d.m_nSubsteps = g_nMaxSubsteps + 1; }, "m_nSubsteps", "4097");
   refuse([](auto& d) { d.m_nThreads = 0; }, "m_nThreads", "0");
   refuse([](auto& d) { d.m_cBox2D.m_fLengthUnit = 0; }, "m_fLengthUnit", "0");
   refuse([](auto& d) { d.m_cBox2D.m_fSagittaTolerance = -1; }, "m_fSagittaTolerance", "-1");
