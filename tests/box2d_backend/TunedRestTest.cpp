@@ -2,6 +2,8 @@
 // Balls of a tuned world that roll, rest, pile up, and are pressed by walls.
 #include "TunedTesting.h"
 
+#include "../Overlap.h"
+
 namespace Shapes::Tests {
 namespace {
 
@@ -97,16 +99,6 @@ TEST(TunedFloorTest, AStackBetweenTwoWallsStays) {
   }
   EXPECT_GT(Stack(g_cShipped, 0.5f).m_fOff, 3 * g_fMostOffFloor); // the control
   EXPECT_GT(Stack(g_cShipped, 0.5f).m_fSpeed, 0.1);
-}
-
-/// The largest overlap of two balls, in radii.
-double GetOverlap(const CWorld& world, float radius) {
-  const auto p = world.GetBallPositions();
-  float nearest = 2 * radius;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      nearest = std::min(nearest, (p[i] - p[j]).norm());
-  return 2 - nearest / radius;
 }
 
 constexpr float g_fPileRadius = 0.2f, g_fPileGravity = 10.0f;
@@ -206,7 +198,7 @@ TEST(TunedPileTest, APileSettlesAndLosesNone) {
         }
         // What slides in a bowl slides on.
         EXPECT_LT(vessel.GetFastest(), kind == eVessel::Bowl ? 1.0 : 0.2);
-        EXPECT_LT(GetOverlap(*vessel.m_pWorld, g_fPileRadius), 0.1);
+        EXPECT_LT(GetOverlap(*vessel.m_pWorld), 0.1);
       }
 }
 
@@ -224,7 +216,7 @@ CSettling Settle(const CTuning& tuning, eVessel kind, int balls, int runs, int s
     double least = first, overlap = 0, rise = 0;
     for (int i = 0; i < steps; ++i) {
       vessel.Step(1);
-      overlap = std::max({overlap, GetOverlap(*vessel.m_pWorld, g_fPileRadius), vessel.GetDepth()});
+      overlap = std::max({overlap, GetOverlap(*vessel.m_pWorld), vessel.GetDepth()});
       const double energy = vessel.GetEnergy();
       least = std::min(least, energy);
       rise = std::max(rise, (energy - least) / first);
@@ -339,7 +331,7 @@ CCrush Crush(const CTuning& tuning, std::uint64_t seed) {
     play(0, 120);
     if (round < 2) play(-g_fWallSpeed, 33);
   }
-  crush.m_fOverlap = GetOverlap(*pWorld, g_fCrushRadius);
+  crush.m_fOverlap = GetOverlap(*pWorld);
   return crush;
 }
 

@@ -115,7 +115,7 @@ TEST(ContactSolver, ACrystalComesToAnEnd) {
         const CCrystal crystal(columns, rows, noise);
         const double fastest = std::sqrt(2.0) * noise,
                      accurate = std::max(g_fRestingError * 2.0 * CCrystal::g_fSpeed, g_fFlowError * fastest);
-        // What one contact gets is taken from its neighbours, of which there are six.
+        // A ball has six neighbours, and the last change of each contact also moves those beside it.
         EXPECT_LT(crystal.GetApproach(), 6.0 * accurate);
         if (rows < 120) {
           EXPECT_NEAR(crystal.GetLoad(), 1.0, 0.1);

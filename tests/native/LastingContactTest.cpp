@@ -2,6 +2,8 @@
 // Contact that lasts under gravity, and what bounces until it does.
 #include "NativeTesting.h"
 
+#include "../Overlap.h"
+
 namespace Shapes {
 namespace {
 
@@ -139,15 +141,6 @@ struct CPile {
     }
     return lost;
   }
-  /// The largest of two balls, in radii.
-  float GetOverlap() const {
-    const auto p = m_pWorld->GetBallPositions();
-    float most = 0.0f;
-    for (std::size_t i = 0; i < p.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        most = std::max(most, (0.4f - (p[i] - p[j]).norm()) / 0.2f);
-    return most;
-  }
   float GetFastest() const {
     float most = 0.0f;
     for (const Vector2& v : m_pWorld->GetBallVelocities())
@@ -169,7 +162,7 @@ TEST(LastingContact, APileSettlesAndLosesNone) {
           pile.m_pWorld->Step();
           ASSERT_EQ(pile.CountLost(), 0u) << step;
         }
-        EXPECT_LT(pile.GetOverlap(), 0.001f);
+        EXPECT_LT(GetOverlap(*pile.m_pWorld), 0.001);
         EXPECT_LT(pile.GetFastest(), 2.0f * 10.0f * g_fDt); // Balls without friction roll on for long.
       }
   // The control.
@@ -183,7 +176,7 @@ void ExpectRest(int balls, bool isV, float e, std::uint64_t seed) {
   CPile pile(g_cAutomatic, balls, isV, e, seed);
   Steps(*pile.m_pWorld, 900);
   EXPECT_LT(pile.GetFastest(), 2.0f * 10.0f * g_fDt) << "seed " << seed;
-  EXPECT_LT(pile.GetOverlap(), 0.001f) << "seed " << seed;
+  EXPECT_LT(GetOverlap(*pile.m_pWorld), 0.001) << "seed " << seed;
 }
 
 // Jammed balls that kept the speed at which they were halted were halted again in each step: a quarter of
@@ -210,21 +203,14 @@ TEST(LastingContact, HeavyBallsDoNotPressOthersIntoEachOther) {
     pWorld->Add(CLineSegDesc({0, 0}, {side * 16, 16}));
     pWorld->Add(CLineSegDesc({side * 16, 16}, {side * 16, 50}));
   }
-  std::vector<float> radii;
   for (int i = 0; i < 200; ++i) {
     const Vector2 p(0.44f * static_cast<float>(i % 28) - 6, 9.5f + 0.44f * static_cast<float>(i / 28));
-    radii.push_back(0.2f * std::pow(10.0f, -random.Uniform(0, 1)));
+    const float radius = 0.2f * std::pow(10.0f, -random.Uniform(0, 1));
     const float mass = std::pow(1000.0f, random.Uniform(0, 1));
-    pWorld->Add(CDynamicCircleDesc(p, radii.back(), {random.Uniform(-0.1f, 0.1f), 0}, mass, 0.5f));
+    pWorld->Add(CDynamicCircleDesc(p, radius, {random.Uniform(-0.1f, 0.1f), 0}, mass, 0.5f));
   }
   Steps(*pWorld, 600);
-  const auto places = pWorld->GetBallPositions();
-  float overlap = 0.0f;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      overlap = std::max(overlap, (radii[i] + radii[j] - (places[i] - places[j]).norm()) /
-                                      std::min(radii[i], radii[j]));
-  EXPECT_LT(overlap, 0.03f);
+  EXPECT_LT(GetOverlap(*pWorld), 0.03);
 }
 
 // Balls that are halted for the rest of a step hold up those behind them. 300 of these pass at the rate of 31

@@ -41,7 +41,7 @@ inline void CContactSolver::Push(const CRow& row, double impulse, Vector2d* pVel
 // A round that gives each contact this part of what it lacks.
 CContactSolver::CChange CContactSolver::Relax(double part) {
   double* const pImpulses = m_cImpulses.m_stdNow.data();
-  const double* pBefore = m_cImpulses.m_stdBefore.data();
+  const double* const pBefore = m_cImpulses.m_stdBefore.data();
   Vector2d* const pVels = m_cVels.m_stdNow.data();
   CChange change{0.0, 0.0};
   for (std::size_t k = 0; k < m_stdRows.size(); ++k) {

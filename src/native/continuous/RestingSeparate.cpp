@@ -32,8 +32,9 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   double least = std::numeric_limits<double>::infinity(); // overlap that may stay
   bool any = false;
   for (const CContact& c : m_stdContacts) {
-    least = std::min(least, g_fSeparateError * smaller(c));
-    any |= c.m_fGap < -g_fSeparateError * smaller(c);
+    const double stays = g_fSeparateError * smaller(c);
+    least = std::min(least, stays);
+    any |= c.m_fGap < -stays;
   }
   if (!any) return;
 
