@@ -4,6 +4,7 @@
 #include "../../Tolerances.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <tuple>
@@ -145,14 +146,30 @@ void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
   FindNeighbours(balls.size());
 }
 
+// With the share s of the velocities the pile has gained nothing where kinetic s^2 - fall s = before.
+double CRestingContacts::CEnergy::GetShare() const {
+  if (m_bIsMoved || m_fKinetic - m_fFall <= m_fBefore || !(m_fKinetic > 0.0)) return 1.0;
+  const double root = std::sqrt(std::max(0.0, m_fFall * m_fFall + 4.0 * m_fKinetic * m_fBefore));
+  return std::clamp((m_fFall + root) / (2.0 * m_fKinetic), 0.0, 1.0);
+}
+
 void CRestingContacts::Solve(std::vector<CMoving>& balls) {
   m_stdSolved.assign(balls.size(), g_nNobody);
+  m_stdEnergies.assign(balls.size(), {});
+  ForEachInPile(balls, [&](CMoving& ball, CEnergy& pile, double lift) {
+    pile.m_fBefore += 0.5 * ball.m_fMass * ball.m_vVel.squaredNorm() - lift;
+  });
   for (std::size_t begin = 0, end = 0; begin < m_stdContacts.size(); begin = end) {
     const std::uint32_t root = FindRoot(m_stdContacts[begin].m_nBall);
     while (end < m_stdContacts.size() && FindRoot(m_stdContacts[end].m_nBall) == root)
       ++end;
     SolvePile(std::span(m_stdContacts).subspan(begin, end - begin), balls);
   }
+  ForEachInPile(balls, [&](CMoving& ball, CEnergy& pile, double) {
+    pile.m_fKinetic += 0.5 * ball.m_fMass * ball.m_vVel.squaredNorm();
+    pile.m_fFall += ball.m_fMass * m_fStep * m_vGravity.dot(ball.m_vVel);
+  });
+  ForEachInPile(balls, [](CMoving& ball, CEnergy& pile, double) { ball.m_vVel *= pile.GetShare(); });
 }
 
 void CRestingContacts::SolvePile(std::span<CContact> pile, std::vector<CMoving>& balls) {
@@ -167,6 +184,7 @@ void CRestingContacts::SolvePile(std::span<CContact> pile, std::vector<CMoving>&
     surface = std::max(surface, std::abs(c.m_fSpeed));
   }
   m_cSolver.Solve(m_fSlow, surface);
+  m_stdEnergies[FindRoot(pile[0].m_nBall)].m_bIsMoved = surface > 0.0;
 
   const auto put = [&](std::uint32_t i) {
     balls[i].m_vVel = m_cSolver.GetVel(m_stdSolved[i]);

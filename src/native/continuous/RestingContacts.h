@@ -24,7 +24,9 @@ namespace Shapes::Native {
 ///
 /// An impulse J at a pair that approaches at u0 before and u1 after does the work -J (u0 + u1) / 2, which is
 /// not above zero for what is asked of u1; and a ball that is moved by its velocity at the end instead of the
-/// mean has (a dt)^2 / 2 less energy per mass. So contacts give no energy.
+/// mean has (a dt)^2 / 2 less energy per mass. So contacts give no energy. Moving balls apart and what the
+/// rounds leave undone would: a pile on which no shape moves gets slower by what it has gained, as far as it
+/// moves.
 class CRestingContacts {
 public:
   /// Begins a substep.
@@ -81,6 +83,14 @@ private:
     double m_fImpulse;
     std::uint32_t m_nContact; // of this pair
   };
+  // Of a pile.
+  struct CEnergy {
+    double m_fBefore = 0.0;  // kinetic, without the work of lifting balls as they were moved apart
+    double m_fKinetic = 0.0; // at the velocities at the end of the substep
+    double m_fFall = 0.0;    // the work of gravity at these
+    bool m_bIsMoved = false; // by a shape
+    double GetShare() const; // of these velocities with which the pile gains no energy
+  };
   void Sort();
   // By which it is known in the next substep, too, whichever of two balls is the upper one.
   static std::uint64_t GetPair(const CContact& c, const std::vector<CMoving>& balls);
@@ -89,6 +99,12 @@ private:
   void Order(std::vector<CMoving>& balls);
   void FindKnown();
   void FindNeighbours(std::size_t balls);
+  // Calls f(ball, energy of its pile, what it was lifted).
+  template <class F>
+  void ForEachInPile(std::vector<CMoving>& balls, const F& f) {
+    for (std::uint32_t i = 0; i < balls.size(); ++i)
+      if (balls[i].m_bIsInPile) f(balls[i], m_stdEnergies[FindRoot(i)], m_stdLifts[i]);
+  }
   void SolvePile(std::span<CContact> pile, std::vector<CMoving>& balls);
 
   // For the solver, which gets the balls of the contact with the velocities getVel(ball) unless it has them.
@@ -122,6 +138,8 @@ private:
   std::vector<bool> m_stdIsHeld;              // of each root: whether its pile lies on a shape
   std::vector<std::uint32_t> m_stdNeighbours; // of each ball on balls, ball by ball
   std::vector<std::uint32_t> m_stdFirst;      // of each ball among them, and where the last one's end
+  std::vector<double> m_stdLifts;             // the work of lifting each ball as they were moved apart
+  std::vector<CEnergy> m_stdEnergies;         // of each root
   std::vector<CKnown> m_stdKnown, m_stdNear;  // pairs of the last substep and of this one, in order
 };
 

@@ -24,6 +24,7 @@ void CRestingContacts::Order(std::vector<CMoving>& balls) {
 }
 
 void CRestingContacts::Separate(std::vector<CMoving>& balls) {
+  m_stdLifts.assign(balls.size(), 0.0);
   Order(balls);
   const auto smaller = [&balls](const CContact& c) {
     const double radius = balls[c.m_nBall].m_fRadius;
@@ -62,6 +63,7 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
     if (const Vector2d way = getWay(i); !way.isZero(0.0)) {
       balls[i].m_vPos += way;
       balls[i].m_bIsMoved = true;
+      m_stdLifts[i] = -balls[i].m_fMass * m_vGravity.dot(way);
     }
   for (CContact& c : m_stdContacts) {
     if (c.m_bIsBall) {
