@@ -195,7 +195,8 @@ TEST(LastingContact, ALargePileComesToRest) {
 }
 
 // Radii 1:10, masses 1:1000. Where overlaps are moved apart without shock propagation the heavy ones press
-// the others into each other by .1 radii; with it one of some fifty piles still does at this time.
+// the others into each other by .1 radii. Of the first 24 seeds two (1 and 4) still overlap by .09 and .7 at
+// this time: there the work of lifting heavy balls is taken from all balls of the pile.
 TEST(LastingContact, HeavyBallsDoNotPressOthersIntoEachOther) {
   int pressed = 0;
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
