@@ -109,6 +109,46 @@ def scene_of(run, name):
     return next(scene for scene in run["scenes"] if scene["name"] == name)
 
 
+# What shapes-compare prints (compare/report/Summary.cpp), without its heading and its result.
+TERMINAL_ROW = "{:<18} {:<18} {:>15} {:>9} {:>7} {:>8}"
+GOOD, ROUGH = (0.001, math.radians(1)), (0.01, math.radians(10))  # g_cGood and g_cRough in compare/metrics/Overall.h
+
+
+def one_in(rate, n):
+    if rate["count"] == 0:
+        return f"none of {n:,}"
+    if rate["rate"] > 0.25:
+        return f"{100 * rate['rate']:.0f}%"
+    one = 1 / rate["rate"]
+    if one < 9.95:
+        return f"1 in {one:.2g}"
+    digits = 10 ** max(0, math.floor(math.log10(one)) - 1)
+    return f"1 in {round(one / digits) * digits:,}"
+
+
+def terminal_row(first, second, rate, n, radians, ns, times):
+    fits = [sign for sign, (share, most) in (("", GOOD), (" ~", ROUGH)) if rate["rate"] <= share and radians <= most]
+    sign = (fits + [" !"])[0]
+    angle = degrees(radians).replace("<.", "<0.")
+    return TERMINAL_ROW.format(first, second, one_in(rate, n) + sign, angle, f"{ns:.0f}", two(times)).rstrip()
+
+
+def terminal(run, *names):
+    """Some scenes, and all together."""
+    lines = [TERMINAL_ROW.format("scene", "take", "lost", "degrees", "ns", "x box2d")]
+    for name in names:
+        scene = scene_of(run, name)
+        take, box2d = (engine_of(scene["engines"], engine) for engine in (scene["take"], "box2d"))
+        ns = take["ns_per_ball_step"]
+        lines.append(terminal_row(name, take["name"], take["tunneled"], take["contacts"], take["direction_error"]["p95"],
+                                  ns, box2d["ns_per_ball_step"] / ns))
+    lines.append("...\n")
+    for i, e in enumerate(run["overall"]["engines"]):
+        lines.append(terminal_row("" if i else "all scenes", e["name"], e["tunneled"], run["overall"]["impacts"],
+                                  e["direction_error_p95"], e["ns_per_ball_step"], e["ns_box2d_ratio"]))
+    return "\n".join(["```text", *lines, "```"])
+
+
 # Figures within a sentence: of an engine in a scene, or over all of them.
 
 

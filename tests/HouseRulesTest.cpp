@@ -214,6 +214,25 @@ TEST(HouseRulesTest, ThePageOfTheHouseNamesWhatIsThere) {
   EXPECT_GT(paths, 20u);
 }
 
+// "Suite.Name" is a test, "Name" one of the hard cases.
+TEST(HouseRulesTest, ThePageOfErrataNamesTestsThatThereAre) {
+  std::string tests, cases;
+  for (const std::string& path : AllFiles())
+    if (IsIn(path, "tests/")) (IsIn(path, "tests/hard_cases/") ? cases : tests) += Read(path);
+  const auto isThere = [&](const std::string& suite, const std::string& name) {
+    return suite.empty() ? cases.find('"' + name + '"') != std::string::npos
+                         : tests.find("TEST(" + suite + ", " + name + ")") != std::string::npos ||
+                               tests.find("TEST_P(" + suite + ", " + name + ")") != std::string::npos;
+  };
+  const std::string page = Read("docs/errata.md");
+  const std::regex test(R"(`(?:([A-Z]\w+)\.)?([A-Z]\w+)`)");
+  std::size_t names = 0;
+  for (std::sregex_iterator it(page.begin(), page.end(), test), end; it != end; ++it, ++names)
+    EXPECT_TRUE(isThere((*it)[1], (*it)[2])) << it->str();
+  EXPECT_GT(names, 30u);
+  EXPECT_FALSE(isThere("LineSeg", "IsNoTest") || isThere("", "IsNoCase")); // the control
+}
+
 TEST(HouseRulesTest, TheInterfaceThatShowsTheInsideIsNoticed) {
   const auto count = [](const std::string& text) {
     return ShownInside("include/Shapes/World.h", text, {"CEngine"}).size();

@@ -238,7 +238,7 @@ std::string MakeResult(const CRunReport& report, const COverall& overall) {
   std::string text = cases.size() == 1 ? take.GetName() + ": " : fmt::format("Take {}: ", take.GetName());
   text += isAgainst ? FasterThan(overall.m_stdEngines[*overall.m_nTake].m_cTimes->m_fMedian) + " Box2D. It "
                     : "it ";
-  text += fmt::format("loses a ball in {} of {} impacts", loss(take), n);
+  text += fmt::format("loses {} of {} impacts", loss(take), n);
   if (isAgainst) text += fmt::format(" (Box2D {})", loss(*pBox2D));
   if (take.m_fDirection) text += Bounces(*take.m_fDirection);
   if (isAgainst && take.m_fDirection && pBox2D->m_fDirection)

@@ -185,17 +185,14 @@ TEST(OverallTest, TheResultBeginsWithTheEngineToTake) {
   CRunReport report = Of({g_nNative, g_nApproximate, g_nBox2D});
   report.m_stdScenes[0].m_stdEngines[g_nNative] = MakeSampleEngine(1, 70.0, 0.0002);
   const std::string result = MakeResult(report, MakeOverall(report));
-  EXPECT_EQ(
-      result,
-      "Take native: 7.1 times faster than Box2D. It loses a ball in 1 of 1,000 impacts (Box2D 6), and 95% "
-      "of its bounces are within 0.001 degrees of the exact direction; native-approximate is 1.4 times "
-      "faster than native but loses 1 in 4.9.");
+  EXPECT_EQ(result,
+            "Take native: 7.1 times faster than Box2D. It loses 1 of 1,000 impacts (Box2D 6), and 95% "
+            "of its bounces are within 0.001 degrees of the exact direction; native-approximate is 1.4 times "
+            "faster than native but loses 1 in 4.9.");
   CRunReport alone = Of({g_nNative, g_nApproximate});
-  EXPECT_EQ(
-      MakeResult(alone, MakeOverall(alone))
-          .rfind("Take native: it loses a ball in 12 of 1,000 impacts, and 95% of its bounces are within ",
-                 0),
-      0u)
+  EXPECT_EQ(MakeResult(alone, MakeOverall(alone))
+                .rfind("Take native: it loses 12 of 1,000 impacts, and 95% of its bounces are within ", 0),
+            0u)
       << MakeResult(alone, MakeOverall(alone));
   report.m_stdScenes.clear();
   EXPECT_EQ(MakeResult(report, MakeOverall(report)), "Nothing was judged.");
