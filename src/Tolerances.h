@@ -109,11 +109,8 @@ inline constexpr double g_fFlowError = 0.01;
 inline constexpr double g_fRelaxation = 0.8;
 /// Where it has come no nearer to its end than to so many times that change, that many rounds from the bottom
 /// up follow in which the lower one of two balls does not give way (shock propagation). Without them balls
-/// of 1,000 times the mass press the others through each other. The same where overlaps are moved apart:
-/// never, such balls keep overlaps of .1 radii; with 10, equal balls that are jammed keep .01 instead of
-/// .004.
+/// of 1,000 times the mass press the others through each other.
 inline constexpr double g_fShock = 10.0;
-inline constexpr double g_fSeparateShock = 100.0;
 inline constexpr int g_nShockRounds = 2;
 /// Impacts in a substep of a ball that touches others, under gravity, after which it is squeezed between what
 /// comes upon it and what gives no way, and no longer becomes faster than the fastest ball was at the

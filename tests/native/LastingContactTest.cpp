@@ -194,11 +194,9 @@ TEST(LastingContact, ALargePileComesToRest) {
     ExpectRest(200, false, 0.5f, seed);
 }
 
-// Radii 1:10, masses 1:1000. Where overlaps are moved apart without shock propagation the heavy ones press
-// the others into each other by .1 radii. Of the first 24 seeds two (1 and 4) still overlap by .09 and .7 at
-// this time: there the work of lifting heavy balls is taken from all balls of the pile.
+// Radii 1:10, masses 1:1000. They flow for up to 12 s, in which some are pressed into each other
+// by up to a radius.
 TEST(LastingContact, HeavyBallsDoNotPressOthersIntoEachOther) {
-  int pressed = 0;
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     CRandom random(seed);
     const auto pWorld = MakeNative(g_cAutomatic, 10);
@@ -212,10 +210,11 @@ TEST(LastingContact, HeavyBallsDoNotPressOthersIntoEachOther) {
       const float mass = std::pow(1000.0f, random.Uniform(0, 1));
       pWorld->Add(CDynamicCircleDesc(p, radius, {random.Uniform(-0.1f, 0.1f), 0}, mass, 0.5f));
     }
-    Steps(*pWorld, 600);
-    pressed += GetOverlap(*pWorld) > 0.03;
+    Steps(*pWorld, 900);
+    EXPECT_LT(GetOverlap(*pWorld), 0.01) << "seed " << seed;
+    for (const CShapeId ball : pWorld->GetBallIds())
+      EXPECT_LT(pWorld->GetVel(ball).norm(), 2 * 10 * g_fDt) << "seed " << seed;
   }
-  EXPECT_LE(pressed, 1) << "of 3";
 }
 
 // The upper ball is moved out of the lower one, which lifts it: it has to slow down for that. One that has no

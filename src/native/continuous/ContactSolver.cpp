@@ -58,7 +58,8 @@ CContactSolver::CChange CContactSolver::Relax(double part) {
   return change;
 }
 
-void CContactSolver::Search(double accurate, std::size_t rounds, double shock) {
+// Returns how much the last round has changed a velocity.
+double CContactSolver::Search(double accurate, std::size_t rounds) {
   for (std::size_t k = 0; k < m_stdRows.size(); ++k)
     Push(m_stdRows[k], GetImpulse(k), m_cVels.m_stdNow.data());
   m_cImpulses.Begin();
@@ -74,10 +75,7 @@ void CContactSolver::Search(double accurate, std::size_t rounds, double shock) {
     change = Relax(momentum > 1.0 ? g_fRelaxation : 1.0);
     momentum = next;
   }
-  // Each lower one as if it were the ground, as far as the rounds have not come to an end.
-  for (int round = 0; change.m_fMost > shock * accurate && round < g_nShockRounds; ++round)
-    for (const CRow& row : m_stdRows)
-      Stop(row);
+  return change.m_fMost;
 }
 
 // The other one does not give way.
@@ -98,7 +96,12 @@ void CContactSolver::Solve(double slow, double surface) {
   for (const Vector2d& v : m_cVels.m_stdNow)
     fastest = std::max(fastest, v.squaredNorm());
   const double flow = std::max(0.0, std::sqrt(fastest) - 0.5 * slow);
-  Search(std::max(g_fRestingError * slow, g_fFlowError * flow), g_nRestingRounds, g_fShock);
+  const double accurate = std::max(g_fRestingError * slow, g_fFlowError * flow);
+  // Each lower one as if it were the ground, as far as the rounds have not come to an end.
+  if (Search(accurate, g_nRestingRounds) > g_fShock * accurate)
+    for (int round = 0; round < g_nShockRounds; ++round)
+      for (const CRow& row : m_stdRows)
+        Stop(row);
   // Between what comes upon it and what gives no way a ball would leave at the speed of that over the sine of
   // the angle between them, which is small for an instant only.
   const double limit = std::max(std::sqrt(fastest), g_fSqueezed * surface) + slow;
@@ -108,7 +111,7 @@ void CContactSolver::Solve(double slow, double surface) {
 }
 
 void CContactSolver::Separate(double accurate, std::size_t rounds) {
-  Search(accurate, rounds, g_fSeparateShock);
+  Search(accurate, rounds);
   StopAtShapes();
 }
 

@@ -80,7 +80,7 @@ private:
   static double GetDifference(const CRow& row, const Vector2d* pVels);
   static void Push(const CRow& row, double impulse, Vector2d* pVels);
   CChange Relax(double part);
-  void Search(double accurate, std::size_t rounds, double shock);
+  double Search(double accurate, std::size_t rounds);
   void Stop(const CRow& row);
   void StopAtShapes();
 
