@@ -156,17 +156,9 @@ def result(run):
     return run["overall"]["result"]
 
 
-def impacts(run):
-    return f"{run['overall']['impacts']:,}"
-
-
 def loss(run, scene, engine):
     row = engine_of(scene_of(run, scene)["engines"], engine)
     return lost(row["tunneled"], row["contacts"])
-
-
-def losses(run, engine):
-    return f"{engine_of(run['overall']['engines'], engine)['tunneled']['count']:,}"
 
 
 def angle(run, scene, engine):
@@ -179,15 +171,6 @@ def angles(run, engine):
 
 def nanoseconds(run, engine):
     return f"{engine_of(run['overall']['engines'], engine)['ns_per_ball_step']:,.0f}"
-
-
-def range_of_nanoseconds(run, engine):
-    low, high = engine_of(run["overall"]["engines"], engine)["ns_per_ball_step_scenes"]
-    return f"{low:.0f} to {high:,.0f}"
-
-
-def times(run, engine):
-    return two(engine_of(run["overall"]["engines"], engine)["ns_box2d_ratio"])
 
 
 def range_of_times(run, engine):
