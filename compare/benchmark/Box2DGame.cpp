@@ -24,7 +24,7 @@ public:
     body.type = b2_dynamicBody;
     body.fixedRotation = true;
     body.allowSleep = field.m_bMaySleep && byHand != eByHand::LikeShapes;
-    body.bullet = byHand == eByHand::Continuous && pairs;
+    body.bullet = field.m_bBullets && byHand == eByHand::Continuous && pairs;
     b2FixtureDef fixture;
     fixture.density = 1.0f;
     fixture.friction = 0.0f;

@@ -29,6 +29,7 @@ struct CField {
   Vector2 m_vSize; ///< of the box from the origin on: balls beyond it are lost
   float m_fStep = 1.0f / 60.0f;
   float m_fCell = 0.6f;     ///< of a spatial hash
+  bool m_bBullets = true;   ///< As bullets of Box2D balls of a big pile press each other through the floor.
   bool m_bMaySleep = false; ///< Engines may put balls to sleep, if they would by default.
 };
 

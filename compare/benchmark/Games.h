@@ -21,7 +21,8 @@ public:
 
 /// How Box2D is used by hand.
 enum class eByHand {
-  Continuous, ///< Its continuous physics, and balls that meet each other are bullets.
+  Continuous, ///< Its continuous physics, and balls that meet each other are bullets where the field has
+              ///< them.
   Discrete,   ///< Without it.
   LikeShapes  ///< The settings of the world that this library makes: continuous, but no bullets; balls bounce
               ///< at any speed and do not sleep.

@@ -14,6 +14,7 @@ CField MakePile(std::size_t balls) {
   CField field;
   field.m_vSize = {size, 2 * size};
   field.m_fCell = 0.5f;
+  field.m_bBullets = false;
   field.m_bMaySleep = true;
   for (const float at : {0.0f, size}) {
     field.m_stdShapes.push_back(CLineSegDesc({0, 2 * at}, {size, 2 * at}));
