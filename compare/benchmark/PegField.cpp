@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "PegField.h"
+#include "Field.h"
+#include "Random.h"
 
 #include <cmath>
-#include <random>
 
 namespace Shapes::Compare::Benchmark {
 
-CPegField MakePegField(std::size_t balls) {
+CField MakePegField(std::size_t balls) {
   constexpr int side = 45;
   constexpr float spacing = 1.2f, size = side * spacing;
-  std::mt19937 random(1);
-  // Of the top 24 bits: distributions of the standard library differ between libraries.
-  const auto between = [&](float low, float high) {
-    return low + (high - low) * static_cast<float>(random() >> 8) * 0x1p-24f;
-  };
-  CPegField field;
+  CRandom between;
+  CField field;
+  field.m_vSize = {size, size};
   auto& shapes = field.m_stdShapes;
   for (const float at : {0.0f, size}) {
     shapes.push_back(CLineSegDesc({0, at}, {size, at}));
@@ -36,7 +33,7 @@ CPegField MakePegField(std::size_t balls) {
   for (std::size_t i = 0; i < balls; ++i) {
     const Vector2 p(between(0.3f, size - 0.3f), between(0.3f, size - 0.3f));
     CDynamicCircleDesc ball(p, 0.1f, {between(-1, 1), between(-1, 1)});
-    ball.m_fElasticity = g_fBallElasticity;
+    ball.m_fElasticity = 0.5f;
     field.m_stdBalls.push_back(ball);
   }
   return field;
