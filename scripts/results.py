@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: MIT
 """Puts the figures of a run into documents.
 
-scripts/results.py RUN_JSON PAGE...           fills the pages
-scripts/results.py --check RUN_JSON PAGE...   says what in them is not of this run, and fails then
-scripts/results.py --keep RUN_JSON FILE       writes what the pages need of the run, which is another RUN_JSON
+scripts/results.py RUN_JSON PAGE...                  fills the pages
+scripts/results.py --check RUN_JSON PAGE...          says what in them is not of this run, and fails then
+scripts/results.py --keep RUN_JSON FILE [PRINTED]    writes what the pages need of the run, which is another RUN_JSON,
+                                                     and of what shapes-compare printed
 
 What is between `<!-- results: NAME ARGUMENT... -->` and `<!-- end -->` in a page is what the function NAME of this file
 returns for the run and the arguments."""
@@ -109,44 +110,12 @@ def scene_of(run, name):
     return next(scene for scene in run["scenes"] if scene["name"] == name)
 
 
-# What shapes-compare prints (compare/report/Summary.cpp), without its heading and its result.
-TERMINAL_ROW = "{:<18} {:<18} {:>15} {:>9} {:>7} {:>8}"
-GOOD, ROUGH = (0.001, math.radians(1)), (0.01, math.radians(10))  # g_cGood and g_cRough in compare/metrics/Overall.h
-
-
-def one_in(rate, n):
-    if rate["count"] == 0:
-        return f"none of {n:,}"
-    if rate["rate"] > 0.25:
-        return f"{100 * rate['rate']:.0f}%"
-    one = 1 / rate["rate"]
-    if one < 9.95:
-        return f"1 in {one:.2g}"
-    digits = 10 ** max(0, math.floor(math.log10(one)) - 1)
-    return f"1 in {round(one / digits) * digits:,}"
-
-
-def terminal_row(first, second, rate, n, radians, ns, times):
-    fits = [sign for sign, (share, most) in (("", GOOD), (" ~", ROUGH)) if rate["rate"] <= share and radians <= most]
-    sign = (fits + [" !"])[0]
-    angle = degrees(radians).replace("<.", "<0.")
-    return TERMINAL_ROW.format(first, second, one_in(rate, n) + sign, angle, f"{ns:.0f}", two(times)).rstrip()
-
-
 def terminal(run, *names):
-    """Some scenes, and all together."""
-    lines = [TERMINAL_ROW.format("scene", "take", "lost", "degrees", "ns", "x box2d")]
-    for name in names:
-        scene = scene_of(run, name)
-        take, box2d = (engine_of(scene["engines"], engine) for engine in (scene["take"], "box2d"))
-        ns = take["ns_per_ball_step"]
-        lines.append(terminal_row(name, take["name"], take["tunneled"], take["contacts"], take["direction_error"]["p95"],
-                                  ns, box2d["ns_per_ball_step"] / ns))
-    lines.append("...\n")
-    for i, e in enumerate(run["overall"]["engines"]):
-        lines.append(terminal_row("" if i else "all scenes", e["name"], e["tunneled"], run["overall"]["impacts"],
-                                  e["direction_error_p95"], e["ns_per_ball_step"], e["ns_box2d_ratio"]))
-    return "\n".join(["```text", *lines, "```"])
+    """What shapes-compare has printed for some scenes, and for all together."""
+    head, *rows = run["terminal"]
+    of_all = rows.index("")
+    some = [row for row in rows[:of_all] if row.split()[0] in names]
+    return "\n".join(["```text", head, *some, "...", *rows[of_all:], "```"])
 
 
 # Figures within a sentence: of an engine in a scene, or over all of them.
@@ -197,8 +166,16 @@ def ladder(run, scene, substeps, figure):
     return lost(row["tunneled_rate"], row["contacts"]) if figure == "lost" else f"{row['direction_error_p95']:.1g}"
 
 
+def printed(text):
+    """The rows of the scenes and of all engines, without what stands above and below them."""
+    lines = text.splitlines()
+    first = next(i for i, line in enumerate(lines) if line.startswith("scene "))
+    last = next(i for i, line in enumerate(lines) if line.startswith("Result: "))
+    return lines[first:last - 1]
+
+
 def kept(run):
-    """What the functions above read."""
+    """What the functions above read of a run."""
     def some(row, *keys):
         return {key: short(row[key]) for key in keys}
 
@@ -229,10 +206,13 @@ def kept(run):
             "overall": overall, "scenes": scenes, "work_precision": ladders}
 
 
-def write_kept(run, path):
+def write_kept(run, path, printed_path=None):
     """A row of a list in a line, so that a change can be read."""
+    parts = kept(run)
+    if printed_path is not None:
+        parts["terminal"] = printed(printed_path.read_text())
     text = ",\n".join(f'"{key}": ' + ("[\n" + ",\n".join(map(json.dumps, part)) + "]" if isinstance(part, list)
-                                     else json.dumps(part)) for key, part in kept(run).items())
+                                     else json.dumps(part)) for key, part in parts.items())
     path.write_text("{" + text + "}\n")
 
 
@@ -269,7 +249,7 @@ def main():
         refuse(f"{words[0]} is of version {run.get('version')}, expected {VERSION}: run shapes-compare again")
     pages = [pathlib.Path(word) for word in words[1:]]
     if option == "--keep":
-        write_kept(run, pages[0])
+        write_kept(run, *pages)
     elif not all([fill(run, page, option == "--check") for page in pages]) and option == "--check":
         sys.exit(1)
 

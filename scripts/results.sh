@@ -6,7 +6,7 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 if (($# == 0)); then set -- --full; fi
-"$root/compare/run.sh" --out "$root/build/report" --svg "$root/docs/overall.svg" "$@"
+"$root/compare/run.sh" --out "$root/build/report" --svg "$root/docs/overall.svg" "$@" | tee "$root/build/printed.txt"
 cd "$root"
-python3 scripts/results.py --keep build/report/run.json docs/results.json
+python3 scripts/results.py --keep build/report/run.json docs/results.json build/printed.txt
 python3 scripts/results.py docs/results.json README.md docs/accuracy.md

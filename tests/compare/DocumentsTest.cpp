@@ -4,6 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <sstream>
+#include <string>
+
 namespace {
 
 using Shapes::Compare::Tests::CResult;
@@ -41,6 +44,28 @@ TEST_F(DocumentsTest, WhatIsKeptOfARunIsAllThatItsDocumentsNeed) {
   EXPECT_EQ(Results(kept + " " + other).m_nExit, 0);
   EXPECT_EQ(Read("page.md"), Read("other.md"));
   EXPECT_LT(std::filesystem::file_size(kept), std::filesystem::file_size(run) / 5);
+}
+
+TEST_F(DocumentsTest, WhatTheToolPrintsIsQuoted) {
+  const CResult run = Run("run --scenes bowl,corner --contacts 20");
+  ASSERT_EQ(run.m_nExit, 0);
+  const std::string kept = (m_cFolder / "kept.json").string();
+  ASSERT_EQ(Results("--keep " + (m_cFolder / "run.json").string() + " " + kept + " " +
+                    Write("printed.txt", run.m_sOutput))
+                .m_nExit,
+            0);
+  const std::string page = Write("page.md", "<!-- results: terminal corner -->\n<!-- end -->\n");
+  EXPECT_EQ(Results(kept + " " + page).m_nExit, 0);
+  const std::string filled = Read("page.md");
+  std::istringstream quoted(filled);
+  int rows = 0;
+  for (std::string row; std::getline(quoted, row);)
+    if (row.find("native") != std::string::npos) {
+      EXPECT_TRUE(run.Says(row)) << row;
+      ++rows;
+    }
+  EXPECT_GE(rows, 3); // of the corner, and of each mode over all
+  EXPECT_FALSE(Shapes::Says(filled, "bowl"));
 }
 
 // The script that fills documents; a run of another version is refused in words.
