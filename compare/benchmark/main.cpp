@@ -33,7 +33,6 @@ std::vector<CPlayer> GetPlayers() {
   };
   return {{"native-approximate", shapes(eBackend::Native, g_cApproximate), 1'000'000, 10'000},
           {"native-continuous", shapes(eBackend::Native, g_cContinuous), 1'000'000, 10'000},
-          {"native-automatic", shapes(eBackend::Native, g_cAutomatic), 1'000, 1'000},
           {"box2d", box2D(eByHand::Continuous), 10'000, 1'000},
           {"box2d-discrete", box2D(eByHand::Discrete), 10'000, 10'000},
           {"box2d-like-shapes", box2D(eByHand::LikeShapes), 1'000, 1'000},
