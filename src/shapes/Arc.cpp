@@ -2,6 +2,7 @@
 #include <Shapes/Arc.h>
 
 #include "../Tolerances.h"
+#include "../geometry/Turn.h"
 
 #include "Validate.h"
 
@@ -98,8 +99,9 @@ void CArc::Translate(const Vector2& d) {
 
 Vector2 CArc::TurnFromStart(const Vector2& center, float angle) {
   // The ends are turned as points: adding the angle to both angles could round a short arc to a full circle.
-  m_vPt0 = RotatePt(Moved(m_vStartPt0), center, angle);
-  m_vPt1 = RotatePt(Moved(m_vStartPt1), center, angle);
+  const Geometry::CTurn turn = Geometry::GetTurn(static_cast<double>(angle));
+  m_vPt0 = Geometry::RotatePt(Moved(m_vStartPt0), center, turn);
+  m_vPt1 = Geometry::RotatePt(Moved(m_vStartPt1), center, turn);
   m_fAngle0 = NormalizeAngle(m_fStartAngle0 + angle);
   return CCircle::TurnFromStart(center, angle);
 }

@@ -2,6 +2,7 @@
 #include <Shapes/LineSeg.h>
 
 #include "../Tolerances.h"
+#include "../geometry/Turn.h"
 
 #include "Validate.h"
 
@@ -95,10 +96,11 @@ void CLineSeg::Translate(const Vector2& d) {
 }
 
 Vector2 CLineSeg::TurnFromStart(const Vector2& center, float angle) {
-  m_vPt0 = RotatePt(Moved(m_vStartPt0), center, angle);
-  m_vPt1 = RotatePt(Moved(m_vStartPt1), center, angle);
+  const Geometry::CTurn turn = Geometry::GetTurn(static_cast<double>(angle));
+  m_vPt0 = Geometry::RotatePt(Moved(m_vStartPt0), center, turn);
+  m_vPt1 = Geometry::RotatePt(Moved(m_vStartPt1), center, turn);
   if (Before(m_vPt1, m_vPt0)) std::swap(m_vPt0, m_vPt1);
-  m_vNormal = RotatePt(m_vStartNormal, Vector2::Zero(), angle);
+  m_vNormal = Geometry::RotatePt(m_vStartNormal, Vector2::Zero(), turn);
   return Midpoint(m_vPt0, m_vPt1);
 }
 

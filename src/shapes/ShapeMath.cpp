@@ -12,21 +12,28 @@ Vector2 ParallelComponent(const Vector2& v, const Vector2& w) {
   return v.dot(what) * what;
 }
 
-Vector2 RotatePt(const Vector2& p, const Vector2& center, float angle) {
-  const auto [c, s] = Geometry::GetTurn(static_cast<double>(angle));
+Vector2 Geometry::RotatePt(const Vector2& p, const Vector2& center, const CTurn& turn) {
+  const auto [c, s] = turn;
   const double x = static_cast<double>(p.x()) - static_cast<double>(center.x());
   const double y = static_cast<double>(p.y()) - static_cast<double>(center.y());
   return {static_cast<float>(static_cast<double>(center.x()) + (c * x - s * y)),
           static_cast<float>(static_cast<double>(center.y()) + (s * x + c * y))};
 }
 
+Vector2 RotatePt(const Vector2& p, const Vector2& center, float angle) {
+  return Geometry::RotatePt(p, center, Geometry::GetTurn(static_cast<double>(angle)));
+}
+
 float NormalizeAngle(float angle) {
   if (!std::isfinite(angle)) return angle;
   constexpr double twoPi = 6.28318530717958647692;
   constexpr double rest = 2.44929359829470641e-16; // 2 pi - twoPi
-  double a = std::fmod(static_cast<double>(angle), twoPi);
-  a -= std::round((static_cast<double>(angle) - a) / twoPi) * rest;
-  a = std::fmod(a, twoPi); // of huge angles the rests alone are many turns
+  double a = angle;
+  if (std::abs(a) >= twoPi) {
+    a = std::fmod(a, twoPi);
+    a -= std::round((static_cast<double>(angle) - a) / twoPi) * rest;
+    a = std::fmod(a, twoPi); // of huge angles the rests alone are many turns
+  }
   if (a < 0.0) a += twoPi;
   const float f = static_cast<float>(a);
   return f >= g_fTwoPi ? 0.0f : f + 0.0f; // + 0 turns -0 into 0
