@@ -67,6 +67,13 @@ inline constexpr double g_fRestingSteps = 2.0;
 /// diameters 300 balls flow at .72 of the rate without this bound with 16, at .89 of it with 64, for up to an
 /// eighth more time.
 inline constexpr unsigned g_nCrowded = 64;
+/// A ball that has found so many others near it in a substep, again after each impact, is halted at its next
+/// one: bounds the time of balls in one place. In a pile, which leaves each a few neighbours, it has had
+/// g_nCrowded impacts before.
+inline constexpr std::size_t g_nMostBallsSeen = 4096;
+/// A ball that is deep in more others than this, by half of the smaller radius, meets only as many of them,
+/// those next to it in the order of the balls: in a pile there is no room for such a crowd.
+inline constexpr std::size_t g_nMostDeep = 32;
 /// A correction of the place of a ball by more than this share of its radius might take it through a shape,
 /// and is swept. In a pile, where balls move each other, the shapes that near are looked at.
 inline constexpr double g_fFarCorrection = 0.25;

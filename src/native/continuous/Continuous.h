@@ -106,6 +106,7 @@ private:
   void FindBalls(std::uint32_t i);
   void FindBallsAtBegin(std::uint32_t i);
   void SearchBalls(std::uint32_t i);
+  void ThinOutBalls(std::uint32_t i);
   void PutBalls();
   void PutTaken();
   bool AllSleep(const CBallArrays& balls) const;

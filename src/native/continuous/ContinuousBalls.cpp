@@ -160,6 +160,25 @@ void CContinuous::FindBalls(std::uint32_t i) {
       const std::vector<CFilter>& filters = m_pBalls->m_stdFilter;
       return !DoMeet(filters[m_stdBalls[i].m_nBall], filters[m_stdBalls[j].m_nBall]);
     });
+  m_stdBalls[i].m_nBallsSeen += m_stdBallsFound.size();
+  ThinOutBalls(i);
+}
+
+// Of hundreds of balls in one place each would meet all others, and again after each impact.
+void CContinuous::ThinOutBalls(std::uint32_t i) {
+  if (m_stdBallsFound.size() <= g_nMostDeep) return;
+  const CMoving& ball = m_stdBalls[i];
+  const auto isDeep = [&](std::uint32_t j) {
+    const CMoving& other = m_stdBalls[j];
+    const double reach = ball.m_fRadius + other.m_fRadius - 0.5 * std::min(ball.m_fRadius, other.m_fRadius);
+    return (ball.m_vPos - other.m_vPos).squaredNorm() < reach * reach;
+  };
+  const auto isFar = [&](std::uint32_t j) {
+    const auto [first, last] = std::minmax(ball.m_nBall, m_stdBalls[j].m_nBall);
+    return last - first > g_nMostDeep / 2;
+  };
+  if (std::count_if(m_stdBallsFound.begin(), m_stdBallsFound.end(), isDeep) > std::ptrdiff_t{g_nMostDeep})
+    std::erase_if(m_stdBallsFound, [&](std::uint32_t j) { return isFar(j) && isDeep(j); });
 }
 
 // As they were near each other when the substep began.

@@ -310,7 +310,7 @@ void CContinuous::EndMotion(CMoving& ball) {
   // It is jammed: with a speed that it cannot have it would be hit as often in the next substep, and so on.
   // Two that are no faster than this rest on each other.
   if (isCrowded) CapSpeed(ball.m_vVel, static_cast<float>(0.5 * m_cResting.GetSlow()));
-  if (isCrowded || ball.m_nImpacts == g_nMaxImpacts) Halt(ball);
+  if (isCrowded || ball.m_nImpacts == g_nMaxImpacts || ball.m_nBallsSeen > g_nMostBallsSeen) Halt(ball);
 }
 
 void CContinuous::Halt(CMoving& ball) {

@@ -45,6 +45,7 @@ struct CMoving {
   double m_fTime = 0.0;                    // when the motion begins, seconds in the substep
   std::uint32_t m_nVersion = 0;            // changes with the motion
   unsigned m_nImpacts = 0;                 // in this substep
+  std::size_t m_nBallsSeen = 0;            // likewise, near it, in all searches
   std::uint32_t m_nLastOrder = g_nNobody;  // of the shape that it has just left
   std::uint32_t m_nLastMoving = g_nNobody; // of the moving shape that it has met last
   bool m_bIsAsleep = false;                // at rest, and nothing is near that is not
