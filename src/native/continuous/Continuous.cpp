@@ -71,6 +71,7 @@ void CContinuous::Append(const CContinuous& next) {
 void CContinuous::MoveTogether() {
   m_cResting.Begin(m_vGravity, m_fStep);
   TakeBalls();
+  FindCrowds();
   FollowBalls();
   PutBalls();
 }

@@ -106,7 +106,8 @@ private:
   void FindBalls(std::uint32_t i);
   void FindBallsAtBegin(std::uint32_t i);
   void SearchBalls(std::uint32_t i);
-  void ThinOutBalls(std::uint32_t i);
+  void FindCrowds();
+  bool IsBeyondCrowd(std::uint32_t i, std::uint32_t j) const;
   void PutBalls();
   void PutTaken();
   bool AllSleep(const CBallArrays& balls) const;
@@ -197,6 +198,7 @@ private:
   bool m_bCapsSpeeds = false; // gravity can take a ball beyond g_fMaxSpeed
   bool m_bPairs = false;
   bool m_bFilters = false;
+  bool m_bAnyCrowd = false;                 // balls that do not meet all that they are deep in
   std::vector<std::uint32_t> m_stdSolid;    // balls of the arrays, by k
   std::vector<CDiscGrid::CDisc> m_stdDiscs; // around their ways, as they would move alone
   CDiscGrid m_cDiscGrid;

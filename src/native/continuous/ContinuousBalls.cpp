@@ -161,24 +161,49 @@ void CContinuous::FindBalls(std::uint32_t i) {
       return !DoMeet(filters[m_stdBalls[i].m_nBall], filters[m_stdBalls[j].m_nBall]);
     });
   m_stdBalls[i].m_nBallsSeen += m_stdBallsFound.size();
-  ThinOutBalls(i);
+  if (m_bAnyCrowd) std::erase_if(m_stdBallsFound, [&](std::uint32_t j) { return IsBeyondCrowd(i, j); });
 }
 
-// Of hundreds of balls in one place each would meet all others, and again after each impact.
-void CContinuous::ThinOutBalls(std::uint32_t i) {
-  if (m_stdBallsFound.size() <= g_nMostDeep) return;
-  const CMoving& ball = m_stdBalls[i];
-  const auto isDeep = [&](std::uint32_t j) {
-    const CMoving& other = m_stdBalls[j];
-    const double reach = ball.m_fRadius + other.m_fRadius - 0.5 * std::min(ball.m_fRadius, other.m_fRadius);
-    return (ball.m_vPos - other.m_vPos).squaredNorm() < reach * reach;
-  };
-  const auto isFar = [&](std::uint32_t j) {
-    const auto [first, last] = std::minmax(ball.m_nBall, m_stdBalls[j].m_nBall);
-    return last - first > g_nMostDeep / 2;
-  };
-  if (std::count_if(m_stdBallsFound.begin(), m_stdBallsFound.end(), isDeep) > std::ptrdiff_t{g_nMostDeep})
-    std::erase_if(m_stdBallsFound, [&](std::uint32_t j) { return isFar(j) && isDeep(j); });
+namespace {
+
+bool IsDeep(const CMoving& ball, const CMoving& other) {
+  const double reach = ball.m_fRadius + other.m_fRadius - 0.5 * std::min(ball.m_fRadius, other.m_fRadius);
+  return (ball.m_vPos - other.m_vPos).squaredNorm() < reach * reach;
+}
+
+CFarness GetFarness(const CMoving& ball, const CMoving& other) {
+  const auto [first, last] = std::minmax(ball.m_nBall, other.m_nBall);
+  return {(ball.m_vPos - other.m_vPos).squaredNorm(), last - first};
+}
+
+} // namespace
+
+// Of hundreds of balls in one place each would meet all others, and again after each impact. The nearest are
+// enough to part them: when these are apart, others are the nearest.
+void CContinuous::FindCrowds() {
+  m_bAnyCrowd = false;
+  std::vector<CFarness> deep;
+  for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
+    CMoving& ball = m_stdBalls[i];
+    const auto [begin, end] = m_stdNearOf[ball.m_nSolid];
+    if (end - begin <= g_nMostDeep) continue;
+    deep.clear();
+    for (std::uint32_t e = begin; e < end; ++e)
+      if (const CMoving& other = m_stdBalls[m_stdIndexOf[m_stdNear[e]]]; IsDeep(ball, other))
+        deep.push_back(GetFarness(ball, other));
+    if (deep.size() <= g_nMostDeep) continue;
+    const auto last = deep.begin() + (g_nMostDeep - 1);
+    std::nth_element(deep.begin(), last, deep.end());
+    ball.m_cFarthestDeep = *last;
+    m_bAnyCrowd = true;
+  }
+}
+
+// Whether the ball is deep in that one, and neither is among the nearest of the other.
+bool CContinuous::IsBeyondCrowd(std::uint32_t i, std::uint32_t j) const {
+  const CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
+  return IsDeep(ball, other) &&
+         GetFarness(ball, other) > std::max(ball.m_cFarthestDeep, other.m_cFarthestDeep);
 }
 
 // As they were near each other when the substep began.

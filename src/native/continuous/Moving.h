@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "../broadphase/DiscGrid.h"
 #include "Holds.h"
@@ -16,6 +17,11 @@ namespace Shapes::Native {
 using namespace Geometry;
 
 inline constexpr std::uint32_t g_nNobody = 0xFFFFFFFFu;
+
+/// Of a ball in which another one is deep: the square of the distance of their centres, then the places
+/// between them in the order of the balls.
+using CFarness = std::pair<double, std::size_t>;
+inline constexpr CFarness g_cFarthest{std::numeric_limits<double>::infinity(), 0};
 
 /// The next event of a ball.
 struct CNext {
@@ -46,6 +52,7 @@ struct CMoving {
   std::uint32_t m_nVersion = 0;            // changes with the motion
   unsigned m_nImpacts = 0;                 // in this substep
   std::size_t m_nBallsSeen = 0;            // likewise, near it, in all searches
+  CFarness m_cFarthestDeep = g_cFarthest;  // that it meets, in a crowd
   std::uint32_t m_nLastOrder = g_nNobody;  // of the shape that it has just left
   std::uint32_t m_nLastMoving = g_nNobody; // of the moving shape that it has met last
   bool m_bIsAsleep = false;                // at rest, and nothing is near that is not
