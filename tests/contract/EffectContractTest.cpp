@@ -3,8 +3,6 @@
 // every engine.
 #include "Backends.h"
 
-#include <functional>
-
 namespace Shapes {
 namespace {
 
@@ -205,16 +203,6 @@ TEST_P(CEffectContract, WithoutEventsBallsBounceUntold) {
     }
 }
 
-TEST_P(CEffectContract, SensorEventsNeedNoContactEvents) {
-  auto pWorld = Make(Forbidden(eEffect::Events));
-  pWorld->Add(CLineSegDesc({1, -1}, {1, 1}));
-  const CShapeId zone = pWorld->Add(MakeZone({0, 0}, 0.5f)), ball = AddBall(*pWorld, {-1, 0}, {3, 0});
-  EXPECT_EQ(Told(*pWorld, 80, &CWorld::GetSensorEvents),
-            (std::vector<CSensorEvent>{
-                {zone, ball, true}, {zone, ball, false}, {zone, ball, true}, {zone, ball, false}}));
-  EXPECT_EQ(pWorld->GetStats().m_nReported, 0u);
-}
-
 TEST_P(CEffectContract, WhatIsNotCalledForCountsNothing) {
   auto pWorld = Make();
   pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
@@ -257,7 +245,7 @@ TEST_P(CEffectContract, WhatMeetsNothingIsNotSwept) {
   EXPECT_EQ(pWorld->GetStats().m_nSweeps + pWorld->GetStats().m_nContacts, 0u);
 }
 
-TEST_P(CEffectContract, ForcedRunsAndForbiddenDoesNotWhateverIsThere) {
+TEST_P(CEffectContract, ForcedRunsForbiddenDoesNotAndBothIsRefusedWhateverIsThere) {
   for (const eEffect e : AllEffects()) {
     SCOPED_TRACE(GetName(e));
     auto pForced = Make(Forced(e));
@@ -273,11 +261,7 @@ TEST_P(CEffectContract, ForcedRunsAndForbiddenDoesNotWhateverIsThere) {
     EXPECT_EQ(pForbidden->GetEffects(), (CEffects::All() - CEffects{e, eEffect::Touches}));
     pForbidden->Step();
     EXPECT_EQ(pForbidden->GetStats().GetSubstepsWith(e), 0u);
-  }
-}
 
-TEST_P(CEffectContract, WhatIsBothForcedAndForbiddenIsRefused) {
-  for (const eEffect e : AllEffects()) {
     const std::string refusal = MessageOf<std::invalid_argument>([&] { Make({{e}, {e}}); });
     EXPECT_TRUE(Says(refusal, "m_cEffects"));
     EXPECT_TRUE(Says(refusal, GetName(e)));

@@ -55,15 +55,6 @@ TEST_P(CPairContract, EveryShapeIsHitFromAbove) {
   }
 }
 
-TEST_P(CPairContract, ABallInsideACircleMeetsARingOnNativeAndASolidOnBox2D) {
-  CCircle circle(CCircleDesc({0, 0}, 1));
-  CDynamicCircle ball = Arrive({0, -0.95f}, {0, -6});
-  CContactDesc c(&circle, &ball);
-  ASSERT_TRUE(Backend().CollisionDetected(c));
-  // Box2D's circle shape is solid: it pushes the ball out through the nearer side.
-  EXPECT_NEAR(c.m_vNorm.y(), IsNative() ? 1.0f : -1.0f, 1e-6f);
-}
-
 TEST_P(CPairContract, BallsShareSetbackAndMomentumByMass) {
   CDynamicCircle still(CDynamicCircleDesc({0, -0.1f}, 0.1f, {0, 0}, 3.0f));
   still.move();
@@ -125,13 +116,6 @@ TEST_P(CPairContract, WhatCannotCollideIsNotMet) {
   }
 }
 
-TEST_P(CPairContract, NakedEndsAreOpenOnNativeAndRoundOnBox2D) {
-  CLineSeg seg(CLineSegDesc({0, 0}, {1, 0}));
-  CDynamicCircle ball = Arrive({-0.05f, 0.05f}, {0, -6});
-  EXPECT_EQ(Detects(seg, ball), !IsNative());
-  EXPECT_TRUE(Detects(m_cPoint, ball)); // where there is a guard the engines agree
-}
-
 TEST_P(CPairContract, OneSidedShapesLetBallsPassFromTheOpenSide) {
   for (const eSides sides : {eSides::Front, eSides::Back}) {
     CLineSeg seg(Sided(CLineSegDesc({-1, 0}, {1, 0}), sides));
@@ -159,16 +143,6 @@ TEST_P(CPairContract, AFlipperKicksThroughTheContact) {
   // The surface at half a unit moves at 2 pi .5 = 3.14; an elastic kick gives twice that.
   EXPECT_NEAR(ball.GetVel().norm(), 2.0f * g_fPi, 0.2f); // the POI is up to .01 farther out
   EXPECT_GT(ball.GetVel().y(), 6.0f);
-}
-
-TEST_P(CPairContract, AFastBallTunnelsOnNativeOnly) {
-  // 1.2 diameters beyond a wall that it crossed in one step: native looks at the end, Box2D at the way.
-  CDynamicCircle ball = Arrive({0, -0.24f}, {0, -30});
-  CContactDesc c(&m_cSeg, &ball);
-  EXPECT_EQ(Backend().CollisionDetected(c), !IsNative());
-  if (IsNative()) return;
-  EXPECT_NEAR(c.m_fSetback, 0.34f, Skin());
-  EXPECT_NEAR(c.m_vNorm.y(), 1.0f, 1e-5f);
 }
 
 TEST_P(CPairContract, AnotherRotationCentreDoesNotMoveAShape) {

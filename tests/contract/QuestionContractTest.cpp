@@ -2,29 +2,21 @@
 // Questions to a world: against a look at every shape by small steps, and with the same bits on every engine.
 #include "Backends.h"
 
-#include <functional>
-#include <set>
-
 namespace Shapes {
 namespace {
-
-using Tests::CRandom;
 
 // Some of every kind in a square from -4 to 4, two-sided, after a few steps.
 class CCrowd {
 public:
   CCrowd(const CBackend& backend, std::uint64_t seed) : m_cRandom(seed) {
     m_pWorld = backend.MakeWorld(CWorldDesc());
-    for (int i = 0; i < 40; ++i) {
+    for (std::uint32_t i = 0; i < 40; ++i) {
       const Vector2 p = m_cRandom.InSquare(4);
-      const float r = m_cRandom.Uniform(0.1f, 1), a = m_cRandom.Uniform(0, 6), b = m_cRandom.Uniform(0, 6);
-      switch (i % 5) {
-      case 0: Add(CPointDesc(p)); break;
-      case 1: Add(CLineSegDesc(p, p + r * m_cRandom.Direction())); break;
-      case 2: Add(CCircleDesc(p, r)); break;
-      case 3: Add(CArcDesc(p, r, a, b)); break;
-      default: Add(CDynamicCircleDesc(p, r, m_cRandom.Direction())); break;
-      }
+      const float r = m_cRandom.Uniform(0.1f, 1);
+      if (i % 5 == 4)
+        Add(CDynamicCircleDesc(p, r, m_cRandom.Direction()));
+      else
+        WithAnyShape(m_cRandom, i % 5, p, 1, [this](const auto& desc) { Add(desc); });
     }
     Steps(*m_pWorld, 5);
   }

@@ -2,8 +2,6 @@
 // CWorld, the same on every engine.
 #include "Backends.h"
 
-#include <cstring>
-
 namespace Shapes {
 namespace {
 
@@ -35,13 +33,6 @@ std::unique_ptr<CWorld> MakeBusyWorld(const CBackend& backend) {
   return pWorld;
 }
 
-void ExpectSameBits(const CWorld& a, const CWorld& b) {
-  ASSERT_EQ(a.GetBallIds().size(), b.GetBallIds().size());
-  const auto bytes = a.GetBallIds().size() * sizeof(Vector2);
-  EXPECT_EQ(std::memcmp(a.GetBallPositions().data(), b.GetBallPositions().data(), bytes), 0);
-  EXPECT_EQ(std::memcmp(a.GetBallVelocities().data(), b.GetBallVelocities().data(), bytes), 0);
-}
-
 TEST_P(CWorldContract, AFreeBallFollowsSemiImplicitEuler) {
   auto pWorld = Make({0, -10});
   const CShapeId id = pWorld->Add(CDynamicCircleDesc({1, 2}, 0.1f, {3, 4}));
@@ -56,20 +47,15 @@ TEST_P(CWorldContract, AFreeBallFollowsSemiImplicitEuler) {
   EXPECT_NEAR(pWorld->GetVel(id).y(), vy, 1e-5f);
 }
 
-TEST_P(CWorldContract, ElasticityIsTheProductAndTheTangentialPartStays) {
+TEST_P(CWorldContract, AnElasticityThatIsChangedCounts) {
   auto pWorld = Make();
-  CLineSegDesc wall({-10, 0}, {10, 0}, 0.5f);
-  const CShapeId wallId = pWorld->Add(wall);
-  const CShapeId id = pWorld->Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {3, -4}, 1.0f, 0.5f));
-  Steps(*pWorld, 20);
-  EXPECT_NEAR(pWorld->GetVel(id).x(), 3.0f, 1e-4f);
-  EXPECT_NEAR(pWorld->GetVel(id).y(), 1.0f, 1e-4f);
-  pWorld->SetElasticity(wallId, 1.5f);
-  pWorld->SetElasticity(id, 1.0f);
-  pWorld->SetPos(id, {0, 0.5f});
-  pWorld->SetVel(id, {3, -4});
+  const CShapeId wall = pWorld->Add(CLineSegDesc({-10, 0}, {10, 0}, 0.5f));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {3, -4}, 1.0f, 0.5f));
+  pWorld->Step();
+  pWorld->SetElasticity(wall, 1.5f);
+  pWorld->SetElasticity(ball, 1.0f);
   Steps(*pWorld, 10);
-  EXPECT_NEAR(pWorld->GetVel(id).y(), 6.0f, 1e-4f);
+  EXPECT_NEAR(pWorld->GetVel(ball).y(), 6.0f, 1e-4f);
 }
 
 TEST_P(CWorldContract, ContactsComeInTheConventionsOfTheLibrary) {
@@ -123,22 +109,6 @@ TEST_P(CWorldContract, CollisionsAreSwitchedOffAndOn) {
   expectAfter(2);
   pWorld->SetCanCollide(ball, false);
   expectAfter(-2);
-}
-
-TEST_P(CWorldContract, KinematicShapesTurnAboutAnyCentre) {
-  auto pWorld = Make();
-  const CShapeId id = pWorld->Add(Turning(CLineSegDesc({1, 0}, {2, 0}), 0.25f)); // a quarter in a second
-  Steps(*pWorld, 60);
-  const auto& seg = static_cast<const CLineSeg&>(pWorld->GetShape(id));
-  EXPECT_NEAR(pWorld->GetOrientation(id), g_fPi / 2, 1e-4f);
-  // At the vertical, rounding decides which end is left; the box has both.
-  EXPECT_NEAR((seg.GetAABB().GetTopLeft() - Vector2(0, 2)).norm(), 0.0f, 1e-4f);
-  EXPECT_NEAR((seg.GetAABB().GetBottomRt() - Vector2(0, 1)).norm(), 0.0f, 1e-4f);
-  EXPECT_NEAR((pWorld->GetPos(id) - Vector2(0, 1.5f)).norm(), 0.0f, 1e-4f);
-  pWorld->Reset(id);
-  EXPECT_EQ(seg.GetEndPt0(), Vector2(1, 0));
-  pWorld->SetOrientation(id, g_fPi);
-  EXPECT_NEAR(seg.GetEndPt0().x(), -2.0f, 1e-5f);
 }
 
 TEST_P(CWorldContract, ShapesAndBallsAreRemoved) {
@@ -203,7 +173,7 @@ TEST_P(CWorldContract, ASavedStateContinuesWithTheSameBits) {
   pOther->Remove(pOther->GetBallIds()[1]); // whatever the other one held is replaced
   pOther->LoadState(saved);
   Steps(*pOther, 300);
-  ExpectSameBits(*pWorld, *pOther);
+  EXPECT_TRUE(HaveSameBits(*pWorld, *pOther));
   pOther->Step(); // the control: one step more is not the same
   EXPECT_NE(pWorld->GetBallPositions()[0], pOther->GetBallPositions()[0]);
   EXPECT_THROW(pWorld->LoadState(CSavedState()), std::invalid_argument);
@@ -256,28 +226,9 @@ TEST_P(CWorldContract, SubstepsCutTheStep) {
   }
   Steps(*pWhole, 20);
   Steps(*pParts, 80);
-  ExpectSameBits(*pWhole, *pParts);
+  EXPECT_TRUE(HaveSameBits(*pWhole, *pParts));
   EXPECT_EQ(pWhole->GetStats().m_nSteps, 20u);
   EXPECT_EQ(pWhole->GetStats().m_nSubsteps, 80u);
-}
-
-TEST_P(CWorldContract, ElasticityAboveOneIsCutAtTheSpeedLimitAndFlagged) {
-  // A ball that overlaps two bumpers at once is made a thousand times faster by each. The step is so short
-  // that it stays between them even at the speed limit.
-  auto pWorld = Backend().MakeWorld(Described({0, 0}, 1e-22f));
-  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, 1000));
-  pWorld->Add(CLineSegDesc({-1, 0.199f}, {1, 0.199f}, 1000));
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.0995f}, 0.1f, {0, -1}));
-  for (int i = 0; i < 50; ++i) {
-    pWorld->Step();
-    ASSERT_TRUE(pWorld->GetPos(ball).allFinite());
-    ASSERT_TRUE(pWorld->GetVel(ball).allFinite());
-    ASSERT_LE(pWorld->GetVel(ball).norm(), g_fMaxSpeed * 1.0001f);
-  }
-  // Native answers the bumpers one after the other; Box2D solves both at once and holds the ball between
-  // them.
-  EXPECT_EQ(pWorld->GetStats().m_nSpeedsCapped > 0, IsNative());
-  EXPECT_EQ(pWorld->GetVel(ball).norm() > 0.99f * g_fMaxSpeed, IsNative());
 }
 
 } // namespace
