@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "native/broadphase/DiscGrid.h"
+
+#include "../Testing.h"
 #include "traps/Traps.h"
-
-#include "../Random.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <functional>
-#include <limits>
 
 namespace Shapes::Native {
 namespace {
-
-using Tests::CRandom;
 
 class CBalls {
 public:

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cstring>
-#include <functional>
 
 namespace Shapes {
 namespace {
@@ -83,15 +82,7 @@ void Fill(CBoth& both, CRandom& random, int shapes, int balls) {
       }
       both.Add(desc);
     };
-    switch (i % 4) {
-    case 0: add(CPointDesc(p)); break;
-    case 1: add(CLineSegDesc(p, p + random.InSquare(2))); break;
-    case 2: add(CCircleDesc(p, random.Uniform(0.05f, 0.8f))); break;
-    default: {
-      const float r = random.Uniform(0.2f, 1.5f), a0 = random.Uniform(0, 6.2f);
-      add(CArcDesc(p, r, a0, random.Uniform(0, 6.2f)));
-    }
-    }
+    WithAnyShape(random, static_cast<std::uint32_t>(i), p, 1.5f, add);
   }
   both.Add(CArcDesc({0, 0}, 16, 0, 0));
   for (int i = 0; i < balls; ++i) {
@@ -263,32 +254,6 @@ TEST(NativeWorldTest, AChangeOfOneShapeCostsNoMoreAmongMany) {
       EXPECT_GT(many, 15.0 * few) << change.m_sName;
     else
       EXPECT_LT(many, 8.0 * few) << change.m_sName;
-  }
-}
-
-TEST(NativeWorldTest, TunnelsHeadOnAsOftenAsTheFormulaSays) {
-  // A ball that moves L a step at a wall is turned back with probability min(1, r/L), and is not noticed at
-  // all with probability max(0, 1 - 2 r/L). 4000 phases in equal steps: the rate is exact within two phases.
-  constexpr float r = 0.1f;
-  for (const float ratio : {0.5f, 1.0f, 1.5f, 2.0f, 4.0f}) {
-    int tunneled = 0, missed = 0;
-    constexpr int phases = 4000;
-    for (int k = 0; k < phases; ++k) {
-      const float L = ratio * r;
-      const auto pWorld = MakeNative(g_cApproximate);
-      pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
-      pWorld->Add(
-          CDynamicCircleDesc({0, r + L * (static_cast<float>(k) + 0.5f) / phases}, r, {0, -L / g_fDt}));
-      bool met = false;
-      for (int step = 0; step < 6; ++step) {
-        pWorld->Step();
-        met |= !pWorld->GetContacts().empty();
-      }
-      tunneled += pWorld->GetBallPositions()[0].y() < 0;
-      missed += !met;
-    }
-    EXPECT_NEAR(tunneled, phases * std::max(0.0f, 1 - 1 / ratio), 3) << "v dt / r = " << ratio;
-    EXPECT_NEAR(missed, phases * std::max(0.0f, 1 - 2 / ratio), 3) << "v dt / r = " << ratio;
   }
 }
 
