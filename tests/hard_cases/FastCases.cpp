@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Balls that are fast for their size, and balls that overlap something already.
-#include "Random.h"
 #include "StepTesting.h"
-
-#include <algorithm>
 
 namespace Shapes::HardCases {
 
