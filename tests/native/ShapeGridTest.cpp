@@ -5,8 +5,6 @@
 #include "native/broadphase/StaticBroadPhase.h"
 #include "traps/Traps.h"
 
-#include <Shapes/WorldDesc.h>
-
 namespace Shapes::Native {
 namespace {
 
@@ -123,8 +121,7 @@ TEST(ShapeGrid, APositionThatIsNoNumberIsNearNothing) {
   CRandom random(265);
   const CShapes shapes(random, 10, {0.0f, 0.0f}, 1.0f);
   CShapeGrid grid = shapes.MakeGrid(0.5f);
-  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
-  for (const Vector2& p : {Vector2(nan, 0.0f), Vector2(0.0f, inf), Vector2(-inf, nan)})
+  for (const Vector2& p : {Vector2(g_fNan, 0.0f), Vector2(0.0f, g_fInf), Vector2(-g_fInf, g_fNan)})
     EXPECT_TRUE(Ask(grid, p, 0.3f).empty());
 }
 
