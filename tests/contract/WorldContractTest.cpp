@@ -7,9 +7,7 @@ namespace {
 
 class CWorldContract : public CEveryBackend {
 protected:
-  std::unique_ptr<CWorld> Make(const Vector2& gravity = Vector2::Zero()) const {
-    return Backend().MakeWorld(Described(gravity));
-  }
+  std::unique_ptr<CWorld> m_pWorld = Make();
 };
 SHAPES_ON_EVERY_BACKEND(CWorldContract);
 
@@ -34,28 +32,27 @@ std::unique_ptr<CWorld> MakeBusyWorld(const CBackend& backend) {
 }
 
 TEST_P(CWorldContract, AFreeBallFollowsSemiImplicitEuler) {
-  auto pWorld = Make({0, -10});
-  const CShapeId id = pWorld->Add(CDynamicCircleDesc({1, 2}, 0.1f, {3, 4}));
+  m_pWorld->SetGravity({0, -10});
+  const CShapeId id = m_pWorld->Add(CDynamicCircleDesc({1, 2}, 0.1f, {3, 4}));
   float y = 2, vy = 4;
   for (int i = 0; i < 60; ++i) {
-    pWorld->Step();
+    m_pWorld->Step();
     vy -= 10.0f / 60.0f;
     y += vy / 60.0f;
   }
-  EXPECT_NEAR(pWorld->GetPos(id).y(), y, 1e-5f);
-  EXPECT_NEAR(pWorld->GetPos(id).x(), 4.0f, 1e-5f);
-  EXPECT_NEAR(pWorld->GetVel(id).y(), vy, 1e-5f);
+  EXPECT_NEAR(m_pWorld->GetPos(id).y(), y, 1e-5f);
+  EXPECT_NEAR(m_pWorld->GetPos(id).x(), 4.0f, 1e-5f);
+  EXPECT_NEAR(m_pWorld->GetVel(id).y(), vy, 1e-5f);
 }
 
 TEST_P(CWorldContract, AnElasticityThatIsChangedCounts) {
-  auto pWorld = Make();
-  const CShapeId wall = pWorld->Add(CLineSegDesc({-10, 0}, {10, 0}, 0.5f));
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {3, -4}, 1.0f, 0.5f));
-  pWorld->Step();
-  pWorld->SetElasticity(wall, 1.5f);
-  pWorld->SetElasticity(ball, 1.0f);
-  Steps(*pWorld, 10);
-  EXPECT_NEAR(pWorld->GetVel(ball).y(), 6.0f, 1e-4f);
+  const CShapeId wall = m_pWorld->Add(CLineSegDesc({-10, 0}, {10, 0}, 0.5f));
+  const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {3, -4}, 1.0f, 0.5f));
+  m_pWorld->Step();
+  m_pWorld->SetElasticity(wall, 1.5f);
+  m_pWorld->SetElasticity(ball, 1.0f);
+  Steps(*m_pWorld, 10);
+  EXPECT_NEAR(m_pWorld->GetVel(ball).y(), 6.0f, 1e-4f);
 }
 
 TEST_P(CWorldContract, ContactsComeInTheConventionsOfTheLibrary) {
@@ -79,58 +76,55 @@ TEST_P(CWorldContract, ContactsComeInTheConventionsOfTheLibrary) {
 }
 
 TEST_P(CWorldContract, BallsMeetOnceWithTheNormalToTheFirst) {
-  auto pWorld = Make();
-  const CShapeId a = pWorld->Add(CDynamicCircleDesc({-0.3f, 0}, 0.1f, {2, 0}, 1));
-  const CShapeId b = pWorld->Add(CDynamicCircleDesc({0.3f, 0}, 0.1f, {-2, 0}, 3));
-  const std::vector<CContactEvent> seen = Impacts(*pWorld, 30);
+  const CShapeId a = m_pWorld->Add(CDynamicCircleDesc({-0.3f, 0}, 0.1f, {2, 0}, 1));
+  const CShapeId b = m_pWorld->Add(CDynamicCircleDesc({0.3f, 0}, 0.1f, {-2, 0}, 3));
+  const std::vector<CContactEvent> seen = Impacts(*m_pWorld, 30);
   ASSERT_EQ(seen.size(), 1u);
   EXPECT_EQ(seen[0].m_cBall, a);
   EXPECT_EQ(seen[0].m_cShape, b);
   EXPECT_NEAR(seen[0].m_vNorm.x(), -1.0f, 1e-5f);
   EXPECT_NEAR(seen[0].m_fSpeed, 4.0f, 1e-4f);
-  EXPECT_NEAR(pWorld->GetVel(a).x(), -4.0f, 1e-3f);
-  EXPECT_NEAR(pWorld->GetVel(b).x(), 0.0f, 1e-3f);
+  EXPECT_NEAR(m_pWorld->GetVel(a).x(), -4.0f, 1e-3f);
+  EXPECT_NEAR(m_pWorld->GetVel(b).x(), 0.0f, 1e-3f);
 }
 
 TEST_P(CWorldContract, CollisionsAreSwitchedOffAndOn) {
-  auto pWorld = Make();
-  const CShapeId post = pWorld->Add(CPointDesc(Vector2(0, 0)));
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f));
+  const CShapeId post = m_pWorld->Add(CPointDesc(Vector2(0, 0)));
+  const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f));
   const auto expectAfter = [&](float v) {
-    pWorld->SetPos(ball, {0, 0.3f});
-    pWorld->SetVel(ball, {0, -2});
-    Steps(*pWorld, 20);
-    EXPECT_NEAR(pWorld->GetVel(ball).y(), v, v < 0 ? 1e-6f : 1e-4f);
+    m_pWorld->SetPos(ball, {0, 0.3f});
+    m_pWorld->SetVel(ball, {0, -2});
+    Steps(*m_pWorld, 20);
+    EXPECT_NEAR(m_pWorld->GetVel(ball).y(), v, v < 0 ? 1e-6f : 1e-4f);
   };
-  pWorld->SetCanCollide(post, false);
-  EXPECT_FALSE(pWorld->GetCanCollide(post));
+  m_pWorld->SetCanCollide(post, false);
+  EXPECT_FALSE(m_pWorld->GetCanCollide(post));
   expectAfter(-2);
-  pWorld->SetCanCollide(post);
+  m_pWorld->SetCanCollide(post);
   expectAfter(2);
-  pWorld->SetCanCollide(ball, false);
+  m_pWorld->SetCanCollide(ball, false);
   expectAfter(-2);
 }
 
 TEST_P(CWorldContract, ShapesAndBallsAreRemoved) {
-  auto pWorld = Make();
-  const CShapeId wall = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
-  const CShapeId other = pWorld->Add(CDynamicCircleDesc({5, 5}, 0.1f));
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -2}));
-  pWorld->Remove(wall);
-  pWorld->Remove(other);
-  EXPECT_FALSE(pWorld->Contains(wall));
-  EXPECT_FALSE(pWorld->Contains(other));
-  Steps(*pWorld, 30);
-  EXPECT_FLOAT_EQ(pWorld->GetVel(ball).y(), -2.0f);
-  EXPECT_THROW(pWorld->Remove(wall), std::invalid_argument);
-  EXPECT_THROW(pWorld->GetPos(other), std::invalid_argument);
-  ASSERT_EQ(pWorld->GetBallIds().size(), 1u);
-  EXPECT_EQ(pWorld->GetBallIds()[0], ball);
-  EXPECT_TRUE(pWorld->GetShapeIds().empty());
-  const CShapeId next = pWorld->Add(CPointDesc(Vector2(0, 0)));
+  const CShapeId wall = m_pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  const CShapeId other = m_pWorld->Add(CDynamicCircleDesc({5, 5}, 0.1f));
+  const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -2}));
+  m_pWorld->Remove(wall);
+  m_pWorld->Remove(other);
+  EXPECT_FALSE(m_pWorld->Contains(wall));
+  EXPECT_FALSE(m_pWorld->Contains(other));
+  Steps(*m_pWorld, 30);
+  EXPECT_FLOAT_EQ(m_pWorld->GetVel(ball).y(), -2.0f);
+  EXPECT_THROW(m_pWorld->Remove(wall), std::invalid_argument);
+  EXPECT_THROW(m_pWorld->GetPos(other), std::invalid_argument);
+  ASSERT_EQ(m_pWorld->GetBallIds().size(), 1u);
+  EXPECT_EQ(m_pWorld->GetBallIds()[0], ball);
+  EXPECT_TRUE(m_pWorld->GetShapeIds().empty());
+  const CShapeId next = m_pWorld->Add(CPointDesc(Vector2(0, 0)));
   EXPECT_GT(next, ball); // ids are not used again
-  const CShapeId last = pWorld->Add(CCircleDesc({9, 9}, 1));
-  EXPECT_EQ(pWorld->GetShapeIds(), (std::vector<CShapeId>{next, last}));
+  const CShapeId last = m_pWorld->Add(CCircleDesc({9, 9}, 1));
+  EXPECT_EQ(m_pWorld->GetShapeIds(), (std::vector<CShapeId>{next, last}));
 }
 
 TEST_P(CWorldContract, UserPointersStayWithTheirShapes) {
