@@ -5,10 +5,6 @@
 
 #include "native/narrowphase/Collide.h"
 
-#include <Shapes/Backend.h>
-#include <Shapes/Contact.h>
-#include <Shapes/DynamicCircle.h>
-
 namespace Shapes::Bounds {
 namespace {
 

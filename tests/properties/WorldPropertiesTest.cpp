@@ -5,8 +5,6 @@
 #include "Moved.h"
 #include "Properties.h"
 
-#include <Shapes/Backend.h>
-
 namespace Shapes::Properties {
 namespace {
 
