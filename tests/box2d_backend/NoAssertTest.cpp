@@ -229,6 +229,37 @@ TEST_P(CNoAssert, BouncyBallsInEachOtherStayNumbers) {
   Step(10);
 }
 
+TEST_P(CNoAssert, WhatTouchesIsMovedChangedAndRemoved) {
+  Make();
+  const CShapeId seg = m_pWorld->Add(CLineSegDesc({-1, 0}, {0, 0}));
+  const CShapeId flipper = m_pWorld->Add(Turning(CLineSegDesc({0, 0}, {1, 0})));
+  const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f, {0, -1}));
+  const CShapeId other = m_pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -1}));
+  const std::vector<std::function<void()>> changes = {
+      [&] { m_pWorld->SetPos(ball, Vector2(0, 0)); },
+      [&] { m_pWorld->SetPos(other, m_pWorld->GetPos(ball)); },
+      [&] { m_pWorld->SetVel(ball, Vector2(MaxSpeed(), 0)); },
+      [&] { m_pWorld->SetPos(flipper, Vector2(0, 0.1f)); },
+      [&] { m_pWorld->SetOrientation(flipper, 1e9f); },
+      [&] { m_pWorld->SetRotCenter(flipper, Vector2(0, MaxLength())); },
+      [&] { m_pWorld->SetRotSpeed(flipper, g_fMaxRotSpeed); },
+      [&] { m_pWorld->SetRotSpeed(flipper, g_fDenormal); },
+      [&] { m_pWorld->SetElasticity(flipper, g_fMaxElasticity); },
+      [&] { m_pWorld->SetSensor(ball, true); },
+      [&] { m_pWorld->SetSensor(ball, false); },
+      [&] { m_pWorld->SetCanCollide(seg, false); },
+      [&] { m_pWorld->Reset(flipper); },
+      [&] { m_pWorld->LoadState(m_pWorld->SaveState()); },
+      [&] { m_pWorld->Remove(other); },
+      [&] { m_pWorld->Remove(flipper); },
+      [&] { m_pWorld->Remove(ball); },
+  };
+  for (const auto& change : changes) {
+    change();
+    Step();
+  }
+}
+
 TEST_P(CNoAssert, EndsThatNearlyMeet) {
   // Within the tolerance of sharedEnds in a tuned world, at it and beyond; arcs that are too short for a
   // chord too.

@@ -55,6 +55,15 @@ TEST_P(CPairContract, EveryShapeIsHitFromAbove) {
   }
 }
 
+TEST_P(CPairContract, ABallInsideACircleMeetsARingOnNativeAndASolidOnBox2D) {
+  CCircle circle(CCircleDesc({0, 0}, 1));
+  CDynamicCircle ball = Arrive({0, -0.95f}, {0, -6});
+  CContactDesc c(&circle, &ball);
+  ASSERT_TRUE(Backend().CollisionDetected(c));
+  // Box2D's circle shape is solid: it pushes the ball out through the nearer side.
+  EXPECT_NEAR(c.m_vNorm.y(), IsNative() ? 1.0f : -1.0f, 1e-6f);
+}
+
 TEST_P(CPairContract, BallsShareSetbackAndMomentumByMass) {
   CDynamicCircle still(CDynamicCircleDesc({0, -0.1f}, 0.1f, {0, 0}, 3.0f));
   still.move();
@@ -114,6 +123,13 @@ TEST_P(CPairContract, WhatCannotCollideIsNotMet) {
     pShape->SetCanCollide();
     EXPECT_TRUE(Detects(m_cSeg, m_cBall));
   }
+}
+
+TEST_P(CPairContract, NakedEndsAreOpenOnNativeAndRoundOnBox2D) {
+  CLineSeg seg(CLineSegDesc({0, 0}, {1, 0}));
+  CDynamicCircle ball = Arrive({-0.05f, 0.05f}, {0, -6});
+  EXPECT_EQ(Detects(seg, ball), !IsNative());
+  EXPECT_TRUE(Detects(m_cPoint, ball)); // where there is a guard the engines agree
 }
 
 TEST_P(CPairContract, OneSidedShapesLetBallsPassFromTheOpenSide) {

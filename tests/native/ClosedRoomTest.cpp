@@ -31,6 +31,23 @@ int CountOutside(const CRoom& room, const CWorld& world) {
   return n;
 }
 
+int PlayPile(const CEffectChoice& effects, int balls, int steps) {
+  const CRoom room{{0, 0}, {6, 0}, {6, 40}, {0, 40}};
+  const auto pWorld = MakeRoom(room, effects, 10.0f, 0.7f);
+  CRandom random(15);
+  for (int i = 0; i < balls; ++i) {
+    const Vector2 p(0.5f + 0.5f * static_cast<float>(i % 11), 0.5f + 0.5f * static_cast<float>(i / 11));
+    pWorld->Add(CDynamicCircleDesc(p + random.InSquare(0.02f), 0.2f, random.InSquare(0.5f), 1.0f, 0.7f));
+  }
+  Steps(*pWorld, steps);
+  return CountOutside(room, *pWorld);
+}
+
+TEST(ClosedRoom, APileLosesNone) {
+  EXPECT_EQ(PlayPile(g_cAutomatic, 200, 600), 0);
+  EXPECT_GT(PlayPile(g_cApproximate, 200, 600), 0); // the control
+}
+
 int PlayRooms(const CEffectChoice& effects, int rooms) {
   CRandom random(15);
   SCOPED_TRACE(random.GetSeed());

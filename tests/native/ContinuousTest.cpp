@@ -45,6 +45,20 @@ TEST_F(ContinuousTest, ABallBetweenTwoWallsIsNeverLost) {
   }
 }
 
+TEST_F(ContinuousTest, AnEventHasThePlaceAndSpeedOfItsImpact) {
+  const CShapeId point = m_pWorld->Add(CPointDesc({1, 0}));
+  const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.25f, {240, 0}));
+  m_pWorld->Step();
+  ASSERT_EQ(m_pWorld->GetContacts().size(), 1u);
+  const CContactEvent& event = m_pWorld->GetContacts()[0];
+  EXPECT_EQ(event.m_cShape, point);
+  EXPECT_EQ(event.m_cBall, ball);
+  EXPECT_EQ(event.m_vPOI, Vector2(1, 0));
+  EXPECT_EQ(event.m_vNorm, Vector2(-1, 0));
+  EXPECT_EQ(event.m_fSpeed, 240.0f);
+  EXPECT_EQ(event.m_fSetback, 0.0f);
+}
+
 TEST_F(ContinuousTest, ACornerTurnsABallBack) {
   AddBox(*m_pWorld, 1);
   const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.125f, {120, 120}));
@@ -53,6 +67,22 @@ TEST_F(ContinuousTest, ACornerTurnsABallBack) {
   EXPECT_NEAR(m_pWorld->GetPos(ball).y(), -0.25f, 8 * g_fUlp);
   EXPECT_EQ(m_pWorld->GetVel(ball), Vector2(-120, -120));
   EXPECT_EQ(m_pWorld->GetContacts().size(), 2u);
+}
+
+TEST_F(ContinuousTest, ACradleOfTouchingBallsPassesThePushOn) {
+  for (const unsigned pushed : {1u, 2u, 3u}) {
+    auto pWorld = MakeContinuous();
+    constexpr float r = 0.125f;
+    std::vector<CShapeId> ids;
+    for (unsigned i = 0; i < 5; ++i) {
+      const float gap = i < pushed ? 0.5f : 0.0f;
+      ids.push_back(pWorld->Add(
+          CDynamicCircleDesc({2 * r * static_cast<float>(i) - gap, 0}, r, {i < pushed ? 60.0f : 0.0f, 0})));
+    }
+    pWorld->Step();
+    for (unsigned i = 0; i < 5; ++i)
+      EXPECT_EQ(pWorld->GetVel(ids[i]), Vector2(i >= 5 - pushed ? 60.0f : 0.0f, 0)) << i << " of " << pushed;
+  }
 }
 
 TEST_F(ContinuousTest, MomentumAndEnergyOfManyBallsAreKept) {

@@ -257,6 +257,32 @@ TEST(NativeWorldTest, AChangeOfOneShapeCostsNoMoreAmongMany) {
   }
 }
 
+TEST(NativeWorldTest, TunnelsHeadOnAsOftenAsTheFormulaSays) {
+  // A ball that moves L a step at a wall is turned back with probability min(1, r/L), and is not noticed at
+  // all with probability max(0, 1 - 2 r/L). 4000 phases in equal steps: the rate is exact within two phases.
+  constexpr float r = 0.1f;
+  for (const float ratio : {0.5f, 1.0f, 1.5f, 2.0f, 4.0f}) {
+    int tunneled = 0, missed = 0;
+    constexpr int phases = 4000;
+    for (int k = 0; k < phases; ++k) {
+      const float L = ratio * r;
+      const auto pWorld = MakeNative(g_cApproximate);
+      pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+      pWorld->Add(
+          CDynamicCircleDesc({0, r + L * (static_cast<float>(k) + 0.5f) / phases}, r, {0, -L / g_fDt}));
+      bool met = false;
+      for (int step = 0; step < 6; ++step) {
+        pWorld->Step();
+        met |= !pWorld->GetContacts().empty();
+      }
+      tunneled += pWorld->GetBallPositions()[0].y() < 0;
+      missed += !met;
+    }
+    EXPECT_NEAR(tunneled, phases * std::max(0.0f, 1 - 1 / ratio), 3) << "v dt / r = " << ratio;
+    EXPECT_NEAR(missed, phases * std::max(0.0f, 1 - 2 / ratio), 3) << "v dt / r = " << ratio;
+  }
+}
+
 // An arc that goes on from a segment: its end, (0, 0), is rounded to (1.19e-8, 0).
 TEST(NativeWorldTest, NoBallFallsBetweenASegmentAndAnArcThatGoesOn) {
   int missed = 0;
