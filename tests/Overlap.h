@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far the balls of a world are in each other.
+// How far the balls of a world are in each other, and how fast they are.
 #pragma once
 
 #include <Shapes/World.h>
@@ -23,6 +23,14 @@ inline double GetOverlap(const CWorld& world) {
       deepest = std::max(deepest, depth / std::min(radii[i], radii[j]));
     }
   return static_cast<double>(deepest);
+}
+
+/// The speed of the fastest ball; 0 if there is none.
+inline float GetFastest(const CWorld& world) {
+  float most = 0.0f;
+  for (const Vector2& v : world.GetBallVelocities())
+    most = std::max(most, v.norm());
+  return most;
 }
 
 } // namespace Shapes

@@ -5,10 +5,6 @@
 
 #include "native/narrowphase/Collide.h"
 
-#include <Shapes/Backend.h>
-#include <Shapes/Contact.h>
-#include <Shapes/DynamicCircle.h>
-
 namespace Shapes::Bounds {
 namespace {
 
@@ -37,6 +33,7 @@ struct CHitErrors {
       : m_cAnswer(name + ", answer", least),
         m_cPOI(name + ", POI", least),
         m_cNorm(name + ", normal", least),
+        m_cUnit(name + ", length of the normal", least),
         m_cSetback(name + ", setback", least),
         m_cBack(name + ", overlap where the setback puts a ball", least) {}
 
@@ -45,6 +42,7 @@ struct CHitErrors {
   void SeeSetback(const CHit& hit, const CFifty& overlap, const CFifty& bound, CBall ball,
                   const TCollide& collide) {
     EXPECT_GE(hit.m_fSetback, 0.0f);
+    m_cUnit.See(abs(Norm(Exact(hit.m_vNorm)) - 1), g_fUlp);
     m_cSetback.See(abs(hit.m_fSetback - overlap), bound);
     ball.m_vPos += hit.m_fSetback * hit.m_vNorm;
     CHit again;
@@ -52,7 +50,7 @@ struct CHitErrors {
     m_cBack.See(collide(ball, again) ? again.m_fSetback : 0, bound + rounding);
   }
 
-  CKept m_cAnswer, m_cPOI, m_cNorm, m_cSetback, m_cBack;
+  CKept m_cAnswer, m_cPOI, m_cNorm, m_cUnit, m_cSetback, m_cBack;
 };
 
 // As the square of a difference.

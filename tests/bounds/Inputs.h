@@ -3,14 +3,9 @@
 // floats that are neighbours.
 #pragma once
 
-#include "../geometry/Cases.h"
-
-#include <cmath>
-#include <limits>
+#include "../Testing.h"
 
 namespace Shapes::Bounds {
-
-using Tests::CRandom, Tests::ForEachCase;
 
 /// 1e-6 to 1e6.
 inline float AnySize(CRandom& random) { return random.Scale(-20, 19); }

@@ -3,9 +3,6 @@
 #include "Inputs.h"
 #include "Worst.h"
 
-#include <Shapes/Arc.h>
-#include <Shapes/Point.h>
-
 namespace Shapes::Bounds {
 namespace {
 

@@ -2,32 +2,13 @@
 // Both profiles, and worlds on Box2D, for the tests of this folder.
 #pragma once
 
-#include "../Descs.h"
-#include "../Messages.h"
-#include "../Numbers.h"
-#include "../Steps.h"
-#include "../geometry/Cases.h"
 #include "Tolerances.h"
 
+#include "../Testing.h"
+
 #include <Shapes/Box2D.h>
-#include <Shapes/Shapes.h>
 
 #include <box2d/box2d.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <map>
-#include <memory>
-#include <numbers>
-#include <optional>
-#include <ostream>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Shapes::Tests {
 
@@ -52,5 +33,18 @@ protected:
   INSTANTIATE_TEST_SUITE_P(                                                                                  \
       , suite, testing::Values(eProfile::Shipped, eProfile::Tuned),                                          \
       [](const auto& test) { return test.param == eProfile::Tuned ? "tuned" : "shipped"; })
+
+// Vectors of double: directions, angles, and what an exact bounce makes of a velocity.
+
+inline double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline Vector2d Perp(const Vector2d& a) { return {-a.y(), a.x()}; }
+inline Vector2d UnitVector(double angle) { return {std::cos(angle), std::sin(angle)}; }
+/// Radians between two directions, 0 .. pi.
+inline double AngleBetween(const Vector2d& a, const Vector2d& b) {
+  return std::abs(std::atan2(Cross(a, b), a.dot(b)));
+}
+inline Vector2d Mirror(const Vector2d& v, const Vector2d& n, double e = 1) {
+  return v - (1 + e) * v.dot(n) * n;
+}
 
 } // namespace Shapes::Tests

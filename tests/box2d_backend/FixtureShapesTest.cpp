@@ -10,9 +10,6 @@
 namespace Shapes::Box2D {
 namespace {
 
-using Tests::CRandom;
-using Tests::ForEachCase;
-
 CFixtureShapes Make(const CShape& shape, float sagitta = g_fSagittaTolerance) {
   return CFixtureShapes::Make(shape, shape.GetPos(), CScale(1.0f), sagitta);
 }
@@ -203,20 +200,6 @@ TEST(PiecesTest, AFullCircleIsALoopOrItsEdgesClose) {
   EXPECT_EQ(withSkin.m_stdEdges.front().m_vertex1, withSkin.m_stdEdges.back().m_vertex2);
   for (const b2EdgeShape& edge : withSkin.m_stdEdges) // every vertex is as far out, the first as well
     EXPECT_NEAR(Norm(edge.m_vertex1), Norm(withSkin.m_stdEdges[1].m_vertex1), 8 * 2 * g_fUlp);
-}
-
-TEST(PiecesTest, TheSolidSideOfEachEdgeOfAnArcIsTheRightOne) {
-  ForEachCase(13, 500, [&](CRandom& random, int) {
-    const CRandomArc made(random);
-    const CFixtureShapes fixtures = Make(made.m_cArc, made.m_fSagitta);
-    for (std::size_t c = 0; c < fixtures.m_stdChains.size(); ++c) {
-      const auto& v = fixtures.m_stdChains[c].m_stdVertices;
-      for (std::size_t i = 1; i < v.size(); ++i) {
-        const b2Vec2 way = v[i] - v[i - 1], right(way.y, -way.x);
-        EXPECT_EQ(b2Dot(right, 0.5f * (v[i] + v[i - 1])) > 0, c == 0); // the first chain is the outside
-      }
-    }
-  });
 }
 
 TEST(PiecesTest, SidesOfASegmentAreSolidAsAskedInEveryDirection) {

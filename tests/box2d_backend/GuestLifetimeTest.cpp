@@ -7,20 +7,11 @@ namespace Shapes::Tests {
 namespace {
 
 void ExpectGone(CTable& table) {
-  CBox2DWorld& guest = *table.m_pGuest;
-  EXPECT_FALSE(guest.IsAlive());
+  EXPECT_FALSE(table.m_pGuest->IsAlive());
   EXPECT_TRUE(table.World().Contains(table.m_cBall)); // what was there last can be read
   EXPECT_EQ(table.World().GetBallPositions().size(), 2u);
   EXPECT_EQ(table.World().GetShape(table.m_cArc).GetShapeType(), eShape::Arc);
-  const std::vector<std::function<void()>> calls{
-      [&] { guest.PreStep(g_fDt); },
-      [&] { guest.PostStep(); },
-      [&] { table.World().Add(CPointDesc()); },
-      [&] { table.World().Remove(table.m_cBall); },
-      [&] { table.World().SetPos(table.m_cArc, Vector2::Zero()); },
-      [&] { table.World().SetVel(table.m_cBall, Vector2::Zero()); },
-      [&] { table.World().SetUserPtr(table.m_cBall, nullptr); }};
-  for (const auto& f : calls)
+  for (const auto& f : table.Calls())
     EXPECT_TRUE(Says(Thrown(f), "The b2World is gone"));
   EXPECT_EQ(table.World().GetStats().m_nBodiesLost, 0u);
 }
@@ -48,19 +39,42 @@ TEST(GuestLifetimeTest, TwoGuestsNoticeTheEndOfTheirWorldAlsoWithoutAShape) {
   }
 }
 
-TEST(GuestLifetimeTest, TheGameDestroysABall) {
-  CTable table;
-  table.m_pGame->DestroyBody(table.BodyOfBall());
-  EXPECT_FALSE(table.World().Contains(table.m_cBall)); // at once
-  EXPECT_EQ(table.World().GetBallPositions().size(), 1u);
-  EXPECT_EQ(table.World().GetStats().m_nBodiesLost, 1u);
-  EXPECT_THROW(table.World().GetPos(table.m_cBall), std::invalid_argument);
-  EXPECT_THROW(table.World().Remove(table.m_cBall), std::invalid_argument);
-  table.Step(60);
-  EXPECT_TRUE(table.World().Contains(table.m_cOther));
-  EXPECT_GT(table.World().Add(CDynamicCircleDesc({3, 1}, 0.1f)),
-            table.m_cOther); // ids are never used again
-  table.Step(60);
+TEST(GuestLifetimeTest, TheGameDestroysABallOrAShapeOrAFixture) {
+  struct CRow {
+    const char* m_sName;
+    CShapeId CTable::*m_pLost;
+    void (*m_pDestroy)(CTable&);
+  };
+  const CRow rows[] = {
+      {"a ball", &CTable::m_cBall, [](CTable& t) { t.m_pGame->DestroyBody(t.BodyOfBall()); }},
+      {"a shape of several fixtures, in which another goes on", &CTable::m_cArc,
+       [](CTable& t) { t.m_pGame->DestroyBody(t.BodyOfArc()); }},
+      {"one of them, and then what is left of it and is the game's", &CTable::m_cArc, [](CTable& t) {
+         b2Body* pArc = t.BodyOfArc();
+         ASSERT_NE(pArc->GetFixtureList()->GetNext(), nullptr);
+         pArc->DestroyFixture(pArc->GetFixtureList());
+         EXPECT_FALSE(t.World().Contains(t.m_cArc));
+         t.Step(10);
+         t.m_pGame->DestroyBody(pArc);
+       }}};
+  for (const CRow& row : rows) {
+    SCOPED_TRACE(row.m_sName);
+    CTable table;
+    const CShapeId lost = table.*row.m_pLost;
+    const auto pieces = table.World().GetStats().m_nArcPieces;
+    row.m_pDestroy(table);
+    EXPECT_FALSE(table.World().Contains(lost)); // at once
+    EXPECT_EQ(table.World().GetBallPositions().size(), lost == table.m_cBall ? 1u : 2u);
+    EXPECT_EQ(table.World().GetStats().m_nBodiesLost, 1u);
+    EXPECT_EQ(table.World().GetStats().m_nArcPieces < pieces, lost == table.m_cArc);
+    EXPECT_THROW(table.World().GetPos(lost), std::invalid_argument);
+    EXPECT_THROW(table.World().Remove(lost), std::invalid_argument);
+    table.Step(60);
+    EXPECT_TRUE(table.World().Contains(table.m_cOther));
+    const CShapeId next = table.World().Add(CDynamicCircleDesc({3, 1}, 0.1f));
+    EXPECT_GT(next, table.m_cOther); // ids are never used again
+    table.Step(60);
+  }
 }
 
 TEST(GuestLifetimeTest, TheGameDestroysABallInTheMiddleOfAStep) {
@@ -76,28 +90,6 @@ TEST(GuestLifetimeTest, TheGameDestroysABallInTheMiddleOfAStep) {
     EXPECT_NEAR(table.World().GetPos(table.m_cOther).x(), 0, 0.01f); // and not the place of the other one
     table.Step(10);
   }
-}
-
-TEST(GuestLifetimeTest, TheGameDestroysAShapeOfSeveralFixtures) {
-  CTable table;
-  const auto fixtures = table.World().GetStats().m_nArcPieces;
-  table.m_pGame->DestroyBody(table.BodyOfArc());
-  EXPECT_FALSE(table.World().Contains(table.m_cArc));
-  EXPECT_EQ(table.World().GetStats().m_nBodiesLost, 1u);
-  EXPECT_LT(table.World().GetStats().m_nArcPieces, fixtures);
-  table.Step(60); // the segment has lost what it went on in
-}
-
-TEST(GuestLifetimeTest, TheGameDestroysAFixture) {
-  CTable table;
-  b2Body* pArc = table.BodyOfArc();
-  ASSERT_NE(pArc->GetFixtureList()->GetNext(), nullptr);
-  pArc->DestroyFixture(pArc->GetFixtureList());
-  EXPECT_FALSE(table.World().Contains(table.m_cArc));
-  table.Step(10);
-  table.m_pGame->DestroyBody(pArc); // what is left of it is the game's
-  EXPECT_EQ(table.World().GetStats().m_nBodiesLost, 1u);
-  table.Step(10);
 }
 
 TEST(GuestLifetimeTest, TheGameDestroysAllBodies) {

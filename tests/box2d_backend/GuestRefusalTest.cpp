@@ -21,22 +21,7 @@ TEST(GuestRefusalTest, NothingIsChangedInCallbacksOfBox2D) {
     std::vector<std::string> thrown;
     std::size_t balls = 0;
     acting.m_stdAct = [&] {
-      const Vector2 zero(0, 0);
-      const std::vector<CAnyShapeDesc> parts{CPointDesc(zero)};
-      const std::vector<std::function<void()>> calls{
-          [&] { table.World().Add(CPointDesc(zero)); },
-          [&] { table.World().Add(CDynamicCircleDesc(zero, 1)); },
-          [&] { table.World().Remove(table.m_cBall); },
-          [&] { table.World().SetPos(table.m_cBall, zero); },
-          [&] { table.World().SetVel(table.m_cBall, zero); },
-          [&] { table.World().SetElasticity(table.m_cArc, 0.1f); },
-          [&] { table.World().SetSensor(table.m_cArc, true); },
-          [&] { table.World().SetCanCollide(table.m_cArc, false); },
-          [&] { table.World().SetUserPtr(table.m_cArc, nullptr); },
-          [&] { table.World().AddCompound(parts, zero); },
-          [&] { guest.PreStep(g_fDt); },
-          [&] { guest.PostStep(); }};
-      for (const auto& f : calls)
+      for (const auto& f : table.Calls())
         thrown.push_back(Thrown(f));
       balls = table.World().GetBallPositions().size(); // looking is allowed
     };

@@ -4,8 +4,6 @@
 
 #include "ImportTesting.h"
 
-#include <span>
-
 namespace Shapes::Tests {
 
 inline std::unique_ptr<CBox2DWorld> MakeGuest(b2World& game, eProfile e = eProfile::Shipped,
@@ -143,6 +141,23 @@ struct CTable {
   void StepGame(int n) {
     for (int i = 0; i < n; ++i)
       m_pGame->Step(g_fDt, 8, 3);
+  }
+  /// All that may change something.
+  std::vector<std::function<void()>> Calls() {
+    const Vector2 zero = Vector2::Zero();
+    const std::vector<CAnyShapeDesc> parts{CPointDesc(zero)};
+    return {[=, this] { World().Add(CPointDesc(zero)); },
+            [=, this] { World().Add(CDynamicCircleDesc(zero, 1)); },
+            [=, this] { World().Remove(m_cBall); },
+            [=, this] { World().SetPos(m_cBall, zero); },
+            [=, this] { World().SetVel(m_cBall, zero); },
+            [=, this] { World().SetElasticity(m_cArc, 0.1f); },
+            [=, this] { World().SetSensor(m_cArc, true); },
+            [=, this] { World().SetCanCollide(m_cArc, false); },
+            [=, this] { World().SetUserPtr(m_cArc, nullptr); },
+            [=, this] { World().AddCompound(parts, zero); },
+            [=, this] { m_pGuest->PreStep(g_fDt); },
+            [=, this] { m_pGuest->PostStep(); }};
   }
   b2Body* BodyOfBall() { return FindBody(*m_pGame, &m_nUserData[0]); }
   b2Body* BodyOfArc() { return FindBody(*m_pGame, &m_nUserData[1]); }

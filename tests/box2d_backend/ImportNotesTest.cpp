@@ -2,9 +2,6 @@
 // What a game's b2World has and a scene has not is said, in so many words.
 #include "ImportTesting.h"
 
-#include <set>
-#include <tuple>
-
 namespace Shapes {
 namespace {
 

@@ -4,8 +4,6 @@
 
 #include "Box2DTesting.h"
 
-#include <variant>
-
 namespace Shapes {
 
 /// A b2World with the calls that a test needs in one line each.

@@ -317,23 +317,5 @@ TEST(OwnedEffectsTest, ContactsCountWhereSomebodyHearsOfThem) {
   }
 }
 
-TEST(OwnedEffectsTest, SensorsSeeTheWayBackWithoutEvents) {
-  // To the wall and back within a substep: seen only if the world knows where the ball turned.
-  for (const bool wall : {true, false}) {
-    auto pWorld = Make({0, 0}, 1, {{}, {eEffect::Events}});
-    const CLineSegDesc desc({0, -1}, {0, 1});
-    pWorld->Add(wall ? desc : Sensor(desc));
-    const CShapeId id = pWorld->Add(Sensor(CLineSegDesc({-0.3f, -1}, {-0.3f, 1})));
-    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-0.6f, 0}, 0.1f, {60, 0}));
-    pWorld->Step();
-    EXPECT_EQ(pWorld->GetPos(ball).x() < -0.4f, wall); // 1 a step: .5 to the wall, .5 back
-    std::size_t seen = 0;
-    for (const CSensorEvent& event : pWorld->GetSensorEvents())
-      seen += event.m_cShape == id;
-    EXPECT_EQ(seen, 2u);
-    pWorld->Step();
-  }
-}
-
 } // namespace
 } // namespace Shapes::Tests

@@ -9,9 +9,6 @@
 namespace Shapes::Box2D {
 namespace {
 
-using Tests::CRandom;
-using Tests::ForEachCase;
-
 // b2TimeOfImpact stops when the distance of the centres or centre lines is the sum of both radii less 3 slops
 // of .005, within a quarter of a slop. The radius of an edge is .01, that of a circle its own. So a ball
 // sinks this deep into what it meets, in metres:

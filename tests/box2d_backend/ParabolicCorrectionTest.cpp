@@ -3,7 +3,6 @@
 // ways are moved by the test as Box2D moves them; only where a ball is in the end goes through its floats.
 #include "box2d_backend/contact/ParabolicCorrection.h"
 
-#include "DoubleVectors.h"
 #include "ImportTesting.h"
 
 namespace Shapes::Tests {

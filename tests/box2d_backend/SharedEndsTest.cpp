@@ -2,7 +2,7 @@
 // Which ends go on in another shape, and how.
 #include "box2d_backend/world/SharedEnds.h"
 
-#include "DoubleVectors.h"
+#include "Box2DTesting.h"
 
 namespace Shapes::Tests {
 namespace {
@@ -21,11 +21,9 @@ public:
     m_cState.m_stdShapes.emplace_back(id, std::move(pShape));
     return id;
   }
-  CShapeId Segment(const Vector2& p0, const Vector2& p1, eSides sides = eSides::Both) {
-    return Add(std::make_unique<CLineSeg>(Sided(CLineSegDesc(p0, p1), sides)));
-  }
-  CShapeId Arc(const Vector2& c, float r, float a0, float a1, eSides sides = eSides::Both) {
-    return Add(std::make_unique<CArc>(Sided(CArcDesc(c, r, a0, a1), sides)));
+  CShapeId Segment(const Vector2& p0, const Vector2& p1) { return Add(MakeShape(CLineSegDesc(p0, p1))); }
+  CShapeId Arc(const Vector2& c, float r, float a0, float a1) {
+    return Add(MakeShape(CArcDesc(c, r, a0, a1)));
   }
   CShapeId Flipper(const Vector2& p0, const Vector2& p1, const Vector2& center, float revsPerSecond) {
     return Add(std::make_unique<CKinematicLineSeg>(Turning(CLineSegDesc(p0, p1), revsPerSecond, center)));
@@ -134,39 +132,27 @@ TEST(JointsTest, TangentsAreThoseOfNow) {
   ExpectJoint(At(table, b, 1), a, {1, 0}, 0);
 }
 
-TEST(JointsTest, SolidSidesGoOnInSolidSides) {
-  const auto count = [](eSides first, eSides second) {
+TEST(JointsTest, SolidSidesGoOnInSolidSidesAlongTheWay) {
+  const auto count = [](const CAnyShapeDesc& first, const CAnyShapeDesc& second) {
     CTable table;
-    table.Segment({-1, 0}, {0, 0}, first);
-    table.Segment({0, 0}, {1, 0}, second);
+    table.Add(MakeShape(first));
+    table.Add(MakeShape(second));
     return table.Count();
   };
+  const CLineSegDesc left({-1, 0}, {0, 0}), right({0, 0}, {1, 0}), up({0, 0}, {1, 1}), down({0, 0}, {1, -1});
   for (const eSides first : {eSides::Both, eSides::Front, eSides::Back})
     for (const eSides second : {eSides::Both, eSides::Front, eSides::Back})
-      EXPECT_EQ(count(first, second), first == second ? 2u : 0u);
-}
-
-TEST(JointsTest, SidesAreComparedAlongTheWayNotByName) {
+      EXPECT_EQ(count(Sided(left, first), Sided(right, second)), first == second ? 2u : 0u);
   // Two segments that fold back: both fronts are above, but one follows the way and one does not.
-  const auto fold = [](eSides first, eSides second) {
-    CTable table;
-    table.Segment({0, 0}, {1, 1}, first);
-    table.Segment({0, 0}, {1, -1}, second);
-    return table.Count();
-  };
-  EXPECT_EQ(fold(eSides::Front, eSides::Front), 0u);
-  EXPECT_EQ(fold(eSides::Front, eSides::Back), 2u);
+  EXPECT_EQ(count(Sided(up, eSides::Front), Sided(down, eSides::Front)), 0u);
+  EXPECT_EQ(count(Sided(up, eSides::Front), Sided(down, eSides::Back)), 2u);
   // A floor whose front is above goes on in the inside of a bowl, or in the outside of a hill.
-  const auto floor = [](const Vector2& c, float a0, float a1, eSides sides) {
-    CTable table;
-    table.Segment({-1, 0}, {0, 0}, eSides::Front);
-    table.Arc(c, 1, a0, a1, sides);
-    return table.Count();
-  };
-  EXPECT_EQ(floor({0, 1}, 1.5f * g_fPi, 0, eSides::Back), 2u);
-  EXPECT_EQ(floor({0, 1}, 1.5f * g_fPi, 0, eSides::Front), 0u);
-  EXPECT_EQ(floor({0, -1}, 0, 0.5f * g_fPi, eSides::Front), 2u);
-  EXPECT_EQ(floor({0, -1}, 0, 0.5f * g_fPi, eSides::Back), 0u);
+  const CLineSegDesc floor = Sided(left, eSides::Front);
+  const CArcDesc bowl({0, 1}, 1, 1.5f * g_fPi, 0), hill({0, -1}, 1, 0, 0.5f * g_fPi);
+  EXPECT_EQ(count(floor, Sided(bowl, eSides::Back)), 2u);
+  EXPECT_EQ(count(floor, Sided(bowl, eSides::Front)), 0u);
+  EXPECT_EQ(count(floor, Sided(hill, eSides::Front)), 2u);
+  EXPECT_EQ(count(floor, Sided(hill, eSides::Back)), 0u);
 }
 
 TEST(JointsTest, TheBendOfAnArcIsToTheLeftFromItsFirstEnd) {

@@ -138,10 +138,8 @@ struct CVessel {
       const float x = pitch * (static_cast<float>(i % columns) - 0.5f * static_cast<float>(columns - 1));
       const float y = bottom + pitch * static_cast<float>(i / columns);
       const float aside = 0.02f * static_cast<float>(random.Unit());
-      CDynamicCircleDesc ball({x + aside, y}, g_fPileRadius,
-                              {static_cast<float>(EitherSign(random, 0.5)), 0});
-      ball.m_fElasticity = e;
-      m_pWorld->Add(ball);
+      const float v = static_cast<float>(EitherSign(random, 0.5));
+      m_pWorld->Add(CDynamicCircleDesc({x + aside, y}, g_fPileRadius, {v, 0}, 1, e));
     }
   }
 
@@ -162,12 +160,6 @@ struct CVessel {
       energy += 0.5 * m_pWorld->GetBallVelocities()[i].squaredNorm() +
                 g_fPileGravity * (m_pWorld->GetBallPositions()[i].y() + m_fSize);
     return energy;
-  }
-  double GetFastest() const {
-    double most = 0;
-    for (const Vector2& v : m_pWorld->GetBallVelocities())
-      most = std::max<double>(most, v.norm());
-    return most;
   }
   /// Of a ball and the vessel, in radii.
   double GetDepth() const {
@@ -197,7 +189,7 @@ TEST(TunedPileTest, APileSettlesAndLosesNone) {
           ASSERT_LE(vessel.GetEnergy(), 1.001 * first) << 10 * i;
         }
         // What slides in a bowl slides on.
-        EXPECT_LT(vessel.GetFastest(), kind == eVessel::Bowl ? 1.0 : 0.2);
+        EXPECT_LT(GetFastest(*vessel.m_pWorld), kind == eVessel::Bowl ? 1.0 : 0.2);
         EXPECT_LT(GetOverlap(*vessel.m_pWorld), 0.1);
       }
 }
@@ -216,24 +208,25 @@ CSettling Settle(const CTuning& tuning, eVessel kind, int balls, int runs, int s
     double least = first, overlap = 0, rise = 0;
     for (int i = 0; i < steps; ++i) {
       vessel.Step(1);
+      EXPECT_EQ(vessel.CountLost(), 0) << i;
       overlap = std::max({overlap, GetOverlap(*vessel.m_pWorld), vessel.GetDepth()});
       const double energy = vessel.GetEnergy();
       least = std::min(least, energy);
       rise = std::max(rise, (energy - least) / first);
     }
-    EXPECT_EQ(vessel.CountLost(), 0);
     sum.m_fOverlap += overlap;
     sum.m_fRise += rise;
   }
   return sum;
 }
 
-// Where Box2D moves balls into each other it moves them apart again, also upwards.
+// Where Box2D moves balls into each other it moves them apart again, also upwards. The bottom of a V at 30
+// units per second, with 200 balls, is where most press on one.
 TEST(TunedPileTest, APileThatSettlesOverlapsLessAndGainsNoMoreEnergyThanOnShippedBox2D) {
   for (const eVessel kind : {eVessel::Box, eVessel::V, eVessel::Bowl})
     for (const int balls : {10, 50, 200}) {
       SCOPED_TRACE(testing::Message() << "vessel " << static_cast<int>(kind) << ", " << balls << " balls");
-      const int runs = balls == 200 ? 1 : 4, steps = balls == 200 ? 180 : 240;
+      const int runs = balls == 200 ? 1 : 4, steps = balls == 200 ? 300 : 240;
       const CSettling tuned = Settle(g_cTuned, kind, balls, runs, steps),
                       shipped = Settle(g_cShipped, kind, balls, runs, steps);
       EXPECT_LT(tuned.m_fOverlap, shipped.m_fOverlap);
@@ -243,15 +236,6 @@ TEST(TunedPileTest, APileThatSettlesOverlapsLessAndGainsNoMoreEnergyThanOnShippe
       EXPECT_GT(control.m_fOverlap, 2 * tuned.m_fOverlap);
       EXPECT_GT(control.m_fRise, 2 * tuned.m_fRise);
     }
-}
-
-// The bottom of a V at 30 units per second is where most press on one.
-TEST(TunedPileTest, TwoHundredBallsThatFallIntoAWedgeStayInIt) {
-  CVessel vessel(g_cTuned, eVessel::V, 200, 0.5f);
-  for (int i = 0; i < 30; ++i) {
-    vessel.Step(10);
-    ASSERT_EQ(vessel.CountLost(), 0) << 10 * i;
-  }
 }
 
 TEST(TunedPileTest, APileIsSolvedAboutAsOftenAsByShippedBox2D) {
@@ -275,9 +259,8 @@ TEST(TunedPileTest, BallsInOnePlaceComeApart) {
     pWorld->Add(CArcDesc({0, 0}, 4, 0, 0));
     CRandom random(83);
     for (int i = 0; i < balls; ++i) {
-      CDynamicCircleDesc ball({static_cast<float>(EitherSign(random, 1e-3)), 0}, g_fPileRadius);
-      ball.m_fElasticity = 0.5f;
-      pWorld->Add(ball);
+      const float x = static_cast<float>(EitherSign(random, 1e-3));
+      pWorld->Add(CDynamicCircleDesc({x, 0}, g_fPileRadius, {0, 0}, 1, 0.5f));
     }
     Steps(*pWorld, steps);
     for (const Vector2& p : pWorld->GetBallPositions())
@@ -309,12 +292,9 @@ CCrush Crush(const CTuning& tuning, std::uint64_t seed) {
   }
   CRandom random(seed);
   for (int i = 0; i < 20; ++i) {
-    const float aside = static_cast<float>(EitherSign(random, 0.01));
-    CDynamicCircleDesc ball(
-        {-0.94f + 0.47f * static_cast<float>(i % 5) + aside, 0.4f + 0.5f * static_cast<float>(i / 5)},
-        g_fCrushRadius);
-    ball.m_fElasticity = 0.5f;
-    pWorld->Add(ball);
+    const float x = -0.94f + 0.47f * static_cast<float>(i % 5) + static_cast<float>(EitherSign(random, 0.01));
+    const float y = 0.4f + 0.5f * static_cast<float>(i / 5);
+    pWorld->Add(CDynamicCircleDesc({x, y}, g_fCrushRadius, {0, 0}, 1, 0.5f));
   }
   CCrush crush;
   const auto play = [&](float inward, int steps) {
@@ -322,8 +302,7 @@ CCrush Crush(const CTuning& tuning, std::uint64_t seed) {
       pWorld->SetVel(walls[side > 0], {-static_cast<float>(side) * inward, 0});
     for (int i = 0; i < steps; ++i) {
       pWorld->Step();
-      for (const Vector2& v : pWorld->GetBallVelocities())
-        crush.m_fFastest = std::max(crush.m_fFastest, v.norm());
+      crush.m_fFastest = std::max(crush.m_fFastest, GetFastest(*pWorld));
     }
   };
   for (int round = 0; round < 3; ++round) {

@@ -3,7 +3,7 @@
 // the exact reference knows. Everything is met at the distance r; ends of segments and arcs are round.
 #pragma once
 
-#include "DoubleVectors.h"
+#include "Box2DTesting.h"
 #include "box2d_backend/world/OwnedEngine.h"
 #include "geometry/ImpactTesting.h"
 #include "reference/Distance.h"

@@ -2,26 +2,9 @@
 // The engines that were built, for tests that run on each of them.
 #pragma once
 
-#include "../Descs.h"
 #include "../GameClock.h"
-#include "../Messages.h"
-#include "../Numbers.h"
-#include "../Steps.h"
-#include "Random.h"
 
-#include <Shapes/Shapes.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <ostream>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
+#include "../Testing.h"
 
 namespace Shapes {
 
@@ -119,13 +102,7 @@ inline constexpr CParting g_stdPartings[] = {
 /// How far p is from the curve of a shape, or from the rim of a ball: negative in a ball.
 inline float GetDistance(const CWorld& world, CShapeId id, const Vector2& p) {
   if (world.GetMotionType(id) == eMotion::Dynamic) return Length(p - world.GetPos(id)) - world.GetRadius(id);
-  const CShape& shape = world.GetShape(id);
-  switch (shape.GetShapeType()) {
-  case eShape::LineSeg: return Length(p - static_cast<const CLineSeg&>(shape).ClosestPt(p));
-  case eShape::Arc: return Length(p - static_cast<const CArc&>(shape).ClosestPt(p));
-  case eShape::Circle: return Length(p - static_cast<const CCircle&>(shape).ClosestPt(p));
-  default: return Length(p - shape.GetPos());
-  }
+  return DistanceFrom(world.GetShape(id), p);
 }
 
 } // namespace Shapes

@@ -22,7 +22,10 @@ CLineSegDesc Wall(const Vector2& v) { // upright, at x = 0
   return desc;
 }
 
-class CStopContract : public CEveryBackend {};
+class CStopContract : public CEveryBackend {
+protected:
+  std::unique_ptr<CWorld> m_pWorld = Make(g_cAutomatic, eProfile::Tuned);
+};
 SHAPES_ON_EVERY_BACKEND(CStopContract);
 
 TEST_P(CStopContract, StopsExactlyAtBothAngles) {
@@ -50,12 +53,11 @@ TEST_P(CStopContract, StopsExactlyAtBothAngles) {
 
 // As slow as 1e-6 rad a step, about as much as the orientation is rounded to.
 TEST_P(CStopContract, LeavesAStopHoweverSlowly) {
-  const auto pWorld = Make(g_cAutomatic, eProfile::Tuned);
-  const CShapeId flipper = pWorld->Add(StoppedFlipper(1));
-  Steps(*pWorld, 30);
-  pWorld->SetRotSpeed(flipper, -1e-5f);
-  Steps(*pWorld, 100);
-  EXPECT_NEAR(pWorld->GetOrientation(flipper), g_fHigh - g_fTwoPi * 1e-5f * 100 * g_fDt, 1e-5f);
+  const CShapeId flipper = m_pWorld->Add(StoppedFlipper(1));
+  Steps(*m_pWorld, 30);
+  m_pWorld->SetRotSpeed(flipper, -1e-5f);
+  Steps(*m_pWorld, 100);
+  EXPECT_NEAR(m_pWorld->GetOrientation(flipper), g_fHigh - g_fTwoPi * 1e-5f * 100 * g_fDt, 1e-5f);
 }
 
 // The blade comes to the ball in the step in which it stops. In front of the stop the kick is that of one
@@ -107,62 +109,53 @@ TEST_P(CStopContract, AtItsStopItIsAsGoodAsStatic) {
 }
 
 TEST_P(CStopContract, StopsAtTwoPlaces) {
-  const auto pWorld = Make(g_cAutomatic, eProfile::Tuned);
   CLineSegDesc plunger = Turning(CLineSegDesc({-0.1f, 0}, {0.1f, 0}), 0);
   plunger.m_vVel = {0, 5};
   plunger.m_cLimits = CMotionLimits::OfCenter({0, 0.3f}, {0, -1});
-  const CShapeId id = pWorld->Add(plunger);
-  Steps(*pWorld, 10);
-  EXPECT_EQ(pWorld->GetRotCenter(id), Vector2(0, 0.3f));
-  EXPECT_NEAR(pWorld->GetPos(id).y(), 0.3f, 1e-7f);
-  EXPECT_EQ(pWorld->GetVel(id), Vector2(0, 5)); // the drive
-  pWorld->SetVel(id, {0, -5});
-  Steps(*pWorld, 30);
-  EXPECT_EQ(pWorld->GetRotCenter(id), Vector2(0, -1));
+  const CShapeId id = m_pWorld->Add(plunger);
+  Steps(*m_pWorld, 10);
+  EXPECT_EQ(m_pWorld->GetRotCenter(id), Vector2(0, 0.3f));
+  EXPECT_NEAR(m_pWorld->GetPos(id).y(), 0.3f, 1e-7f);
+  EXPECT_EQ(m_pWorld->GetVel(id), Vector2(0, 5)); // the drive
+  m_pWorld->SetVel(id, {0, -5});
+  Steps(*m_pWorld, 30);
+  EXPECT_EQ(m_pWorld->GetRotCenter(id), Vector2(0, -1));
   // One coordinate stops, the other goes on.
-  pWorld->SetLimits(id, CMotionLimits::OfCenter({0, -1}, {4, -0.9f}));
-  pWorld->SetVel(id, {6, 6});
-  Steps(*pWorld, 10);
-  EXPECT_EQ(pWorld->GetRotCenter(id).y(), -0.9f);
-  EXPECT_NEAR(pWorld->GetRotCenter(id).x(), 1.0f, 1e-5f);
+  m_pWorld->SetLimits(id, CMotionLimits::OfCenter({0, -1}, {4, -0.9f}));
+  m_pWorld->SetVel(id, {6, 6});
+  Steps(*m_pWorld, 10);
+  EXPECT_EQ(m_pWorld->GetRotCenter(id).y(), -0.9f);
+  EXPECT_NEAR(m_pWorld->GetRotCenter(id).x(), 1.0f, 1e-5f);
 }
 
 TEST_P(CStopContract, ACompoundStopsAsOne) {
-  const auto pWorld = Make(g_cAutomatic, eProfile::Tuned);
   const CAnyShapeDesc descs[] = {CCircleDesc({0, 0}, 0.2f), CCircleDesc({1, 0}, 0.1f),
                                  CLineSegDesc({0, 0.2f}, {1, 0.1f}), CPointDesc(Vector2(1.1f, 0))};
-  const auto ids = pWorld->AddCompound(descs, {0, 0}, 6, {0, 0}, CMotionLimits::OfAngle(g_fLow, g_fHigh));
+  const auto ids = m_pWorld->AddCompound(descs, {0, 0}, 6, {0, 0}, CMotionLimits::OfAngle(g_fLow, g_fHigh));
   for (const int steps : {1, 1, 1, 8}) {
-    Steps(*pWorld, steps);
+    Steps(*m_pWorld, steps);
     for (const CShapeId id : ids)
-      EXPECT_EQ(pWorld->GetOrientation(id), pWorld->GetOrientation(ids[0]));
+      EXPECT_EQ(m_pWorld->GetOrientation(id), m_pWorld->GetOrientation(ids[0]));
   }
-  EXPECT_EQ(pWorld->GetOrientation(ids[0]), g_fHigh);
-}
-
-TEST_P(CStopContract, ACompoundIsTurnedAsOne) {
-  const auto pWorld = Make(g_cAutomatic, eProfile::Tuned);
-  const auto ids = pWorld->AddCompound(MakeCapsule({0, 0}, 0.3f, {2, 0}, 0.1f), {0, 0}, 0.0f, Vector2::Zero(),
-                                       CMotionLimits::OfAngle(0, g_fHigh));
-  pWorld->SetRotSpeed(ids, 1);
-  Steps(*pWorld, 60);
+  EXPECT_EQ(m_pWorld->GetOrientation(ids[0]), g_fHigh);
+  m_pWorld->SetRotSpeed(ids, -1);
+  Steps(*m_pWorld, 60);
   for (const CShapeId id : ids)
-    EXPECT_EQ(pWorld->GetOrientation(id), g_fHigh);
+    EXPECT_EQ(m_pWorld->GetOrientation(id), NormalizeAngle(g_fLow));
 }
 
 TEST_P(CStopContract, WhatIsBeyondItsStopsMovesTowardsThemOnly) {
-  const auto pWorld = Make(g_cAutomatic, eProfile::Tuned);
-  const CShapeId id = pWorld->Add(StoppedFlipper(1));
-  pWorld->SetOrientation(id, 1);
-  Steps(*pWorld, 10);
-  EXPECT_EQ(pWorld->GetOrientation(id), 1.0f);
-  pWorld->SetRotSpeed(id, -1);
-  Steps(*pWorld, 3);
-  EXPECT_NEAR(pWorld->GetOrientation(id), 1 - g_fTwoPi * 3 * g_fDt, 1e-5f);
-  pWorld->SetOrientation(id, 0.2f);
-  pWorld->SetRotSpeed(id, 1);
-  Steps(*pWorld, 30);
-  EXPECT_EQ(pWorld->GetOrientation(id), g_fHigh);
+  const CShapeId id = m_pWorld->Add(StoppedFlipper(1));
+  m_pWorld->SetOrientation(id, 1);
+  Steps(*m_pWorld, 10);
+  EXPECT_EQ(m_pWorld->GetOrientation(id), 1.0f);
+  m_pWorld->SetRotSpeed(id, -1);
+  Steps(*m_pWorld, 3);
+  EXPECT_NEAR(m_pWorld->GetOrientation(id), 1 - g_fTwoPi * 3 * g_fDt, 1e-5f);
+  m_pWorld->SetOrientation(id, 0.2f);
+  m_pWorld->SetRotSpeed(id, 1);
+  Steps(*m_pWorld, 30);
+  EXPECT_EQ(m_pWorld->GetOrientation(id), g_fHigh);
 }
 
 TEST_P(CStopContract, ASavedStateGoesOnWithTheSameBits) {
@@ -189,33 +182,35 @@ TEST_P(CStopContract, ASavedStateGoesOnWithTheSameBits) {
 }
 
 TEST_P(CStopContract, WhatCannotBeIsRefused) {
-  const auto pWorld = Make(g_cAutomatic, eProfile::Tuned);
-  const CShapeId id = pWorld->Add(StoppedFlipper(1)), wall = pWorld->Add(CLineSegDesc({0, 0}, {1, 1}));
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({5, 5}, 0.1f));
+  const CShapeId id = m_pWorld->Add(StoppedFlipper(1)), wall = m_pWorld->Add(CLineSegDesc({0, 0}, {1, 1}));
+  const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({5, 5}, 0.1f));
   const auto refused = [](const auto& f) { return MessageOf<std::invalid_argument>(f); };
   CMotionLimits nowhere;
   nowhere.m_vLeastCenter = {g_fNan, 0};
   for (const CMotionLimits& limits :
        {CMotionLimits::OfAngle(1, 0), CMotionLimits::OfAngle(0, 7), CMotionLimits::OfAngle(0, g_fInf),
         CMotionLimits::OfAngle(g_fNan, 1), nowhere}) {
-    EXPECT_TRUE(Says(refused([&] { pWorld->SetLimits(id, limits); }), "m_cLimits"));
-    EXPECT_TRUE(Says(refused([&] { pWorld->Add(StoppedFlipper(1, limits)); }), "m_cLimits"));
+    EXPECT_TRUE(Says(refused([&] { m_pWorld->SetLimits(id, limits); }), "m_cLimits"));
+    EXPECT_TRUE(Says(refused([&] { m_pWorld->Add(StoppedFlipper(1, limits)); }), "m_cLimits"));
   }
-  EXPECT_EQ(pWorld->GetLimits(id), CMotionLimits::OfAngle(g_fLow, g_fHigh));
-  EXPECT_NE(refused([&] { pWorld->SetLimits(wall, CMotionLimits::OfAngle(0, 1)); }), "");
-  EXPECT_NE(refused([&] { pWorld->SetLimits(ball, CMotionLimits::OfAngle(0, 1)); }), "");
-  EXPECT_EQ(refused([&] { pWorld->SetLimits(wall, {}); }), "");
+  EXPECT_EQ(m_pWorld->GetLimits(id), CMotionLimits::OfAngle(g_fLow, g_fHigh));
+  EXPECT_NE(refused([&] { m_pWorld->SetLimits(wall, CMotionLimits::OfAngle(0, 1)); }), "");
+  EXPECT_NE(refused([&] { m_pWorld->SetLimits(ball, CMotionLimits::OfAngle(0, 1)); }), "");
+  EXPECT_EQ(refused([&] { m_pWorld->SetLimits(wall, {}); }), "");
   CLineSegDesc turning = StoppedFlipper(1, {});
   turning.m_eMotionType = eMotion::Static;
-  EXPECT_EQ(refused([&] { pWorld->Add(turning); }),
+  EXPECT_EQ(refused([&] { m_pWorld->Add(turning); }),
             "m_fRotSpeed is 1: expected 0: a static shape does not turn");
   CLineSegDesc moving = Wall({1, 0});
   moving.m_eMotionType = eMotion::Static;
-  EXPECT_TRUE(Says(refused([&] { pWorld->Add(moving); }), "m_vVel"));
-  EXPECT_EQ(pWorld->GetShapeIds().size(), 2u);
+  EXPECT_TRUE(Says(refused([&] { m_pWorld->Add(moving); }), "m_vVel"));
+  EXPECT_EQ(m_pWorld->GetShapeIds().size(), 2u);
 }
 
-class CMovingWallContract : public CEveryBackend {};
+class CMovingWallContract : public CEveryBackend {
+protected:
+  std::unique_ptr<CWorld> m_pWorld = Make();
+};
 SHAPES_ON_EVERY_BACKEND(CMovingWallContract);
 
 // A wall at V against which a ball comes at v leaves it with 2 V - v, however fast it is: at 60 it moves by
@@ -244,44 +239,42 @@ TEST_P(CMovingWallContract, AWallGivesABallTwiceItsSpeed) {
 }
 
 TEST_P(CMovingWallContract, ItIsWhereItsVelocityTakesIt) {
-  const auto pWorld = Make();
   CLineSegDesc desc = Wall({0.3f, -0.7f});
   desc.m_vRotCenter = {0, 1};
-  const CShapeId wall = pWorld->Add(desc);
-  Steps(*pWorld, 6000);
+  const CShapeId wall = m_pWorld->Add(desc);
+  Steps(*m_pWorld, 6000);
   const float t = 100.0f; // seconds
-  EXPECT_NEAR(pWorld->GetPos(wall).x(), 0.3f * t, 2e-5f);
-  EXPECT_NEAR(pWorld->GetPos(wall).y(), -0.7f * t, 5e-5f);
-  EXPECT_NEAR(pWorld->GetRotCenter(wall).y(), 1 - 0.7f * t, 5e-5f);
-  pWorld->SetVel(wall, {0, 0});
-  const Vector2 there = pWorld->GetPos(wall);
-  Steps(*pWorld, 10);
-  EXPECT_EQ(pWorld->GetPos(wall), there);
-  pWorld->Reset(wall);
-  EXPECT_EQ(pWorld->GetPos(wall), Vector2(0, 0));
-  EXPECT_EQ(pWorld->GetRotCenter(wall), Vector2(0, 1));
+  EXPECT_NEAR(m_pWorld->GetPos(wall).x(), 0.3f * t, 2e-5f);
+  EXPECT_NEAR(m_pWorld->GetPos(wall).y(), -0.7f * t, 5e-5f);
+  EXPECT_NEAR(m_pWorld->GetRotCenter(wall).y(), 1 - 0.7f * t, 5e-5f);
+  m_pWorld->SetVel(wall, {0, 0});
+  const Vector2 there = m_pWorld->GetPos(wall);
+  Steps(*m_pWorld, 10);
+  EXPECT_EQ(m_pWorld->GetPos(wall), there);
+  m_pWorld->Reset(wall);
+  EXPECT_EQ(m_pWorld->GetPos(wall), Vector2(0, 0));
+  EXPECT_EQ(m_pWorld->GetRotCenter(wall), Vector2(0, 1));
 }
 
 // The centre of rotation goes straight on, and everything keeps its distance from it.
 TEST_P(CMovingWallContract, ACompoundMovesAndTurnsAsOne) {
-  const auto pWorld = Make();
   std::vector<CAnyShapeDesc> parts{CLineSegDesc({1, 0}, {2, 0}), CCircleDesc({2, 0}, 0.1f),
                                    CPointDesc({1, 0}), CArcDesc({1.5f, 0}, 0.2f, 0, 1)};
-  const std::vector<CShapeId> ids = pWorld->AddCompound(parts, {1, 0}, 0.25f, {2, 0});
+  const std::vector<CShapeId> ids = m_pWorld->AddCompound(parts, {1, 0}, 0.25f, {2, 0});
   ASSERT_EQ(ids.size(), 4u);
-  Steps(*pWorld, 60);
+  Steps(*m_pWorld, 60);
   const Vector2 places[] = {{3, 0.5f}, {3, 1}, {3, 0}, {3, 0.5f}};
   for (std::size_t i = 0; i < 4; ++i)
-    EXPECT_LT((pWorld->GetPos(ids[i]) - places[i]).norm(), 2e-5f) << i;
-  const auto& bar = static_cast<const CLineSeg&>(pWorld->GetShape(ids[0]));
-  EXPECT_LT(std::min((bar.GetEndPt0() - pWorld->GetPos(ids[1])).norm(),
-                     (bar.GetEndPt1() - pWorld->GetPos(ids[1])).norm()),
+    EXPECT_LT((m_pWorld->GetPos(ids[i]) - places[i]).norm(), 2e-5f) << i;
+  const auto& bar = static_cast<const CLineSeg&>(m_pWorld->GetShape(ids[0]));
+  EXPECT_LT(std::min((bar.GetEndPt0() - m_pWorld->GetPos(ids[1])).norm(),
+                     (bar.GetEndPt1() - m_pWorld->GetPos(ids[1])).norm()),
             1e-6f);
   parts.push_back(CCircleDesc({0, 0}, -1));
-  EXPECT_THROW(pWorld->AddCompound(parts, {0, 0}), std::invalid_argument);
-  EXPECT_FALSE(pWorld->Contains({ids[3].m_nValue + 1})); // nothing was half added
+  EXPECT_THROW(m_pWorld->AddCompound(parts, {0, 0}), std::invalid_argument);
+  EXPECT_FALSE(m_pWorld->Contains({ids[3].m_nValue + 1})); // nothing was half added
   parts.back() = CDynamicCircleDesc({0, 0}, 1);
-  EXPECT_THROW(pWorld->AddCompound(parts, {0, 0}), std::invalid_argument);
+  EXPECT_THROW(m_pWorld->AddCompound(parts, {0, 0}), std::invalid_argument);
 }
 
 TEST_P(CMovingWallContract, WhereKinematicsIsForbiddenItStands) {
@@ -315,16 +308,15 @@ TEST_P(CMovingWallContract, ASensorThatMovesSeesABallThatRests) {
 // Far out it stops at the limit of what coordinates may be, and nothing else happens.
 TEST_P(CMovingWallContract, ItStopsAtTheGreatestLength) {
   const float limit = IsNative() ? g_fMaxLength : g_fMaxBox2DLength;
-  const auto pWorld = Make();
   CPointDesc desc = Turning(CPointDesc({0.999f * limit, 0}), 0);
   desc.m_vVel = {1e-4f * limit, 0};
-  const CShapeId point = pWorld->Add(desc);
-  Steps(*pWorld, 100 * 60);
-  const float x = pWorld->GetPos(point).x();
+  const CShapeId point = m_pWorld->Add(desc);
+  Steps(*m_pWorld, 100 * 60);
+  const float x = m_pWorld->GetPos(point).x();
   EXPECT_LE(x, limit);
   EXPECT_GT(x, 0.999f * limit); // the control: it has moved
-  pWorld->Step();
-  EXPECT_EQ(pWorld->GetPos(point).x(), x);
+  m_pWorld->Step();
+  EXPECT_EQ(m_pWorld->GetPos(point).x(), x);
 }
 
 } // namespace

@@ -161,16 +161,6 @@ TEST_P(CPairContract, AFlipperKicksThroughTheContact) {
   EXPECT_GT(ball.GetVel().y(), 6.0f);
 }
 
-TEST_P(CPairContract, AFastBallTunnelsOnNativeOnly) {
-  // 1.2 diameters beyond a wall that it crossed in one step: native looks at the end, Box2D at the way.
-  CDynamicCircle ball = Arrive({0, -0.24f}, {0, -30});
-  CContactDesc c(&m_cSeg, &ball);
-  EXPECT_EQ(Backend().CollisionDetected(c), !IsNative());
-  if (IsNative()) return;
-  EXPECT_NEAR(c.m_fSetback, 0.34f, Skin());
-  EXPECT_NEAR(c.m_vNorm.y(), 1.0f, 1e-5f);
-}
-
 TEST_P(CPairContract, AnotherRotationCentreDoesNotMoveAShape) {
   EXPECT_TRUE(Detects(m_cSeg, m_cBall));
   m_cSeg.SetRotCenter({50, 0});

@@ -6,8 +6,6 @@
 namespace Shapes {
 namespace {
 
-using Tests::CRandom;
-
 std::size_t CountPoints(const std::vector<CAnyShapeDesc>& descs) {
   std::size_t n = 0;
   for (const CAnyShapeDesc& desc : descs)

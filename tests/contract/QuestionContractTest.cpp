@@ -2,29 +2,21 @@
 // Questions to a world: against a look at every shape by small steps, and with the same bits on every engine.
 #include "Backends.h"
 
-#include <functional>
-#include <set>
-
 namespace Shapes {
 namespace {
-
-using Tests::CRandom;
 
 // Some of every kind in a square from -4 to 4, two-sided, after a few steps.
 class CCrowd {
 public:
   CCrowd(const CBackend& backend, std::uint64_t seed) : m_cRandom(seed) {
     m_pWorld = backend.MakeWorld(CWorldDesc());
-    for (int i = 0; i < 40; ++i) {
+    for (std::uint32_t i = 0; i < 40; ++i) {
       const Vector2 p = m_cRandom.InSquare(4);
-      const float r = m_cRandom.Uniform(0.1f, 1), a = m_cRandom.Uniform(0, 6), b = m_cRandom.Uniform(0, 6);
-      switch (i % 5) {
-      case 0: Add(CPointDesc(p)); break;
-      case 1: Add(CLineSegDesc(p, p + r * m_cRandom.Direction())); break;
-      case 2: Add(CCircleDesc(p, r)); break;
-      case 3: Add(CArcDesc(p, r, a, b)); break;
-      default: Add(CDynamicCircleDesc(p, r, m_cRandom.Direction())); break;
-      }
+      const float r = m_cRandom.Uniform(0.1f, 1);
+      if (i % 5 == 4)
+        Add(CDynamicCircleDesc(p, r, m_cRandom.Direction()));
+      else
+        WithAnyShape(m_cRandom, i % 5, p, 1, [this](const auto& desc) { Add(desc); });
     }
     Steps(*m_pWorld, 5);
   }
@@ -58,6 +50,7 @@ protected:
         ask(*crowd.m_pWorld, crowd.m_cRandom, crowd);
     }
   }
+  std::unique_ptr<CWorld> m_pWorld = Backend().MakeWorld(CWorldDesc());
 };
 SHAPES_ON_EVERY_BACKEND(CQuestionContract);
 
@@ -204,65 +197,62 @@ TEST_P(CQuestionContract, EveryEngineHasTheSameBits) {
 
 // Whatever changes is seen by the next question.
 TEST_P(CQuestionContract, TheAnswersAreThoseOfTheWorldAsItIsNow) {
-  const auto pWorld = Backend().MakeWorld(CWorldDesc());
-  const auto hits = [&] { return pWorld->CastAll({-5, 0}, {5, 0}).size(); };
+  const auto hits = [&] { return m_pWorld->CastAll({-5, 0}, {5, 0}).size(); };
   EXPECT_EQ(hits(), 0u);
-  const CShapeId id = pWorld->Add(Turning(CLineSegDesc({0, -1}, {0, 1})));
+  const CShapeId id = m_pWorld->Add(Turning(CLineSegDesc({0, -1}, {0, 1})));
   EXPECT_EQ(hits(), 1u);
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({2, 0}, 0.1f, {0, 30}));
+  const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({2, 0}, 0.1f, {0, 30}));
   EXPECT_EQ(hits(), 2u);
-  const CSavedState saved = pWorld->SaveState();
-  pWorld->Step();
+  const CSavedState saved = m_pWorld->SaveState();
+  m_pWorld->Step();
   EXPECT_EQ(hits(), 1u);
-  pWorld->SetPos(id, {0, 3});
+  m_pWorld->SetPos(id, {0, 3});
   EXPECT_EQ(hits(), 0u);
-  pWorld->Reset(id);
+  m_pWorld->Reset(id);
   EXPECT_EQ(hits(), 1u);
-  pWorld->SetCanCollide(id, false);
+  m_pWorld->SetCanCollide(id, false);
   EXPECT_EQ(hits(), 0u);
-  pWorld->SetCanCollide(id, true);
-  pWorld->SetSensor(id, true);
+  m_pWorld->SetCanCollide(id, true);
+  m_pWorld->SetSensor(id, true);
   EXPECT_EQ(hits(), 0u);
-  pWorld->SetSensor(id, false);
-  pWorld->SetFilter(id, {2, 2});
+  m_pWorld->SetSensor(id, false);
+  m_pWorld->SetFilter(id, {2, 2});
   EXPECT_EQ(hits(), 0u);
-  EXPECT_EQ(pWorld->CastAll({-5, 0}, {5, 0}, 0, {2, 2}).size(), 1u);
-  pWorld->SetFilter(id, {});
-  pWorld->Remove(id);
+  EXPECT_EQ(m_pWorld->CastAll({-5, 0}, {5, 0}, 0, {2, 2}).size(), 1u);
+  m_pWorld->SetFilter(id, {});
+  m_pWorld->Remove(id);
   EXPECT_EQ(hits(), 0u);
-  pWorld->SetPos(ball, {2, 0.05f});
+  m_pWorld->SetPos(ball, {2, 0.05f});
   EXPECT_EQ(hits(), 1u);
-  pWorld->LoadState(saved);
+  m_pWorld->LoadState(saved);
   EXPECT_EQ(hits(), 2u);
 }
 
 TEST_P(CQuestionContract, OneSidedShapesLetThroughAndRingsAreMetFromInside) {
-  const auto pWorld = Backend().MakeWorld(CWorldDesc());
-  pWorld->Add(Sided(CLineSegDesc({-1, 0}, {1, 0}), eSides::Front)); // above
-  EXPECT_TRUE(pWorld->Cast({0, 1}, {0, -1}));
-  EXPECT_FALSE(pWorld->Cast({0, -1}, {0, 1}));
-  EXPECT_EQ(pWorld->FindInCircle({0, -0.1f}, 0.2f).size(), 1u);
-  const CShapeId ring = pWorld->Add(CCircleDesc({5, 5}, 1));
-  const auto hit = pWorld->Cast({5, 5}, {7, 5}, 0.25f);
+  m_pWorld->Add(Sided(CLineSegDesc({-1, 0}, {1, 0}), eSides::Front)); // above
+  EXPECT_TRUE(m_pWorld->Cast({0, 1}, {0, -1}));
+  EXPECT_FALSE(m_pWorld->Cast({0, -1}, {0, 1}));
+  EXPECT_EQ(m_pWorld->FindInCircle({0, -0.1f}, 0.2f).size(), 1u);
+  const CShapeId ring = m_pWorld->Add(CCircleDesc({5, 5}, 1));
+  const auto hit = m_pWorld->Cast({5, 5}, {7, 5}, 0.25f);
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->m_cShape, ring);
   EXPECT_NEAR(hit->m_fShare, 0.375f, 1e-6f);
   EXPECT_NEAR((hit->m_vPOI - Vector2(6, 5)).norm(), 0, 1e-6f);
   EXPECT_NEAR((hit->m_vNorm - Vector2(-1, 0)).norm(), 0, 1e-6f);
-  EXPECT_TRUE(pWorld->FindInCircle({5, 5}, 0.5f).empty());
-  EXPECT_TRUE(pWorld->FindInBox(CAabb2D({4.5f, 5.5f}, {5.5f, 4.5f})).empty());
+  EXPECT_TRUE(m_pWorld->FindInCircle({5, 5}, 0.5f).empty());
+  EXPECT_TRUE(m_pWorld->FindInBox(CAabb2D({4.5f, 5.5f}, {5.5f, 4.5f})).empty());
 }
 
 TEST_P(CQuestionContract, WhatIsNotFiniteIsRefused) {
-  const auto pWorld = Backend().MakeWorld(CWorldDesc());
-  EXPECT_THROW(pWorld->Cast({g_fNan, 0}, {1, 0}), std::invalid_argument);
-  EXPECT_THROW(pWorld->CastAll({0, 0}, {g_fInf, 0}), std::invalid_argument);
-  EXPECT_THROW(pWorld->Cast({0, 0}, {1, 0}, -1), std::invalid_argument);
-  EXPECT_THROW(pWorld->FindClosest({0, g_fNan}), std::invalid_argument);
-  EXPECT_THROW(pWorld->FindClosest({0, 0}, -1), std::invalid_argument);
-  EXPECT_THROW(pWorld->FindInCircle({0, 0}, g_fInf), std::invalid_argument);
-  EXPECT_THROW(pWorld->FindInBox(CAabb2D()), std::invalid_argument); // the empty one
-  EXPECT_FALSE(pWorld->FindClosest({0, 0}));
+  EXPECT_THROW(m_pWorld->Cast({g_fNan, 0}, {1, 0}), std::invalid_argument);
+  EXPECT_THROW(m_pWorld->CastAll({0, 0}, {g_fInf, 0}), std::invalid_argument);
+  EXPECT_THROW(m_pWorld->Cast({0, 0}, {1, 0}, -1), std::invalid_argument);
+  EXPECT_THROW(m_pWorld->FindClosest({0, g_fNan}), std::invalid_argument);
+  EXPECT_THROW(m_pWorld->FindClosest({0, 0}, -1), std::invalid_argument);
+  EXPECT_THROW(m_pWorld->FindInCircle({0, 0}, g_fInf), std::invalid_argument);
+  EXPECT_THROW(m_pWorld->FindInBox(CAabb2D()), std::invalid_argument); // the empty one
+  EXPECT_FALSE(m_pWorld->FindClosest({0, 0}));
 }
 
 } // namespace

@@ -3,12 +3,9 @@
 // world.
 #include "Backends.h"
 
-#include <set>
-
 namespace Shapes {
 namespace {
 
-using Tests::CRandom;
 using CPairs = std::set<std::pair<CShapeId, CShapeId>>; // ball, shape
 
 class CSensorEventContract : public CEveryBackend {
@@ -89,10 +86,13 @@ TEST_P(CSensorEventContract, ASavedStateKnowsWhatTouches) {
   });
 }
 
-// The ball passes the gate, bounces off the wall and passes it again.
+// The ball passes the gate, bounces off the wall and passes it again: seen only if the world knows where it
+// turned, whether contacts are told or not.
 TEST_P(CSensorEventContract, PassesWithinASubstepAreOne) {
-  for (const unsigned substeps : {1u, 2u}) {
-    m_pWorld = Backend().MakeWorld(Described({0, 0}, 1.0f / 64.0f, substeps, g_cContinuous));
+  for (const auto& [substeps, forbidden] :
+       {std::pair(1u, CEffects()), {2u, CEffects()}, {1u, CEffects{eEffect::Events}}}) {
+    const CEffectChoice choice{{eEffect::Continuous}, forbidden};
+    m_pWorld = Backend().MakeWorld(Described({0, 0}, 1.0f / 64.0f, substeps, choice));
     m_pWorld->Add(Sensor(CLineSegDesc({0.5f, -1}, {0.5f, 1})));
     m_pWorld->Add(CLineSegDesc({0.875f, -1}, {0.875f, 1}));
     m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.125f, {100, 0})); // 1.56 a step, the wall is .75 away
@@ -133,8 +133,13 @@ class CRandomGame {
 public:
   CRandomGame(CWorld& world, std::uint64_t seed) : m_cWorld(world), m_cRandom(seed) {}
 
+  /// What a saved state has to know.
+  struct CAccount {
+    std::vector<CShapeId> m_stdIds;
+    CPairs m_stdTouching, m_stdSolid; // begun and not ended: of sensors, and of solid contacts
+  };
   std::size_t m_nBegins = 0, m_nCrossed = 0, m_nLoads = 0, m_nSolidBegins = 0;
-  CPairs m_stdTouching, m_stdSolid; // begun and not ended: of sensors, and of solid contacts
+  CAccount m_cNow;
 
   void Act() {
     const CShapeId id = AnyId();
@@ -144,7 +149,7 @@ public:
     case 2:
     case 3: AddShape(); break;
     case 4:
-      if (m_stdIds.size() > 10) Remove(id);
+      if (m_cNow.m_stdIds.size() > 10) Remove(id);
       break;
     case 5:
       if (Has(id)) m_cWorld.SetSensor(id, !m_cWorld.GetSensor(id));
@@ -180,17 +185,18 @@ public:
     for (const CSensorEvent& event : m_cWorld.GetSensorEvents()) {
       const std::pair pair(event.m_cBall, event.m_cShape);
       if (event.m_bBegin) {
-        ASSERT_TRUE(m_stdTouching.insert(pair).second);
+        ASSERT_TRUE(m_cNow.m_stdTouching.insert(pair).second);
         ASSERT_TRUE(begun.insert(pair).second);
         ++m_nBegins;
       } else {
-        ASSERT_EQ(m_stdTouching.erase(pair), 1u);
+        ASSERT_EQ(m_cNow.m_stdTouching.erase(pair), 1u);
         m_nCrossed += begun.contains(pair);
       }
     }
     for (const CTouchEvent& event : m_cWorld.GetTouchEvents()) {
       const std::pair pair(event.m_cBall, event.m_cShape);
-      ASSERT_TRUE(event.m_bBegin ? m_stdSolid.insert(pair).second : m_stdSolid.erase(pair) == 1);
+      ASSERT_TRUE(event.m_bBegin ? m_cNow.m_stdSolid.insert(pair).second
+                                 : m_cNow.m_stdSolid.erase(pair) == 1);
       m_nSolidBegins += event.m_bBegin;
     }
     // The contacts are those that touch or touched: a pair that goes on touching has one.
@@ -201,7 +207,7 @@ public:
         ASSERT_TRUE(m_cWorld.GetSensor(contact.m_cBall) || m_cWorld.GetSensor(contact.m_cShape));
         ASSERT_TRUE(m_cWorld.GetCanCollide(contact.m_cBall) && m_cWorld.GetCanCollide(contact.m_cShape));
       }
-    for (const auto& pair : m_stdTouching)
+    for (const auto& pair : m_cNow.m_stdTouching)
       ASSERT_TRUE(contacts.contains(pair));
     for (const auto& pair : begun)
       ASSERT_TRUE(contacts.contains(pair));
@@ -209,7 +215,7 @@ public:
   }
 
   void RemoveAll() {
-    for (const CShapeId id : std::vector<CShapeId>(m_stdIds))
+    for (const CShapeId id : std::vector<CShapeId>(m_cNow.m_stdIds))
       if (Has(id)) m_cWorld.Remove(id);
   }
 
@@ -217,7 +223,7 @@ private:
   // What has begun and not ended is what touches now.
   void LookAtAllPairs() {
     for (const CShapeId ball : m_cWorld.GetBallIds())
-      for (const CShapeId id : m_stdIds) {
+      for (const CShapeId id : m_cNow.m_stdIds) {
         if (!Has(id) || id == ball) continue;
         const bool isBall = m_cWorld.GetMotionType(id) == eMotion::Dynamic;
         if (isBall && id < ball) continue;
@@ -230,14 +236,15 @@ private:
             Length(p - m_cWorld.GetPos(id)) < static_cast<const CCircle&>(m_cWorld.GetShape(id)).GetRadius();
         const float d = GetDistance(m_cWorld, id, p), gap = (isDisk ? -d : d) - m_cWorld.GetRadius(ball);
         if (on && std::abs(gap) < 1e-5f) continue; // rounding decides: some ulp of coordinates up to 5
-        ASSERT_EQ(m_stdTouching.contains({ball, id}), on && gap < 0) << "gap " << gap;
+        ASSERT_EQ(m_cNow.m_stdTouching.contains({ball, id}), on && gap < 0) << "gap " << gap;
       }
   }
 
   bool Has(CShapeId id) const { return m_cWorld.Contains(id); }
   CShapeId AnyId() {
-    return m_stdIds.empty() ? CShapeId{}
-                            : m_stdIds[m_cRandom.Below(static_cast<std::uint32_t>(m_stdIds.size()))];
+    return m_cNow.m_stdIds.empty()
+               ? CShapeId{}
+               : m_cNow.m_stdIds[m_cRandom.Below(static_cast<std::uint32_t>(m_cNow.m_stdIds.size()))];
   }
   Vector2 Velocity() { return m_cRandom.InSquare(60); } // up to 1 unit a step
   void AddBall() {
@@ -246,7 +253,7 @@ private:
     desc.m_vVel = Velocity();
     desc.m_bIsSensor = m_cRandom.Below(4) == 0;
     desc.m_fElasticity = m_cRandom.Coin() ? 1.0f : 0.5f;
-    m_stdIds.push_back(m_cWorld.Add(desc));
+    m_cNow.m_stdIds.push_back(m_cWorld.Add(desc));
   }
   template <class TDesc>
   void Dress(TDesc desc) {
@@ -256,43 +263,33 @@ private:
       desc.m_vRotCenter = desc.m_vPos;
       desc.m_fRotSpeed = m_cRandom.Uniform(-4, 4);
     }
-    m_stdIds.push_back(m_cWorld.Add(desc));
+    m_cNow.m_stdIds.push_back(m_cWorld.Add(desc));
   }
   void AddShape() {
-    if (m_stdIds.size() > 40) return;
+    if (m_cNow.m_stdIds.size() > 40) return;
     const Vector2 p = m_cRandom.InSquare(3);
-    const float r = m_cRandom.Uniform(0.2f, 1);
-    switch (m_cRandom.Below(4)) {
-    case 0: Dress(CPointDesc(p)); break;
-    case 1: Dress(CLineSegDesc(p, p + r * m_cRandom.Direction())); break;
-    case 2: Dress(CCircleDesc(p, r)); break;
-    default: Dress(CArcDesc(p, r, m_cRandom.Uniform(0, 3), 4)); break;
-    }
+    const std::uint32_t kind = m_cRandom.Below(4);
+    WithAnyShape(m_cRandom, kind, p, 1, [this](const auto& desc) { Dress(desc); });
   }
   void Remove(CShapeId id) {
     if (Has(id)) m_cWorld.Remove(id);
-    m_stdIds.erase(std::find(m_stdIds.begin(), m_stdIds.end(), id));
+    m_cNow.m_stdIds.erase(std::find(m_cNow.m_stdIds.begin(), m_cNow.m_stdIds.end(), id));
   }
   void Save() {
     m_cSaved = m_cWorld.SaveState();
-    m_stdSavedIds = m_stdIds;
-    m_stdSavedTouching = m_stdTouching;
-    m_stdSavedSolid = m_stdSolid;
+    m_cThen = m_cNow;
     m_bSaved = true;
   }
   void Load() {
     if (!m_bSaved) return;
     m_cWorld.LoadState(m_cSaved);
-    m_stdIds = m_stdSavedIds;
-    m_stdTouching = m_stdSavedTouching; // what began and was not told to have ended then
-    m_stdSolid = m_stdSavedSolid;
+    m_cNow = m_cThen; // what began and was not told to have ended then
     ++m_nLoads;
   }
 
   CWorld& m_cWorld;
   CRandom m_cRandom;
-  std::vector<CShapeId> m_stdIds, m_stdSavedIds;
-  CPairs m_stdSavedTouching, m_stdSavedSolid;
+  CAccount m_cThen;
   CSavedState m_cSaved;
   bool m_bSaved = false;
 };
@@ -319,10 +316,10 @@ TEST_P(CSensorEventContract, EveryBeginHasItsEndWhateverHappens) {
       EXPECT_GT(game.m_nCrossed, 20u);
       EXPECT_GT(game.m_nSolidBegins, 50u);
       EXPECT_GT(game.m_nLoads, 0u);
-      open += game.m_stdTouching.size();
+      open += game.m_cNow.m_stdTouching.size();
       game.RemoveAll();
       ASSERT_NO_FATAL_FAILURE(game.Step());
-      EXPECT_TRUE(game.m_stdTouching.empty() && game.m_stdSolid.empty());
+      EXPECT_TRUE(game.m_cNow.m_stdTouching.empty() && game.m_cNow.m_stdSolid.empty());
       EXPECT_TRUE(pWorld->GetContacts().empty());
     }
   EXPECT_GT(open, 5u); // some did touch when everything was removed

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/AabbTree.h"
 
-#include "Cases.h"
-
-#include <algorithm>
+#include "../Testing.h"
 
 namespace Shapes::Geometry {
 namespace {
-
-using Tests::CRandom;
-using Tests::ForEachCase;
 
 std::vector<std::uint32_t> Sorted(std::vector<std::uint32_t> v) {
   std::sort(v.begin(), v.end());

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/BoxOverlap.h"
 
-#include <Shapes/Shapes.h>
-
-#include <gtest/gtest.h>
-
-#include <limits>
+#include "../Testing.h"
 
 namespace Shapes::Geometry {
 namespace {

@@ -38,36 +38,6 @@ CTrial ClearTrial(CRandom& random) {
   }
 }
 
-TEST(SweepTurning, TheGapIsOpenUntilTheImpactAndClosedThen) {
-  int hits = 0, misses = 0;
-  ForEachCase(61, 4000, [&](CRandom& random, int) {
-    const CTrial trial = ClearTrial(random);
-    const CSweepOracle oracle = MakeOracle(trial.m_cShape, trial.m_cMotion);
-    const double bound = GapBound(trial);
-    CImpact impact;
-    const eSweep found = Sweep(trial.m_cShape, trial.m_cMotion, 0.0, impact);
-    ASSERT_NE(found, eSweep::OutOfIterations);
-    const bool met = found == eSweep::Impact;
-    ++(met ? hits : misses);
-    const double end = met ? impact.m_fTime : trial.m_cMotion.m_fDuration;
-    real least = oracle.Gap(0);
-    for (int k = 1; k <= 1000; ++k)
-      least = std::min(least, oracle.Gap(end * k / 1000.0L));
-    ASSERT_GE(static_cast<double>(least), -bound);
-    if (!met) return;
-    ASSERT_LE(static_cast<double>(oracle.Gap(end)), bound);
-    // The point of impact is on the shape, and the ball there.
-    ASSERT_LE(static_cast<double>(oracle.DistanceOf(impact.m_vPOI, end)), 2.0 * bound);
-    const Vector2d center = trial.m_cMotion.m_vPos + trial.m_cMotion.m_vVel * end;
-    ASSERT_LE((center - impact.m_vPOI - trial.m_cMotion.m_fRadius * impact.m_vNorm).norm(), 2.0 * bound);
-    // With the velocity of the surface the ball approaches as fast as the gap closes.
-    const double approach = -(trial.m_cMotion.m_vVel - impact.m_vSurface).dot(impact.m_vNorm);
-    ASSERT_GT(approach, 0.0);
-  });
-  EXPECT_GT(hits, 1000);
-  EXPECT_GT(misses, 1000);
-}
-
 // The control: Newton's method on the same gap steps over impacts.
 TEST(SweepTurning, NewtonMissesImpacts) {
   int hits = 0, missed = 0;

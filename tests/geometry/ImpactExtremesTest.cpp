@@ -3,19 +3,12 @@
 // way: coordinates, radii and speeds from denormal floats to 1e18 and beyond, no speed, no time, no extent.
 #include "geometry/TimeOfImpact.h"
 
-#include "../Descs.h"
-#include "Cases.h"
-
-#include <Shapes/Shapes.h>
+#include "../Testing.h"
 
 #include <cfenv>
-#include <memory>
 
 namespace Shapes::Geometry {
 namespace {
-
-using Tests::CRandom;
-using Tests::ForEachCase;
 
 // Of any size, and often a special one.
 float AnySize(CRandom& random) {

@@ -3,10 +3,6 @@
 
 #include "ImpactTesting.h"
 
-#include <algorithm>
-#include <memory>
-#include <stdexcept>
-
 namespace Shapes::Geometry {
 namespace {
 

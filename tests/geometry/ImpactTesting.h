@@ -4,21 +4,15 @@
 
 #include "geometry/TimeOfImpact.h"
 
-#include "../Descs.h"
-#include "Cases.h"
+#include "../Testing.h"
+
 #include "compare/SweepOracle.h"
 #include "reference/Scalar.h"
 #include "reference/Sweep.h"
 
-#include <Shapes/Shapes.h>
-
-#include <gtest/gtest.h>
-
 namespace Shapes::Geometry {
 
 using Compare::CFifty;
-using Tests::CRandom;
-using Tests::ForEachCase;
 
 inline constexpr eShape g_eTypes[] = {eShape::Point, eShape::LineSeg, eShape::Circle, eShape::Arc};
 

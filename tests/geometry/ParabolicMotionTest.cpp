@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "../Numbers.h"
 #include "ImpactTesting.h"
 
 namespace Shapes::Geometry {
@@ -7,13 +6,7 @@ namespace {
 
 std::unique_ptr<CShape> MakeRandomShape(CRandom& random, int i, const Vector2& origin) {
   const Vector2 p = origin + random.InSquare(1);
-  const float r = random.Uniform(0.2f, 1.0f), a = random.Uniform(0, 6.28f);
-  switch (i % 4) {
-  case 0: return std::make_unique<CPoint>(CPointDesc(p));
-  case 1: return std::make_unique<CLineSeg>(CLineSegDesc(p, p + random.VectorOfLength(0.1f, 2)));
-  case 2: return std::make_unique<CCircle>(CCircleDesc(p, r));
-  default: return std::make_unique<CArc>(CArcDesc(p, r, a, random.Uniform(0, 6.28f)));
-  }
+  return MakeAnyShape(random, static_cast<std::uint32_t>(i), p, 1);
 }
 
 CMotion MakeRandomMotion(CRandom& random) {

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/ShapeGeometry.h"
 
-#include "../Descs.h"
-#include "../Numbers.h"
-#include "Cases.h"
-
-#include <Shapes/Shapes.h>
-
-#include <numbers>
+#include "../Testing.h"
 
 namespace Shapes::Geometry {
 namespace {
-
-using Tests::CRandom;
-using Tests::ForEachCase;
 
 CLineSegDesc RandomLineSeg(CRandom& random) {
   const Vector2 p = random.InSquare(1.0f), q = random.InSquare(1.0f);

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/Turn.h"
 
-#include "Cases.h"
+#include "../Testing.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <bit>
-#include <limits>
 
 namespace Shapes::Geometry {
 namespace {
 
-using Tests::CRandom;
-using Tests::ForEachCase;
 // Enough for angles of which 60 bits are whole turns.
 using CHundred = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>>;
 

@@ -2,9 +2,6 @@
 // Arcs: where they begin and end, and what is at their angles.
 #include "StepTesting.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace Shapes::HardCases {
 
 namespace {

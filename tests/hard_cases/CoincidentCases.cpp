@@ -2,9 +2,6 @@
 // Balls whose centre is where no direction leads from.
 #include "StepTesting.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace Shapes::HardCases {
 
 namespace {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Balls that are fast for their size, and balls that overlap something already.
-#include "Random.h"
 #include "StepTesting.h"
-
-#include <algorithm>
 
 namespace Shapes::HardCases {
 
@@ -55,8 +52,7 @@ double DeepBounce(eColumn column) {
 // ---- A point, passed at half a radius.
 
 struct COffCentre {
-  double m_fMedian = 0.0; // radians by which the way after the impact is off
-  double m_fWorst = 0.0;
+  double m_fMedian = 0.0;  // radians by which the way after the impact is off
   double m_fThrough = 0.0; // share that is not turned at all
 };
 
@@ -75,7 +71,6 @@ COffCentre Judge(const TWay& wayAfter) {
   }
   std::sort(errors.begin(), errors.end());
   all.m_fMedian = errors[errors.size() / 2];
-  all.m_fWorst = errors.back();
   return all;
 }
 

@@ -2,9 +2,6 @@
 // Balls that touch a little, not quite, or all the time; and curved ways.
 #include "StepTesting.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace Shapes::HardCases {
 
 namespace {

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "HardCase.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <stdexcept>
-
 namespace Shapes::HardCases {
 
 const char* GetName(eColumn column) {

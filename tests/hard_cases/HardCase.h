@@ -3,16 +3,7 @@
 // it, and the formula that fails. docs/hard_cases.md is written from these.
 #pragma once
 
-#include <Shapes/Shapes.h>
-
-#include <array>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <memory>
-#include <ostream>
-#include <string>
-#include <vector>
+#include "../Testing.h"
 
 namespace Shapes::HardCases {
 

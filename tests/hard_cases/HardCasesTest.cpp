@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Every hard case on every engine.
 #include "HardCase.h"
-#include "Messages.h"
 
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <set>
-#include <stdexcept>
-#include <tuple>
 
 namespace Shapes::HardCases {
 

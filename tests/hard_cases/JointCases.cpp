@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where shapes join, and where they end.
-#include "Random.h"
 #include "StepTesting.h"
-
-#include <algorithm>
 
 namespace Shapes::HardCases {
 

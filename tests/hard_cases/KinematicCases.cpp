@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shapes that turn, and what they do to a ball.
-#include "../Descs.h"
-#include "../Numbers.h"
 #include "StepTesting.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace Shapes::HardCases {
 

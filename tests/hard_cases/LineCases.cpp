@@ -2,9 +2,6 @@
 // Lines and segments, computed in float.
 #include "StepTesting.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace Shapes::HardCases {
 
 namespace {

@@ -2,9 +2,6 @@
 // What an impact does to velocities: masses that differ by much, and elasticities.
 #include "StepTesting.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace Shapes::HardCases {
 
 namespace {

@@ -2,8 +2,6 @@
 // Lengths that are very small, very large, or far from the origin.
 #include "StepTesting.h"
 
-#include <cmath>
-
 namespace Shapes::HardCases {
 
 namespace {

@@ -2,9 +2,6 @@
 // Several impacts at once, infinitely many in a finite time, and rest.
 #include "StepTesting.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace Shapes::HardCases {
 
 namespace {

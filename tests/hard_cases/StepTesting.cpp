@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "StepTesting.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace Shapes::HardCases {
 
 CSceneDesc MakeScene(std::vector<CAnyShapeDesc> shapes, std::vector<CDynamicCircleDesc> balls, float dt,

@@ -8,15 +8,10 @@
 #include <reference/Reference.h>
 #include <reference/Scalar.h>
 
-#include <limits>
-#include <numbers>
-#include <optional>
-
 namespace Shapes::HardCases {
 
 using Compare::CFifty;
 using Compare::CVec;
-using Vector2d = Eigen::Vector2d;
 
 /// Half a unit in the last place of 1, of a float and of a double: one rounding.
 inline constexpr double g_fFloatRounding = 0x1p-24;

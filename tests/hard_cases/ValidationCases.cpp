@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Inputs that are no numbers, or of no extent.
-#include "../Numbers.h"
 #include "StepTesting.h"
 
 #include <bit>
-#include <cmath>
-#include <stdexcept>
 
 namespace Shapes::HardCases {
 
@@ -21,17 +18,6 @@ std::unique_ptr<CWorld> MakeBusyWorld(eColumn column) {
   pWorld->Add(CBall({0.1f, 0.4f}, 0.1f, {0.0f, -1.0f}));
   pWorld->Add(CBall({0.15f, 0.7f}, 0.1f));
   return pWorld;
-}
-
-bool HaveSameBits(const CWorld& a, const CWorld& b) {
-  const auto same = [](std::span<const Vector2> u, std::span<const Vector2> v) {
-    return std::equal(u.begin(), u.end(), v.begin(), v.end(), [](const Vector2& p, const Vector2& q) {
-      return std::bit_cast<std::uint32_t>(p.x()) == std::bit_cast<std::uint32_t>(q.x()) &&
-             std::bit_cast<std::uint32_t>(p.y()) == std::bit_cast<std::uint32_t>(q.y());
-    });
-  };
-  return same(a.GetBallPositions(), b.GetBallPositions()) &&
-         same(a.GetBallVelocities(), b.GetBallVelocities());
 }
 
 // Lets the refusal of `add` through if nothing else has changed by it, in 60 steps before and after.

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The pair kernels by cases. Their error bounds are held in tests/bounds/CollideBoundsTest.cpp.
 #include "native/narrowphase/Collide.h"
+
+#include "../Testing.h"
 #include "traps/Traps.h"
-
-#include "../Descs.h"
-#include "../Numbers.h"
-#include "../Random.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <optional>
 
 namespace Shapes::Native {
 namespace {
-
-using Tests::CRandom;
 
 /// A ball that has not moved in this step.
 CBall Ball(const Vector2& p, float r, const Vector2& v = Vector2::Zero()) { return {p, p, v, r}; }

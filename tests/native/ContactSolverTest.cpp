@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The solver of resting contacts by itself, where impulses are known.
 #include "../../src/native/continuous/ContactSolver.h"
+
 #include "../../src/Tolerances.h"
-#include "../Random.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <vector>
+#include "../Testing.h"
 
 namespace Shapes::Native {
 namespace {
-
-using Tests::CRandom;
 
 // n balls of mass 1 on each other on a floor, each with the speed that gravity has given it; the impulses
 // that stop them are the weights above them. Returns the largest error of an impulse, as a share of the

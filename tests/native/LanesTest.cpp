@@ -2,22 +2,14 @@
 // Threads share balls that do not meet each other, and nothing that comes out depends on it.
 #include "../../src/native/Lanes.h"
 
+#include "../Testing.h"
+
 #include "../Hash.h"
-#include "../Random.h"
-
-#include <Shapes/Shapes.h>
-
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <utility>
-#include <vector>
 
 namespace Shapes::Native {
 namespace {
 
 using Tests::CHash;
-using Tests::CRandom;
 
 TEST(Lanes, HoldEachBallOnceInItsOrder) {
   for (const unsigned threads : {1u, 2u, 5u})
@@ -78,12 +70,7 @@ std::unique_ptr<CWorld> MakeField(const CEffectChoice& choice, const Vector2& gr
   };
   for (std::uint32_t i = 0; i < 160; ++i) {
     const Vector2 p = random.InSquare(g_fHalf - 1);
-    const float r = random.Uniform(0.1f, 0.5f), a = random.Uniform(0, 6.28f);
-    switch (i % 3) {
-    case 0: add(CCircleDesc(p, r), i); break;
-    case 1: add(CLineSegDesc(p, p + 2 * r * random.Direction()), i); break;
-    default: add(CArcDesc(p, r, a, random.Uniform(0, 6.28f)), i);
-    }
+    WithAnyShape(random, i % 3 + 1, p, 0.7f, [&](auto shape) { add(shape, i); });
   }
   for (int i = 0; i < 2600; ++i) {
     const Vector2 p = random.InSquare(g_fHalf - 0.5f), v = random.VectorOfLength(0, 8);

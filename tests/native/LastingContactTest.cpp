@@ -64,18 +64,14 @@ TEST(LastingContact, ABallComesToRestWhenItsBouncesEnd) {
 
 // However slow, however many substeps and wherever: what touches and approaches is answered.
 TEST(LastingContact, ASlowBallBounces) {
-  for (const unsigned substeps : {1u, 64u, 4096u}) {
-    const auto pNear = MakeNative(g_cContinuous, 0, g_fDt, substeps);
-    pNear->Add(CLineSegDesc({-1, 0}, {1, 0}));
-    const CShapeId slow = pNear->Add(CDynamicCircleDesc({0, 0.15f}, 0.1f, {0, -0.1f}));
-    const auto pFar = MakeNative(g_cContinuous, 0, g_fDt, substeps);
-    pFar->Add(CLineSegDesc({99999, 0}, {100001, 0}));
-    const CShapeId far = pFar->Add(CDynamicCircleDesc({100000, 5}, 0.5f, {0, -5}));
-    Steps(*pNear, 60);
-    Steps(*pFar, 60);
-    EXPECT_EQ(pNear->GetVel(slow).y(), 0.1f) << substeps;
-    EXPECT_EQ(pFar->GetVel(far).y(), 5.0f) << substeps;
-  }
+  for (const unsigned substeps : {1u, 64u, 4096u})
+    for (const auto& [x, y, r, v] : {std::tuple(0.0f, 0.15f, 0.1f, 0.1f), {100000.0f, 5.0f, 0.5f, 5.0f}}) {
+      const auto pWorld = MakeNative(g_cContinuous, 0, g_fDt, substeps);
+      pWorld->Add(CLineSegDesc({x - 1, 0}, {x + 1, 0}));
+      const CShapeId ball = pWorld->Add(CDynamicCircleDesc({x, y}, r, {0, -v}));
+      Steps(*pWorld, 60);
+      EXPECT_EQ(pWorld->GetVel(ball).y(), v) << substeps;
+    }
 }
 
 TEST(LastingContact, WhatLiesFarFromTheOriginDoesNotLeap) {
@@ -141,57 +137,41 @@ struct CPile {
     }
     return lost;
   }
-  float GetFastest() const {
-    float most = 0.0f;
-    for (const Vector2& v : m_pWorld->GetBallVelocities())
-      most = std::max(most, v.norm());
-    return most;
-  }
 };
 
-TEST(LastingContact, APileSettlesAndLosesNone) {
-  for (const bool isV : {false, true})
-    for (const int balls : {10, 50, 120})
-      for (const float e : {0.0f, 0.5f, 0.9f}) {
-        if (balls == 120 && e != 0.0f) continue; // those come to rest last
-        const std::uint64_t seed = 100 + static_cast<std::uint64_t>(balls);
-        SCOPED_TRACE(testing::Message() << balls << " balls, e = " << e << (isV ? ", in a V" : ", in a box")
-                                        << ", seed " << seed);
-        CPile pile(g_cAutomatic, balls, isV, e, seed);
-        for (int step = 0; step < 900; ++step) {
-          pile.m_pWorld->Step();
-          ASSERT_EQ(pile.CountLost(), 0u) << step;
-        }
-        EXPECT_LT(GetOverlap(*pile.m_pWorld), 0.001);
-        EXPECT_LT(pile.GetFastest(), 2.0f * 10.0f * g_fDt); // Balls without friction roll on for long.
-      }
+// Within 15 seconds, and loses none on the way.
+void ExpectRest(int balls, bool isV, float e, std::uint64_t seed) {
+  SCOPED_TRACE(testing::Message() << balls << " balls, e = " << e << (isV ? ", in a V" : ", in a box")
+                                  << ", seed " << seed);
+  CPile pile(g_cAutomatic, balls, isV, e, seed);
+  for (int step = 0; step < 900; ++step) {
+    pile.m_pWorld->Step();
+    ASSERT_EQ(pile.CountLost(), 0u) << step;
+  }
+  EXPECT_LT(GetOverlap(*pile.m_pWorld), 0.001);
+  EXPECT_LT(GetFastest(*pile.m_pWorld), 2.0f * 10.0f * g_fDt); // Balls without friction roll on for long.
+}
+
+TEST(LastingContact, APileComesToRestAndLosesNone) {
+  for (const bool isV : {false, true}) {
+    for (const float e : {0.0f, 0.5f, 0.9f})
+      for (const int balls : {10, 50})
+        ExpectRest(balls, isV, e, 100 + static_cast<std::uint64_t>(balls));
+    ExpectRest(120, isV, 0.0f, 220); // others come to rest last
+  }
+  // Jammed balls that kept the speed at which they were halted were halted again in each step: a quarter of
+  // these never came to rest.
+  for (std::uint64_t seed = 1; seed <= 12; ++seed)
+    ExpectRest(50, true, 0.0f, seed);
+  // Without the momentum of the search for impulses both still overlap by a hundredth of a radius after 15
+  // seconds. (21 balls in a row are wider than this box by a thousandth, so that some piles keep overlaps of
+  // .0045 even so: 8 of the first twelve.)
+  for (const std::uint64_t seed : {1u, 5u})
+    ExpectRest(200, false, 0.5f, seed);
   // The control.
   CPile pile(g_cApproximate, 120, false, 0.5f, 1);
   Steps(*pile.m_pWorld, 900);
-  EXPECT_GT(pile.GetFastest() + static_cast<float>(pile.CountLost()), 1.0f);
-}
-
-// After 15 seconds.
-void ExpectRest(int balls, bool isV, float e, std::uint64_t seed) {
-  CPile pile(g_cAutomatic, balls, isV, e, seed);
-  Steps(*pile.m_pWorld, 900);
-  EXPECT_LT(pile.GetFastest(), 2.0f * 10.0f * g_fDt) << "seed " << seed;
-  EXPECT_LT(GetOverlap(*pile.m_pWorld), 0.001) << "seed " << seed;
-}
-
-// Jammed balls that kept the speed at which they were halted were halted again in each step: a quarter of
-// these piles never came to rest.
-TEST(LastingContact, AJammedPileComesToRest) {
-  for (std::uint64_t seed = 1; seed <= 12; ++seed)
-    ExpectRest(50, true, 0.0f, seed);
-}
-
-// Without the momentum of the search for impulses both still overlap by a hundredth of a radius after 15
-// seconds. (21 balls in a row are wider than this box by a thousandth, so that some piles keep overlaps of
-// .0045 even so: 8 of the first twelve.)
-TEST(LastingContact, ALargePileComesToRest) {
-  for (const std::uint64_t seed : {1u, 5u})
-    ExpectRest(200, false, 0.5f, seed);
+  EXPECT_GT(GetFastest(*pile.m_pWorld) + static_cast<float>(pile.CountLost()), 1.0f);
 }
 
 // Radii 1:10, masses 1:1000. They flow for up to 12 s, in which some are pressed into each other
@@ -212,8 +192,7 @@ TEST(LastingContact, HeavyBallsDoNotPressOthersIntoEachOther) {
     }
     Steps(*pWorld, 900);
     EXPECT_LT(GetOverlap(*pWorld), 0.01) << "seed " << seed;
-    for (const CShapeId ball : pWorld->GetBallIds())
-      EXPECT_LT(pWorld->GetVel(ball).norm(), 2 * 10 * g_fDt) << "seed " << seed;
+    EXPECT_LT(GetFastest(*pWorld), 2 * 10 * g_fDt) << "seed " << seed;
   }
 }
 
@@ -292,13 +271,13 @@ TEST(LastingContact, APileAtRestSleepsUntilSomethingHappens) {
     bool any = false;
     for (int step = 0; step < 30; ++step) {
       pile.m_pWorld->Step();
-      any |= pile.GetFastest() > 0.0f;
+      any |= GetFastest(*pile.m_pWorld) > 0.0f;
     }
     return any;
   };
   CPile pile = makeRested();
   CWorld& world = *pile.m_pWorld;
-  ASSERT_EQ(pile.GetFastest(), 0.0f);
+  ASSERT_EQ(GetFastest(*pile.m_pWorld), 0.0f);
   EXPECT_TRUE(world.GetContacts().empty());
   const std::vector<Vector2> before(world.GetBallPositions().begin(), world.GetBallPositions().end());
   const std::uint64_t sweeps = world.GetStats().m_nSweeps;
@@ -555,8 +534,7 @@ TEST(LastingContact, APileThatIsLoadedTakesTheSameSteps) {
   for (int step = 0; step < 100; ++step) {
     pile.m_pWorld->Step();
     other.m_pWorld->Step();
-    for (std::size_t i = 0; i < 40; ++i)
-      ASSERT_EQ(pile.m_pWorld->GetBallPositions()[i], other.m_pWorld->GetBallPositions()[i]) << step;
+    ASSERT_TRUE(HaveSameBits(*pile.m_pWorld, *other.m_pWorld)) << step;
   }
 }
 

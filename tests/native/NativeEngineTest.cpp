@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cstring>
-#include <functional>
 
 namespace Shapes {
 namespace {
@@ -83,15 +82,7 @@ void Fill(CBoth& both, CRandom& random, int shapes, int balls) {
       }
       both.Add(desc);
     };
-    switch (i % 4) {
-    case 0: add(CPointDesc(p)); break;
-    case 1: add(CLineSegDesc(p, p + random.InSquare(2))); break;
-    case 2: add(CCircleDesc(p, random.Uniform(0.05f, 0.8f))); break;
-    default: {
-      const float r = random.Uniform(0.2f, 1.5f), a0 = random.Uniform(0, 6.2f);
-      add(CArcDesc(p, r, a0, random.Uniform(0, 6.2f)));
-    }
-    }
+    WithAnyShape(random, static_cast<std::uint32_t>(i), p, 1.5f, add);
   }
   both.Add(CArcDesc({0, 0}, 16, 0, 0));
   for (int i = 0; i < balls; ++i) {

@@ -2,23 +2,9 @@
 // Worlds of the native engine, and what many of its tests put into them.
 #pragma once
 
-#include "../Descs.h"
-#include "../Numbers.h"
-#include "../Random.h"
-#include "../Steps.h"
-
-#include <Shapes/Shapes.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <memory>
-#include <span>
-#include <vector>
+#include "../Testing.h"
 
 namespace Shapes {
-
-using Tests::CRandom;
 
 /// @param gravity  downward
 inline std::unique_ptr<CWorld> MakeNative(const CEffectChoice& effects, float gravity = 0, float dt = g_fDt,

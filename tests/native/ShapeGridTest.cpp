@@ -1,39 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "native/broadphase/ShapeGrid.h"
+
+#include "../Testing.h"
 #include "native/broadphase/StaticBroadPhase.h"
 #include "traps/Traps.h"
-
-#include "../Random.h"
-
-#include <Shapes/WorldDesc.h>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <limits>
-#include <memory>
-#include <utility>
 
 namespace Shapes::Native {
 namespace {
 
-using Tests::CRandom;
-
+// As large as the spread, or small.
 std::unique_ptr<CShape> RandomShape(CRandom& random, const Vector2& centre, float spread) {
+  const std::uint32_t kind = random.Below(4);
   const Vector2 p = centre + random.InSquare(spread);
-  switch (random.Below(4)) {
-  case 0: return std::make_unique<CPoint>(CPointDesc(p));
-  case 1: {
-    const Vector2 way = random.VectorOfLength(0.01f, random.Coin() ? 1.0f : spread);
-    return std::make_unique<CLineSeg>(CLineSegDesc(p, p + way));
-  }
-  case 2:
-    return std::make_unique<CCircle>(CCircleDesc(p, random.Uniform(0.01f, random.Coin() ? 1.0f : spread)));
-  default: {
-    const float a0 = random.Uniform(0.0f, 6.28f), a1 = random.Uniform(0.0f, 6.28f);
-    return std::make_unique<CArc>(CArcDesc(p, random.Uniform(0.01f, random.Coin() ? 1.0f : spread), a0, a1));
-  }
-  }
+  return MakeAnyShape(random, kind, p, random.Coin() ? 1.0f : 0.8f * spread);
 }
 
 class CShapes {
@@ -73,17 +52,6 @@ std::vector<std::unique_ptr<CShape>> MakePoints(const std::vector<Vector2>& plac
   return points;
 }
 
-// Whether the shape comes within r of p, by its own closest point.
-bool IsNear(const CShape& shape, const Vector2& p, float r) {
-  const auto from = [&](const auto& s) { return (p - s.ClosestPt(p)).norm(); };
-  switch (shape.GetShapeType()) {
-  case eShape::Point: return (p - shape.GetPos()).norm() <= r;
-  case eShape::LineSeg: return from(static_cast<const CLineSeg&>(shape)) <= r;
-  case eShape::Circle: return from(static_cast<const CCircle&>(shape)) <= r;
-  default: return from(static_cast<const CArc&>(shape)) <= r;
-  }
-}
-
 std::vector<std::uint32_t> Ask(CShapeGrid& grid, const Vector2& p, float r) {
   std::vector<std::uint32_t> found;
   grid.ForEachNear(p, r, [&found](std::uint32_t order) { found.push_back(order); });
@@ -108,8 +76,9 @@ void Check(std::uint64_t seed, const Vector2& centre, float spread, float reach)
       const float more = reach * random.Uniform(1.0f, 4.0f);
       const bool isMoreClear = grid.IsClear(p, more);
       for (std::uint32_t order = 0; order < shapes.m_stdShapes.size(); ++order) {
-        ASSERT_FALSE(isMoreClear && IsNear(*shapes.m_stdOwned[order], p, more)) << order << " seed " << seed;
-        if (!IsNear(*shapes.m_stdOwned[order], p, r)) continue;
+        ASSERT_FALSE(isMoreClear && DistanceFrom(*shapes.m_stdOwned[order], p) <= more)
+            << order << " seed " << seed;
+        if (DistanceFrom(*shapes.m_stdOwned[order], p) > r) continue;
         ++near;
         ASSERT_TRUE(std::binary_search(found.begin(), found.end(), order)) << order << " seed " << seed;
         ASSERT_FALSE(isClear) << order << " seed " << seed;
@@ -152,8 +121,7 @@ TEST(ShapeGrid, APositionThatIsNoNumberIsNearNothing) {
   CRandom random(265);
   const CShapes shapes(random, 10, {0.0f, 0.0f}, 1.0f);
   CShapeGrid grid = shapes.MakeGrid(0.5f);
-  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
-  for (const Vector2& p : {Vector2(nan, 0.0f), Vector2(0.0f, inf), Vector2(-inf, nan)})
+  for (const Vector2& p : {Vector2(g_fNan, 0.0f), Vector2(0.0f, g_fInf), Vector2(-g_fInf, g_fNan)})
     EXPECT_TRUE(Ask(grid, p, 0.3f).empty());
 }
 
@@ -194,7 +162,7 @@ TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesMove) {
       answers += found.size();
       const bool isClear = broadPhase.IsClear(p, r);
       for (std::uint32_t order = 0; order < broadPhase.Size(); ++order) {
-        if (!IsNear(*broadPhase.Get(order).m_pShape, p, r)) continue;
+        if (DistanceFrom(*broadPhase.Get(order).m_pShape, p) > r) continue;
         ++near;
         ASSERT_TRUE(std::binary_search(found.begin(), found.end(), order)) << "seed " << random.GetSeed();
         ASSERT_FALSE(isClear) << "seed " << random.GetSeed();

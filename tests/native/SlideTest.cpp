@@ -2,8 +2,6 @@
 // Balls that slide under gravity, held to a fine integration of their equation of motion.
 #include "NativeTesting.h"
 
-#include <cmath>
-
 namespace Shapes {
 namespace {
 

@@ -4,17 +4,9 @@
 // toward sizes of 1, the origin, and the first of several kinds.
 #pragma once
 
-#include "../Numbers.h"
-
-#include <Shapes/Shapes.h>
+#include "../Testing.h"
 
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <ostream>
 
 namespace Shapes {
 

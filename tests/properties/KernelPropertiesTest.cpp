@@ -173,56 +173,6 @@ TEST(KernelProperties, AMoveAmongRepresentablePlacesKeepsTheBits) {
     });
 }
 
-TEST(KernelProperties, NormalsAreUnitVectorsAndSetbacksAreNotNegative) {
-  for (const eKind kind : g_eKinds)
-    ExpectHolds(true, false, 5000, [=](bool normalised) {
-      CHit hit;
-      const CPair pair = Pair(kind);
-      RC_PRE(Meets(pair, hit));
-      // The control is normalised by the distance from the POI.
-      const Vector2 n =
-          normalised
-              ? hit.m_vNorm
-              : Vector2((pair.m_cBall.m_vPos - hit.m_vPOI) / (pair.m_cBall.m_fRadius - hit.m_fSetback));
-      RC_ASSERT(std::abs(Wide(n).norm() - 1.0) <= g_fUlp);
-      RC_ASSERT(hit.m_fSetback >= 0.0f);
-    });
-}
-
-// The error of the setback, by the table in Collide.h, where the ball is.
-double SetbackBound(const CPair& pair) {
-  const Vector2d p = Wide(pair.m_cBall.m_vPos);
-  const double r = pair.m_cBall.m_fRadius;
-  return g_fUlp * std::visit(
-                      [&](const auto& d) {
-                        using T = std::decay_t<decltype(d)>;
-                        if constexpr (std::is_same_v<T, CPointDesc>) {
-                          return 2 * r;
-                        } else if constexpr (std::is_same_v<T, CLineSegDesc>) {
-                          return 3 * (p - Wide(d.GetEndPt0())).norm() + 0.5 * r;
-                        } else {
-                          return 2 * (static_cast<double>(d.m_fRadius) + r);
-                        }
-                      },
-                      pair.m_cShape);
-}
-
-TEST(KernelProperties, ABallThatWasSetBackOverlapsByNoMoreThanTheBound) {
-  for (const eKind kind : g_eKinds)
-    ExpectHolds(Meets, MeetsBySquares, 5000, [=](CMeets meets) {
-      CPair pair = Pair(kind);
-      CHit hit;
-      RC_PRE(meets(pair, hit));
-      CBall& b = pair.m_cBall;
-      b.m_vPos += hit.m_fSetback * hit.m_vNorm;
-      const double before = SetbackBound(pair);
-      const double r = b.m_fRadius, rounding = g_fUlp * (Wide(b.m_vPos).norm() + 3 * r);
-      if (!Meets(pair, hit)) return;
-      // What is found now has that error, too.
-      RC_ASSERT(static_cast<double>(hit.m_fSetback) <= before + rounding + SetbackBound(pair));
-    });
-}
-
 TEST(ResponseProperties, AQuarterTurnAMirrorAndAPowerOfTwoKeepTheBits) {
   ExpectHolds(false, true, 5000, [](bool epsilon) {
     const auto velocity = [] { return *rc::gen::mapcat(AnySize(), [](float speed) { return Way(speed); }); };

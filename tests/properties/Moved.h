@@ -5,7 +5,6 @@
 #include "Generators.h"
 
 #include <type_traits>
-#include <variant>
 
 namespace Shapes::Properties {
 

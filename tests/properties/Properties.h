@@ -5,15 +5,11 @@
 // RC_PARAMS="seed=7" those of that seed.
 #pragma once
 
-#include "../Numbers.h"
+#include "../Testing.h"
 
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <cstdlib>
-#include <sstream>
-#include <string>
-#include <utility>
 
 namespace Shapes::Properties {
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The native world, on both of its ways through a substep: from impact to impact, and by what overlaps at the
 // end.
-#include "../Steps.h"
 #include "Generators.h"
 #include "Moved.h"
 #include "Properties.h"
-
-#include <Shapes/Backend.h>
 
 namespace Shapes::Properties {
 namespace {

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../Numbers.h"
-
-#include <Shapes/Shapes.h>
-
-#include <gtest/gtest.h>
-
-#include <stdexcept>
+#include "../Testing.h"
 
 namespace Shapes {
 namespace {

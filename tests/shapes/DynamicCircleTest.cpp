@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "../GameClock.h"
-#include "../Numbers.h"
 
-#include <Shapes/Shapes.h>
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <stdexcept>
+#include "../Testing.h"
 
 namespace Shapes {
 namespace {

@@ -2,14 +2,10 @@
 // Lines and segments.
 #include <Shapes/LineSeg.h>
 
-#include "../Numbers.h"
-#include "../geometry/Cases.h"
+#include "../Testing.h"
 
 namespace Shapes {
 namespace {
-
-using Tests::CRandom;
-using Tests::ForEachCase;
 
 TEST(Line, VerticalLineHasInfiniteGradientOfOneSign) {
   for (const float m : {g_fInf, -g_fInf}) {
@@ -59,7 +55,6 @@ TEST(LineSeg, OfEqualXTheLowerEndIsFirst) {
 
 TEST(LineSeg, DescriptorKeepsEndsAndPositionTogether) {
   CLineSegDesc desc;
-  EXPECT_EQ(desc.m_eShapeType, eShape::LineSeg);
   desc.SetEndPts({4.0f, 2.0f}, {0.0f, 0.0f});
   Vector2 p0, p1;
   desc.GetEndPts(p0, p1);
@@ -154,14 +149,9 @@ TEST(KinematicLineSeg, NormalAndClosestPointAreContinuousThroughTheVertical) {
   EXPECT_TRUE(flipped); // the order of the ends did change on the way
 }
 
-TEST(LineSeg, IsWhatItsDescriptorSays) {
-  CLineSegDesc desc({0.0f, 0.0f}, {1.0f, 0.0f}, 0.25f);
-  desc.m_eSides = eSides::Back;
-  EXPECT_EQ(CLineSeg(desc).GetShapeType(), eShape::LineSeg);
-  EXPECT_EQ(CLineSeg(desc).GetMotionType(), eMotion::Static);
-  EXPECT_EQ(CLineSeg(desc).GetElasticity(), 0.25f);
+TEST(LineSeg, HasTheSidesOfItsDescriptor) {
+  const CLineSegDesc desc = Sided(CLineSegDesc({0.0f, 0.0f}, {1.0f, 0.0f}), eSides::Back);
   EXPECT_EQ(CLineSeg(desc).GetSides(), eSides::Back);
-  EXPECT_EQ(CKinematicLineSeg(desc).GetMotionType(), eMotion::Kinematic);
   EXPECT_EQ(CKinematicLineSeg(desc).GetSides(), eSides::Back);
 }
 

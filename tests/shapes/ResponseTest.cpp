@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shapes/Response.h"
 
+#include "../Testing.h"
+
 #include "Tolerances.h"
-
-#include "../Numbers.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace Shapes {
 namespace {

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/ShapeMath.h>
 
-#include "../Numbers.h"
-#include "../geometry/Cases.h"
+#include "../Testing.h"
 
 namespace Shapes {
 namespace {
-
-using Tests::CRandom;
-using Tests::ForEachCase;
 
 // The macro as a bare if: what it swallows is shown below.
 #define NaiveFailIf(x)                                                                                       \

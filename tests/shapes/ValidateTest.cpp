@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Every value that no shape can have is refused, with a message that names the field and the value.
-#include "../Messages.h"
-#include "../Numbers.h"
 
 #include "shapes/Validate.h"
 
-#include <Shapes/Shapes.h>
-
-#include <functional>
-#include <stdexcept>
-#include <vector>
+#include "../Testing.h"
 
 namespace Shapes {
 namespace {
@@ -36,28 +30,34 @@ std::vector<SBad> NotFiniteAnd(std::vector<SBad> more) {
   return more;
 }
 
-// Makes one shape of each kind from a descriptor after `change`, and expects each to be refused.
-void ExpectAllRefused(const std::string& field, const std::string& value,
-                      const std::function<void(CShapeDesc&)>& change, bool segments = true) {
-  const auto with = [&](auto desc) {
+// Makes a shape from a descriptor after `change`, if that can change such a one, and expects it to be
+// refused.
+template <class TShape, class TDesc, class F>
+void ExpectRefusedBy(const std::string& field, const std::string& value, TDesc desc, const F& change) {
+  if constexpr (std::is_invocable_v<F, TDesc&>) {
     change(desc);
-    return desc;
-  };
-  const CPointDesc point = with(CPointDesc({1.0f, 2.0f}));
-  const CCircleDesc circle = with(CCircleDesc({1.0f, 2.0f}, 1.0f));
-  const CArcDesc arc = with(CArcDesc({1.0f, 2.0f}, 1.0f, 0.0f, 1.0f));
-  const CDynamicCircleDesc ball = with(CDynamicCircleDesc({1.0f, 2.0f}, 1.0f));
-  ExpectRefused(field, value, [&] { CPoint shape(point); });
-  ExpectRefused(field, value, [&] { CKinematicPoint shape(point); });
-  ExpectRefused(field, value, [&] { CCircle shape(circle); });
-  ExpectRefused(field, value, [&] { CKinematicCircle shape(circle); });
-  ExpectRefused(field, value, [&] { CArc shape(arc); });
-  ExpectRefused(field, value, [&] { CKinematicArc shape(arc); });
-  ExpectRefused(field, value, [&] { CDynamicCircle shape(ball); });
+    ExpectRefused(field, value, [&] { TShape shape(desc); });
+  }
+}
+
+// Of each class.
+template <class F>
+void ExpectAllRefused(const std::string& field, const std::string& value, const F& change,
+                      bool segments = true) {
+  const CPointDesc point({1.0f, 2.0f});
+  const CCircleDesc circle({1.0f, 2.0f}, 1.0f);
+  const CArcDesc arc({1.0f, 2.0f}, 1.0f, 0.0f, 1.0f);
+  ExpectRefusedBy<CPoint>(field, value, point, change);
+  ExpectRefusedBy<CKinematicPoint>(field, value, point, change);
+  ExpectRefusedBy<CCircle>(field, value, circle, change);
+  ExpectRefusedBy<CKinematicCircle>(field, value, circle, change);
+  ExpectRefusedBy<CArc>(field, value, arc, change);
+  ExpectRefusedBy<CKinematicArc>(field, value, arc, change);
+  ExpectRefusedBy<CDynamicCircle>(field, value, CDynamicCircleDesc({1.0f, 2.0f}, 1.0f), change);
   if (!segments) return;
-  const CLineSegDesc seg = with(CLineSegDesc({0.0f, 1.0f}, {2.0f, 3.0f}));
-  ExpectRefused(field, value, [&] { CLineSeg shape(seg); });
-  ExpectRefused(field, value, [&] { CKinematicLineSeg shape(seg); });
+  const CLineSegDesc seg({0.0f, 1.0f}, {2.0f, 3.0f});
+  ExpectRefusedBy<CLineSeg>(field, value, seg, change);
+  ExpectRefusedBy<CKinematicLineSeg>(field, value, seg, change);
 }
 
 TEST(Validate, Position) {
@@ -87,23 +87,15 @@ TEST(Validate, Radius) {
   for (const auto& [value, text] : NotFiniteAnd({{-1.0f, "-1"},
                                                  {-std::numeric_limits<float>::denorm_min(), "-1e-45"},
                                                  {g_fHuge, g_sHuge},
-                                                 {2e19f, "2e+19"}})) {
-    ExpectRefused("m_fRadius", text, [v = value] { CCircle shape(CCircleDesc({0.0f, 0.0f}, v)); });
-    ExpectRefused("m_fRadius", text, [v = value] { CKinematicCircle shape(CCircleDesc({0.0f, 0.0f}, v)); });
-    ExpectRefused("m_fRadius", text, [v = value] { CArc shape(CArcDesc({0.0f, 0.0f}, v, 0.0f, 1.0f)); });
-    ExpectRefused("m_fRadius", text,
-                  [v = value] { CKinematicArc shape(CArcDesc(Vector2(0.0f, 0.0f), v, 0.0f, 1.0f)); });
-    ExpectRefused("m_fRadius", text,
-                  [v = value] { CDynamicCircle shape(CDynamicCircleDesc(Vector2(0.0f, 0.0f), v)); });
-  }
+                                                 {2e19f, "2e+19"}}))
+    ExpectAllRefused("m_fRadius", text, [v = value](CCircleDesc& d) { d.m_fRadius = v; });
 }
 
 TEST(Validate, ArcAngles) {
   for (const auto& [value, text] : g_stdNotFinite) {
-    ExpectRefused("m_fAngle0", text, [v = value] { CArc shape(CArcDesc({0.0f, 0.0f}, 1.0f, v, 1.0f)); });
-    ExpectRefused("m_fAngle1", text, [v = value] { CArc shape(CArcDesc({0.0f, 0.0f}, 1.0f, 1.0f, v)); });
-    ExpectRefused("m_fAngle0", text,
-                  [v = value] { CKinematicArc shape(CArcDesc(Vector2(0.0f, 0.0f), 1.0f, v, v)); });
+    ExpectAllRefused("m_fAngle0", text, [v = value](CArcDesc& d) { d.SetAngles(v, 1.0f); });
+    ExpectAllRefused("m_fAngle1", text, [v = value](CArcDesc& d) { d.SetAngles(1.0f, v); });
+    ExpectAllRefused("m_fAngle0", text, [v = value](CArcDesc& d) { d.SetAngles(v, v); });
   }
 }
 

@@ -2,47 +2,25 @@
 // The way of a ball against brute force: many places of it, each asked for its distance.
 #include "world/BallPath.h"
 
-#include <Shapes/Shapes.h>
+#include "../Testing.h"
 
 #include "Tolerances.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cfenv>
-#include <memory>
-#include <vector>
-
-#include "Numbers.h"
-#include "geometry/Cases.h"
 
 namespace Shapes {
 namespace {
 
-using Tests::CRandom, Tests::ForEachCase;
-
-std::unique_ptr<CShape> RandomShape(CRandom& random, int kind) {
-  const Vector2 p = random.InSquare(2);
-  switch (kind) {
-  case 0: return std::make_unique<CPoint>(CPointDesc(p));
-  case 1: return std::make_unique<CLineSeg>(CLineSegDesc(p, p + random.InSquare(2)));
-  case 2: return std::make_unique<CCircle>(CCircleDesc(p, random.Uniform(0, 1.5f)));
-  default: break;
-  }
-  const float a0 = random.Uniform(0, 6.28f);
-  const float a1 = random.Below(8) == 0 ? a0 : random.Uniform(0, 6.28f);
-  return std::make_unique<CArc>(CArcDesc(p, random.Uniform(0.01f, 2), a0, a1));
-}
-
-// By the shape's own closest point, in float: within a few ulp of the coordinates.
+// A circle is a disk.
 double DistanceByShape(const CShape& shape, const Vector2d& p) {
   const Vector2 q = p.cast<float>();
-  switch (shape.GetShapeType()) {
-  case eShape::LineSeg: return Length(static_cast<const CLineSeg&>(shape).ClosestPt(q) - q);
-  case eShape::Arc: return Length(static_cast<const CArc&>(shape).ClosestPt(q) - q);
-  case eShape::Circle: return Length(shape.GetPos() - q) - static_cast<const CCircle&>(shape).GetRadius();
-  default: return Length(shape.GetPos() - q);
-  }
+  if (shape.GetShapeType() != eShape::Circle) return Wide(DistanceFrom(shape, q));
+  return Wide(Length(shape.GetPos() - q) - static_cast<const CCircle&>(shape).GetRadius());
+}
+
+std::unique_ptr<CShape> RandomShape(CRandom& random, int trial) {
+  const Vector2 p = random.InSquare(2);
+  return MakeAnyShape(random, static_cast<std::uint32_t>(trial), p, 2);
 }
 
 std::vector<CPathVertex> RandomWay(CRandom& random, int bends) {
@@ -58,7 +36,7 @@ TEST(BallPathTest, TheClosestApproachIsThatOfManyPlaces) {
   constexpr double rounding = 1e-5; // of DistanceByShape: 8 ulp of 10
   int crossed = 0;
   ForEachCase(11, 4000, [&](CRandom& random, int trial) {
-    const auto pShape = RandomShape(random, trial % 4);
+    const auto pShape = RandomShape(random, trial);
     const auto way = RandomWay(random, trial % 3);
     const CZone::CApproach near = CZone(*pShape).Approach(way);
     const double parts = static_cast<double>(way.size() - 1);
@@ -80,7 +58,7 @@ TEST(BallPathTest, TheClosestApproachIsThatOfManyPlaces) {
 TEST(BallPathTest, ATouchHasItsPointOnTheShapeAndItsNormalToTheBall) {
   int touched = 0, atEnd = 0;
   ForEachCase(12, 4000, [&](CRandom& random, int trial) {
-    const auto pShape = RandomShape(random, trial % 4);
+    const auto pShape = RandomShape(random, trial);
     const auto way = RandomWay(random, trial % 2);
     const double r = random.Uniform(0.05f, 0.5f);
     const CZone zone(*pShape);

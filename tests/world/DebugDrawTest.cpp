@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is drawn of a world, and the drawn figures of documents: what the drawing here gives is what is there.
-#include <Shapes/Shapes.h>
-
-#include <gtest/gtest.h>
 
 #include <fstream>
-#include <sstream>
-#include <string>
 
-#include "../Descs.h"
-#include "../Messages.h"
-#include "../Numbers.h"
+#include "../Testing.h"
 
 namespace Shapes {
 namespace {

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "Descs.h"
-#include "Messages.h"
-
-#include <Shapes/Shapes.h>
-
-#include <cmath>
-#include <functional>
-#include <stdexcept>
+#include "../Testing.h"
 
 namespace Shapes {
 namespace {
