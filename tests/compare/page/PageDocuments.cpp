@@ -165,17 +165,18 @@ CSceneReport MakeScene(const std::string& name) {
   return report;
 }
 
-const json g_cNoSummary = {{"count", 0}, {"median", nullptr}, {"p95", nullptr}, {"max", nullptr}},
-           g_cNoRate = {{"count", 0}, {"rate", nullptr}, {"low", 0}, {"high", 1}};
+const json g_cNoSummary = {{"count", 0}, {"median", nullptr}, {"p95", nullptr}, {"max", nullptr}};
 
-} // namespace
-
-CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
+CRunReport MakeReport(const std::vector<std::string>& scenes) {
   CRunReport report = MakeSampleReport();
   report.m_nSeed = 1;
   report.m_stdScenes.clear();
   for (const std::string& name : scenes)
     report.m_stdScenes.push_back(MakeScene(name));
+  return report;
+}
+
+CPageDocuments ToDocuments(const CRunReport& report) {
   CPageDocuments documents{json::parse(MakePageJson(report)), json::parse(MakeReplayJson(report)),
                            json::parse(MakeChartsJson(report))};
   documents.m_cRun["machine"] = {{"shapes", "0.1.0 (1234567)"},
@@ -184,7 +185,7 @@ CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
                                  {"cpu", "Some CPU"},
                                  {"cores", 8}};
   // In words of its own: that of one scene alone says the same as its verdict.
-  if (!scenes.empty())
+  if (!report.m_stdScenes.empty())
     documents.m_cRun["overall"]["result"] =
         "Take native: 7.1 times faster than Box2D. It loses 7 of 30,000 impacts (Box2D 50), and "
         "95% of its bounces are within 0.001 degrees of the exact direction (Box2D 12 degrees); "
@@ -192,36 +193,28 @@ CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
   return documents;
 }
 
+} // namespace
+
+CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
+  return ToDocuments(MakeReport(scenes));
+}
+
 CPageDocuments MakeSparsePageDocuments() {
-  CPageDocuments report = MakePageDocuments({"full", "no_contacts", "one_engine", "nulls", "no_clips"});
-  report.m_cRun["interrupted"] = true;
+  CRunReport made = MakeReport({"full", "no_contacts", "one_engine", "nulls", "no_clips"});
+  made.m_bInterrupted = true;
+  CSceneReport &none = made.m_stdScenes[1], undecided = MakeUndecidedScene();
+  none.m_cImpactTrials = undecided.m_cImpactTrials;
+  none.m_cDifference = {};
+  none.m_stdEngines = undecided.m_stdEngines;
+  none.m_cWork = {};
+  none.m_cHeatMap = {};
+  CPageDocuments report = ToDocuments(made);
   const auto dropRows = [&](const char* pTable, const char* pScene) {
     json& rows = report.m_cRun[pTable];
     rows.erase(
         std::remove_if(rows.begin(), rows.end(), [&](const json& row) { return row["scene"] == pScene; }),
         rows.end());
   };
-
-  json& none = report.m_cRun["scenes"][1];
-  for (json& engine : none["engines"]) {
-    for (auto& [key, value] : engine.items()) {
-      if (value.is_object() && value.contains("median")) value = g_cNoSummary;
-      if (value.is_object() && value.contains("rate")) value = g_cNoRate;
-      if (value.is_array() && !value.empty() && value[0].is_number_integer()) value = json(value.size(), 0);
-    }
-    for (const char* pKey : {"contacts", "correct", "bounces"})
-      engine[pKey] = 0;
-    engine["bins"] = json::array();
-    engine["ns_per_contact"] = nullptr;
-  }
-  none["heat_map"] = nullptr;
-  none["quiet_steps"] = 0;
-  for (json& row : report.m_cRun["work_precision"])
-    if (row["scene"] == "no_contacts") {
-      row["contacts"] = 0;
-      row["miss_rate"] = row["tunneled_rate"] = g_cNoRate;
-      if (row["engine"] != "exact") row["direction_error_p95"] = nullptr;
-    }
 
   json& single = report.m_cRun["scenes"][2];
   single["engines"] = json::array({single["engines"][0]}); // one in braces alone is a copy for some compilers
