@@ -290,24 +290,5 @@ TEST(ImpactEvaluatorTest, APointBallIsJudgedInFiniteTime) {
   EXPECT_EQ(Evaluate(scene, 20).m_stdContacts.size(), 20u);
 }
 
-TEST(ImpactEvaluatorTest, FlippersGoOnInTheStepsAfterTheImpact) {
-  const CScene scene = LoadScene(std::string(SHAPES_SCENES_DIR) + "/pinball.json");
-  CTrialWorld world(scene, GetEngines()[g_nApproximate], MakeStart(scene, 1, 0).m_stdBalls, 0.0);
-  std::size_t flips = 0, changed = 0;
-  for (const double time : {0.0, 0.3, 0.6}) {
-    world.Flip(scene, time);
-    for (std::size_t i = 0; i < scene.m_stdShapes.size(); ++i) {
-      if (!scene.m_stdShapes[i].m_cFlip) continue;
-      const float speed =
-          RotSpeedAt(scene.m_stdShapes[i], time, static_cast<double>(scene.m_cWorld.m_fTimeStep));
-      EXPECT_EQ(world.m_pWorld->GetRotSpeed(world.m_stdShapes[i]), speed);
-      ++flips;
-      changed += speed != 0.0f;
-    }
-  }
-  EXPECT_GT(changed, 0u);
-  EXPECT_LT(changed, flips);
-}
-
 } // namespace
 } // namespace Shapes::Compare::Tests

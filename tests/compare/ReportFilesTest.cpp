@@ -126,24 +126,6 @@ TEST(ReplayJsonTest, SmallBallsKeepTwoDigitsAndWhoFliesAlikeSharesATrackInAllCli
             6u); // the control
 }
 
-// By this the page of all scenes stays below 3 MB.
-TEST(ReplayJsonTest, AFreeFlightTakesAtMostThreeBytesACoordinate) {
-  CRunReport report = MakeSampleReport();
-  CClip& clip = report.m_stdScenes[0].m_stdClips[0];
-  constexpr std::size_t n = 1000;
-  const auto size = [&](const auto& place) {
-    std::vector<Vector2> track;
-    for (std::size_t frame = 0; frame < n; ++frame)
-      track.push_back(place(static_cast<float>(frame)));
-    clip.m_stdTracks.assign(6, track);
-    return json::parse(MakeReplayJson(report)).at("/scenes/0/tracks/0"_json_pointer).dump().size();
-  };
-  const std::size_t most = 3 * 2 * n;
-  EXPECT_LE(size([](float i) { return Vector2(-30.0f + 0.06789f * i, 12.3456f - 0.01234f * i); }), most);
-  // The control: a ball that is anywhere in each frame takes all its digits.
-  EXPECT_GT(size([](float i) { return Vector2(40.0f * std::sin(i * i), 30.0f * std::cos(i * i)); }), most);
-}
-
 TEST(PageJsonTest, IsTheRunWithSixDigits) {
   CRunReport report = MakeSampleReport();
   report.m_nSeed = 1234567890123;
