@@ -226,16 +226,6 @@ TEST_F(CommandTest, EverySceneFitsOnOneScreen) {
   EXPECT_GT(std::ranges::count(verbose.m_sOutput, '\n'), 60); // the control
 }
 
-TEST_F(CommandTest, TheNumberOfContactsIsObeyed) {
-  // Less and more than a run has by itself.
-  for (const auto& [options, contacts] : {std::pair("", 30), std::pair("", 2100), std::pair("--full", 40)}) {
-    const CResult result =
-        Run(fmt::format("run --scenes head_on_wall --engines native {} --contacts {}", options, contacts));
-    ASSERT_EQ(result.m_nExit, 0) << result.m_sOutput;
-    EXPECT_EQ(ReadRun().at("/scenes/0/engines/0/contacts"_json_pointer), contacts);
-  }
-}
-
 TEST_F(CommandTest, ALongRunSaysBeforeHowLongItTakes) {
   const CInterrupted result = Interrupt("run --full", "1/23 ");
   const std::string before = result.m_sOutput.substr(0, result.m_sOutput.find("1/23 "));

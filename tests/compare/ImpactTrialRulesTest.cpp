@@ -293,21 +293,19 @@ TEST(GhostsTest, StepsFarFromEverythingAreNotCounted) {
 }
 
 // In Box2D's skin of .01. The one that comes nearer touches in the next step, the other one in none.
+// Responses to two shapes in a step are one ghost.
 TEST(GhostsTest, WhatIsTouchedInTheNextTwoStepsIsNoGhost) {
-  for (const auto& [speed, ghosts] : {std::pair(0.3f, 0u), std::pair(0.01f, 1u)}) {
-    CScene scene = MakeScene(4, 1, {CLineSegDesc({0, -2}, {0, 2})},
-                             {CDynamicCircleDesc({-0.109f, 0}, 0.1f, {speed, 0})});
-    const CImpactTrialResult result = JudgeOneStep(scene);
+  const CLineSegDesc wall({0, -2}, {0, 2}), floor({-2, 0}, {2, 0});
+  const auto expect = [](const std::vector<CAnyShapeDesc>& shapes, const Vector2& p, const Vector2& v,
+                         std::size_t ghosts) {
+    const CImpactTrialResult result = JudgeOneStep(MakeScene(4, 1, shapes, {CDynamicCircleDesc(p, 0.1f, v)}));
     EXPECT_EQ(result.m_nQuietSteps, 1u);
-    EXPECT_EQ(result.m_stdGhosts[g_nBox2D], ghosts) << speed;
+    EXPECT_EQ(result.m_stdGhosts[g_nBox2D], ghosts) << v.x();
     EXPECT_EQ(result.m_stdGhosts[g_nNative], 0u);
-  }
-}
-
-TEST(GhostsTest, ResponsesToTwoShapesInAStepAreOneGhost) {
-  CScene scene = MakeScene(4, 1, {CLineSegDesc({0, -2}, {0, 2}), CLineSegDesc({-2, 0}, {2, 0})},
-                           {CDynamicCircleDesc({-0.109f, 0.109f}, 0.1f, {0.01f, -0.01f})});
-  EXPECT_EQ(JudgeOneStep(scene).m_stdGhosts[g_nBox2D], 1u);
+  };
+  expect({wall}, {-0.109f, 0}, {0.3f, 0}, 0);
+  expect({wall}, {-0.109f, 0}, {0.01f, 0}, 1);
+  expect({wall, floor}, {-0.109f, 0.109f}, {0.01f, -0.01f}, 1);
 }
 
 } // namespace

@@ -36,23 +36,6 @@ TEST(SweepCases, RingThatTheBallDoesNotFitIsMetFromOutside) {
   EXPECT_NEAR(deep.m_cHit.m_fDepth, 1.5, 8 * g_fEps);
 }
 
-TEST(SweepCases, GrazesAreFlaggedOnBothSides) { // of the way that only touches
-  const auto graze = [](double offset) {
-    return Shoot(CPointDesc({0, 0}), {{-10, offset}, {1, 0}, 1}, 20.0);
-  };
-  EXPECT_TRUE(graze(1 - 1e-12).m_bMet);
-  EXPECT_TRUE(graze(1 - 1e-12).m_cHit.m_bGraze);
-  EXPECT_FALSE(graze(1 + 1e-12).m_bMet);
-  EXPECT_TRUE(graze(1 + 1e-12).m_cHit.m_bGraze);
-  EXPECT_NEAR(graze(1 + 1e-12).m_cHit.m_fTime, 10.0, 1e-12);
-  // Not ambiguous any more a little farther off.
-  EXPECT_TRUE(graze(1 - 1e-8).m_bMet);
-  EXPECT_FALSE(graze(1 - 1e-8).m_cHit.m_bGraze);
-  EXPECT_FALSE(graze(1 + 1e-8).m_cHit.m_bGraze);
-  // Nor if it does not get that far.
-  EXPECT_FALSE(Shoot(CPointDesc({0, 0}), {{-10, 1 + 1e-12}, {1, 0}, 1}, 9.0).m_cHit.m_bGraze);
-}
-
 TEST(SweepCases, OverlapIsHitOnlyIfItApproaches) {
   struct {
     CAnyShapeDesc m_cShape;
@@ -125,19 +108,30 @@ TEST(Parabola, ApexIsFoundInOneLongStep) { // both ends of the way are far below
   EXPECT_FALSE(Throw(CPointDesc({0, 10.5f}), {-2, 0}, {1.265, 12.65}, .25, 20).m_bMet);
 }
 
+// Of a straight way that only touches a point at the time 10, and of a parabola that only touches a ceiling,
+// or a point, with its apex at the time .5: within a `close` distance, and no more at a larger one.
 TEST(Parabola, TangentsAreFlaggedOnBothSides) {
-  // Up to the apex at y = 1, where it touches a ceiling, or a point, if r = .5.
-  for (const CAnyShapeDesc& shape :
-       {CAnyShapeDesc(Wall({-9, 1.5f}, {9, 1.5f})), CAnyShapeDesc(CPointDesc({1, 1.5f}))}) {
-    const auto toss = [&](double over) { return Throw(shape, {0, over}, {2, 4}, .5, 1); };
-    EXPECT_TRUE(toss(1e-11).m_bMet);
-    EXPECT_TRUE(toss(1e-11).m_cHit.m_bGraze);
-    EXPECT_FALSE(toss(-1e-11).m_bMet);
-    EXPECT_TRUE(toss(-1e-11).m_cHit.m_bGraze);
-    EXPECT_NEAR(toss(-1e-11).m_cHit.m_fTime, .5, 1e-6);
-    EXPECT_TRUE(toss(1e-7).m_bMet);
-    EXPECT_FALSE(toss(1e-7).m_cHit.m_bGraze);
-    EXPECT_FALSE(toss(-1e-7).m_cHit.m_bGraze);
+  const struct {
+    CAnyShapeDesc m_cShape;
+    CBalld m_cBall;
+    double m_fTime, m_fClose;
+  } cases[] = {{CPointDesc({0, 1}), {{-10, 0}, {1, 0}, 1}, 10, 1e-12},
+               {Wall({-9, 1.5f}, {9, 1.5f}), {{0, 0}, {2, 4}, .5, g_vDown}, .5, 1e-11},
+               {CPointDesc({1, 1.5f}), {{0, 0}, {2, 4}, .5, g_vDown}, .5, 1e-11}};
+  for (const auto& c : cases) {
+    SCOPED_TRACE(c.m_cShape.index());
+    const auto toss = [&](double over, double tMax) {
+      CBalld ball = c.m_cBall;
+      ball.m_vPos.y() += over;
+      return Shoot(c.m_cShape, ball, tMax);
+    };
+    const double close = c.m_fClose, far = 1e4 * close, all = 2 * c.m_fTime;
+    EXPECT_TRUE(toss(close, all).m_bMet && toss(close, all).m_cHit.m_bGraze);
+    EXPECT_TRUE(!toss(-close, all).m_bMet && toss(-close, all).m_cHit.m_bGraze);
+    EXPECT_NEAR(toss(-close, all).m_cHit.m_fTime, c.m_fTime, c.m_fTime < 1 ? 1e-6 : 1e-12);
+    EXPECT_TRUE(toss(far, all).m_bMet && !toss(far, all).m_cHit.m_bGraze);
+    EXPECT_FALSE(toss(-far, all).m_cHit.m_bGraze);
+    EXPECT_FALSE(toss(-close, .9 * c.m_fTime).m_cHit.m_bGraze); // it does not get that far
   }
 }
 

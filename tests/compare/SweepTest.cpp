@@ -177,37 +177,6 @@ INSTANTIATE_TEST_SUITE_P(
         CCase{eShape::Circle, false, true, 3000, true}, CCase{eShape::Arc, false, true, 5000, true}),
     [](const auto& test) { return Name(test.param); });
 
-// Two balls are one ball and a solid disc in the frame of the other.
-TEST(Sweep, TwoBallsAgainstSearch) {
-  int hits = 0;
-  ForEachCase(77, 4000, [&](CRandom& random, int) {
-    const CTrial trial = RandomTrial(random, eShape::Point, false, false);
-    const CSweptBall<double> other{trial.m_cGeometry.m_vCenter, InSquare(random, 2.0),
-                                   Between(random, 0.0, 0.3)};
-    if ((other.m_vPos - trial.m_cBall.m_vPos).norm() < other.m_fRadius + trial.m_cBall.m_fRadius + 1e-6)
-      return;
-    const CSweptBall<double> relative{trial.m_cBall.m_vPos, trial.m_cBall.m_vVel - other.m_vVel,
-                                      trial.m_cBall.m_fRadius + other.m_fRadius};
-    const CSweepOracle oracle(trial.m_cGeometry, {}, relative, 1.0);
-    CHit<double> hit, reverse;
-    const bool met = SweepBalls(other, trial.m_cBall, 1.0, hit);
-    const bool metReverse = SweepBalls(trial.m_cBall, other, 1.0, reverse);
-    if (hit.m_bGraze) return;
-    const auto impact = oracle.FirstImpact();
-    ASSERT_EQ(met, impact.has_value());
-    ASSERT_EQ(met, metReverse);
-    if (!met) return;
-    ++hits;
-    const double approach = -(trial.m_cBall.m_vVel - other.m_vVel).dot(hit.m_vNorm);
-    ASSERT_LE(std::abs(static_cast<double>(*impact - real(hit.m_fTime))),
-              2.0 * GapBound(trial) / approach + 4.0 * g_fEps);
-    ASSERT_EQ(hit.m_fTime, reverse.m_fTime); // swapping the balls changes signs only
-    ASSERT_EQ(hit.m_vNorm, -reverse.m_vNorm);
-    ASSERT_LE((hit.m_vCenter - reverse.m_vCenter).norm(), relative.m_fRadius + 2.0 * GapBound(trial));
-  });
-  EXPECT_GT(hits, 400);
-}
-
 CVec<CFifty> To50(const CVec2d& v) { return {CFifty(v.x()), CFifty(v.y())}; }
 
 bool Sweep50(const CTrial& trial, CHit<CFifty>& hit) {
