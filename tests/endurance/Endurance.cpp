@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Endurance.h"
 
-#include "LiveBlocks.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -102,20 +100,11 @@ private:
   std::vector<bool> m_stdMet;
 };
 
-class CMemory {
-public:
-  void Start(CFigures& figures) const {
-    figures.m_nBlocks = CountLiveBlocks();
-    figures.m_nBytes = CountLiveBytes();
-  }
-  void Look(CFigures& figures) const {
-    const auto more = [](std::size_t now, std::size_t then) {
-      return static_cast<std::ptrdiff_t>(now - then);
-    };
-    figures.m_nBlocksMore = std::max(figures.m_nBlocksMore, more(CountLiveBlocks(), figures.m_nBlocks));
-    figures.m_nBytesMore = std::max(figures.m_nBytesMore, more(CountLiveBytes(), figures.m_nBytes));
-  }
-};
+void LookAtMemory(CFigures& figures) {
+  const auto more = [](std::size_t now, std::size_t then) { return static_cast<std::ptrdiff_t>(now - then); };
+  figures.m_nBlocksMore = std::max(figures.m_nBlocksMore, more(CountLiveBlocks(), figures.m_nBlocks));
+  figures.m_nBytesMore = std::max(figures.m_nBytesMore, more(CountLiveBytes(), figures.m_nBytes));
+}
 
 double Mean(const double* begin, const double* end) {
   return std::accumulate(begin, end, 0.0) / static_cast<double>(end - begin);
@@ -142,7 +131,6 @@ CFigures Endure(const Compare::CScene& scene, const CEffectChoice& effects, std:
   const auto start = std::chrono::steady_clock::now();
   CPlayed played(scene, effects);
   CWatch watch(played);
-  const CMemory memory;
   CFigures figures;
   std::vector<double> batches(g_nBatches, 0.0);
   std::optional<CPlayed::CSaved> saved;
@@ -150,9 +138,9 @@ CFigures Endure(const Compare::CScene& scene, const CEffectChoice& effects, std:
   // The game that is saved in the middle goes on for a tenth, and then the one that is loaded does.
   const std::size_t middle = steps / 2, tail = steps / 10;
   for (std::size_t i = 0; i < steps; ++i) {
-    if (i == steps / 10) memory.Start(figures);
+    if (i == steps / 10) figures.m_nBlocks = CountLiveBlocks(), figures.m_nBytes = CountLiveBytes();
     // What is saved in the middle is held for a while.
-    if (i > steps / 10 && !saved && i % (steps / 100) == 0) memory.Look(figures);
+    if (i > steps / 10 && !saved && i % (steps / 100) == 0) LookAtMemory(figures);
     if (i == middle) saved = played.Save();
     watch.Before();
     if (meddling.m_Before) meddling.m_Before(played, i);
@@ -172,7 +160,7 @@ CFigures Endure(const Compare::CScene& scene, const CEffectChoice& effects, std:
       }
     }
   }
-  memory.Look(figures);
+  LookAtMemory(figures);
   watch.Finish(figures);
   figures.m_nSteps = steps;
   figures.m_nDrained = played.GetDrained();

@@ -9,6 +9,12 @@
 
 namespace Shapes::Tests {
 
+/// The memory that the program holds: its operator new and delete count. Blocks that are allocated now (a
+/// vector that grows stays one block, a leak does not), bytes in them, and blocks that were ever allocated.
+std::size_t CountLiveBlocks();
+std::size_t CountLiveBytes();
+std::size_t CountAllocations();
+
 struct CFigures {
   std::size_t m_nSteps = 0;
   std::size_t m_nContacts = 0;
