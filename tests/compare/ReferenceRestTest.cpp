@@ -13,30 +13,6 @@ namespace {
 
 using Shapes::Tests::CRandom;
 
-TEST(ReferenceRest, TangentInsideACircleDoesNotStall) {
-  CExact reference = Make({CCircleDesc({0, 0}, 1)}, {CDynamicCircleDesc({.75f, 0}, .25f, {0, 1})});
-  for (int i = 0; i < 600; ++i) {
-    Carry(reference, 1.0 / 60);
-    ASSERT_NEAR(reference.GetBall(0).m_vPos.norm(), .75, 1e-12);
-    ASSERT_LE(reference.GetBall(0).m_vPos.norm(), .75 + 1e-12);
-  }
-  EXPECT_NEAR(reference.GetBall(0).m_vVel.norm(), 1, 1e-12);
-}
-
-TEST(ReferenceRest, DeadBallIsCarriedByABlade) {
-  CExact reference = Make({Turning(Wall({0, 0}, {4, 0}, 0), 1)}, {CDynamicCircleDesc({1, .25f}, .125f)});
-  for (int i = 0; i < 12; ++i) {
-    Carry(reference, 1.0 / 120);
-    const CShapeGeometry<double> f = reference.GetGeometry(0);
-    const CVec2d along = (f.m_vPt1 - f.m_vPt0).normalized();
-    const double gap = Perp(along).dot(reference.GetBall(0).m_vPos) - .125;
-    ASSERT_GE(gap, -1e-12);
-    if (i >= 6) { // met at the latest when it has turned by 18 degrees
-      ASSERT_LE(gap, .01);
-    }
-  }
-}
-
 TEST(ReferenceRest, SensorIsReportedOncePerStep) {
   CExact reference = Make({Sensor(Wall({0, -1}, {0, 1})), Wall({1, -1}, {1, 1})},
                           {CDynamicCircleDesc({-1, 0}, .25f, {4, 0})});

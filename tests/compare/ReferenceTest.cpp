@@ -5,6 +5,7 @@
 #include "geometry/Cases.h"
 
 #include <stdexcept>
+#include <variant>
 
 namespace Shapes::Compare::Tests {
 namespace {
@@ -35,13 +36,7 @@ TEST(Reference, BallsMeetAsOftenAndLeaveAsTheyShould) {
         EXPECT_LE((reference.GetBall(i).m_vVel - velocities[i]).norm(), tolerance);
     }
   };
-  const auto ball = [](const Vector2& p, const Vector2& v, float r = .25f, float e = 1) {
-    return CDynamicCircleDesc(p, r, v, 1, e);
-  };
-  for (const float e : {.25f, .5f})
-    expect("by the product of elasticities", {},
-           {ball({-1, 0}, {1, 0}, .25f, e), ball({1, 0}, {-1, 0}, .25f, .75f - e)}, 1, 1,
-           {{-.125, 0}, {.125, 0}}, 1e-15);
+  const auto ball = [](const Vector2& p, const Vector2& v, float r) { return CDynamicCircleDesc(p, r, v); };
   for (const bool meet : {true, false}) { // the first gives its speed to the second, which comes back with it
     CLineSegDesc wall = Wall({1, -1}, {1, 1});
     CBalls balls = {ball({-1, 0}, {4, 0}, .1f), ball({0, 0}, {0, 0}, .1f)};
@@ -70,8 +65,8 @@ TEST(Reference, BallsMeetAsOftenAndLeaveAsTheyShould) {
     for (const double side : {1.0, -1.0}) { // some steps end while it is half way through
       const bool passes = sides == eSides::Front && side < 0;
       expect("one-way gate", {Sided(Wall({-1, 0}, {1, 0}), sides)},
-             {ball({.1f, static_cast<float>(side)}, {0, static_cast<float>(-side)})}, 2, passes ? 0u : 1u,
-             {{0, passes ? -side : side}});
+             {ball({.1f, static_cast<float>(side)}, {0, static_cast<float>(-side)}, .25f)}, 2,
+             passes ? 0u : 1u, {{0, passes ? -side : side}});
     }
 }
 
@@ -233,8 +228,9 @@ TEST(ReferenceGravity, WhatFallsComesToRestAndStaysThere) {
       EXPECT_NEAR((reference.GetBall(i).m_vPos - places[i]).norm(), 0, bound);
       EXPECT_NEAR(reference.GetBall(i).m_vVel.norm(), 0, 1e-12);
     }
-    EXPECT_GT(reference.GetRestCount(), 1000u);
-    EXPECT_EQ(reference.GetSlideCount(), 0u);
+    const bool isRound = std::holds_alternative<CCircleDesc>(shapes[0]); // there it slides, to no end
+    EXPECT_EQ(reference.GetRestCount() > 1000u, !isRound);
+    EXPECT_EQ(reference.GetSlideCount() > 600u, isRound);
     for (int i = 0; i < 600; ++i) {
       RoundToFloat(reference);
       Carry(reference, 1.0 / 60);
@@ -247,25 +243,13 @@ TEST(ReferenceGravity, WhatFallsComesToRestAndStaysThere) {
   for (const float e : {0.0f, .5f, .8f})
     expect("wedge", {Wall({-2, 2}, {0, 0}, e), Wall({0, 0}, {1, 2}, e)}, {ball(1, 1, 1)}, {{x, across - x}},
            1e-12);
+  for (const float e : {.5f, .25f})
+    expect("lowest place of a ring", {CCircleDesc({0, 2}, 2, e)}, {ball(1.25f, 1, 1)}, {{0, .25}}, 1e-13);
   for (const float e : {0.0f, .5f, 1.0f})
     expect("standing", {Wall({-2, 0}, {2, 0}, e)}, {ball(.25f, 3, e), ball(.75f, 5, e)}, {{0, .25}, {0, .75}},
            1e-13);
   expect("dropped", {Wall({-2, 0}, {2, 0}, .5f)}, {ball(.5f, 3, .7f), ball(1.5f, 1, .7f)},
          {{0, .25}, {0, .75}}, 1e-12);
-}
-
-// A resting ball that is hit leaves, and rests again.
-TEST(ReferenceGravity, RestEndsByAHit) {
-  CExact reference =
-      MakeHeavy({Wall({-99, 0}, {99, 0}, .5f)},
-                {CDynamicCircleDesc({0, .25f}, .25f), CDynamicCircleDesc({-1, .35f}, .25f, {4, 0})});
-  const CEvents events = Carry(reference, 3);
-  ASSERT_GT(events.size(), 10u);
-  EXPECT_TRUE(events[0].m_bIsBall || events[1].m_bIsBall);
-  for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_NEAR(reference.GetBall(i).m_vPos.y(), .25, 1e-12);
-    EXPECT_NEAR(reference.GetBall(i).m_vVel.y(), 0, 1e-12);
-  }
 }
 
 // 16 roundings of the energy a bounce.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // compare/scene.schema.json, which editors read, and the reader of scene files accept and refuse the same;
 // and the reader reads a scene that a program wrote.
+#include "CommandCalls.h"
 #include "MadeScenes.h"
 #include "OneOfEach.h"
-#include "OwnFolder.h"
 #include "Random.h"
 #include "scene/Scene.h"
 #include "schema/Schema.h"
