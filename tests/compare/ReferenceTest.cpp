@@ -36,7 +36,13 @@ TEST(Reference, BallsMeetAsOftenAndLeaveAsTheyShould) {
         EXPECT_LE((reference.GetBall(i).m_vVel - velocities[i]).norm(), tolerance);
     }
   };
-  const auto ball = [](const Vector2& p, const Vector2& v, float r) { return CDynamicCircleDesc(p, r, v); };
+  const auto ball = [](const Vector2& p, const Vector2& v, float r, float e = 1) {
+    return CDynamicCircleDesc(p, r, v, 1, e);
+  };
+  for (const float e : {.25f, .5f})
+    expect("by the product of elasticities", {},
+           {ball({-1, 0}, {1, 0}, .25f, e), ball({1, 0}, {-1, 0}, .25f, .75f - e)}, 1, 1,
+           {{-.125, 0}, {.125, 0}}, 1e-15);
   for (const bool meet : {true, false}) { // the first gives its speed to the second, which comes back with it
     CLineSegDesc wall = Wall({1, -1}, {1, 1});
     CBalls balls = {ball({-1, 0}, {4, 0}, .1f), ball({0, 0}, {0, 0}, .1f)};

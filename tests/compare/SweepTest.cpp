@@ -233,6 +233,28 @@ TEST(Sweep, NearGrazesKeepTheBoundThatTheTextbookBreaks) {
   EXPECT_GT(worstTextbook, 10.0);
 }
 
+// The control of the turning path: Newton's method steps over impacts that the safe step finds.
+TEST(Sweep, NewtonWouldMissWhatTheSafeStepFinds) {
+  int hits = 0, missedByNewton = 0;
+  ForEachCase(60, 1000, [&](CRandom& random, int) {
+    const CTrial trial = RandomTrial(random, eShape::Point, false, true);
+    CHit<double> hit;
+    if (!Sweep(trial.m_cGeometry, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax, hit)) return;
+    ++hits;
+    const CSweepOracle oracle(trial.m_cGeometry, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax);
+    real t = 0, gap = oracle.Gap(t);
+    for (int k = 0; k < 100 && gap > 1e-12L && t < trial.m_fTimeMax; ++k) {
+      const real slope = (oracle.Gap(t + 1e-9L) - gap) / 1e-9L;
+      if (slope >= 0) break;
+      t -= gap / slope;
+      gap = oracle.Gap(t);
+    }
+    if (std::abs(gap) > 1e-9L || std::abs(static_cast<double>(t) - hit.m_fTime) > 1e-6) ++missedByNewton;
+  });
+  EXPECT_GT(hits, 100);
+  EXPECT_GT(missedByNewton, hits / 20);
+}
+
 TEST(DistanceTest, IsThatOfTheOracle) {
   const eShape types[] = {eShape::Point, eShape::LineSeg, eShape::Circle, eShape::Arc};
   ForEachCase(17, 1600, [&](CRandom& random, int i) {
