@@ -1,15 +1,45 @@
 // SPDX-License-Identifier: MIT
-// Programs called as a user calls them.
+// A folder for each test, because tests may run at the same time; and programs called as a user calls them.
 #pragma once
 
 #include "Messages.h"
-#include "OwnFolder.h"
+
+#include <gtest/gtest.h>
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
 
 namespace Shapes::Compare::Tests {
+
+class CFolderTest : public testing::Test {
+protected:
+  CFolderTest()
+      : m_cFolder(std::filesystem::temp_directory_path() /
+                  ("shapes-compare-test-" + std::to_string(getpid()) +
+                   testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    std::filesystem::create_directories(m_cFolder);
+  }
+  ~CFolderTest() override { std::filesystem::remove_all(m_cFolder); }
+
+  std::string Write(const std::string& name, const std::string& text) const {
+    std::ofstream(m_cFolder / name, std::ios::binary) << text;
+    return (m_cFolder / name).string();
+  }
+  /// A path that begins at the root is taken as it is.
+  std::string Read(const std::filesystem::path& name) const {
+    std::ostringstream text;
+    text << std::ifstream(m_cFolder / name, std::ios::binary).rdbuf();
+    return text.str();
+  }
+
+  std::filesystem::path m_cFolder;
+};
 
 struct CResult {
   int m_nExit;

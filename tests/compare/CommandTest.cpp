@@ -141,7 +141,7 @@ TEST_F(CommandTest, EnginesAreChosen) {
     return text;
   };
   EXPECT_EQ(engines("box2d,native-approximate,native"), "native native-approximate box2d ");
-  EXPECT_EQ(engines("box2d-tuned"), "box2d-tuned ");
+  EXPECT_EQ(engines("box2d-tuned,box2d-tuned"), "box2d-tuned ");
 }
 
 TEST_F(CommandTest, FailAboveIsAGate) {
@@ -219,21 +219,11 @@ TEST_F(CommandTest, CtrlCBeforeTheFirstSceneLeavesAnEarlierReportAlone) {
 TEST_F(CommandTest, EverySceneFitsOnOneScreen) {
   const CResult result = Run("run --contacts 10");
   ASSERT_EQ(result.m_nExit, 0) << result.m_sOutput;
-  EXPECT_LE(std::count(result.m_sOutput.begin(), result.m_sOutput.end(), '\n'), 40) << result.m_sOutput;
+  EXPECT_LE(std::ranges::count(result.m_sOutput, '\n'), 40) << result.m_sOutput;
   // Longer replays and larger counts make that of a full run some .4 MB larger, and it has to stay below 3.
   EXPECT_LT(fs::file_size(m_cFolder / "report.html"), 2'500'000u);
   const CResult verbose = Run("run --contacts 10 --scenes bowl,corner,spinner --verbose");
-  EXPECT_GT(std::count(verbose.m_sOutput.begin(), verbose.m_sOutput.end(), '\n'), 60); // the control
-}
-
-TEST_F(CommandTest, TheNumberOfContactsIsObeyed) {
-  // Less and more than a run has by itself.
-  for (const auto& [options, contacts] : {std::pair("", 30), std::pair("", 2100), std::pair("--full", 40)}) {
-    const CResult result =
-        Run(fmt::format("run --scenes head_on_wall --engines native {} --contacts {}", options, contacts));
-    ASSERT_EQ(result.m_nExit, 0) << result.m_sOutput;
-    EXPECT_EQ(ReadRun().at("/scenes/0/engines/0/contacts"_json_pointer), contacts);
-  }
+  EXPECT_GT(std::ranges::count(verbose.m_sOutput, '\n'), 60); // the control
 }
 
 TEST_F(CommandTest, ALongRunSaysBeforeHowLongItTakes) {
@@ -311,30 +301,28 @@ TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
        "mine.json: /balls/0/velocity: expected finite coordinates of at most 1e+09 in size, got [1e+18,0] on "
        "box2d (--engines takes others)"},
       {fast + " --engines native", "none met anything"}, // which holds it
+      {"", "subcommand"},
+      {"run --out " + Write("file", "") + "/below", "file/below"},
   };
   for (const auto& [arguments, reason] : cases) {
-    const CResult result = Run(arguments);
+    const bool hasFolder = arguments.empty() || arguments.find("--out") != arguments.npos;
+    const CResult result = hasFolder ? Call(arguments) : Run(arguments);
     EXPECT_EQ(result.m_nExit, 2) << arguments;
     EXPECT_TRUE(result.Says(reason));
-  }
-  for (const auto& [arguments, reason] : {std::pair<std::string, const char*>("", "subcommand"),
-                                          {"run --out " + Write("file", "") + "/below", "file/below"}}) {
-    EXPECT_EQ(Call(arguments).m_nExit, 2) << arguments;
-    EXPECT_TRUE(Call(arguments).Says(reason));
   }
   // All of this is known before any work is done.
   EXPECT_FALSE(fs::exists(m_cFolder / "run.json"));
 }
 
 TEST_F(CommandTest, HelpAndListSucceed) {
-  EXPECT_EQ(Call("--help").m_nExit, 0);
-  EXPECT_EQ(Call("run --help").m_nExit, 0);
-  const CResult version = Call("--version");
-  EXPECT_EQ(version.m_nExit, 0);
-  EXPECT_EQ(version.m_sOutput.rfind("shapes-compare 0.", 0), 0u) << version.m_sOutput;
-  const CResult list = Call("list");
-  EXPECT_EQ(list.m_nExit, 0);
-  EXPECT_TRUE(list.Says("pinball"));
+  for (const auto& [pArguments, pText] : {std::pair("--help", "Usage: "),
+                                          {"run --help", "--contacts"},
+                                          {"--version", "shapes-compare 0."},
+                                          {"list", "pinball"}}) {
+    const CResult result = Call(pArguments);
+    EXPECT_EQ(result.m_nExit, 0) << pArguments;
+    EXPECT_TRUE(result.Says(pText));
+  }
 }
 
 // compare/run.sh answers these without a compiler; PATH has nothing to build with.

@@ -25,10 +25,8 @@ int GetShots() {
 }
 
 struct CShot {
-  CAnyShapeDesc m_cTarget; // unless it is a ball
-  bool m_bIsBall = false;
-  CDynamicCircleDesc m_cOther;
-  CDynamicCircleDesc m_cBall;
+  CShapes m_stdShapes; // the target,
+  CBalls m_stdBalls;   // unless it is the second ball
   Vector2 m_vGravity = Vector2::Zero();
 };
 
@@ -82,26 +80,28 @@ CShot MakeShot(CRandom& random, const CCase& what) {
   const float a = random.Uniform(0.0f, g_fTwoPi), R = r * random.Scale(-2, 4),
               length = r * random.Scale(-2, 6);
   const Vector2 u = AngleToVector(a);
-  CShot shot;
+  const bool isBall = what.m_eTarget == eTarget::Ball;
+  CAnyShapeDesc target;
   // Where the ball is to touch, and from where.
   Vector2 poi = c, n = u;
   switch (what.m_eTarget) {
-  case eTarget::Point: shot.m_cTarget = CPointDesc(c); break;
+  case eTarget::Ball: break;
+  case eTarget::Point: target = CPointDesc(c); break;
   case eTarget::LineSeg:
-    shot.m_cTarget = CLineSegDesc(c, c + length * perp(u));
+    target = CLineSegDesc(c, c + length * perp(u));
     poi = c + random.Uniform(0.0f, 1.0f) * length * perp(u);
     break;
   case eTarget::LineSegEnd:
-    shot.m_cTarget = CLineSegDesc(c, c + length * perp(u));
+    target = CLineSegDesc(c, c + length * perp(u));
     n = RotatePt(u, Vector2::Zero(), random.Uniform(-1.5f, 0.0f));
     break;
   case eTarget::Circle:
-    shot.m_cTarget = CCircleDesc(c, R);
+    target = CCircleDesc(c, R);
     poi = c + R * u;
     break;
   case eTarget::Ring: {
     const float ring = r * (1.0f + random.Scale(-3, 5));
-    shot.m_cTarget = CCircleDesc(c, ring);
+    target = CCircleDesc(c, ring);
     poi = c + ring * u;
     n = -u;
     break;
@@ -111,32 +111,29 @@ CShot MakeShot(CRandom& random, const CCase& what) {
     const bool inside = what.m_eTarget == eTarget::ArcInside;
     const float arc = inside ? r * (1.0f + random.Scale(-3, 5)) : R, before = random.Uniform(0.0f, 3.0f);
     const float after = random.Uniform(0.01f, 3.0f);
-    shot.m_cTarget = CArcDesc(c, arc, a - before, a + after);
+    target = CArcDesc(c, arc, a - before, a + after);
     poi = c + arc * u;
     n = inside ? Vector2(-u) : u;
     break;
   }
   case eTarget::ArcEnd:
-    shot.m_cTarget = CArcDesc(c, R, a, a + random.Uniform(0.01f, 6.0f));
+    target = CArcDesc(c, R, a, a + random.Uniform(0.01f, 6.0f));
     poi = c + R * u;
     n = RotatePt(u, Vector2::Zero(), random.Uniform(-2.0f, 0.0f)); // seen from before the end
     break;
-  case eTarget::Ball: {
-    shot.m_bIsBall = true;
-    poi = c;
-    break;
   }
-  }
-  shot.m_cBall = MakeBall(random, poi, n, r, ratio * r);
-  if (shot.m_bIsBall) {
+  CShot shot;
+  shot.m_stdBalls = {MakeBall(random, poi, n, r, ratio * r)};
+  if (isBall) {
     // Both move; the other one is on its way, too.
     const float R1 = r * random.Scale(-3, 3);
     const Vector2 v = random.VectorOfLength(0.0f, ratio * r / g_fDt);
     const float part = random.Uniform(0.0f, 1.0f);
-    shot.m_cOther = CDynamicCircleDesc(c - R1 * u - v * (part * g_fDt), R1, v, random.Scale(-3, 3));
+    shot.m_stdBalls.emplace_back(c - R1 * u - v * (part * g_fDt), R1, v, random.Scale(-3, 3));
     const float back = part * g_fDt; // both at the same time
-    shot.m_cBall.m_vPos = c + r * u - shot.m_cBall.m_vVel * back;
+    shot.m_stdBalls[0].m_vPos = c + r * u - shot.m_stdBalls[0].m_vVel * back;
   }
+  CDynamicCircleDesc& ball = shot.m_stdBalls[0];
   const CMoves& moves = what.m_cMoves;
   if (moves.m_bTurns || moves.m_bMoves)
     std::visit(
@@ -145,18 +142,19 @@ CShot MakeShot(CRandom& random, const CCase& what) {
           desc.m_vRotCenter = c + random.Coin() * random.VectorOfLength(0.0f, 4.0f * r);
           if (moves.m_bTurns) desc.m_fRotSpeed = random.SignedScale(-3, 5); // up to a whole turn in a step
           if (moves.m_bMoves) desc.m_vVel = random.VectorOfLength(0.0f, 50.0f * r / g_fDt);
-          shot.m_cBall.m_vVel += desc.m_vVel; // seen from there the ball comes as it did
+          ball.m_vVel += desc.m_vVel; // seen from there the ball comes as it did
         },
-        shot.m_cTarget);
+        target);
   if (moves.m_bFalls) {
     shot.m_vGravity = random.VectorOfLength(0.0f, std::min(10.0f, ratio) * r / (g_fDt * g_fDt));
     // Two that fall together come to each other as they did; one comes about there, about then.
     const float back = random.Uniform(0.0f, 1.0f) * g_fDt;
-    if (!shot.m_bIsBall) {
-      shot.m_cBall.m_vVel -= shot.m_vGravity * back;
-      shot.m_cBall.m_vPos += shot.m_vGravity * (0.5f * back * back);
+    if (!isBall) {
+      ball.m_vVel -= shot.m_vGravity * back;
+      ball.m_vPos += shot.m_vGravity * (0.5f * back * back);
     }
   }
+  if (!isBall) shot.m_stdShapes = {target};
   return shot;
 }
 
@@ -198,13 +196,7 @@ protected:
     CResult result;
     for (int i = 0; i < shots; ++i) {
       const CShot shot = MakeShot(random, GetParam());
-      CBalls balls{shot.m_cBall};
-      CShapes shapes;
-      if (shot.m_bIsBall)
-        balls.push_back(shot.m_cOther);
-      else
-        shapes.push_back(shot.m_cTarget);
-      CExact exact = Make(shapes, balls, shot.m_vGravity);
+      CExact exact = Make(shot.m_stdShapes, shot.m_stdBalls, shot.m_vGravity);
       if (BeginsWithOverlap(exact)) continue;
       CEvents events;
       try {
@@ -219,9 +211,9 @@ protected:
       desc.m_vGravity = shot.m_vGravity;
       desc.m_cEffects = choice;
       const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
-      for (const CAnyShapeDesc& shape : shapes)
+      for (const CAnyShapeDesc& shape : shot.m_stdShapes)
         pWorld->Add(shape);
-      for (const CDynamicCircleDesc& ball : balls)
+      for (const CDynamicCircleDesc& ball : shot.m_stdBalls)
         pWorld->Add(ball);
       pWorld->Step();
       const auto contacts = pWorld->GetContacts();
@@ -243,7 +235,8 @@ protected:
       }
       if (events.size() != 1) continue;
       const Vector2d v = pWorld->GetBallVelocities()[0].cast<double>(), w = exact.GetBall(0).m_vVel;
-      const double ratio = static_cast<double>(shot.m_cBall.m_vVel.norm() * g_fDt / shot.m_cBall.m_fRadius);
+      const double ratio =
+          static_cast<double>(shot.m_stdBalls[0].m_vVel.norm() * g_fDt / shot.m_stdBalls[0].m_fRadius);
       const auto decade = static_cast<std::size_t>(std::clamp(std::floor(std::log10(ratio)) + 2.0, 0.0, 5.0));
       result.m_stdErrors[decade].push_back(std::abs(std::atan2(v.x() * w.y() - v.y() * w.x(), v.dot(w))));
     }

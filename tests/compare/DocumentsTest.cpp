@@ -32,56 +32,43 @@ TEST_F(DocumentsTest, EveryFigureOfARunIsThatOfTheRunThatIsKept) {
   }
 }
 
-TEST_F(DocumentsTest, WhatIsKeptOfARunIsAllThatItsDocumentsNeed) {
-  ASSERT_EQ(Run("run --scenes bowl --contacts 20").m_nExit, 0);
+// The script that fills documents, from a run or from what is kept of it, quotes what the tool printed, and
+// refuses a run of another version in words.
+TEST_F(DocumentsTest, DocumentsAreFilledFromARunOrFromWhatIsKeptOfIt) {
+  const CResult printed = Run("run --scenes bowl,corner --contacts 20");
+  ASSERT_EQ(printed.m_nExit, 0);
   const std::string run = (m_cFolder / "run.json").string(), kept = (m_cFolder / "kept.json").string();
-  ASSERT_EQ(Results("--keep " + run + " " + kept).m_nExit, 0);
-  const std::string text = "<!-- results: overall -->\n<!-- end -->\n<!-- results: scenes -->\n<!-- end -->\n"
-                           "<!-- results: answers -->\n<!-- end -->\n"
-                           "<!-- results: ladder bowl 64 angle --><!-- end -->";
+  ASSERT_EQ(Results("--keep " + run + " " + kept + " " + Write("printed.txt", printed.m_sOutput)).m_nExit, 0);
+  EXPECT_LT(std::filesystem::file_size(kept), std::filesystem::file_size(run) / 5);
+  const std::string text = "above\n<!-- results: scenes -->\nold\n<!-- end -->\n<!-- results: overall -->\n"
+                           "<!-- end -->\n<!-- results: answers -->\n<!-- end -->\n"
+                           "<!-- results: ladder bowl 64 angle --><!-- end -->\nbelow\n";
   const std::string page = Write("page.md", text), other = Write("other.md", text);
   EXPECT_EQ(Results(run + " " + page).m_nExit, 0);
   EXPECT_EQ(Results(kept + " " + other).m_nExit, 0);
-  EXPECT_EQ(Read("page.md"), Read("other.md"));
-  EXPECT_LT(std::filesystem::file_size(kept), std::filesystem::file_size(run) / 5);
-}
-
-TEST_F(DocumentsTest, WhatTheToolPrintsIsQuoted) {
-  const CResult run = Run("run --scenes bowl,corner --contacts 20");
-  ASSERT_EQ(run.m_nExit, 0);
-  const std::string kept = (m_cFolder / "kept.json").string();
-  ASSERT_EQ(Results("--keep " + (m_cFolder / "run.json").string() + " " + kept + " " +
-                    Write("printed.txt", run.m_sOutput))
-                .m_nExit,
-            0);
-  const std::string page = Write("page.md", "<!-- results: terminal corner -->\n<!-- end -->\n");
-  EXPECT_EQ(Results(kept + " " + page).m_nExit, 0);
   const std::string filled = Read("page.md");
-  std::istringstream quoted(filled);
-  int rows = 0;
-  for (std::string row; std::getline(quoted, row);)
-    if (row.find("native") != std::string::npos) {
-      EXPECT_TRUE(run.Says(row)) << row;
-      ++rows;
-    }
-  EXPECT_GE(rows, 3); // of the corner, and of each mode over all
-  EXPECT_FALSE(Shapes::Says(filled, "bowl"));
-}
-
-// The script that fills documents; a run of another version is refused in words.
-TEST_F(DocumentsTest, ResultTablesAreWrittenFromTheRun) {
-  ASSERT_EQ(Run("run --scenes bowl --contacts 20").m_nExit, 0);
-  const std::string page = Write("page.md", "above\n<!-- results: scenes -->\nold\n<!-- end -->\nbelow\n");
-  const auto fill = [&] { return Results((m_cFolder / "run.json").string() + " " + page); };
-  EXPECT_EQ(fill().m_nExit, 0);
-  const std::string filled = Read("page.md");
+  EXPECT_EQ(filled, Read("other.md"));
   EXPECT_TRUE(Shapes::Says(filled, "\n| bowl | "));
   EXPECT_FALSE(Shapes::Says(filled, "old"));
   EXPECT_TRUE(filled.starts_with("above\n") && filled.ends_with("<!-- end -->\nbelow\n")) << filled;
+
+  EXPECT_EQ(
+      Results(kept + " " + Write("quote.md", "<!-- results: terminal corner -->\n<!-- end -->\n")).m_nExit,
+      0);
+  std::istringstream quoted(Read("quote.md"));
+  int rows = 0;
+  for (std::string row; std::getline(quoted, row);)
+    if (row.find("native") != std::string::npos) {
+      EXPECT_TRUE(printed.Says(row)) << row;
+      ++rows;
+    }
+  EXPECT_GE(rows, 3); // of the corner, and of each mode over all
+  EXPECT_FALSE(Shapes::Says(Read("quote.md"), "bowl"));
+
   nlohmann::json old = nlohmann::json::parse(Read("run.json"));
   old["version"] = 4;
   Write("run.json", old.dump());
-  const CResult refused = fill();
+  const CResult refused = Results(run + " " + page);
   EXPECT_EQ(refused.m_nExit, 1);
   EXPECT_TRUE(refused.Says("is of version 4, expected 5"));
   EXPECT_EQ(Read("page.md"), filled);

@@ -2,6 +2,7 @@
 // Some impacts are judged, others set aside, as the options say; and responses to what is not touched: a
 // scene in which Box2D has them, by a mechanism that is known, and controls.
 #include "MadeScenes.h"
+#include "metrics/EngineResponse.h"
 #include "metrics/Ghosts.h"
 #include "metrics/ImpactTrials.h"
 #include "scene/ExactGame.h"
@@ -226,21 +227,6 @@ TEST(ImpactTrialRulesTest, ApartIsTheDistanceOfTwoBackends) {
   EXPECT_EQ(all.size(), 50u);
 }
 
-TEST(ImpactTrialRulesTest, ProgressGoesUpToOneAndMayEndTheRun) {
-  const CScene scene = LoadBundled("head_on_wall");
-  std::vector<double> shares;
-  CImpactTrialOptions options = MakeImpactOptions(20, 100);
-  options.m_stdProgress = [&](double share) { shares.push_back(share); };
-  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), options);
-  EXPECT_EQ(result.m_nTrials, shares.size());
-  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
-  EXPECT_EQ(shares.back(), 1.0);
-  struct CEnough {};
-  options.m_stdProgress = [&](double) { throw CEnough(); };
-  EXPECT_THROW(RunImpactTrials(scene, GetEngines(), options), CEnough);
-  EXPECT_EQ(Judge(scene, 0, 100).m_nTrials, 0u);
-}
-
 // A ball that flies to and fro between two walls, 5 millimetres above a floor of `pieces` segments that are
 // joined in a line.
 CScene OverFloor(int pieces, float height) {
@@ -280,30 +266,6 @@ TEST(GhostsTest, JointsOfAFloorBumpABallOnBox2D) {
   }
 }
 
-// A ball does not pass walls more than a radius away: only the steps beside the walls are quiet ones.
-TEST(GhostsTest, StepsFarFromEverythingAreNotCounted) {
-  const CImpactTrialResult near = JudgeGhosts(OverFloor(1, 0.195f), 300),
-                           far = JudgeGhosts(OverFloor(1, 0.205f), 300);
-  EXPECT_GT(near.m_nQuietSteps, 250u);
-  EXPECT_GT(far.m_nQuietSteps, 100u);
-  // With 3 m/s, the ball is within a radius of a wall in 4 to 6 of the 76 steps between two impacts.
-  CScene lone = OverFloor(1, 0.205f);
-  lone.m_stdShapes.erase(lone.m_stdShapes.begin() + 1, lone.m_stdShapes.end());
-  EXPECT_EQ(JudgeGhosts(lone, 10).m_nQuietSteps, 0u);
-}
-
-// A response that comes before its time is none: Box2D's skin answers the ball a step before it is there.
-TEST(GhostsTest, EarlyAnswersAreNoGhosts) {
-  // three thousandths a step, so it is in the skin for three
-  CScene scene = MakeScene(4, 10, {CLineSegDesc({0, -2}, {0, 2}), CLineSegDesc({-1, -2}, {-1, 2})},
-                           {CDynamicCircleDesc({-0.5f, 0}, 0.1f, {0.2f, 0})});
-  const CImpactTrialResult result = JudgeGhosts(scene, 300);
-  EXPECT_GT(result.m_nQuietSteps, 250u);
-  EXPECT_EQ(result.m_stdGhosts[g_nApproximate], 0u);
-  // The third step before the impact may still be in the skin: that one is a ghost by definition.
-  EXPECT_LT(result.m_stdGhosts[g_nBox2D], 60u);
-}
-
 // One step from the start of the scene as it is, with so many impacts before that each quiet step is drawn.
 CImpactTrialResult JudgeOneStep(const CScene& scene) {
   const std::vector<CEngine> engines = GetEngines();
@@ -319,32 +281,87 @@ CImpactTrialResult JudgeOneStep(const CScene& scene) {
   return result;
 }
 
-// Between their surfaces, at the least, in radii; both are counted.
-TEST(GhostsTest, TwoBallsPassEachOtherWithinARadius) {
-  for (const auto& [gap, quiet] : {std::pair(0.5f, 2u), std::pair(0.95f, 2u), std::pair(1.05f, 0u)}) {
-    CScene scene = MakeScene(4, 1, {},
-                             {CDynamicCircleDesc({-0.5f, 0}, 0.1f, {60, 0}),
-                              CDynamicCircleDesc({0.5f, 0.2f + 0.1f * gap}, 0.1f, {-60, 0})});
-    EXPECT_EQ(JudgeOneStep(scene).m_nQuietSteps, quiet) << gap;
+// Between their surfaces, at the least, in radii; of two balls both are counted.
+TEST(GhostsTest, StepsFarFromEverythingAreNotCounted) {
+  for (const auto& [gap, isNear] : {std::pair(0.5f, true), std::pair(0.95f, true), std::pair(1.05f, false)}) {
+    SCOPED_TRACE(gap);
+    const CDynamicCircleDesc ball({-0.5f, 0.2f + 0.1f * gap}, 0.1f, {60, 0});
+    const CScene twoBalls = MakeScene(4, 1, {}, {ball, CDynamicCircleDesc({0.5f, 0}, 0.1f, {-60, 0})});
+    EXPECT_EQ(JudgeOneStep(twoBalls).m_nQuietSteps, isNear ? 2u : 0u);
+    const CScene floor = MakeScene(4, 1, {CLineSegDesc({-2, 0.1f}, {2, 0.1f})}, {ball});
+    EXPECT_EQ(JudgeOneStep(floor).m_nQuietSteps, isNear ? 1u : 0u);
   }
 }
 
 // In Box2D's skin of .01. The one that comes nearer touches in the next step, the other one in none.
+// Responses to two shapes in a step are one ghost.
 TEST(GhostsTest, WhatIsTouchedInTheNextTwoStepsIsNoGhost) {
-  for (const auto& [speed, ghosts] : {std::pair(0.3f, 0u), std::pair(0.01f, 1u)}) {
-    CScene scene = MakeScene(4, 1, {CLineSegDesc({0, -2}, {0, 2})},
-                             {CDynamicCircleDesc({-0.109f, 0}, 0.1f, {speed, 0})});
-    const CImpactTrialResult result = JudgeOneStep(scene);
+  const CLineSegDesc wall({0, -2}, {0, 2}), floor({-2, 0}, {2, 0});
+  const auto expect = [](const std::vector<CAnyShapeDesc>& shapes, const Vector2& p, const Vector2& v,
+                         std::size_t ghosts) {
+    const CImpactTrialResult result = JudgeOneStep(MakeScene(4, 1, shapes, {CDynamicCircleDesc(p, 0.1f, v)}));
     EXPECT_EQ(result.m_nQuietSteps, 1u);
-    EXPECT_EQ(result.m_stdGhosts[g_nBox2D], ghosts) << speed;
+    EXPECT_EQ(result.m_stdGhosts[g_nBox2D], ghosts) << v.x();
     EXPECT_EQ(result.m_stdGhosts[g_nNative], 0u);
+  };
+  expect({wall}, {-0.109f, 0}, {0.3f, 0}, 0);
+  expect({wall}, {-0.109f, 0}, {0.01f, 0}, 1);
+  expect({wall, floor}, {-0.109f, 0.109f}, {0.01f, -0.01f}, 1);
+}
+
+// ---- What counts as a response of an engine.
+
+CContactEvent MakeEvent(float speed, float setback, float impulse) {
+  CContactEvent event;
+  event.m_fSpeed = speed;
+  event.m_fSetback = setback;
+  event.m_fImpulse = impulse;
+  return event;
+}
+
+TEST(EngineResponse, IsWhatChangesTheVelocityOrThePlaceOfABall) {
+  EXPECT_TRUE(IsResponse(MakeEvent(1, 0, 0)));
+  EXPECT_TRUE(IsResponse(MakeEvent(0, 1, 0)));
+  EXPECT_TRUE(IsResponse(MakeEvent(0, 0, 1)));
+  EXPECT_FALSE(IsResponse(MakeEvent(0, 0, 0)));
+  CContactEvent sensor = MakeEvent(1, 0, 1);
+  sensor.m_bIsSensor = true;
+  EXPECT_FALSE(IsResponse(sensor));
+}
+
+// A ball that lies is carried in every step, and bounces in none.
+TEST(EngineResponse, ABallThatLiesIsCarriedAndDoesNotBounce) {
+  for (const CBackend& backend : GetBackends()) {
+    CWorldDesc desc;
+    desc.m_vGravity = {0, -10};
+    const auto pWorld = backend.MakeWorld(desc);
+    pWorld->Add(CLineSegDesc({-5, 0}, {5, 0}));
+    CDynamicCircleDesc ball({0, 0.5f}, 0.5f);
+    ball.m_fElasticity = 0.0f;
+    const CShapeId id = pWorld->Add(ball);
+    pWorld->Step();
+    pWorld->Step();
+    EXPECT_EQ(CountBounces(*pWorld), 0u) << backend.GetName();
+    const auto contacts = pWorld->GetContacts();
+    EXPECT_TRUE(std::any_of(contacts.begin(), contacts.end(), [&](const CContactEvent& event) {
+      return AsSeenBy(event, id).has_value();
+    })) << backend.GetName();
   }
 }
 
-TEST(GhostsTest, ResponsesToTwoShapesInAStepAreOneGhost) {
-  CScene scene = MakeScene(4, 1, {CLineSegDesc({0, -2}, {0, 2}), CLineSegDesc({-2, 0}, {2, 0})},
-                           {CDynamicCircleDesc({-0.109f, 0.109f}, 0.1f, {0.01f, -0.01f})});
-  EXPECT_EQ(JudgeOneStep(scene).m_stdGhosts[g_nBox2D], 1u);
+// Balls that are held by a wall before they could bounce off it have been answered: in a chute of Box2D, in a
+// pile on native.
+TEST(EngineResponse, BallsThatAreHeldHaveBeenAnswered) {
+  const auto count = [](const char* pScene, std::string_view engine) {
+    std::vector<CEngine> engines = GetEngines();
+    std::erase_if(engines, [&](const CEngine& e) { return e.m_sName != engine; });
+    const CImpactTrialResult result = Judge(LoadBundled(pScene), 2000, 100000, 1, engines);
+    EXPECT_GE(result.m_stdContacts.size(), 2000u);
+    return std::count_if(result.m_stdContacts.begin(), result.m_stdContacts.end(),
+                         [](const CContact& c) { return c.m_stdEngines[0].m_eOutcome == eOutcome::Missed; });
+  };
+  EXPECT_EQ(count("chute", "box2d-tuned"), 0);
+  EXPECT_EQ(count("closing_gates", "native"), 0);
 }
 
 } // namespace

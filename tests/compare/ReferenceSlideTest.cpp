@@ -178,24 +178,6 @@ TEST(ReferenceSlide, BallSlidesOffABall) {
   }
 }
 
-// Into the lowest place of a ring: the hops end at t0 (1 + e) / (1 - e), as on a floor.
-TEST(ReferenceSlide, DropIntoARingEndsAndStays) {
-  for (const float e : {.5f, 0.25f}) {
-    CExact reference = MakeOne({CCircleDesc({0, 0}, 2, e)}, .25f, {0, -.75}, {0, 0}, g_vPull);
-    const CEvents events = Carry(reference, 2);
-    const double loss = static_cast<double>(e), end = std::sqrt(2 / g_fPull) * (1 + loss) / (1 - loss);
-    ASSERT_GT(events.size(), 8u);
-    EXPECT_NEAR(events.back().m_fTime, end, 2 * g_fClose / (1 - loss));
-    EXPECT_GT(std::abs(events[8].m_fTime - end), 1e-6); // control: before the last
-    for (int k = 0; k < 2; ++k) {
-      EXPECT_EQ(reference.GetBall(0).m_vVel, CVec2d(0, 0));
-      EXPECT_NEAR((reference.GetBall(0).m_vPos - CVec2d(0, -1.75)).norm(), 0, 1e-14);
-      EXPECT_TRUE(Carry(reference, 1.0 / 60, 600).empty());
-    }
-    EXPECT_NEAR(reference.GetForce(0, 0), g_fPull, 1e-13);
-  }
-}
-
 // Four balls in a row down one wall of a right-angled wedge: each presses on that wall with cos of its
 // weight, on the next with sin of all above it, and the last on the other wall with sin of all.
 TEST(ReferenceSlide, ARowInAWedgeHasTheForcesOfStatics) {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The exact reference against what is known in closed form: collision counts, cradles, and the time at
-// which a bouncing ball comes to rest. Each has a control that breaks what it rests on.
-#include "Random.h"
+// The exact reference against what is known in closed form: collision counts, cradles, the time at which a
+// bouncing ball comes to rest, and mean free paths. Each has a control that breaks what it rests on.
 #include "ReferenceTesting.h"
+#include "geometry/Cases.h"
 
-#include <utility>
+#include <functional>
+#include <ostream>
 
 namespace Shapes::Compare::Tests {
 namespace {
 
-using Shapes::Tests::CRandom;
+using Shapes::Tests::CRandom, Shapes::Tests::ForEachCase;
 
 // A wall at x = 0, a ball of mass 1 at rest, and one of mass `ratio` that comes with speed 1 from the right.
 CExact WallAndTwoBalls(double ratio, float e = 1) {
@@ -89,74 +90,6 @@ TEST_P(CPoolWithPi, OtherMassesAndLossesCountOtherwise) { // control
 
 INSTANTIATE_TEST_SUITE_P(Reference, CPoolWithPi, testing::Range(0, 5));
 
-// Balls on a line, of diameter 1/4 and equal masses, exchange their velocities: what moves on is the
-// velocity. Seen so, velocity i starts at x_i - i / 4 and goes straight, and each crossing of two is a hit.
-struct CLineOfBalls {
-  CBalls m_stdBalls;
-  std::vector<double> m_stdTimes; // of the crossings, ascending
-};
-
-CLineOfBalls RandomLine(CRandom& random, int n) {
-  std::vector<int> order;
-  for (int i = 0; i < n; ++i)
-    order.push_back(i);
-  for (std::uint32_t i = static_cast<std::uint32_t>(n); i > 1; --i)
-    std::swap(order[i - 1], order[random.Below(i)]);
-  CLineOfBalls line;
-  std::vector<double> start, speed;
-  float x = 0;
-  for (const int rank : order) {
-    x += random.Uniform(.3f, 2);
-    const float v = static_cast<float>(rank) + random.Uniform(-.4f, .4f); // .2 apart at least
-    line.m_stdBalls.emplace_back(Vector2(x, 0), .125f, Vector2(v, 0));
-    start.push_back(static_cast<double>(x) - .25 * static_cast<double>(start.size()));
-    speed.push_back(static_cast<double>(v));
-  }
-  for (std::size_t j = 0; j < start.size(); ++j)
-    for (std::size_t i = 0; i < j; ++i)
-      if (speed[i] > speed[j]) line.m_stdTimes.push_back((start[j] - start[i]) / (speed[i] - speed[j]));
-  std::sort(line.m_stdTimes.begin(), line.m_stdTimes.end());
-  return line;
-}
-
-TEST(ReferenceTruth, HitsOnALineAreInversions) {
-  CRandom random(1203);
-  double worst = 0;
-  int unlike = 0;
-  for (int n = 2; n <= 12; ++n)
-    for (int trial = 0; trial < 40; ++trial) {
-      SCOPED_TRACE("seed 1203, " + std::to_string(n) + " balls, trial " + std::to_string(trial));
-      CLineOfBalls line = RandomLine(random, n);
-      if (trial == 0) { // the most: all against each other
-        std::vector<float> speeds;
-        for (const CDynamicCircleDesc& ball : line.m_stdBalls)
-          speeds.push_back(ball.m_vVel.x());
-        std::sort(speeds.rbegin(), speeds.rend());
-        for (std::size_t i = 0; i < speeds.size(); ++i)
-          line.m_stdBalls[i].m_vVel.x() = speeds[i];
-        CExact reference = Make({}, line.m_stdBalls);
-        EXPECT_EQ(Carry(reference, 200).size(), static_cast<std::size_t>(n * (n - 1) / 2));
-        continue;
-      }
-      CExact reference = Make({}, line.m_stdBalls);
-      const double energy = Energy(reference), momentum = Momentum(reference).x();
-      const CEvents events = Carry(reference, 200); // the last crossing comes before 24 / .2 seconds
-      ASSERT_EQ(events.size(), line.m_stdTimes.size());
-      // A velocity errs by a few eps of the largest, 12, and that over 120 s, at a least approach of .2.
-      for (std::size_t k = 0; k < events.size(); ++k)
-        worst = std::max(worst, std::abs(events[k].m_fTime - line.m_stdTimes[k]));
-      const double bound = 8 * g_fEps * static_cast<double>(events.size() + 1);
-      EXPECT_NEAR(Energy(reference), energy, bound * energy);
-      EXPECT_NEAR(Momentum(reference).x(), momentum, bound * 12 * n);
-      // Control: one ball of another mass, or a loss, and the crossings are others.
-      line.m_stdBalls[1].m_fMass = 3;
-      CExact heavy = Make({}, line.m_stdBalls);
-      unlike += Carry(heavy, 200).size() != events.size();
-    }
-  EXPECT_LE(worst, 1e-10);
-  EXPECT_GT(unlike, 100);
-}
-
 // As many as come in go out, with the whole speed: k (5 - k) hits. Every velocity goes from ball to ball
 // unchanged but for two roundings a hit.
 TEST(ReferenceTruth, CradlePassesOnWhatComesIn) {
@@ -191,21 +124,14 @@ TEST(ReferenceTruth, CradlePassesOnWhatComesIn) {
 // bounces are at t0 (1 + 2 e + ... + 2 e^k), and it lies still at t0 (1 + e) / (1 - e). For h = 1, g = 9.81
 // and e = .5 that is 3 sqrt(2 / 9.81) = 1.354570923 seconds. Gravity is a float, so the height takes up its
 // rounding: only the ratio counts.
-constexpr float g_fFall = 9.81f;
-
-CExact FallingBall(float e) {
-  CExact reference = MakeOne({Wall({-1, 0}, {1, 0}, e)}, .125f,
-                             {0, .125 + static_cast<double>(g_fFall) / 9.81}, {0, 0}, {0, -g_fFall});
-  return reference;
-}
-
 TEST(ReferenceTruth, BouncingBallComesToRestHoweverTimeIsCutIntoSteps) {
   const double t0 = std::sqrt(2 / 9.81), seconds = 2;
   for (const float e : {.5f, .25f, .625f})
     for (const int steps : {1, 120}) {
       SCOPED_TRACE(testing::Message() << e << ", " << steps << " steps");
       const double loss = static_cast<double>(e), rest = t0 * (1 + loss) / (1 - loss), dt = seconds / steps;
-      CExact reference = FallingBall(e);
+      CExact reference =
+          MakeOne({Wall({-1, 0}, {1, 0}, e)}, .125f, {0, .125 + g_fPull / 9.81}, {0, 0}, g_vPull);
       double t = t0, hop = 2 * t0, last = 0;
       std::size_t bounces = 0;
       for (int k = 0; k < steps; ++k)
@@ -228,28 +154,163 @@ TEST(ReferenceTruth, BouncingBallComesToRestHoweverTimeIsCutIntoSteps) {
     }
 }
 
-// Without a loss it bounces at t0 (2 k + 1) for ever. The energy errs by some roundings a bounce, all to one
-// side at worst, so the period by half of that, and the times by the sum of the periods' errors.
-TEST(ReferenceTruth, ElasticBallKeepsItsBeat) {
-  const double t0 = std::sqrt(2 / 9.81);
-  CExact reference = FallingBall(1);
-  const CEvents events = Carry(reference, 2000 * t0);
-  ASSERT_EQ(events.size(), 1000u);
-  for (std::size_t k = 0; k < events.size(); ++k) {
-    const double beats = 2 * static_cast<double>(k) + 1;
-    EXPECT_NEAR(events[k].m_fTime, t0 * beats, g_fEps * (beats + 4) * beats);
-  }
+// ---- Billiards, against their mean free paths.
+
+// The mean free path of a billiard is pi A / P (N. Chernov, Entropy, Lyapunov exponents, and mean free path
+// for billiards, Journal of Statistical Physics 88 (1997)), where A and P are area and perimeter of what the
+// centre of the ball can reach: a ball of radius r is a point between walls that have come closer by r.
+struct CSize {
+  double m_fArea, m_fPerimeter;
+};
+using CSizeOf = std::function<CSize(double r)>;
+
+struct CBilliard {
+  const char* m_sName;
+  CSizeOf m_cSizeOf;
+  CShapes m_stdShapes;
+  float m_fRadius; ///< of the ball
+  CVec2d m_vLow;   ///< Box of the table.
+  CVec2d m_vHigh;
+  double (*m_pRoom)(const CVec2d& p); ///< In the box: how far p is from what else there is; negative outside.
+};
+
+void PrintTo(const CBilliard& billiard, std::ostream* pOut) { *pOut << billiard.m_sName; }
+
+constexpr double g_fPi = std::numbers::pi;
+
+// A convex table of this size whose walls have come closer by r: `corners` is 4 of a rectangle, and pi where
+// the wall is smooth (Steiner's formula, with -r).
+CSizeOf Convex(double area, double perimeter, double corners) {
+  return [=](double r) { return CSize{area - perimeter * r + corners * r * r, perimeter - 2 * corners * r}; };
+}
+// Without what stands in it and has grown by r.
+CSizeOf Around(double area, double perimeter, const CSizeOf& table) {
+  return [=](double r) {
+    const CSize all = table(r);
+    return CSize{all.m_fArea - area - perimeter * r - g_fPi * r * r,
+                 all.m_fPerimeter + perimeter + 2 * g_fPi * r};
+  };
+}
+// A square of which two walls meet a quarter of a circle of radius 1/2 about (1, 1). The ball in such a
+// corner leaves the angle a of the circle that its centre follows.
+CSize BittenSquare(double r) {
+  const double R = .5 + r, a = std::asin(r / R);
+  return {(1 - 2 * r) * (1 - 2 * r) - R * R * (g_fPi / 4 - a) + r * (R * std::cos(a) - r),
+          2 * (1 - 2 * r) + 2 * (1 - r - R * std::cos(a)) + R * (g_fPi / 2 - 2 * a)};
 }
 
-// In a ring a ball keeps its angular momentum and its speed; each hit puts it some roundings inwards.
-TEST(ReferenceTruth, ABallInARingDriftsByRoundings) {
-  CExact reference = Make({CArcDesc({0, 0}, 1, 0, 0)}, {CDynamicCircleDesc({.5f, 0}, .125f, {1, 2})});
-  const auto momentum = [&] { return Cross(reference.GetBall(0).m_vPos, reference.GetBall(0).m_vVel); };
-  const double before = momentum(), energy = Energy(reference);
-  const auto hits = static_cast<double>(Carry(reference, 1, 8000).size());
-  ASSERT_GT(hits, 10000.0);
-  EXPECT_LE(std::abs(momentum() / before - 1), 1e-14 * hits);
-  EXPECT_LE(std::abs(Energy(reference) / energy - 1), 1e-14 * hits);
+CShapes Table(float w, float h, const CShapes& others = {}) {
+  CShapes shapes = Box({0, 0}, {w, h});
+  shapes.insert(shapes.end(), others.begin(), others.end());
+  return shapes;
+}
+
+double Between(double lo, double hi, double f) { return lo + (hi - lo) * f; }
+
+// How far p is from the half circle of radius .3 about (.75, .5) that is open to the right.
+double ToHook(const CVec2d& p) {
+  const CVec2d d = p - CVec2d(.75, .5);
+  return d.x() <= 0 ? std::abs(d.norm() - .3) : (CVec2d(d.x(), std::abs(d.y())) - CVec2d(0, .3)).norm();
+}
+double ToDisc(const CVec2d& p, double x, double y, double r) { return (p - CVec2d(x, y)).norm() - r; }
+// From a level line between two places.
+double ToLine(const CVec2d& p, double x0, double x1) {
+  return (p - CVec2d(std::clamp(p.x(), x0, x1), .5)).norm();
+}
+
+const std::vector<CBilliard>& Billiards() {
+  static const float pi = static_cast<float>(g_fPi);
+  const auto rectangle = Convex(1.5, 5, 4), ring = Convex(g_fPi, 2 * g_fPi, g_fPi);
+  const CVec2d zero(0, 0), one(1, 1), wide(1.5, 1);
+  static const std::vector<CBilliard> billiards = {
+      // Integrable.
+      CBilliard{"Rectangle", rectangle, Table(1.5f, 1), .0625f, zero, wide, [](const CVec2d&) { return 1.; }},
+      // Integrable.
+      CBilliard{"Ring", ring, CShapes({CCircleDesc({0, 0}, 1)}), .25f, -one, one,
+                [](const CVec2d& p) { return -ToDisc(p, 0, 0, 1); }},
+      // Sinai's; nearly a point.
+      CBilliard{"DiscInSquare", Around(.04 * g_fPi, .4 * g_fPi, Convex(1, 4, 4)),
+                Table(1, 1, {CCircleDesc({.5f, .5f}, .2f)}), .0078125f, zero, one,
+                [](const CVec2d& p) { return ToDisc(p, .5, .5, .2); }},
+      // Bunimovich's; segments and the insides of arcs, with tangent joints.
+      CBilliard{"Stadium", Convex(1 + g_fPi / 4, 2 + g_fPi, g_fPi),
+                CShapes({Wall({.5f, 0}, {1.5f, 0}), Wall({.5f, 1}, {1.5f, 1}),
+                         CArcDesc({.5f, .5f}, .5f, pi / 2, 3 * pi / 2),
+                         CArcDesc({1.5f, .5f}, .5f, 3 * pi / 2, pi / 2)}),
+                .125f, zero, CVec2d(2, 1), [](const CVec2d& p) { return .5 - ToLine(p, .5, 1.5); }},
+      // The outside of an arc.
+      CBilliard{"BittenSquare", BittenSquare,
+                CShapes({Wall({0, 0}, {1, 0}), Wall({0, 0}, {0, 1}), Wall({1, 0}, {1, .5f}),
+                         Wall({0, 1}, {.5f, 1}), CArcDesc({1, 1}, .5f, pi, 3 * pi / 2)}),
+                .0625f, zero, one, [](const CVec2d& p) { return ToDisc(p, 1, 1, .5); }},
+      CBilliard{"PointInRectangle", Around(0, 0, rectangle), Table(1.5f, 1, {CPointDesc({.625f, .5f})}),
+                .125f, zero, wide, [](const CVec2d& p) { return ToDisc(p, .625, .5, 0); }},
+      // Both faces and both ends of a segment.
+      CBilliard{"NeedleInRectangle", Around(0, 2 * .5, rectangle),
+                Table(1.5f, 1, {Wall({.5f, .5f}, {1, .5f})}), .09375f, zero, wide,
+                [](const CVec2d& p) { return ToLine(p, .5, 1); }},
+      // Both faces and both ends of an arc.
+      CBilliard{"HookInRectangle", Around(0, 2 * .3 * g_fPi, rectangle),
+                Table(1.5f, 1, {CArcDesc({.75f, .5f}, .3f, pi / 2, 3 * pi / 2)}), .0625f, zero, wide, ToHook},
+      CBilliard{"DiscInRing", Around(.16 * g_fPi, .8 * g_fPi, ring),
+                CShapes({CCircleDesc({0, 0}, 1), CCircleDesc({.3f, 0}, .4f)}), .0625f, -one, one,
+                [](const CVec2d& p) { return std::min(-ToDisc(p, 0, 0, 1), ToDisc(p, .3, 0, .4)); }},
+  };
+  return billiards;
+}
+
+// Successive flights correlate, over long times where a ball runs to and fro between two walls, so their
+// spread says little about the error of their mean. Here many balls fly for the same time each, from places
+// and directions of equal share (the measure that the flow keeps). Then the number of bounces of each is a
+// draw of its own, of the exact mean (speed x time) P / (pi A), whether the billiard is chaotic or not; the
+// standard error is that of the mean of these draws.
+class CMeanFreePath : public testing::TestWithParam<CBilliard> {};
+
+TEST_P(CMeanFreePath, IsPiAreaOverPerimeter) {
+  const CBilliard& b = GetParam();
+  const double r = static_cast<double>(b.m_fRadius);
+  const auto path = [&](double radius) {
+    return g_fPi * b.m_cSizeOf(radius).m_fArea / b.m_cSizeOf(radius).m_fPerimeter;
+  };
+  const double truth = path(r), naive = path(0);
+  constexpr int nBalls = 5000;
+  const double length = 60 * truth;
+  CExact reference = Make(b.m_stdShapes, {CDynamicCircleDesc({0, 0}, b.m_fRadius)});
+  double sum = 0, squares = 0;
+  ForEachCase(1997, nBalls, [&](CRandom& random, int) {
+    CVec2d p;
+    do {
+      p.x() = Between(b.m_vLow.x() + r, b.m_vHigh.x() - r, random.Unit());
+      p.y() = Between(b.m_vLow.y() + r, b.m_vHigh.y() - r, random.Unit());
+    } while (!(b.m_pRoom(p) > r));
+    const CVec2d v = Unit(ToDouble(random.Direction()), CVec2d(1, 0));
+    reference.SetBall(0, p, v);
+    const CEvents events = Carry(reference, length);
+    const double hits = static_cast<double>(events.size()), bound = 8 * g_fEps * hits;
+    sum += hits;
+    squares += hits * hits;
+    const CVec2d end = reference.GetBall(0).m_vPos;
+    ASSERT_NEAR(reference.GetBall(0).m_vVel.norm(), 1, bound);
+    ASSERT_TRUE(b.m_pRoom(end) > r - 1e-6 &&
+                (end - b.m_vLow).minCoeff() > r - 1e-6 && // the shapes are floats
+                (b.m_vHigh - end).minCoeff() > r - 1e-6);
+    ASSERT_FALSE(std::any_of(events.begin(), events.end(), [](const auto& e) { return e.m_bOverlapped; }));
+  });
+  const double mean = sum / nBalls, variance = (squares / nBalls - mean * mean) * nBalls / (nBalls - 1);
+  const double measured = length / mean, error = measured * std::sqrt(variance / nBalls) / mean;
+  EXPECT_GE(sum, 1e5);
+  EXPECT_NEAR(measured, truth, 3 * error);
+  EXPECT_GT(std::abs(measured - naive), 6 * error); // control: the table of a point
+  EXPECT_EQ(reference.GetSlideCount(), 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Reference, CMeanFreePath, testing::ValuesIn(Billiards()),
+                         [](const auto& billiard) { return std::string(billiard.param.m_sName); });
+
+TEST(MeanFreePath, OfThePublishedExample) {
+  const auto it = std::find_if(Billiards().begin(), Billiards().end(),
+                               [](const CBilliard& b) { return std::string(b.m_sName) == "DiscInSquare"; });
+  EXPECT_NEAR(g_fPi * it->m_cSizeOf(0).m_fArea / it->m_cSizeOf(0).m_fPerimeter, .522541, 5e-7);
 }
 
 } // namespace

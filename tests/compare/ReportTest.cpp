@@ -124,6 +124,12 @@ TEST(TableTest, FitsATerminalWhateverTheFiguresAndNames) {
     engine.m_cCost.m_cNsPerBallStep.m_fMedian = 12345678.0;
     engine.m_nGhosts = 800;
   }
+  for (const CEffectCost& cost : MakeSampleEffects().m_stdCosts) {
+    wild.m_cEffects.m_stdCosts.push_back(cost);
+    wild.m_cEffects.m_stdCosts.back().m_sEngine = g_sBox2D;
+  }
+  for (CEffectCost& cost : wild.m_cEffects.m_stdCosts)
+    SetSampleTimes(cost.m_cWithout.m_cCost, 0.02, 1);
   report.m_stdScenes.push_back(wild);
   wild.m_cScene.m_sName = std::string(300, 'x');
   for (CEngineReport& engine : wild.m_stdEngines) // the longest rates
@@ -135,10 +141,12 @@ TEST(TableTest, FitsATerminalWhateverTheFiguresAndNames) {
   ExpectFits(MakeHeading(report) + MakeSummary(report));
   for (const CSceneReport& scene : report.m_stdScenes)
     ExpectFits(MakeSceneLine(report, scene));
+  EXPECT_GT(Lines(MakeEffectTable(report)).size(), 10u);
   EXPECT_TRUE(Says(MakeTable(report), "Interrupted: only the scenes that were finished (4) are here."));
   EXPECT_FALSE(Says(MakeTable(MakeSampleReport()), "Interrupted"));
   report.m_stdScenes.clear();
   EXPECT_TRUE(Says(MakeTable(report), "Interrupted before any scene was finished."));
+  EXPECT_EQ(MakeEffectTable(report), "");
 }
 
 TEST(TableTest, SaysWhereNothingCouldBeJudged) {
@@ -172,7 +180,7 @@ TEST(EffectTableTest, ShowsWhatEachEffectCosts) {
   EXPECT_TRUE(
       Says(MakeEffectTable(report),
            "spinner\n native              (+20%)       +50%      (+20%)   (+20%)      ~0        +10%\n"));
-  EXPECT_TRUE(Says(MakeTable(report), MakeEffectTable(report)));
+  EXPECT_TRUE(Says(MakeTable(report), MakeEffectTable(report))); // which FitsATerminal
   SetSampleTimes(Get(report, eEffect::Kinematics).m_cWithout.m_cCost, 100.0 / 15, 1);
   SetSampleTimes(Get(report, eEffect::Gravity).m_cWith.m_cCost, 99.8, 1);
   SetSampleTimes(Get(report, eEffect::Sensors).m_cWith.m_cCost, 98.0, 1);
@@ -217,22 +225,6 @@ TEST(EffectTableTest, TellsOfTouchesThatAreMissed) {
   EXPECT_EQ(MakeEffectChanges(report.m_stdScenes[0]),
             std::vector<std::string>{
                 "native without Kinematics: misses 100% of the touches of sensors instead of none."});
-}
-
-TEST(EffectTableTest, FitsATerminalAndIsEmptyWhereNothingWasMeasured) {
-  CRunReport report = MakeSampleReport();
-  report.m_stdScenes[0].m_cScene.m_sName = std::string(300, 'x') + "\x1b";
-  CEffectCosts& costs = report.m_stdScenes[0].m_cEffects;
-  for (const CEffectCost& cost : MakeSampleEffects().m_stdCosts) {
-    costs.m_stdCosts.push_back(cost);
-    costs.m_stdCosts.back().m_sEngine = g_sBox2D;
-  }
-  for (CEffectCost& cost : costs.m_stdCosts)
-    SetSampleTimes(cost.m_cWithout.m_cCost, 0.02, 1);
-  ExpectFits(MakeEffectTable(report));
-  EXPECT_GT(Lines(MakeEffectTable(report)).size(), 10u);
-  costs = {};
-  EXPECT_EQ(MakeEffectTable(report), "");
 }
 
 // ---- The chart as SVG. In a browser it is looked at by ReportPageTest.cpp.

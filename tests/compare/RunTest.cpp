@@ -4,6 +4,8 @@
 #include "MadeScenes.h"
 #include "SampleReport.h"
 #include "app/Progress.h"
+#include "metrics/Cost.h"
+#include "metrics/Effects.h"
 #include "scene/ExactGame.h"
 #include "scene/Interrupt.h"
 
@@ -58,19 +60,25 @@ TEST(RunTest, EverythingIsMeasuredOnEachScene) {
   }
 }
 
-TEST(RunTest, AnInterruptKeepsWhatIsFinished) {
-  const CScene first = LoadBundled("bowl"), second = LoadBundled("corner");
-  std::size_t all = 0;
-  RunSome({first}, [&] { ++all; });
-  std::size_t checks = 0;
-  const CRunReport report = RunSome({first, second}, [&] {
-    if (++checks > all) throw CInterrupted();
-  });
-  EXPECT_TRUE(report.m_bInterrupted);
-  ASSERT_EQ(report.m_stdScenes.size(), 1u);
-  EXPECT_EQ(report.m_stdScenes[0].m_cScene.m_sName, "bowl");
-  // At once: nothing is finished, and that is a report too.
-  EXPECT_TRUE(RunSome({first}, [] { throw CInterrupted(); }).m_stdScenes.empty());
+// Of impacts it goes up to 1, and the others' is looked at where they are measured.
+TEST(RunTest, TheProgressOfWhatIsMeasuredMayEndIt) {
+  const CScene scene = LoadBundled("head_on_wall");
+  std::vector<double> shares;
+  CImpactTrialOptions trials = MakeImpactOptions(20, 100);
+  trials.m_stdProgress = [&](double share) { shares.push_back(share); };
+  const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), trials);
+  EXPECT_EQ(result.m_nTrials, shares.size());
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.back(), 1.0);
+  EXPECT_EQ(Judge(scene, 0, 100).m_nTrials, 0u);
+  struct CStop {};
+  const auto stop = [](double) { throw CStop(); };
+  CEffectOptions effects;
+  effects.m_nContacts = 10, effects.m_nMostTrials = 100;
+  trials.m_stdProgress = effects.m_stdProgress = stop;
+  EXPECT_THROW(RunImpactTrials(scene, GetEngines(), trials), CStop);
+  EXPECT_THROW(MeasureEffects(scene, GetEngines(), effects), CStop);
+  EXPECT_THROW(MeasureCost(scene, GetEngines(), 7, 3, 100, stop), CStop);
 }
 
 TEST(RunTest, AnErrorNamesItsScene) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "CommandCalls.h"
 #include "MadeScenes.h"
-#include "OwnFolder.h"
+#include "OneOfEach.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,7 +13,7 @@ namespace Shapes::Compare {
 namespace {
 
 using nlohmann::json;
-using Tests::ToDesc;
+using Tests::OneOfEach, Tests::ToDesc;
 
 // A change of the valid scene: what is an object there is merged with the value, and loses its nulls;
 // anything else is replaced by it. Then what the error says after the name of the file, and after the path if
@@ -36,7 +37,7 @@ protected:
     return what.substr(file.size() + 1);
   }
   std::string ErrorWith(const CChange& change) const {
-    json doc = Valid();
+    json doc = OneOfEach();
     const json value = json::parse(change.m_sValue);
     json& place = doc[json::json_pointer(change.m_sPath)];
     if (place.is_object() && value.is_object())
@@ -49,33 +50,21 @@ protected:
     const std::string error = change.m_sError;
     return " " + (error.starts_with('/') ? error : std::string(change.m_sPath) + ": " + error);
   }
-
-  static json Valid() {
-    return json::parse(R"({
-      "name": "all", "description": "one of each", "length_unit": 2, "gravity": [1, -9.5],
-      "time_step": 0.0078125, "duration": 3, "bounds": {"left": -5, "bottom": -6, "right": 7, "top": 8},
-      "shapes": [
-        {"type": "point", "name": "post", "position": [1, 2], "elasticity": 0.5},
-        {"type": "line_segment", "p0": [3, 0], "p1": [-3, 1], "sides": "back", "sensor": true},
-        {"type": "circle", "position": [4, 4], "radius": 0.25, "drain": true},
-        {"type": "arc", "position": [0, 5], "radius": 2, "angles": [3, 0.5], "sides": "front",
-         "motion": "kinematic", "rotation_speed": -0.5, "rotation_center": [0, 4]}],
-      "compounds": [
-        {"rotation_center": [-2, -2], "flip": {"angle": -1, "speed": 1, "period": 2, "phase": 0.5},
-         "shapes": [{"type": "line_segment", "p0": [-2, -2], "p1": [-1, -2], "elasticity": 0.75},
-                    {"type": "point", "position": [-1, -2], "name": "tip"}]}],
-      "balls": [
-        {"position": [0, 0], "velocity": [3, 4], "radius": 0.5, "mass": 2, "elasticity": 0.25,
-         "spread": {"position": [0.5, 1], "direction": 0.125, "speed": 0.5}}]})");
-  }
 };
 
+template <class TDesc>
+TDesc Filtered(TDesc desc, const CFilter& filter) {
+  desc.m_cFilter = filter;
+  return desc;
+}
+
 TEST_F(SceneTest, EveryFieldArrives) {
-  const CScene scene = Load(Valid());
+  const CScene scene = Load(OneOfEach());
   EXPECT_EQ(scene.m_sName, "all");
   EXPECT_EQ(scene.m_sDescription, "one of each");
   EXPECT_EQ(scene.m_cPath, m_cFolder / "s.json");
   EXPECT_EQ(scene.m_fDuration, 3.0f);
+  EXPECT_EQ(scene.m_fLasting, 4.0f);
   EXPECT_EQ(scene.m_cBounds.GetTopLeft(), Vector2(-5.0f, 8.0f));
   EXPECT_EQ(scene.m_cBounds.GetBottomRt(), Vector2(7.0f, -6.0f));
 
@@ -84,29 +73,50 @@ TEST_F(SceneTest, EveryFieldArrives) {
   expected.m_cWorld.m_cBox2D.m_fLengthUnit = 2.0f;
   expected.m_cWorld.m_vGravity = {1.0f, -9.5f};
   expected.m_cWorld.m_fTimeStep = 0.0078125f;
-  expected.m_stdShapes = {CPointDesc({1, 2}, 0.5f),
-                          Sensor(Sided(CLineSegDesc({3, 0}, {-3, 1}), eSides::Back)),
-                          MakeZone({4, 4}, 0.25f), // a drain without being called one
-                          Turning(Sided(CArcDesc({0, 5}, 2, 3, 0.5f), eSides::Front), -0.5f, {0, 4}),
-                          Turning(CLineSegDesc({-2, -2}, {-1, -2}, 0.75f), 0, {-2, -2}),
-                          Turning(CPointDesc({-1, -2}), 0, {-2, -2})};
-  expected.m_stdBalls = {CDynamicCircleDesc({0, 0}, 0.5f, {3, 4}, 2, 0.25f)};
+  expected.m_stdShapes = {Filtered(Turning(CPointDesc({1, 2}, 0.5f)), {2, 3}),
+                          Filtered(Sensor(Sided(CLineSegDesc({3, 0}, {-3, 1}), eSides::Back)), {0, 65535}),
+                          Turning(MakeZone({4, 4}, 0.25f)), // a drain without being called a sensor
+                          Turning(Sided(CArcDesc({0, 5}, 2, 3, 0.5f), eSides::Front), -0.5f, {0, 4})};
+  const auto add = [&](const std::vector<CAnyShapeDesc>& shapes) {
+    expected.m_stdShapes.insert(expected.m_stdShapes.end(), shapes.begin(), shapes.end());
+  };
+  add(MakeCapsule({1, 1}, 0.5f, {2, 3}, 0.25f, Sensor(CLineSegDesc())));
+  const Vector2 hinge(-2, -2), tip(-1, -2);
+  add({Turning(CLineSegDesc(hinge, tip, 0.75f), 0, hinge), Turning(CPointDesc(tip), 0, hinge),
+       Turning(MakeZone(tip, 0.5f), 0, hinge), Turning(CArcDesc(tip, 0.5f, 0, 1), 0, hinge)});
+  add(MakeCapsule({0, 0}, 0.5f, {3, 1}, 0.25f, Filtered(Turning(CLineSegDesc(), 0, hinge), {2, 1})));
+  add({Turning(CPointDesc(tip), 1)});
+  for (int i = 0; i < 6; ++i) // row by row
+    expected.m_stdBalls.push_back(
+        Filtered(CDynamicCircleDesc(Vector2(0.5f * static_cast<float>(i % 2), static_cast<float>(i / 2)),
+                                    0.5f, {3, 4}, 2, 0.25f),
+                 {4, 1}));
   EXPECT_EQ(ToDesc(scene).ToJson("all", 3), expected.ToJson("all", 3));
-  for (std::size_t i = 0; i < 6; ++i) {
-    const CSceneShape& shape = scene.m_stdShapes.at(i);
-    EXPECT_EQ(shape.m_sName, i == 0 ? "post" : i == 5 ? "tip" : "");
+
+  ASSERT_EQ(scene.m_stdShapes.size(), 17u);
+  for (std::size_t i = 0; i < 17; ++i) {
+    SCOPED_TRACE(i);
+    const CSceneShape& shape = scene.m_stdShapes[i];
+    const bool flips = i == 2 || (i >= 8 && i < 16);
+    EXPECT_EQ(shape.m_sName, i == 0 ? "post" : i >= 4 && i < 8 ? "finger" : i == 9 ? "tip" : "");
     EXPECT_EQ(shape.m_bIsDrain, i == 2);
-    ASSERT_EQ(shape.m_cFlip.has_value(), i >= 4);
-    if (i < 4) continue;
-    EXPECT_EQ(shape.m_cFlip->m_fAngle, -1.0f);
+    ASSERT_EQ(shape.m_cFlip.has_value(), flips);
+    ASSERT_EQ(shape.m_cShuttle.has_value(), i == 0);
+    if (!flips) continue;
+    EXPECT_EQ(shape.m_cFlip->m_fAngle, i == 2 ? 1.0f : -1.0f);
     EXPECT_EQ(shape.m_cFlip->m_fSpeed, 1.0f);
     EXPECT_EQ(shape.m_cFlip->m_fPeriod, 2.0f);
-    EXPECT_EQ(shape.m_cFlip->m_fPhase, 0.5f);
+    EXPECT_EQ(shape.m_cFlip->m_fPhase, i == 2 ? 0.0f : 0.5f);
   }
-  const CSceneBall& ball = scene.m_stdBalls.at(0);
-  EXPECT_EQ(ball.m_vSpread, Vector2(0.5f, 1.0f));
-  EXPECT_EQ(ball.m_fTurn, 0.125f);
-  EXPECT_EQ(ball.m_fSpeedSpread, 0.5f);
+  const CShuttle& shuttle = *scene.m_stdShapes[0].m_cShuttle;
+  EXPECT_EQ(shuttle.m_vWay, Vector2(1.0f, 0.0f));
+  EXPECT_EQ(Eigen::Vector3f(shuttle.m_fSpeed, shuttle.m_fPeriod, shuttle.m_fPhase),
+            Eigen::Vector3f(2.0f, 1.0f, 0.5f));
+  for (const CSceneBall& ball : scene.m_stdBalls) {
+    EXPECT_EQ(ball.m_vSpread, Vector2(0.5f, 1.0f));
+    EXPECT_EQ(ball.m_fTurn, 0.125f);
+    EXPECT_EQ(ball.m_fSpeedSpread, 0.5f);
+  }
 }
 
 TEST_F(SceneTest, LeftOutFieldsAreThoseOfTheDescriptors) {
@@ -123,32 +133,9 @@ TEST_F(SceneTest, LeftOutFieldsAreThoseOfTheDescriptors) {
   EXPECT_EQ(scene.m_stdBalls[0].m_vSpread, Vector2(0.0f, 0.0f));
 }
 
-TEST_F(SceneTest, ACapsuleIsTheShapesOfMakeCapsule) {
-  json doc = Valid();
-  const json capsule = {{"type", "capsule"}, {"p0", {1, 1}},         {"p1", {2, 3}},
-                        {"name", "finger"},  {"radii", {0.5, 0.25}}, {"elasticity", 0.5}};
-  doc["shapes"] = json::array({capsule});
-  doc["compounds"][0]["shapes"] = json::array({capsule});
-  const CScene scene = Load(doc);
-  CLineSegDesc like({0, 0}, {0, 0}, 0.5f);
-  CSceneDesc expected;
-  expected.m_stdNotes = {"one of each"};
-  expected.m_cWorld = scene.m_cWorld;
-  expected.m_stdShapes = MakeCapsule({1, 1}, 0.5f, {2, 3}, 0.25f, like);
-  for (const CAnyShapeDesc& any : MakeCapsule({1, 1}, 0.5f, {2, 3}, 0.25f, Turning(like, 0, {-2, -2})))
-    expected.m_stdShapes.push_back(any);
-  expected.m_stdBalls = {scene.m_stdBalls.at(0).m_cDesc};
-  EXPECT_EQ(ToDesc(scene).ToJson("all", 3), expected.ToJson("all", 3));
-  ASSERT_EQ(scene.m_stdShapes.size(), 8u);
-  for (std::size_t i = 0; i < 8; ++i) {
-    EXPECT_EQ(scene.m_stdShapes[i].m_sName, "finger");
-    EXPECT_EQ(scene.m_stdShapes[i].m_cFlip.has_value(), i >= 4);
-  }
-}
-
 TEST_F(SceneTest, AWholeTurnIsAFullCircle) {
   const auto arc = [&](double a0, double a1) {
-    json doc = Valid();
+    json doc = OneOfEach();
     doc["shapes"][3]["angles"] = {a0, a1};
     return CArc(std::get<CArcDesc>(Load(doc).m_stdShapes[3].m_cDesc));
   };
@@ -196,6 +183,33 @@ TEST_F(SceneTest, AWrongFieldIsNamedWithWhatWasExpected) {
       {"/name", R"("")", R"(expected a text of at least one letter, got "")"},
       {"", "[1]", "/: expected an object that describes a scene, got [1]"},
       {"", R"("scene")", R"(/: expected an object that describes a scene, got "scene")"},
+      // Fields that contradict each other.
+      {"/shapes/2", R"({"sensor": false})", "/shapes/2/sensor: expected true for a drain, got false"},
+      {"/shapes/3", R"({"motion": null})",
+       R"(/shapes/3/motion: expected "kinematic" for a shape that turns, got nothing)"},
+      {"/compounds/0", R"({"rotation_speed": 1})",
+       "/compounds/0/rotation_speed: expected none for what has a flip, got 1"},
+      {"/compounds/0/flip/period", "0.3", // 2 * 1 / (2 pi) = 0.318
+       "expected the time to turn by angle at speed and back, 0.31830987 or more, got 0.3"},
+      {"/shapes/3", R"({"velocity": [1, 0], "shuttle": {"way": [1, 0], "speed": 2, "period": 1}})",
+       "/shapes/3/velocity: expected none for what has a shuttle, got [1,0]"},
+      {"/shapes/1", R"({"shuttle": {"way": [1, 0], "speed": 2, "period": 1}})",
+       R"(/shapes/1/motion: expected "kinematic" for a shape that moves, got "static")"},
+      {"/shapes/3", R"({"shuttle": {"way": [1, 0], "speed": 2, "period": 0.5}})",
+       "/shapes/3/shuttle/period: expected the time to go the way at speed and back, 1 or more, got 0.5"},
+      {"/balls/0", R"({"grid": {"columns": 1.5, "rows": 1, "spacing": [1, 1]}})",
+       "/balls/0/grid/columns: expected a whole number from 1 to 1000, got 1.5"},
+      {"", R"({"lasting": 4e17})", "/lasting: expected a number from 0 to 3600, got 4e+17"},
+      {"/compounds/0/flip/speed", "1e10", "expected a number above 0, up to 1000000000, got 10000000000.0"},
+      {"/shapes/3/angles", "[-4, 4]", "expected two angles at most 2 pi apart, got [-4,4]"},
+      {"/bounds/right", "-5", "expected a number above left, got -5"},
+      {"/bounds/top", "-7", "expected a number above bottom, got -7"},
+      {"/duration", "0.007", "expected at least one time_step, got 0.007"},
+      {"/duration", "4e17", "expected at most 10000000 time_steps, got 4e+17"},
+      {"", R"({"duration": 1e-4, "time_step": 1e-4, "lasting": 3600})",
+       "/lasting: expected at most 10000000 time_steps, got 3600"},
+      {"/balls/0/position", "[6.75, 0]",
+       "expected a point in the bounds, the spread of the position included, got [6.75,0]"},
   };
   for (const CChange& change : changes)
     EXPECT_EQ(ErrorWith(change), ExpectedOf(change));
@@ -230,52 +244,20 @@ TEST_F(SceneTest, WhatTheShapesRefuseIsNamedByItsPath) {
         << ErrorWith(change) << "\nis not " << ExpectedOf(change);
 }
 
-TEST_F(SceneTest, FieldsThatContradictEachOtherAreRefused) {
-  const CChange changes[] = {
-      {"/shapes/2", R"({"sensor": false})", "/shapes/2/sensor: expected true for a drain, got false"},
-      {"/shapes/3", R"({"motion": null})",
-       R"(/shapes/3/motion: expected "kinematic" for a shape that turns, got nothing)"},
-      {"/compounds/0", R"({"rotation_speed": 1})",
-       "/compounds/0/rotation_speed: expected none for what has a flip, got 1"},
-      {"/compounds/0/flip/period", "0.3", // 2 * 1 / (2 pi) = 0.318
-       "expected the time to turn by angle at speed and back, 0.31830987 or more, got 0.3"},
-      {"/shapes/3", R"({"velocity": [1, 0], "shuttle": {"way": [1, 0], "speed": 2, "period": 1}})",
-       "/shapes/3/velocity: expected none for what has a shuttle, got [1,0]"},
-      {"/shapes/1", R"({"shuttle": {"way": [1, 0], "speed": 2, "period": 1}})",
-       R"(/shapes/1/motion: expected "kinematic" for a shape that moves, got nothing)"},
-      {"/shapes/3", R"({"shuttle": {"way": [1, 0], "speed": 2, "period": 0.5}})",
-       "/shapes/3/shuttle/period: expected the time to go the way at speed and back, 1 or more, got 0.5"},
-      {"/balls/0", R"({"grid": {"columns": 1.5, "rows": 1, "spacing": [1, 1]}})",
-       "/balls/0/grid/columns: expected a whole number from 1 to 1000, got 1.5"},
-      {"", R"({"lasting": 4e17})", "/lasting: expected a number from 0 to 3600, got 4e+17"},
-      {"/compounds/0/flip/speed", "1e10", "expected a number above 0, up to 1000000000, got 10000000000.0"},
-      {"/shapes/3/angles", "[-4, 4]", "expected two angles at most 2 pi apart, got [-4,4]"},
-      {"/bounds/right", "-5", "expected a number above left, got -5"},
-      {"/bounds/top", "-7", "expected a number above bottom, got -7"},
-      {"/duration", "0.007", "expected at least one time_step, got 0.007"},
-      {"/duration", "4e17", "expected at most 10000000 time_steps, got 4e+17"},
-      {"", R"({"duration": 1e-4, "time_step": 1e-4, "lasting": 3600})",
-       "/lasting: expected at most 10000000 time_steps, got 3600"},
-      {"/balls/0/position", "[6.75, 0]",
-       "expected a point in the bounds, the spread of the position included, got [6.75,0]"},
-  };
-  for (const CChange& change : changes)
-    EXPECT_EQ(ErrorWith(change), ExpectedOf(change));
-}
-
 TEST_F(SceneTest, SyntaxErrorsHaveLineAndColumn) {
-  EXPECT_EQ(ErrorOf(""), "1:1: expected a scene, got an empty file");
-  EXPECT_EQ(ErrorOf(" \n\n"), "3:1: expected a scene, got an empty file");
-  EXPECT_EQ(ErrorOf("{\n  \"name\": tru\n}").rfind("2:", 0), 0u) << ErrorOf("{\n  \"name\": tru\n}");
-  EXPECT_EQ(ErrorOf("{\n  \"name\" 1}").rfind("2:10: syntax error", 0), 0u) << ErrorOf("{\n  \"name\" 1}");
-  EXPECT_EQ(ErrorOf("{} x").rfind("1:4: ", 0), 0u) << ErrorOf("{} x");
-  EXPECT_EQ(ErrorOf("{\"name\": \"\xff\"}").rfind("1:11: ", 0), 0u) << ErrorOf("{\"name\": \"\xff\"}");
-  EXPECT_EQ(ErrorOf("{\"gravity\": [0, NaN]}").rfind("1:17: ", 0), 0u);
+  for (const auto& [pText, pError] : {std::pair("", "1:1: expected a scene, got an empty file"),
+                                      {" \n\n", "3:1: expected a scene, got an empty file"},
+                                      {"{\n  \"name\": tru\n}", "2:"},
+                                      {"{\n  \"name\" 1}", "2:10: syntax error"},
+                                      {"{} x", "1:4: "},
+                                      {"{\"name\": \"\xff\"}", "1:11: "},
+                                      {"{\"gravity\": [0, NaN]}", "1:17: "}})
+    EXPECT_TRUE(ErrorOf(pText).starts_with(pError)) << ErrorOf(pText);
 }
 
 // Wherever a file ends too early, the error is a place in the text. The whole file is the control.
 TEST_F(SceneTest, NoTruncatedFileGetsThrough) {
-  const std::string text = Valid().dump(1);
+  const std::string text = OneOfEach().dump(1);
   const auto lines = [](const std::string& part) { return 1 + std::count(part.begin(), part.end(), '\n'); };
   for (std::size_t n = 0; n < text.size(); ++n) {
     const std::string part = text.substr(0, n);
@@ -285,24 +267,16 @@ TEST_F(SceneTest, NoTruncatedFileGetsThrough) {
   EXPECT_EQ(ErrorOf(text), "no error");
 }
 
-TEST_F(SceneTest, NumbersBeyondDoubleAreNamedByTheirPath) {
-  const std::string text = Valid().dump();
+TEST_F(SceneTest, WhatNoSceneHoldsIsRefused) {
+  std::string text = OneOfEach().dump();
   const std::string radius = "\"radius\":0.25";
-  const std::size_t at = text.find(radius);
-  ASSERT_NE(at, std::string::npos);
-  const std::string wrong = text.substr(0, at) + "\"radius\":1e999" + text.substr(at + radius.size());
-  EXPECT_EQ(ErrorOf(wrong), " /shapes/2/radius: expected a number that a double can hold, got 1e999");
+  text.replace(text.find(radius), radius.size(), "\"radius\":1e999");
+  EXPECT_EQ(ErrorOf(text), " /shapes/2/radius: expected a number that a double can hold, got 1e999");
   EXPECT_EQ(ErrorOf("[-1e999]"), " /0: expected a number that a double can hold, got -1e999");
-}
-
-TEST_F(SceneTest, RepeatedFieldsAndEndlessNestingAreRefused) {
   EXPECT_EQ(ErrorOf(R"({"balls": [{"radius": 1, "radius": 2}]})"),
             " /balls/0/radius: expected each field once, got it a second time");
   EXPECT_TRUE(Says(ErrorOf(std::string(200000, '[')), "expected at most 16 levels, got another one"));
-}
-
-TEST_F(SceneTest, LongValuesAreShortened) {
-  EXPECT_EQ(ErrorWith({"/gravity", ('"' + std::string(1000, 'g') + '"').c_str(), ""}),
+  EXPECT_EQ(ErrorWith({"/gravity", ('"' + std::string(1000, 'g') + '"').c_str(), ""}), // shortened
             " /gravity: expected a vector [x, y], got \"" + std::string(59, 'g') + "...");
 }
 
@@ -329,7 +303,7 @@ TEST_F(SceneTest, FilesThatCannotBeReadAreRefused) {
 }
 
 TEST_F(SceneTest, AFolderIsLoadedInTheOrderOfItsFileNames) {
-  json doc = Valid();
+  json doc = OneOfEach();
   for (const char* name : {"b", "c", "a"}) {
     doc["name"] = std::string("scene ") + name;
     Write(std::string(name) + ".json", doc.dump());
@@ -344,19 +318,6 @@ TEST_F(SceneTest, AFolderIsLoadedInTheOrderOfItsFileNames) {
   const std::string again = Write("d.json", doc.dump());
   EXPECT_EQ(MessageOf<CSceneError>([&] { LoadScenes(m_cFolder); }),
             again + ": /name: expected a name that no other scene of the folder has, got \"scene a\"");
-}
-
-TEST(GridTest, StandsForRowsAndColumnsOfBalls) {
-  const CScene scene = ParseScene("s.json", R"({"name": "n", "duration": 1, "lasting": 2,
-    "bounds": {"left": 0, "bottom": 0, "right": 9, "top": 9},
-    "balls": [{"position": [1, 2], "radius": 0.1, "elasticity": 0.5,
-               "grid": {"columns": 3, "rows": 2, "spacing": [0.5, 4]}}]})");
-  EXPECT_EQ(scene.m_fLasting, 2.0f);
-  ASSERT_EQ(scene.m_stdBalls.size(), 6u);
-  EXPECT_EQ(scene.m_stdBalls[0].m_cDesc.m_vPos, Vector2(1, 2));
-  EXPECT_EQ(scene.m_stdBalls[2].m_cDesc.m_vPos, Vector2(2, 2));
-  EXPECT_EQ(scene.m_stdBalls[3].m_cDesc.m_vPos, Vector2(1, 6));
-  EXPECT_EQ(scene.m_stdBalls[5].m_cDesc.m_fElasticity, 0.5f);
 }
 
 } // namespace

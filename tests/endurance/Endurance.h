@@ -4,10 +4,22 @@
 
 #include "Played.h"
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numeric>
+#include <optional>
+#include <vector>
 
 namespace Shapes::Tests {
+
+/// The memory that the program holds: its operator new and delete count. Blocks that are allocated now (a
+/// vector that grows stays one block, a leak does not), bytes in them, and blocks that were ever allocated.
+std::size_t CountLiveBlocks();
+std::size_t CountLiveBytes();
+std::size_t CountAllocations();
 
 struct CFigures {
   std::size_t m_nSteps = 0;
@@ -40,8 +52,165 @@ struct CMeddling {
   std::function<void(CPlayed&)> m_Loaded;                   ///< the game that was loaded
 };
 
+using Vector2d = Eigen::Vector2d;
+
+// Half an ulp of 1: what rounding to float changes at most, relative.
+inline constexpr double g_fUnit = 0x1p-24;
+// A hit of two balls changes the sum of their energies by this share of it at most.
+inline constexpr double g_fHitRounding = 32.0 * g_fUnit;
+// A step without a hit changes what it keeps by this share of its size at most.
+inline constexpr double g_fFlightRounding = 4.0 * g_fUnit;
+inline constexpr std::size_t g_nBatches = 20;
+
+class CWatch {
+public:
+  explicit CWatch(const CPlayed& played)
+      : m_cWorld(played.GetWorld()),
+        m_nShapes(played.GetShapes().size()),
+        m_fStep(static_cast<double>(m_cWorld.GetDesc().m_fTimeStep)),
+        m_bIsParabola(!m_cWorld.GetDesc().m_cEffects.m_cForbidden.Has(eEffect::Continuous)),
+        // The gravity as it acts: in semi-implicit steps what is added to the velocity is rounded.
+        m_vGravity(
+            m_bIsParabola
+                ? m_cWorld.GetDesc().m_vGravity.cast<double>()
+                : Vector2d(
+                      Vector2(m_cWorld.GetDesc().m_vGravity * m_cWorld.GetDesc().m_fTimeStep).cast<double>() /
+                      m_fStep)),
+        m_fEnergy0(GetEnergy()) {}
+
+  double GetEnergy() const {
+    double sum = 0.0;
+    for (const Vector2& v : m_cWorld.GetBallVelocities())
+      sum += 0.5 * v.cast<double>().squaredNorm();
+    return sum;
+  }
+
+  void Before() {
+    m_stdPos.assign(m_cWorld.GetBallPositions().begin(), m_cWorld.GetBallPositions().end());
+    m_stdVel.assign(m_cWorld.GetBallVelocities().begin(), m_cWorld.GetBallVelocities().end());
+  }
+
+  void After(CFigures& figures) {
+    m_stdMet.assign(m_stdPos.size(), false);
+    for (const CContactEvent& contact : m_cWorld.GetContacts()) {
+      ++figures.m_nContacts;
+      Meet(contact.m_cBall);
+      if (contact.m_cShape.m_nValue <= m_nShapes) continue;
+      ++figures.m_nPairContacts;
+      Meet(contact.m_cShape);
+      const double energy = GetEnergy(contact.m_cBall) + GetEnergy(contact.m_cShape);
+      m_fHits += energy * energy;
+    }
+    for (std::size_t i = 0; i < m_stdPos.size(); ++i) {
+      const Vector2 &p = m_cWorld.GetBallPositions()[i], &v = m_cWorld.GetBallVelocities()[i];
+      figures.m_fFastest = std::max(figures.m_fFastest, v.norm());
+      if (m_stdMet[i]) continue;
+      figures.m_fFlightDrift += Kept(p, v) - Kept(m_stdPos[i], m_stdVel[i]);
+      figures.m_fFlightBound += g_fFlightRounding * SizeOfKept(p, v);
+    }
+  }
+
+  void Finish(CFigures& figures) const {
+    figures.m_fEnergyDrift = GetEnergy() / m_fEnergy0 - 1.0;
+    figures.m_fEnergyBound = g_fHitRounding * std::sqrt(m_fHits) / m_fEnergy0;
+  }
+
+private:
+  void Meet(CShapeId ball) { m_stdMet[ball.m_nValue - 1 - m_nShapes] = true; }
+  double GetEnergy(CShapeId ball) const {
+    return 0.5 * m_cWorld.GetBallVelocities()[ball.m_nValue - 1 - m_nShapes].cast<double>().squaredNorm();
+  }
+
+  // Parabolas keep the energy, semi-implicit steps that plus half of what gravity adds in a step.
+  double Kept(const Vector2& p, const Vector2& v) const {
+    const Vector2d v2 = v.cast<double>();
+    const double energy = 0.5 * v2.squaredNorm() - m_vGravity.dot(p.cast<double>());
+    return m_bIsParabola ? energy : energy + 0.5 * m_fStep * m_vGravity.dot(v2);
+  }
+  double SizeOfKept(const Vector2& p, const Vector2& v) const {
+    const double g = m_vGravity.norm(), speed = static_cast<double>(v.norm()) + g * m_fStep;
+    return speed * speed + g * static_cast<double>(p.norm());
+  }
+
+  const CWorld& m_cWorld;
+  std::size_t m_nShapes;
+  double m_fStep;
+  bool m_bIsParabola;
+  Vector2d m_vGravity;
+  double m_fEnergy0;
+  double m_fHits = 0.0;
+  std::vector<Vector2> m_stdPos, m_stdVel;
+  std::vector<bool> m_stdMet;
+};
+
+inline void LookAtMemory(CFigures& figures) {
+  const auto more = [](std::size_t now, std::size_t then) { return static_cast<std::ptrdiff_t>(now - then); };
+  figures.m_nBlocksMore = std::max(figures.m_nBlocksMore, more(CountLiveBlocks(), figures.m_nBlocks));
+  figures.m_nBytesMore = std::max(figures.m_nBytesMore, more(CountLiveBytes(), figures.m_nBytes));
+}
+
+inline double Mean(const double* begin, const double* end) {
+  return std::accumulate(begin, end, 0.0) / static_cast<double>(end - begin);
+}
+
+inline double HalvesApart(const std::vector<double>& batches) {
+  const double* begin = batches.data();
+  const double *middle = begin + batches.size() / 2, *end = begin + batches.size();
+  const double mean0 = Mean(begin, middle), mean1 = Mean(middle, end);
+  double squares = 0.0;
+  for (const double* p = begin; p != end; ++p) {
+    const double d = *p - (p < middle ? mean0 : mean1);
+    squares += d * d;
+  }
+  const auto n = static_cast<double>(batches.size());
+  const double variance = squares / (n - 2.0) * (4.0 / n); // of the difference of both means
+  return variance > 0.0 ? std::abs(mean1 - mean0) / std::sqrt(variance) : 0.0;
+}
+
 /// @param steps  200 at least
-CFigures Endure(const Compare::CScene& scene, const CEffectChoice& effects, std::size_t steps,
-                const CMeddling& meddling = {});
+inline CFigures Endure(const Compare::CScene& scene, const CEffectChoice& effects, std::size_t steps,
+                       const CMeddling& meddling = {}) {
+  const auto start = std::chrono::steady_clock::now();
+  CPlayed played(scene, effects);
+  CWatch watch(played);
+  CFigures figures;
+  std::vector<double> batches(g_nBatches, 0.0);
+  std::optional<CPlayed::CSaved> saved;
+  CHash hash, loadedHash;
+  // The game that is saved in the middle goes on for a tenth, and then the one that is loaded does.
+  const std::size_t middle = steps / 2, tail = steps / 10;
+  for (std::size_t i = 0; i < steps; ++i) {
+    if (i == steps / 10) figures.m_nBlocks = CountLiveBlocks(), figures.m_nBytes = CountLiveBytes();
+    // What is saved in the middle is held for a while.
+    if (i > steps / 10 && !saved && i % (steps / 100) == 0) LookAtMemory(figures);
+    if (i == middle) saved = played.Save();
+    watch.Before();
+    if (meddling.m_Before) meddling.m_Before(played, i);
+    played.Step();
+    watch.After(figures);
+    batches[i * g_nBatches / steps] += watch.GetEnergy();
+    if (i >= middle && i < middle + tail) AddTo(hash, played.GetWorld());
+    if (i == middle + tail) {
+      CPlayed loaded(scene, effects);
+      loaded.Load(*saved);
+      saved.reset();
+      if (meddling.m_Loaded) meddling.m_Loaded(loaded);
+      for (std::size_t j = middle; j < middle + tail; ++j) {
+        if (meddling.m_Before) meddling.m_Before(loaded, j);
+        loaded.Step();
+        AddTo(loadedHash, loaded.GetWorld());
+      }
+    }
+  }
+  LookAtMemory(figures);
+  watch.Finish(figures);
+  figures.m_nSteps = steps;
+  figures.m_nDrained = played.GetDrained();
+  figures.m_nEscaped = played.GetEscaped();
+  figures.m_fHalvesApart = HalvesApart(batches);
+  figures.m_bSameAfterLoad = hash.Get() == loadedHash.Get();
+  figures.m_fSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return figures;
+}
 
 } // namespace Shapes::Tests

@@ -3,7 +3,6 @@
 // expected is in docs/testing.md.
 #include "Endurance.h"
 #include "../Descs.h"
-#include "LiveBlocks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "LiveBlocks.h"
+#include "Endurance.h"
 
 #include <malloc.h>
 

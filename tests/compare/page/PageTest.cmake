@@ -3,8 +3,7 @@
 find_program(SHAPES_CHROMIUM NAMES chromium-headless-shell chromium chromium-browser google-chrome
              DOC "A Chromium that runs without a window")
 if(SHAPES_CHROMIUM)
-  add_executable(shapes-page-tests ${CMAKE_CURRENT_LIST_DIR}/../ReportPageTest.cpp
-                                   ${CMAKE_CURRENT_LIST_DIR}/PageDocuments.cpp)
+  add_executable(shapes-page-tests ${CMAKE_CURRENT_LIST_DIR}/../ReportPageTest.cpp)
   target_include_directories(shapes-page-tests PRIVATE ${CMAKE_CURRENT_LIST_DIR}/.. ${CMAKE_CURRENT_LIST_DIR}/../..)
   target_link_libraries(shapes-page-tests PRIVATE shapes-compare-parts shapes_flags GTest::gtest_main
                                                   nlohmann_json::nlohmann_json)

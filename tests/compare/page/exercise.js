@@ -47,9 +47,9 @@
     const names = [...engines, 'heat'];
     return {colours: counts.size, ...Object.fromEntries(names.map((name) => [name, of(name)]))};
   }
-  /** The least room between two names of the time axis, in pixels, and what the axes span. */
+  /** The least room between two names of the time axis, in pixels, and how many there are. */
   function axesOf(canvas) {
-    const chart = Chart.getChart(canvas), {x, y} = chart.scales;
+    const chart = Chart.getChart(canvas), {x} = chart.scales;
     chart.ctx.font = x._resolveTickFontOptions(0).string;
     const names =
         x.ticks.map((tick, i) => ({at: x.getPixelForTick(i), text: tick.label})).filter((t) => t.text);
@@ -59,7 +59,7 @@
     });
     ends.sort((a, b) => a[0] - b[0]);
     const room = Math.min(1e3, ...ends.slice(1).map((end, i) => end[0] - ends[i][1]));
-    return {room, names: names.length, span: [x.min, x.max, y.min, y.max]};
+    return {room, names: names.length};
   }
   const workAxes = () => $$('canvas[data-plot=error], canvas[data-plot=tunneled]').map(axesOf);
   const textOf = (selector) => $$(selector).map((e) => e.textContent);
@@ -208,17 +208,11 @@
     play.click();
     if (replay.dataset.playing !== 'true') throw new Error('the replay does not play');
     await until(() => frameOf(replay) > before + 2, 'frames to pass');
-    const wasPlaying = replay.dataset.playing;
     if (replay.dataset.playing === 'true') play.click();
     const stopped = frameOf(replay);
     await wait(300);
-    return {
-      before,
-      after: stopped,
-      wasPlaying,
-      isPlaying: replay.dataset.playing,
-      rested: frameOf(replay) === stopped
-    };
+    const {playing} = replay.dataset;
+    return {before, after: stopped, isPlaying: playing, rested: frameOf(replay) === stopped};
   }
 
   function choose(select, value) {
@@ -243,7 +237,6 @@
       x: Number(replay.dataset.ballX) / canvas.clientWidth,
       y: Number(replay.dataset.ballY) / canvas.clientHeight,
       middle: look(canvas, middle),
-      whole: look(canvas),
     };
   }
 
@@ -304,7 +297,6 @@
     const seen = {
       name,
       folds: folds.length,
-      sections: textOf('#scene-body summary'),
       cut: cut(),
       overlaps: overlaps(),
       repeated: repeated(),
@@ -334,7 +326,6 @@
         $$('#scene-body canvas[data-plot]').map((canvas) => [canvas.dataset.plot, look(canvas)]));
     const replay = $('.replay');
     if (!replay) return seen;
-    seen.isPlaying = replay.dataset.playing;
     if (replay.dataset.playing === 'true') $('[data-action=play]', replay).click();
     seen.worstFirst = replay.dataset.clip;
     choose($('[aria-label=Clip]', replay), 'start');
