@@ -196,6 +196,25 @@ TEST(LastingContact, HeavyBallsDoNotPressOthersIntoEachOther) {
   }
 }
 
+// Each of 200 balls in one place is deep in all others: it meets some of them at a time, and in the end it
+// lies in none.
+TEST(LastingContact, ACrowdInOnePlaceComesApart) {
+  const auto pWorld = MakeNative(g_cAutomatic, 10);
+  AddBox(*pWorld, 4, 0.7f);
+  pWorld->Add(CLineSegDesc({-1, -0.25f}, {1, -0.25f}, 0.7f));
+  CRandom random(4);
+  SCOPED_TRACE(random.GetSeed());
+  for (int i = 0; i < 200; ++i)
+    pWorld->Add(CDynamicCircleDesc(random.InSquare(0.001f), 0.2f, random.InSquare(2), 1, 0.7f));
+  pWorld->Step();
+  EXPECT_LT(pWorld->GetStats().m_nSweeps, 64u * 200u); // of 200 balls with all others at least 199 * 200
+  EXPECT_GT(GetOverlap(*pWorld), 1.0);
+  Steps(*pWorld, 500);
+  EXPECT_LT(GetOverlap(*pWorld), 0.001);
+  for (const Vector2& p : pWorld->GetBallPositions())
+    EXPECT_LT(p.cwiseAbs().maxCoeff(), 4.0f);
+}
+
 // The upper ball is moved out of the lower one, which lifts it: it has to slow down for that. One that has no
 // speed to lose is the control.
 TEST(LastingContact, MovingBallsApartGivesNoEnergy) {
