@@ -36,4 +36,10 @@ inline void AddBox(CWorld& world, float half, float e = 1) {
   AddRoom(world, corners, e);
 }
 
+/// Per mass, above the floor on which a ball of radius r lies.
+inline double EnergyOf(const CWorld& world, CShapeId ball, double g, double r) {
+  return 0.5 * world.GetVel(ball).cast<double>().squaredNorm() +
+         g * (static_cast<double>(world.GetPos(ball).y()) - r);
+}
+
 } // namespace Shapes

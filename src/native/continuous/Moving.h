@@ -38,6 +38,8 @@ struct CMoving {
   std::size_t m_nBall = 0;                         // index in the arrays
   std::uint32_t m_nSolid = 0;                      // and among those that are solid
   CDiscGrid::CDisc m_cDisc{Vector2::Zero(), 0.0f}; // around the motion
+  std::size_t m_nBallsSeen = 0;                    // near it in this substep, in all searches
+  CFarness m_cFarthestDeep = g_cFarthest;          // that it meets, in a crowd
   Vector2d m_vPos = Vector2d::Zero();              // where the motion begins
   Vector2d m_vVel = Vector2d::Zero();              // likewise
   Vector2d m_vAcc = Vector2d::Zero();              // of the motion
@@ -51,8 +53,6 @@ struct CMoving {
   double m_fTime = 0.0;                    // when the motion begins, seconds in the substep
   std::uint32_t m_nVersion = 0;            // changes with the motion
   unsigned m_nImpacts = 0;                 // in this substep
-  std::size_t m_nBallsSeen = 0;            // likewise, near it, in all searches
-  CFarness m_cFarthestDeep = g_cFarthest;  // that it meets, in a crowd
   std::uint32_t m_nLastOrder = g_nNobody;  // of the shape that it has just left
   std::uint32_t m_nLastMoving = g_nNobody; // of the moving shape that it has met last
   bool m_bIsAsleep = false;                // at rest, and nothing is near that is not
