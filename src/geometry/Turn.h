@@ -3,8 +3,6 @@
 // them differently, and a replay of a game in which something turns would go another way.
 #pragma once
 
-#include <Shapes/ShapeMath.h>
-
 namespace Shapes::Geometry {
 
 struct CTurn {
@@ -15,8 +13,5 @@ struct CTurn {
 /// 2^20 on are left to the C library. The angle is reduced to a quarter turn by pi/2 in three parts (Cody and
 /// Waite 1980), and what is left is summed as a Taylor series.
 CTurn GetTurn(double angle);
-
-/// p turned about center, as by Shapes::RotatePt: for several points that turn by the same angle.
-Vector2 RotatePt(const Vector2& p, const Vector2& center, const CTurn& turn);
 
 } // namespace Shapes::Geometry

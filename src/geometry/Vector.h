@@ -56,10 +56,17 @@ inline double Quotient(double above, double below, double most) {
   const bool fits = below > 0.0 && above <= most * below;
   return (fits ? above : std::numeric_limits<double>::infinity()) / (fits ? below : 1.0);
 }
-/// v turned counterclockwise by `angle` radians.
-inline Vector2d Turned(const Vector2d& v, double angle) {
-  const auto [c, s] = GetTurn(angle);
+/// v turned counterclockwise.
+inline Vector2d Turned(const Vector2d& v, const CTurn& turn) {
+  const auto [c, s] = turn;
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+}
+/// The same, by `angle` radians.
+inline Vector2d Turned(const Vector2d& v, double angle) { return Turned(v, GetTurn(angle)); }
+/// p turned about center, as by Shapes::RotatePt: for several points that turn by the same angle.
+inline Eigen::Vector2f RotatePt(const Eigen::Vector2f& p, const Eigen::Vector2f& center, const CTurn& turn) {
+  const Vector2d c = center.cast<double>();
+  return (c + Turned(p.cast<double>() - c, turn)).cast<float>();
 }
 
 } // namespace Geometry

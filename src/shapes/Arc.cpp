@@ -2,7 +2,7 @@
 #include <Shapes/Arc.h>
 
 #include "../Tolerances.h"
-#include "../geometry/Turn.h"
+#include "../geometry/Vector.h"
 
 #include "Validate.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/ShapeMath.h>
 
-#include "../geometry/Turn.h"
+#include "../geometry/Vector.h"
 
 #include <cmath>
 
@@ -10,14 +10,6 @@ namespace Shapes {
 Vector2 ParallelComponent(const Vector2& v, const Vector2& w) {
   const Vector2 what = Normalize(w, Vector2::Zero());
   return v.dot(what) * what;
-}
-
-Vector2 Geometry::RotatePt(const Vector2& p, const Vector2& center, const CTurn& turn) {
-  const auto [c, s] = turn;
-  const double x = static_cast<double>(p.x()) - static_cast<double>(center.x());
-  const double y = static_cast<double>(p.y()) - static_cast<double>(center.y());
-  return {static_cast<float>(static_cast<double>(center.x()) + (c * x - s * y)),
-          static_cast<float>(static_cast<double>(center.y()) + (s * x + c * y))};
 }
 
 Vector2 RotatePt(const Vector2& p, const Vector2& center, float angle) {
