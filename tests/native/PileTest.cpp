@@ -121,6 +121,21 @@ TEST(Pile, ACrowdInOnePlaceComesApart) {
     EXPECT_LT(p.cwiseAbs().maxCoeff(), 4.0f);
 }
 
+// Two balls that meet are set apart, however many balls that neither meets are nearer to both.
+TEST(Pile, ACrowdThatABallDoesNotMeetHidesNone) {
+  const auto pWorld = MakeNative(g_cContinuous);
+  const auto add = [&](float x, const CFilter& filter) {
+    CDynamicCircleDesc desc({x, 0}, 0.2f);
+    desc.m_cFilter = filter;
+    return pWorld->Add(desc);
+  };
+  const CShapeId left = add(-0.1f, {2, 2}), right = add(0.1f, {2, 2});
+  for (int i = 0; i < 50; ++i)
+    add(0, {1, 0});
+  pWorld->Step();
+  EXPECT_GT((pWorld->GetPos(left) - pWorld->GetPos(right)).norm(), 0.399f);
+}
+
 // In piles that fall and come to rest no step adds more than what lifts balls that have no speed to lose.
 TEST(Pile, APileGainsNoEnergy) {
   for (const bool isV : {false, true}) {

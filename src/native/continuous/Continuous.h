@@ -35,7 +35,9 @@ namespace Shapes::Native {
 ///   g_fCalmSpeed of what gravity gives in a substep for g_fCalmTime seconds: they stand still, no contact
 ///   of theirs is told, until a ball or a moving shape comes near, or anything is added, removed, moved or
 ///   set.
-/// - A ball that has had g_nMaxImpacts impacts, or g_nCrowded in a pile, is halted: for the rest of the
+/// - A ball that is deep in more than g_nMostDeep others meets the nearest of these only.
+/// - A ball that has had g_nMaxImpacts impacts, g_nCrowded in a pile, or has found more than g_nMostBallsSeen
+///   others in all searches, is halted: for the rest of the
 ///   substep it stays where it is, which is a place that it can be at, or goes along with the moving shape
 ///   that it has met last. It keeps its velocity, in a pile no more of it than what is slow; others bounce
 ///   off it as off a wall.
@@ -104,6 +106,7 @@ private:
   void TakeSolid(std::uint32_t k);
   void Take(std::size_t i, const CDiscGrid::CDisc& disc);
   void FindBalls(std::uint32_t i);
+  void FindAllBalls(std::uint32_t i);
   void FindBallsAtBegin(std::uint32_t i);
   void SearchBalls(std::uint32_t i);
   void FindCrowds();
@@ -216,6 +219,7 @@ private:
   CDiscGrid::CDisc m_cFoundIn{Vector2::Zero(), 0.0f};
   std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound, m_stdLate, m_stdInTheWay;
   std::vector<CTouching> m_stdTouching;
+  std::vector<CFarness> m_stdDeep;
   CRestingContacts m_cResting;
   std::vector<std::uint32_t> m_stdHit, m_stdPassing;
   std::vector<std::uint32_t> m_stdWoken;

@@ -147,8 +147,15 @@ void CContinuous::MoveDisc(std::uint32_t i) {
     m_cDiscGrid.Move(ball.m_nSolid, ball.m_cDisc);
 }
 
-// The balls whose ways come near that of this one, each once, in the order in which they were taken.
+// The balls whose ways come near that of this one and that it meets, each once, in the order in which they
+// were taken; in a crowd those that are near enough.
 void CContinuous::FindBalls(std::uint32_t i) {
+  FindAllBalls(i);
+  m_stdBalls[i].m_nBallsSeen += m_stdBallsFound.size();
+  if (m_bAnyCrowd) std::erase_if(m_stdBallsFound, [&](std::uint32_t j) { return IsBeyondCrowd(i, j); });
+}
+
+void CContinuous::FindAllBalls(std::uint32_t i) {
   m_stdBallsFound.clear();
   if (!m_bPairs) return;
   if (m_bAreDiscsMoved)
@@ -160,8 +167,6 @@ void CContinuous::FindBalls(std::uint32_t i) {
       const std::vector<CFilter>& filters = m_pBalls->m_stdFilter;
       return !DoMeet(filters[m_stdBalls[i].m_nBall], filters[m_stdBalls[j].m_nBall]);
     });
-  m_stdBalls[i].m_nBallsSeen += m_stdBallsFound.size();
-  if (m_bAnyCrowd) std::erase_if(m_stdBallsFound, [&](std::uint32_t j) { return IsBeyondCrowd(i, j); });
 }
 
 namespace {
@@ -182,18 +187,17 @@ CFarness GetFarness(const CMoving& ball, const CMoving& other) {
 // enough to part them: when these are apart, others are the nearest.
 void CContinuous::FindCrowds() {
   m_bAnyCrowd = false;
-  std::vector<CFarness> deep;
   for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     CMoving& ball = m_stdBalls[i];
     const auto [begin, end] = m_stdNearOf[ball.m_nSolid];
     if (end - begin <= g_nMostDeep) continue;
-    deep.clear();
-    for (std::uint32_t e = begin; e < end; ++e)
-      if (const CMoving& other = m_stdBalls[m_stdIndexOf[m_stdNear[e]]]; IsDeep(ball, other))
-        deep.push_back(GetFarness(ball, other));
-    if (deep.size() <= g_nMostDeep) continue;
-    const auto last = deep.begin() + (g_nMostDeep - 1);
-    std::nth_element(deep.begin(), last, deep.end());
+    FindAllBalls(i);
+    m_stdDeep.clear();
+    for (const std::uint32_t j : m_stdBallsFound)
+      if (IsDeep(ball, m_stdBalls[j])) m_stdDeep.push_back(GetFarness(ball, m_stdBalls[j]));
+    if (m_stdDeep.size() <= g_nMostDeep) continue;
+    const auto last = m_stdDeep.begin() + (g_nMostDeep - 1);
+    std::nth_element(m_stdDeep.begin(), last, m_stdDeep.end());
     ball.m_cFarthestDeep = *last;
     m_bAnyCrowd = true;
   }
