@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What nearly every test needs.
+// Nearly every test includes this.
 #pragma once
 
 #include "Descs.h"

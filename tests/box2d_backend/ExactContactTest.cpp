@@ -96,7 +96,7 @@ Vector2d GradientAt(const CContactGeometry& o, const Vector2d& p) {
   return (p - from).normalized();
 }
 
-/// What errors are relative to: see FindExactContact.
+/// Errors are relative to this: see FindExactContact.
 double SizeOf(const CContactGeometry& o, const Vector2d& q, double r) {
   const Vector2d &p0 = o.m_cEnd0.m_vPos, &p1 = o.m_cEnd1.m_vPos;
   return q.norm() + o.m_vCentre.norm() + o.m_fRadius + r + p0.norm() + p1.norm();

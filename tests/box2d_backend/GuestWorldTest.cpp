@@ -82,7 +82,7 @@ TEST_P(CGuest, StepsMayDifferInLength) {
     EXPECT_LT(off, -0.05); // the control: Box2D's own way is below it, by g dt / 2 each second
 }
 
-// Whatever differs would be Shapes' doing: ties, sentinel, listener, who steps. A tuned world of its own is
+// A difference would come from Shapes: ties, sentinel, listener, who steps. A tuned world of its own is
 // scaled and cuts its steps.
 TEST_P(CGuest, PixelsAndMetresGiveTheSameWayAndAsShippedThatOfAWorldOfItsOwn) {
   std::vector<Vector2> ways[2];

@@ -133,7 +133,7 @@ class CRandomGame {
 public:
   CRandomGame(CWorld& world, std::uint64_t seed) : m_cWorld(world), m_cRandom(seed) {}
 
-  /// What a saved state has to know.
+  /// A saved state has to know this.
   struct CAccount {
     std::vector<CShapeId> m_stdIds;
     CPairs m_stdTouching, m_stdSolid; // begun and not ended: of sensors, and of solid contacts

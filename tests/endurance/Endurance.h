@@ -181,7 +181,7 @@ inline CFigures Endure(const Compare::CScene& scene, const CEffectChoice& effect
   const std::size_t middle = steps / 2, tail = steps / 10;
   for (std::size_t i = 0; i < steps; ++i) {
     if (i == steps / 10) figures.m_nBlocks = CountLiveBlocks(), figures.m_nBytes = CountLiveBytes();
-    // What is saved in the middle is held for a while.
+    // The state saved in the middle is held for a while.
     if (i > steps / 10 && !saved && i % (steps / 100) == 0) LookAtMemory(figures);
     if (i == middle) saved = played.Save();
     watch.Before();
