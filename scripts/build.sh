@@ -13,6 +13,9 @@ ci_packages=(git ccache clang clang-tidy clang-format libclang-rt-14-dev libc++-
 
 # Arguments for cmake: a compiler cache where there is one. Precompiled headers need to be told to it.
 export CCACHE_SLOPPINESS=pch_defines,time_macros
+# Found by the text of what it includes, never by what the preprocessor makes of it: that has no comments, and a
+# precompiled header of a file whose comment has changed is not taken for that file, which is then included twice.
+export CCACHE_DEPEND=1
 launcher=()
 if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
 
