@@ -48,40 +48,6 @@ TEST(ClosedRoom, APileLosesNone) {
   EXPECT_GT(PlayPile(g_cApproximate, 200, 600), 0); // the control
 }
 
-int PlayRooms(const CEffectChoice& effects, int rooms) {
-  CRandom random(15);
-  SCOPED_TRACE(random.GetSeed());
-  int lost = 0;
-  for (int k = 0; k < rooms; ++k) {
-    // A quadrangle about the origin, some of its corners sharp.
-    CRoom room;
-    float angle = random.Uniform(0.0f, 1.0f);
-    for (int i = 0; i < 4; ++i) {
-      room.push_back(random.Uniform(0.4f, 1.2f) * AngleToVector(angle));
-      angle += 0.5f * g_fPi;
-    }
-    bool isConvex = true;
-    for (std::size_t i = 0; i < 4; ++i)
-      isConvex = isConvex && Cross(room[(i + 1) % 4] - room[i], room[(i + 2) % 4] - room[(i + 1) % 4]) > 0.0f;
-    if (!isConvex) continue;
-    const auto pWorld = MakeRoom(room, effects, random.Coin() ? 10.0f : 0.0f, random.Uniform(0.3f, 1.0f));
-    const int balls = 1 + static_cast<int>(random.Below(6));
-    for (int i = 0; i < balls; ++i)
-      pWorld->Add(CDynamicCircleDesc(random.InSquare(0.05f), random.Uniform(0.03f, 0.2f),
-                                     random.InSquare(1.0f), random.Uniform(0.1f, 10.0f),
-                                     random.Uniform(0.3f, 1.0f)));
-    const int atFirst = CountOutside(room, *pWorld);
-    Steps(*pWorld, 600);
-    lost += atFirst == 0 && CountOutside(room, *pWorld) > 0;
-  }
-  return lost;
-}
-
-TEST(ClosedRoom, RandomRoomsLoseNone) {
-  EXPECT_EQ(PlayRooms(g_cAutomatic, 600), 0);
-  EXPECT_GT(PlayRooms(g_cApproximate, 600), 5); // the control
-}
-
 // A ball that lies over a gap that is smaller than itself, pressed by another one, is stopped by the ends. It
 // must not gather speed meanwhile.
 TEST(ClosedRoom, AStoppedBallGathersNoSpeed) {

@@ -200,15 +200,19 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   else
     ball.m_vPos += clear * n;
   m_fFastest = std::max(m_fFastest, g_fSqueezed * Norm(surface));
+  TakeBack(ball);
   const double approach = ApproachSpeed(ball.m_vVel, surface, n);
   const double e = ball.m_fElasticity * static_cast<double>(entry.m_pShape->GetElasticity());
   const double speed = Norm(ball.m_vVel) + Norm(surface);
   const bool stays =
       IsFalling() && IsHop(e * approach, impact.m_fClosing, speed) && CanFollow(ball, order, impact);
   if (stays) {
+    GiveAgain(ball);
     Hold(ball, MakeHold(ball, order, impact));
   } else {
     RespondKinematic(n, 0.0, e, surface, ball.m_vPos, ball.m_vVel);
+    GiveAgain(ball);
+    if (IsPushed(ball) && n.dot(ball.m_vVel - surface) < 0.0) FallOnto(n, surface, ball);
     Free(ball);
     if (ball.m_nLastOrder == order && impact.m_fTime * g_nHops < m_fStep) Slide(ball, impact);
   }
@@ -248,8 +252,46 @@ void CContinuous::ResolveWithBall(CMoving& ball, CMoving& other) {
   Collide(ball, other, n, setback, IsSlow(ball, other, approach));
 }
 
+// The velocity of a ball in a pile at the moment: it bounces at that, without what gravity and the pile give
+// in the rest of the substep. With that it would bounce higher than it has come from.
+void CContinuous::TakeBack(CMoving& ball) const { ball.m_vVel -= (m_fStep - ball.m_fTime) * ball.m_vGiven; }
+
+// After the response. Moved for the time t at v + (g + push) t a ball gains (push v + t (push^2 - g^2)/2) t
+// per mass: where that is above zero the pile pushes it no more.
+void CContinuous::GiveAgain(CMoving& ball) const {
+  if (!IsPushed(ball)) return;
+  const double time = m_fStep - ball.m_fTime;
+  const Vector2d push = ball.m_vGiven - m_vGravity;
+  if (push.dot(ball.m_vVel) + 0.5 * time * (push.squaredNorm() - m_vGravity.squaredNorm()) > 0.0)
+    ball.m_vGiven = m_vGravity;
+  ball.m_vVel += time * ball.m_vGiven;
+}
+
+// It has bounced off the surface, but would be back within the substep: it slides along, pushed by nothing
+// else.
+void CContinuous::FallOnto(const Vector2d& n, const Vector2d& surface, CMoving& ball) const {
+  TakeBack(ball);
+  ball.m_vGiven = m_vGravity;
+  ball.m_vVel += (m_fStep - ball.m_fTime) * m_vGravity;
+  ball.m_vVel -= std::min(0.0, n.dot(ball.m_vVel - surface)) * n;
+  ball.m_vGiven -= std::min(0.0, n.dot(m_vGravity)) * n;
+}
+
+// The same of two balls, which the pile pushes on.
+void CContinuous::PressTogether(const Vector2d& n, CMoving& ball, CMoving& other) const {
+  if (!(IsPushed(ball) || IsPushed(other)) || !(n.dot(ball.m_vVel - other.m_vVel) < 0.0)) return;
+  RespondDynamic(n, 0.0, 0.0, other.m_fMass, ball.m_fMass, other.m_vPos, other.m_vVel, ball.m_vPos,
+                 ball.m_vVel);
+  if (!(n.dot(ball.m_vGiven - other.m_vGiven) < 0.0)) return;
+  for (CMoving* pBall : {&ball, &other})
+    pBall->m_vGiven -= n.dot(pBall->m_vGiven) * n;
+}
+
 // Two balls that touch at the present place of both.
 void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, double setback, bool isSlow) {
+  const auto isAnswered = [isSlow](const CMoving& b) { return !isSlow && !b.m_bIsHalted; };
+  for (CMoving* pBall : {&ball, &other})
+    if (isAnswered(*pBall)) TakeBack(*pBall);
   const double approach = ApproachSpeed(GetMotion(ball).m_vVel, GetMotion(other).m_vVel, n);
   const double e = isSlow ? 0.0 : ball.m_fElasticity * other.m_fElasticity;
   double mass = ReducedMass(ball.m_fMass, other.m_fMass);
@@ -261,6 +303,9 @@ void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, doub
   else
     RespondDynamic(n, setback, e, other.m_fMass, ball.m_fMass, other.m_vPos, other.m_vVel, ball.m_vPos,
                    ball.m_vVel);
+  for (CMoving* pBall : {&ball, &other})
+    if (isAnswered(*pBall)) GiveAgain(*pBall);
+  if (isAnswered(ball) && isAnswered(other)) PressTogether(n, ball, other);
   for (CMoving* pBall : {&ball, &other}) {
     m_pStats->m_nSpeedsCapped += CapSpeed(pBall->m_vVel);
     pBall->m_nLastOrder = g_nNobody;

@@ -45,7 +45,8 @@ struct CMoving {
   Vector2d m_vAcc = Vector2d::Zero();              // of the motion
   Vector2d m_vBend = Vector2d::Zero();             // more of it, where it follows a curve
   Vector2d m_vCarried = Vector2d::Zero();          // velocity with which it goes along where it is halted
-  Vector2d m_vFall = Vector2d::Zero(); // gravity, unless the velocity has what it gives in the substep
+  Vector2d m_vFall = Vector2d::Zero();  // gravity, unless the velocity has what it gives in the substep
+  Vector2d m_vGiven = Vector2d::Zero(); // acceleration in the substep, all of which the velocity has
   double m_fRadius = 0.0, m_fMass = 1.0, m_fElasticity = 0.0;
   CHolds m_cHolds;
   double m_fHoldTime = std::numeric_limits<double>::infinity(); // until they end, or its way is computed anew

@@ -158,6 +158,7 @@ void CRestingContacts::Solve(std::vector<CMoving>& balls) {
   m_stdEnergies.assign(balls.size(), {});
   ForEachInPile(balls, [&](CMoving& ball, CEnergy& pile, double lift) {
     pile.m_fBefore += 0.5 * ball.m_fMass * ball.m_vVel.squaredNorm() - lift;
+    ball.m_vGiven = -ball.m_vVel / m_fStep;
   });
   for (std::size_t begin = 0, end = 0; begin < m_stdContacts.size(); begin = end) {
     const std::uint32_t root = FindRoot(m_stdContacts[begin].m_nBall);
@@ -169,7 +170,10 @@ void CRestingContacts::Solve(std::vector<CMoving>& balls) {
     pile.m_fKinetic += 0.5 * ball.m_fMass * ball.m_vVel.squaredNorm();
     pile.m_fFall += ball.m_fMass * m_fStep * m_vGravity.dot(ball.m_vVel);
   });
-  ForEachInPile(balls, [](CMoving& ball, CEnergy& pile, double) { ball.m_vVel *= pile.GetShare(); });
+  ForEachInPile(balls, [&](CMoving& ball, CEnergy& pile, double) {
+    ball.m_vVel *= pile.GetShare();
+    ball.m_vGiven += ball.m_vVel / m_fStep;
+  });
 }
 
 void CRestingContacts::SolvePile(std::span<CContact> pile, std::vector<CMoving>& balls) {

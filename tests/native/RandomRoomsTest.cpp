@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// Random closed rooms, near and far from the origin, in metres and in pixels, stepped by any step: none loses
+// a ball, and no energy comes from nothing. SHAPES_WORLDS says how many, 1,000 by default; of 100,000 none
+// did.
+#include "NativeTesting.h"
+
+#include <cstdlib>
+
+namespace Shapes {
+namespace {
+
+/// An irregular polygon about the origin of a random place, or a ring, and up to six balls apart from each
+/// other.
+struct CRandomRoom {
+  std::unique_ptr<CWorld> m_pWorld;
+  std::vector<Vector2> m_stdCorners; // counterclockwise; none of a ring
+  Vector2 m_vMiddle;
+  float m_fSize; // radius of the ring, distance of the corners
+  float m_fGravity;
+  float m_fElasticity; // of the walls, 1 of the balls
+
+  CRandomRoom(CRandom& random, const CEffectChoice& effects) {
+    const bool isFar = random.Coin(), isPixels = random.Below(3) == 0, isRing = random.Below(7) == 0;
+    const float unit = isPixels ? 100.0f : 1.0f;
+    m_vMiddle = {isFar ? random.SignedScale(-7, 16) : 0.0f, 0.0f};
+    m_fSize = unit * random.Uniform(0.5f, 3.0f);
+    m_fGravity = random.Below(3) == 0 ? 0.0f : unit * random.Uniform(1, 20);
+    const std::uint32_t kind = random.Below(5);
+    m_fElasticity = kind == 0 ? 0.0f : kind == 1 ? 1.0f : random.Uniform(0, 1);
+    const unsigned substeps = random.Below(3) > 0 ? 1 : 1u << random.Below(13);
+    m_pWorld = MakeNative(effects, m_fGravity, std::min(random.Scale(-17, -3), 0.1f), substeps);
+    if (isRing)
+      m_pWorld->Add(CArcDesc(m_vMiddle, m_fSize, 0, 0, m_fElasticity));
+    else
+      AddWalls(random);
+    AddBalls(random, random.Scale(-7, 9) * unit);
+  }
+
+  void AddWalls(CRandom& random) {
+    const std::uint32_t corners = 3 + random.Below(6);
+    const float part = 2.0f * g_fPi / static_cast<float>(corners);
+    for (std::uint32_t i = 0; i < corners; ++i) {
+      const float angle = part * (static_cast<float>(i) + random.Uniform(-0.25f, 0.25f));
+      m_stdCorners.push_back(m_vMiddle + m_fSize * AngleToVector(angle));
+    }
+    const bool isOneSided = random.Below(3) == 0;
+    for (std::uint32_t i = 0; i < corners; ++i) {
+      const Vector2 &a = m_stdCorners[i], &b = m_stdCorners[(i + 1) % corners];
+      CLineSegDesc wall(a, b, m_fElasticity);
+      // The front is where the normal points to, which is never down; the room is to the left of a wall.
+      const bool isFrontInside = b.x() > a.x() || (b.x() == a.x() && b.y() > a.y());
+      if (isOneSided) wall.m_eSides = isFrontInside ? eSides::Front : eSides::Back;
+      m_pWorld->Add(wall);
+    }
+  }
+
+  void AddBalls(CRandom& random, float fastest) {
+    // A ball is at least as large as what 16 ulp of its place are.
+    const float radius = std::max(m_fSize * random.Uniform(0.025f, 0.125f), 32.0f * GetUlp());
+    std::vector<Vector2> places;
+    const std::size_t balls = 1 + random.Below(6);
+    for (int attempt = 0; attempt < 200 && places.size() < balls; ++attempt) {
+      const Vector2 p = m_vMiddle + random.InSquare(m_fSize), v = random.VectorOfLength(0, fastest);
+      const auto isNear = [&](const Vector2& other) { return (other - p).norm() < 2.02f * radius; };
+      if (GetDepthInside(p) < 1.01 * radius || std::any_of(places.begin(), places.end(), isNear)) continue;
+      places.push_back(p);
+      m_pWorld->Add(CDynamicCircleDesc(p, radius, v, random.Below(5) == 0 ? random.Scale(0, 9) : 1.0f));
+    }
+  }
+
+  float GetUlp() const { return 0x1p-23f * (std::abs(m_vMiddle.x()) + m_fSize); }
+  /// Distance of a point from the nearest wall, negative outside.
+  double GetDepthInside(const Vector2& p) const {
+    if (m_stdCorners.empty()) return static_cast<double>(m_fSize - (p - m_vMiddle).norm());
+    double depth = m_fSize;
+    for (std::size_t i = 0; i < m_stdCorners.size(); ++i) {
+      const Vector2d a = m_stdCorners[i].cast<double>();
+      const Vector2d way = m_stdCorners[(i + 1) % m_stdCorners.size()].cast<double>() - a,
+                     d = p.cast<double>() - a;
+      depth = std::min(depth, (way.x() * d.y() - way.y() * d.x()) / way.norm());
+    }
+    return depth;
+  }
+  /// Above the deepest place of the room.
+  double GetEnergy() const {
+    double sum = 0.0;
+    for (const CShapeId ball : m_pWorld->GetBallIds())
+      sum += static_cast<double>(m_pWorld->GetMass(ball)) * EnergyOf(*m_pWorld, ball, m_fGravity, -m_fSize);
+    return sum;
+  }
+  double GetMass() const {
+    double sum = 0.0;
+    for (const CShapeId ball : m_pWorld->GetBallIds())
+      sum += static_cast<double>(m_pWorld->GetMass(ball));
+    return sum;
+  }
+  bool LosesABall() const {
+    const auto places = m_pWorld->GetBallPositions();
+    return std::any_of(places.begin(), places.end(),
+                       [&](const Vector2& p) { return !(GetDepthInside(p) >= -2.0 * GetUlp()); });
+  }
+};
+
+struct CCounts {
+  int m_nWorlds = 0, m_nLost = 0, m_nGained = 0;
+  std::string m_sSeeds; // of these two
+};
+
+CCounts PlayRooms(int worlds, const CEffectChoice& effects) {
+  CCounts counts;
+  for (int seed = 0; seed < worlds; ++seed) {
+    CRandom random(static_cast<std::uint64_t>(seed));
+    const CRandomRoom room(random, effects);
+    CWorld& world = *room.m_pWorld;
+    if (world.GetBallIds().empty()) continue;
+    ++counts.m_nWorlds;
+    const double first = room.GetEnergy();
+    // Lifting a ball off a wall that it overlaps by rounding.
+    const double most = first * 1.0001 + room.GetMass() * room.m_fGravity * 8.0 * room.GetUlp();
+    const auto substeps = static_cast<int>(world.GetDesc().m_nSubsteps);
+    bool isMore = false;
+    for (int step = 0; step < std::clamp(4000 / substeps, 2, 300); ++step) {
+      world.Step();
+      isMore |= room.GetEnergy() > most;
+    }
+    const bool isLost = room.LosesABall();
+    counts.m_nGained += isMore;
+    counts.m_nLost += isLost;
+    if (isMore || isLost) counts.m_sSeeds += std::to_string(seed) + ' ';
+  }
+  return counts;
+}
+
+TEST(RandomRooms, LoseNoBallAndGainNoEnergy) {
+  const char* sWorlds = std::getenv("SHAPES_WORLDS");
+  const int worlds = sWorlds == nullptr ? 1000 : std::atoi(sWorlds);
+  for (const CEffectChoice* pEffects : {&g_cAutomatic, &g_cContinuous}) {
+    const CCounts counts = PlayRooms(worlds / 2, *pEffects);
+    EXPECT_GT(counts.m_nWorlds, worlds / 3);
+    EXPECT_EQ(counts.m_nLost, 0) << "seeds " << counts.m_sSeeds;
+    EXPECT_EQ(counts.m_nGained, 0) << "seeds " << counts.m_sSeeds;
+  }
+}
+
+// The control.
+TEST(RandomRooms, LoseBallsAndGainEnergyInTheApproximateMode) {
+  const CCounts counts = PlayRooms(500, g_cApproximate);
+  EXPECT_GT(counts.m_nLost, 5);
+  EXPECT_GT(counts.m_nGained, 3);
+}
+
+} // namespace
+} // namespace Shapes
