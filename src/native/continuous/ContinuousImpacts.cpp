@@ -212,7 +212,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   } else {
     RespondKinematic(n, 0.0, e, surface, ball.m_vPos, ball.m_vVel);
     GiveAgain(ball);
-    if (IsPushed(ball) && n.dot(ball.m_vVel - surface) < 0.0) FallOnto(n, surface, ball);
+    if (IsPushed(ball)) RespondKinematic(n, 0.0, 0.0, surface, ball.m_vPos, ball.m_vVel);
     Free(ball);
     if (ball.m_nLastOrder == order && impact.m_fTime * g_nHops < m_fStep) Slide(ball, impact);
   }
@@ -267,26 +267,6 @@ void CContinuous::GiveAgain(CMoving& ball) const {
   ball.m_vVel += time * ball.m_vGiven;
 }
 
-// It has bounced off the surface, but would be back within the substep: it slides along, pushed by nothing
-// else.
-void CContinuous::FallOnto(const Vector2d& n, const Vector2d& surface, CMoving& ball) const {
-  TakeBack(ball);
-  ball.m_vGiven = m_vGravity;
-  ball.m_vVel += (m_fStep - ball.m_fTime) * m_vGravity;
-  ball.m_vVel -= std::min(0.0, n.dot(ball.m_vVel - surface)) * n;
-  ball.m_vGiven -= std::min(0.0, n.dot(m_vGravity)) * n;
-}
-
-// The same of two balls, which the pile pushes on.
-void CContinuous::PressTogether(const Vector2d& n, CMoving& ball, CMoving& other) const {
-  if (!(IsPushed(ball) || IsPushed(other)) || !(n.dot(ball.m_vVel - other.m_vVel) < 0.0)) return;
-  RespondDynamic(n, 0.0, 0.0, other.m_fMass, ball.m_fMass, other.m_vPos, other.m_vVel, ball.m_vPos,
-                 ball.m_vVel);
-  if (!(n.dot(ball.m_vGiven - other.m_vGiven) < 0.0)) return;
-  for (CMoving* pBall : {&ball, &other})
-    pBall->m_vGiven -= n.dot(pBall->m_vGiven) * n;
-}
-
 // Two balls that touch at the present place of both.
 void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, double setback, bool isSlow) {
   const auto isAnswered = [isSlow](const CMoving& b) { return !isSlow && !b.m_bIsHalted; };
@@ -305,7 +285,9 @@ void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, doub
                    ball.m_vVel);
   for (CMoving* pBall : {&ball, &other})
     if (isAnswered(*pBall)) GiveAgain(*pBall);
-  if (isAnswered(ball) && isAnswered(other)) PressTogether(n, ball, other);
+  if (isAnswered(ball) && isAnswered(other) && (IsPushed(ball) || IsPushed(other)))
+    RespondDynamic(n, 0.0, 0.0, other.m_fMass, ball.m_fMass, other.m_vPos, other.m_vVel, ball.m_vPos,
+                   ball.m_vVel);
   for (CMoving* pBall : {&ball, &other}) {
     m_pStats->m_nSpeedsCapped += CapSpeed(pBall->m_vVel);
     pBall->m_nLastOrder = g_nNobody;
