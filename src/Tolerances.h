@@ -71,8 +71,9 @@ inline constexpr unsigned g_nCrowded = 64;
 /// one: bounds the time of balls in one place. In a pile, which leaves each a few neighbours, it has had
 /// g_nCrowded impacts before.
 inline constexpr std::size_t g_nMostBallsSeen = 4096;
-/// A ball that is deep in more others than this, by half of the smaller radius, meets the nearest of them and
-/// those that it is among the nearest of, and does not sleep: in a pile there is no room for such a crowd.
+/// A ball that is deep in more others than this, by half of the smaller radius, is in a crowd. Of a crowd it
+/// meets the nearest balls and those that it is among the nearest of, and it does not sleep: in a pile there
+/// is no room for that.
 inline constexpr std::size_t g_nMostDeep = 32;
 /// A correction of the place of a ball by more than this share of its radius might take it through a shape,
 /// and is swept. In a pile, where balls move each other, the shapes that near are looked at.

@@ -35,7 +35,8 @@ namespace Shapes::Native {
 ///   g_fCalmSpeed of what gravity gives in a substep for g_fCalmTime seconds: they stand still, no contact
 ///   of theirs is told, until a ball or a moving shape comes near, or anything is added, removed, moved or
 ///   set.
-/// - A ball that is deep in more than g_nMostDeep others meets the nearest of these only.
+/// - Of two balls that are each deep in more than g_nMostDeep others, one has to be among the nearest of the
+///   other: else they do not meet.
 /// - A ball that has had g_nMaxImpacts impacts, g_nCrowded in a pile, or has found more than g_nMostBallsSeen
 ///   others in all searches, is halted: for the rest of the
 ///   substep it stays where it is, which is a place that it can be at, or goes along with the moving shape

@@ -203,11 +203,10 @@ void CContinuous::FindCrowds() {
   }
 }
 
-// Whether the ball is deep in that one, and neither is among the nearest of the other.
+// Whether both are in crowds, and neither is among the nearest of the other.
 bool CContinuous::IsBeyondCrowd(std::uint32_t i, std::uint32_t j) const {
   const CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
-  return IsDeep(ball, other) &&
-         GetFarness(ball, other) > std::max(ball.m_cFarthestDeep, other.m_cFarthestDeep);
+  return GetFarness(ball, other) > std::max(ball.m_cFarthestDeep, other.m_cFarthestDeep);
 }
 
 // As they were near each other when the substep began.
