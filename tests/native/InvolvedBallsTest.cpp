@@ -95,8 +95,7 @@ TEST(InvolvedBallsTest, AWorldThatGoesOnAndOneThatIsLoadedHaveTheSameBitsWhateve
 // two got into each other when that was not allowed for.
 TEST(InvolvedBallsTest, BallsThatLeaveTheirDiscsFindWhatIsThere) {
   for (const std::uint64_t seed :
-       std::vector<std::uint64_t>{4, 13, 77, 89, 170, 188, 198, 1399, 2448, 2623, 2782, 3751, 4813}) {
-    const std::set<std::uint64_t> stuck{77, 2448, 2623, 3751, 4813}; // some do not get out of each other
+       std::vector<std::uint64_t>{6, 26, 566, 662, 1725, 2497, 3499, 3768, 4400, 4539}) {
     CRandom random(seed);
     const auto pWorld = MakeNative(g_cContinuous, 10, random.Uniform(0.03f, 0.1f));
     AddBox(*pWorld, 1.5f, 0.5f);
@@ -113,7 +112,7 @@ TEST(InvolvedBallsTest, BallsThatLeaveTheirDiscsFindWhatIsThere) {
       pWorld->Step();
       for (const Vector2& p : pWorld->GetBallPositions())
         ASSERT_LT(p.cwiseAbs().maxCoeff(), 1.5f) << "seed " << seed << ", step " << step;
-      ASSERT_TRUE(stuck.contains(seed) || GetOverlap(*pWorld) < 0.5) << "seed " << seed << ", step " << step;
+      ASSERT_LT(GetOverlap(*pWorld), 0.1) << "seed " << seed << ", step " << step;
     }
   }
 }
