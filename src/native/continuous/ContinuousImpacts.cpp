@@ -212,6 +212,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   } else {
     RespondKinematic(n, 0.0, e, surface, ball.m_vPos, ball.m_vVel);
     GiveAgain(ball);
+    // With that it comes into the shape no more than without.
     if (IsPushed(ball)) RespondKinematic(n, 0.0, 0.0, surface, ball.m_vPos, ball.m_vVel);
     Free(ball);
     if (ball.m_nLastOrder == order && impact.m_fTime * g_nHops < m_fStep) Slide(ball, impact);
@@ -285,6 +286,7 @@ void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, doub
                    ball.m_vVel);
   for (CMoving* pBall : {&ball, &other})
     if (isAnswered(*pBall)) GiveAgain(*pBall);
+  // With that they come into each other no more than without.
   if (isAnswered(ball) && isAnswered(other) && (IsPushed(ball) || IsPushed(other)))
     RespondDynamic(n, 0.0, 0.0, other.m_fMass, ball.m_fMass, other.m_vPos, other.m_vVel, ball.m_vPos,
                    ball.m_vVel);
