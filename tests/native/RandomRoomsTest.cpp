@@ -133,7 +133,7 @@ TEST(RandomRooms, LoseNoBallAndGainNoEnergy) {
   for (std::uint64_t seed = 0; seed < worlds; ++seed)
     PlayRoom(seed, seed % 2 == 0 ? g_cAutomatic : g_cContinuous, counts);
   // Balls of piles gained energy there when they were pushed on by what they had left.
-  for (const std::uint64_t seed : {2026, 2105, 8459, 10719, 19766, 24117})
+  for (const std::uint64_t seed : {2026u, 2105u, 8459u, 10719u, 19766u, 24117u})
     PlayRoom(seed, g_cAutomatic, counts);
   EXPECT_GT(counts.m_nWorlds, 0.9 * static_cast<double>(worlds));
   EXPECT_EQ(counts.m_nLost, 0) << "seeds " << counts.m_sSeeds;
