@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random closed rooms, near and far from the origin, in metres and in pixels, stepped by any step: none loses
-// a ball, and no energy comes from nothing. SHAPES_WORLDS says how many, 1,000 by default; of 100,000 none
-// did.
+// a ball, and no energy comes from nothing. SHAPES_WORLDS says how many, 1,000 by default.
+// 100,000 did neither.
 #include "NativeTesting.h"
 
 #include <cstdlib>
@@ -112,7 +112,7 @@ void PlayRoom(std::uint64_t seed, const CEffectChoice& effects, CCounts& counts)
   CWorld& world = *room.m_pWorld;
   if (world.GetBallIds().empty()) return;
   ++counts.m_nWorlds;
-  // What lifts a ball off a wall that it overlaps by rounding comes to it.
+  // A ball that overlaps a wall by rounding is lifted off it, which takes that much.
   const double most = room.GetEnergy() * 1.0001 + room.GetMass() * room.m_fGravity * 8.0 * room.GetUlp();
   const auto substeps = static_cast<int>(world.GetDesc().m_nSubsteps);
   bool isMore = false;

@@ -38,10 +38,9 @@ namespace Shapes::Native {
 /// - Of two balls that are each deep in more than g_nMostDeep others, one has to be among the nearest of the
 ///   other: else they do not meet.
 /// - A ball that has had g_nMaxImpacts impacts, g_nCrowded in a pile, or has found more than g_nMostBallsSeen
-///   others in all searches, is halted: for the rest of the
-///   substep it stays where it is, which is a place that it can be at, or goes along with the moving shape
-///   that it has met last. It keeps its velocity, in a pile no more of it than what is slow; others bounce
-///   off it as off a wall.
+///   others in all searches, is halted: for the rest of the substep it stays where it is, which is a place
+///   that it can be at, or goes along with the moving shape that it has met last. It keeps its velocity, in a
+///   pile no more of it than what is slow; others bounce off it as off a wall.
 class CContinuous {
 public:
   /// Begins to move the balls by dt seconds, and counts what is done. Threads share balls that do not meet
