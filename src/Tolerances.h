@@ -253,8 +253,11 @@ inline constexpr float g_fHalfDiagonal = 0.7072f;
 inline constexpr float g_fGridPadding = 64.0f * 1.1920929e-7f;
 /// Largest coordinate in that grid, user units: the square of a distance in it is far from the largest float.
 inline constexpr float g_fLargestGrid = 1e12f;
-/// How far the grid of shapes reaches, in radii of the largest ball: what is farther is asked of the tree.
+/// How far the grid of shapes reaches with Continuous, in radii of the largest ball: what is farther is asked
+/// of the tree.
 inline constexpr float g_fGridReach = 4.5f;
+/// That grid is made anew when it reaches this many times as far as it need.
+inline constexpr float g_fMostGridReach = 4.5f;
 /// Questions to the tree before the grid is made. Among few shapes they cost little, and for a few trials of
 /// a ball it would not pay.
 inline constexpr std::size_t g_nAskedBeforeGrid = 1024;

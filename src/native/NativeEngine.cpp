@@ -72,8 +72,7 @@ void CNativeEngine::Plan(CEffects running) {
   }
   add(Runs(eEffect::Kinematics), &CNativeEngine::MoveShapes);
   add(Runs(eEffect::Kinematics), &CNativeEngine::BoxShapes);
-  add(true, &CNativeEngine::MoveBalls);
-  add(true, reports ? &CNativeEngine::CollideWithShapes<true> : &CNativeEngine::CollideWithShapes<false>);
+  add(true, reports ? &CNativeEngine::MoveBalls<true> : &CNativeEngine::MoveBalls<false>);
   add(Runs(eEffect::BallPairs),
       reports ? &CNativeEngine::CollideBalls<true> : &CNativeEngine::CollideBalls<false>);
 }
@@ -88,7 +87,9 @@ void CNativeEngine::Substep(float dt) {
     for (CLane& lane : m_stdLanes)
       lane.m_cContinuous.SetFilters(m_bFilters);
   }
-  m_cBroadPhase.SetRadius(m_fLargestRadius);
+  // Rounded as in CollideWithShapesOf.
+  const float near = m_fLargestRadius + g_fCandidateSlack * m_fLargestRadius;
+  m_cBroadPhase.SetReach(Runs(eEffect::Continuous) ? g_fGridReach * m_fLargestRadius : near, near);
   for (const CStage stage : m_stdStages)
     (this->*stage)(dt);
 }
@@ -109,6 +110,7 @@ void CNativeEngine::MoveShapes(float dt) {
 
 void CNativeEngine::BoxShapes(float) { m_cBroadPhase.BoxKinematic(); }
 
+template <bool TReports>
 void CNativeEngine::MoveBalls(float dt) {
   CBallArrays& b = m_cState.m_cBalls;
   const bool falls = Runs(eEffect::Gravity);
@@ -117,6 +119,10 @@ void CNativeEngine::MoveBalls(float dt) {
   ForEachLane([&, gravity = m_cState.m_vGravity](CLane& lane, std::size_t begin, std::size_t end) {
     // Of their own, so that the loop need not look for them after each ball.
     Vector2 *pPos = b.m_stdPos.data(), *pPrevPos = b.m_stdPrevPos.data(), *pVel = b.m_stdVel.data();
+    const float* pRadius = b.m_stdRadius.data();
+    if (lane.m_stdNear.size() < end - begin) lane.m_stdNear.resize(end - begin);
+    std::uint32_t* const pNear = lane.m_stdNear.data();
+    std::size_t near = 0;
     std::uint64_t capped = 0, lost = 0;
     for (std::size_t i = begin; i < end; ++i) {
       if (falls) Accelerate(pVel[i], gravity, dt);
@@ -124,9 +130,14 @@ void CNativeEngine::MoveBalls(float dt) {
       pPrevPos[i] = pPos[i];
       Move(pPos[i], pVel[i], dt);
       lost += pPos[i] == pPrevPos[i] && pVel[i] != Vector2::Zero();
+      // A list, because no processor foresees whether a ball is near a shape.
+      pNear[near] = static_cast<std::uint32_t>(i);
+      near += !m_cBroadPhase.IsClear(pPos[i], pRadius[i]);
     }
     lane.m_pStats->m_nSpeedsCapped += capped;
     lane.m_pStats->m_nMovesLost += lost;
+    for (std::size_t k = 0; k < near; ++k)
+      if (b.IsSolid(pNear[k])) CollideWithShapesOf<TReports>(pNear[k], lane);
   });
 }
 
@@ -175,42 +186,25 @@ CBall CNativeEngine::Ball(std::size_t i) const {
 }
 
 template <bool TReports>
-void CNativeEngine::CollideWithShapes(float) {
-  const CBallArrays& b = m_cState.m_cBalls;
-  if (m_cBroadPhase.Size() == 0) return;
-  ForEachLane([&](CLane& lane, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (!m_cBroadPhase.IsClear(b.m_stdPos[i], b.m_stdRadius[i]) && b.IsSolid(i))
-        CollideWithShapesOf<TReports>(i, lane);
-  });
-}
-
-// Those that the ball meets.
-void CNativeEngine::CollectShapes(std::size_t ball, float reach, std::vector<std::uint32_t>& orders) {
-  m_cBroadPhase.FindNear(m_cState.m_cBalls.m_stdPos[ball], reach, orders);
-  if (!m_bFilters) return;
-  std::erase_if(orders, [&](std::uint32_t order) {
-    return !DoMeet(m_cState.m_cBalls.m_stdFilter[ball], m_cBroadPhase.Get(order).m_pShape->GetFilter());
-  });
-}
-
-template <bool TReports>
 void CNativeEngine::CollideWithShapesOf(std::size_t ball, CLane& lane) {
   const CBallArrays& b = m_cState.m_cBalls;
-  std::vector<std::uint32_t>& orders = lane.m_stdCandidates;
-  const float slack = g_fCandidateSlack * b.m_stdRadius[ball], reach = b.m_stdRadius[ball] + slack;
-  Vector2 collectedAt = b.m_stdPos[ball];
-  CollectShapes(ball, reach, orders);
-  for (std::size_t k = 0; k < orders.size(); ++k) {
-    const std::uint32_t order = orders[k];
-    CollideWithShape<TReports>(ball, m_cBroadPhase.Get(order), lane);
-    if ((b.m_stdPos[ball] - collectedAt).squaredNorm() <= slack * slack) continue;
-    // A response has moved the ball out of the reach of what was collected: the rest again, from where it is
-    // now.
-    collectedAt = b.m_stdPos[ball];
-    CollectShapes(ball, reach, orders);
-    const auto next = std::upper_bound(orders.begin(), orders.end(), order);
-    k = static_cast<std::size_t>(next - orders.begin()) - 1;
+  const float slack = g_fCandidateSlack * b.m_stdRadius[ball];
+  std::uint32_t next = 0; // order of the first shape that is left
+  for (bool again = true; again;) {
+    again = false;
+    const Vector2 from = b.m_stdPos[ball];
+    const auto collide = [&](std::uint32_t order) {
+      if (order < next) return true;
+      next = order + 1;
+      const CShapeEntry& entry = m_cBroadPhase.Get(order);
+      if (m_bFilters && !DoMeet(b.m_stdFilter[ball], entry.m_pShape->GetFilter())) return true;
+      CollideWithShape<TReports>(ball, entry, lane);
+      // A response may have moved the ball out of the reach that was searched: the rest again, from where it
+      // is.
+      again = (b.m_stdPos[ball] - from).squaredNorm() > slack * slack;
+      return !again;
+    };
+    m_cBroadPhase.ForEachNear(from, b.m_stdRadius[ball] + slack, lane.m_stdCandidates, collide);
   }
 }
 

@@ -39,6 +39,7 @@ private:
   // Where a thread works, and what came of it.
   struct CLane {
     CContinuous m_cContinuous;
+    std::vector<std::uint32_t> m_stdNear; // balls near a shape
     std::vector<std::uint32_t> m_stdCandidates;
     std::vector<CContactEvent> m_stdContacts;
     CWorldStats m_cStats;            // of the stage
@@ -54,9 +55,8 @@ private:
   // Stages.
   void MoveShapes(float dt);
   void BoxShapes(float dt);
-  void MoveBalls(float dt);
   template <bool TReports>
-  void CollideWithShapes(float dt);
+  void MoveBalls(float dt);
   template <bool TReports>
   void CollideBalls(float dt);
   void Sweep(float dt);
@@ -77,7 +77,6 @@ private:
   void BuildDiscGrid();
   void MoveInDiscGrid(std::uint32_t i);
   bool HasFilters() const;
-  void CollectShapes(std::size_t ball, float reach, std::vector<std::uint32_t>& orders);
   void CollectBalls(std::uint32_t i, std::uint32_t first);
   void Count(bool capped) { Stats().m_nSpeedsCapped += capped; }
 

@@ -54,7 +54,10 @@ std::vector<std::unique_ptr<CShape>> MakePoints(const std::vector<Vector2>& plac
 
 std::vector<std::uint32_t> Ask(CShapeGrid& grid, const Vector2& p, float r) {
   std::vector<std::uint32_t> found;
-  grid.ForEachNear(p, r, [&found](std::uint32_t order) { found.push_back(order); });
+  grid.ForEachNear(p, r, [&found](std::uint32_t order) {
+    found.push_back(order);
+    return true;
+  });
   return found;
 }
 
@@ -139,7 +142,7 @@ TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesMove) {
   }
   CStaticBroadPhase broadPhase;
   broadPhase.Build(entries);
-  std::vector<std::uint32_t> found;
+  std::vector<std::uint32_t> found, room, first, called;
   std::size_t near = 0, answers = 0;
   for (int step = 0; step < 300; ++step) {
     // Quiet times, one that moves, and more than are looked at one by one.
@@ -152,7 +155,8 @@ TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesMove) {
     for (std::uint32_t i = 60; i < 64; ++i)
       entries[i].m_pShape->Advance(1.0f / 60.0f, 1e18f);
     broadPhase.BoxKinematic();
-    broadPhase.SetRadius(step < 200 ? 0.2f : 0.9f);
+    const float radius = step < 200 ? 0.2f : 0.9f;
+    broadPhase.SetReach(4.5f * radius, radius);
     for (int q = 0; q < 100; ++q) {
       const Vector2 p = random.InSquare(11.0f);
       const float r = random.Uniform(0.0f, 1.5f);
@@ -160,6 +164,14 @@ TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesMove) {
       ASSERT_TRUE(std::is_sorted(found.begin(), found.end()));
       ASSERT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
       answers += found.size();
+      called.clear();
+      broadPhase.ForEachNear(p, r, room, [&](std::uint32_t order) {
+        called.push_back(order);
+        return called.size() < 3;
+      });
+      first = found;
+      first.resize(std::min<std::size_t>(3, found.size()));
+      ASSERT_EQ(called, first);
       const bool isClear = broadPhase.IsClear(p, r);
       for (std::uint32_t order = 0; order < broadPhase.Size(); ++order) {
         if (DistanceFrom(*broadPhase.Get(order).m_pShape, p) > r) continue;

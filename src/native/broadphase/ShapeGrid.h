@@ -6,6 +6,7 @@
 #include "../../Tolerances.h"
 #include "../../geometry/AabbTree.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -33,10 +34,14 @@ public:
   float GetReach() const { return m_fReach; }
   /// Whether surely no shape comes within r of p; it tells so of most places that are clear.
   bool IsClear(const Vector2& p, float r) {
-    CSpot spot;
-    return Find(p, spot) ? IsBeyond(spot.m_pCell->m_fClearance, r, spot) : r <= m_fReach;
+    // From outside no shape is nearer than from the nearest place of the grid. A NaN is at its origin.
+    const Vector2 from = p - m_vOrigin;
+    const CSpot spot = FindWithin({std::min(std::max(0.0f, from.x()), m_vExtent.x()),
+                                   std::min(std::max(0.0f, from.y()), m_vExtent.y())});
+    return IsBeyond(spot.m_pCell->m_fClearance, r, spot);
   }
-  /// Calls f(order) for every shape that comes within r of p, and maybe some others, in ascending order.
+  /// Calls f(order) for every shape that comes within r of p, and maybe some others, in ascending order,
+  /// until it returns false.
   /// @param r  at most GetReach()
   template <class F>
   void ForEachNear(const Vector2& p, float r, const F& f) {
@@ -44,7 +49,7 @@ public:
     if (!Find(p, spot) || IsBeyond(spot.m_pCell->m_fClearance, r, spot)) return;
     const CEntry* const pBegin = m_stdEntries.data() + spot.m_pCell->m_nBegin;
     for (const CEntry& entry : std::span(pBegin, spot.m_pCell->m_nSize))
-      if (!IsBeyond(entry.m_fDistance, r, spot)) f(entry.m_nOrder);
+      if (!IsBeyond(entry.m_fDistance, r, spot) && !f(entry.m_nOrder)) return;
   }
 
 private:
@@ -75,14 +80,18 @@ private:
     const Vector2 from = p - m_vOrigin;
     if (!(from.x() >= 0.0f && from.x() < m_vExtent.x() && from.y() >= 0.0f && from.y() < m_vExtent.y()))
       return false;
+    spot = FindWithin(from);
+    return true;
+  }
+  // From the origin.
+  CSpot FindWithin(const Vector2& from) {
     const auto column = static_cast<std::uint32_t>(m_fCellsPerUnit * from.x());
     const auto row = static_cast<std::uint32_t>(m_fCellsPerUnit * from.y());
     const Vector2 center = GetCenter(column, row, 1);
     CCell& cell = m_stdCells[std::size_t{row} * m_nColumns + column];
     if (cell.m_nBegin == g_nEmpty) [[unlikely]]
       Fill(column, row);
-    spot = {&cell, (from - center).squaredNorm()};
-    return true;
+    return {&cell, (from - center).squaredNorm()};
   }
   // Of a square of cells, from the origin.
   Vector2 GetCenter(std::uint32_t column, std::uint32_t row, std::uint32_t size) const {
@@ -96,7 +105,8 @@ private:
   // Whether what is farther than `distance` from the centre of the cell is farther than r from the spot.
   static bool IsBeyond(float distance, float r, const CSpot& spot) {
     const float rest = distance - r;
-    return rest > 0.0f && rest * rest > spot.m_fSquare;
+    // Without a jump, as nobody foresees the answer.
+    return (rest > 0.0f) & (rest * rest > spot.m_fSquare);
   }
   void Fill(std::uint32_t column, std::uint32_t row);
   void Enter(const CPlaced& placed, std::uint32_t column, std::uint32_t row, std::uint32_t size);

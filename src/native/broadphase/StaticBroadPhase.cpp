@@ -146,9 +146,8 @@ bool CStaticBroadPhase::MakeShareable() {
   return true;
 }
 
-void CStaticBroadPhase::SetRadius(float radius) {
-  const float reach = g_fGridReach * radius;
-  if (m_cGrid.IsBuilt() && !(radius <= m_cGrid.GetReach() && m_cGrid.GetReach() <= g_fGridReach * reach))
+void CStaticBroadPhase::SetReach(float reach, float least) {
+  if (m_cGrid.IsBuilt() && !(least <= m_cGrid.GetReach() && m_cGrid.GetReach() <= g_fMostGridReach * reach))
     DropGrid();
   if (IsGridLasting()) {
     m_nLasted += m_nLasted < g_nBeforeSharing;
@@ -176,7 +175,11 @@ bool CStaticBroadPhase::IsClearOfOthers(const Vector2& p, float r) const {
 void CStaticBroadPhase::FindNearOfAll(const Vector2& p, float r, std::vector<std::uint32_t>& orders) {
   CountQuestion();
   const bool isInGrid = m_cGrid.IsBuilt() && r <= m_cGrid.GetReach();
-  if (isInGrid) m_cGrid.ForEachNear(p, r, [&orders](std::uint32_t order) { orders.push_back(order); });
+  if (isInGrid)
+    m_cGrid.ForEachNear(p, r, [&orders](std::uint32_t order) {
+      orders.push_back(order);
+      return true;
+    });
   const CAabb2D box = Padded(CAabb2D(p, p), r);
   if (!isInGrid) Query(m_cStatic, box, orders);
   Query(m_cKinematic, box, orders);

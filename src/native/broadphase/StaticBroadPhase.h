@@ -37,22 +37,36 @@ public:
   /// Appends the orders of all shapes whose box meets this one, in no order.
   void Query(const CAabb2D& box, std::vector<std::uint32_t>& orders);
 
-  /// Takes this for the radius of the largest ball that is to be looked for: before FindNear and IsClear, in
+  /// Has the grid tell of shapes within this reach, user units: before FindNear, ForEachNear and IsClear, in
   /// each substep.
-  void SetRadius(float radius);
-  /// Whether questions change nothing until SetRadius is called or a shape changes, so that threads may ask
+  /// @param least  a grid that was made for less, or for far more than `reach`, is made anew
+  void SetReach(float reach, float least);
+  /// Whether questions change nothing until SetReach is called or a shape changes, so that threads may ask
   /// at the same time. They do once the grid has lasted for some substeps.
   bool MakeShareable();
   /// The orders of all shapes that come within r of p, and maybe some others, ascending.
   void FindNear(const Vector2& p, float r, std::vector<std::uint32_t>& orders) {
     orders.clear();
-    if (!m_bIsGridComplete || !(r <= m_cGrid.GetReach())) return FindNearOfAll(p, r, orders);
-    m_cGrid.ForEachNear(p, r, [&orders](std::uint32_t order) { orders.push_back(order); });
+    if (!CanGridTell(r)) return FindNearOfAll(p, r, orders);
+    m_cGrid.ForEachNear(p, r, [&orders](std::uint32_t order) {
+      orders.push_back(order);
+      return true;
+    });
+  }
+  /// Calls f(order) for each of them until it returns false.
+  /// @param orders  room to work in
+  template <class F>
+  void ForEachNear(const Vector2& p, float r, std::vector<std::uint32_t>& orders, const F& f) {
+    if (CanGridTell(r)) return m_cGrid.ForEachNear(p, r, f);
+    FindNear(p, r, orders);
+    for (const std::uint32_t order : orders)
+      if (!f(order)) return;
   }
   /// Whether surely none of them does: quicker.
   bool IsClear(const Vector2& p, float r) {
+    if (m_bIsGridComplete) return m_cGrid.IsClear(p, r);
     if (m_cGrid.IsBuilt() ? !m_cGrid.IsClear(p, r) : !m_cStatic.m_stdOrder.empty()) return false;
-    return m_bIsGridComplete || IsClearOfOthers(p, r);
+    return IsClearOfOthers(p, r);
   }
 
   /// Makes the geometries of the shapes that rotate in the next dt seconds, and of those that have changed.
@@ -69,6 +83,7 @@ private:
   };
   const CShape& GetShape(std::uint32_t order) const { return *m_stdByOrder[order]->m_pShape; }
   static void Query(const CGroup& group, const CAabb2D& box, std::vector<std::uint32_t>& orders);
+  bool CanGridTell(float r) const { return m_bIsGridComplete && r <= m_cGrid.GetReach(); }
   void FindNearOfAll(const Vector2& p, float r, std::vector<std::uint32_t>& orders);
   void DropGrid();
   /// Whether no grid is to be made: its shapes have not changed.
