@@ -143,8 +143,9 @@ TEST(SqueezedBalls, GoThroughNoShape) {
     float m_fRadius;
     std::vector<std::uint64_t> m_stdSeeds; // in which one got through once, besides the first ones
   };
-  for (const CRow& row : {CRow{0.05f, {265, 377, 417, 498, 530, 2427}},
-                          CRow{0.1f, {49, 96, 199, 263, 270, 500}}, CRow{0.2f, {17, 224, 305, 1211}}}) {
+  for (const CRow& row :
+       {CRow{0.05f, {265, 377, 417, 498, 530, 639, 1141, 2427}},
+        CRow{0.1f, {49, 96, 199, 263, 270, 500, 972}}, CRow{0.2f, {17, 224, 305, 463, 1211}}}) {
     std::vector<std::uint64_t> seeds = row.m_stdSeeds;
     for (std::uint64_t seed = 0; seed < 10; ++seed)
       seeds.push_back(seed);
@@ -182,9 +183,10 @@ float PushHeap(float speed, float e, std::uint64_t seed) {
 // Seeds in which one left at 2.8 to 7.6 when many impacts gave any speed to a ball between others that go
 // along with the piston, and at 6 to 15 when the solver did. (With e = .9 one may be faster, as on Box2D.)
 TEST(SqueezedBalls, LeaveAPistonAtItsSpeedNotAtThatOverASine) {
-  for (const std::uint64_t seed : std::vector<std::uint64_t>{0, 1, 2, 3, 4, 5, 6, 7, 19, 26, 34, 38, 43})
+  for (const std::uint64_t seed :
+       std::vector<std::uint64_t>{0, 1, 2, 3, 4, 5, 6, 7, 11, 19, 26, 34, 38, 39, 42, 43})
     EXPECT_LT(PushHeap(10.0f, 0.3f, seed), 2.5f) << "seed " << seed;
-  for (const std::uint64_t seed : std::vector<std::uint64_t>{4, 10, 21, 33, 57})
+  for (const std::uint64_t seed : std::vector<std::uint64_t>{4, 9, 10, 21, 33, 57})
     EXPECT_LT(PushHeap(2.0f, 0.0f, seed), 2.5f) << "seed " << seed;
 }
 
