@@ -282,7 +282,7 @@ inline constexpr int g_nPowersPerLevel = 3;
 /// A substep is cut where a shape comes to its stop, unless one of the parts would be shorter than this share
 /// of it: then the shape is as much slower or, if it is at its stop already but for that, as good as at rest.
 inline constexpr float g_fLeastPart = 1.0f / 256.0f;
-/// What rounding may leave between a shape that comes to its stop and the stop, as a share of its move.
+/// Gap that rounding may leave between a shape that comes to its stop and the stop, as a share of its move.
 inline constexpr double g_fStopRounding = 1e-5;
 /// A ball that is let through may get deeper by this share of its overlap until its approach is found.
 inline constexpr double g_fDeeper = 1e-4;

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What one #include directive names, without its quotes or brackets.
+/// The name in one #include directive, without its quotes or brackets.
 std::string IncludeOf(std::string_view line) {
   const auto skip = [&] { line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size())); };
   skip();

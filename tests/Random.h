@@ -16,7 +16,7 @@ class CRandom {
 public:
   explicit CRandom(std::uint64_t seed) : m_nSeed(seed), m_nState(seed) {}
 
-  /// What it was made with: print it where an expectation fails.
+  /// The seed it was made with: print it where an expectation fails.
   std::uint64_t GetSeed() const { return m_nSeed; }
 
   std::uint64_t Next() {

@@ -12,10 +12,10 @@ namespace Shapes {
 
 class CWorld;
 
-/// What something stands for: renderers choose a colour by it.
+/// The role of a drawn thing: renderers choose a colour by it.
 enum class eRole { Static, Kinematic, Ball, Sensor, Off, Contact, Text };
 
-/// What a renderer has to draw. Places and lengths are user units, angles radians counterclockwise.
+/// The calls that a renderer answers. Places and lengths are user units, angles radians counterclockwise.
 class CDebugDraw {
 public:
   virtual ~CDebugDraw() = default;

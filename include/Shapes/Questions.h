@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a world tells where it is asked: casts and closest points.
+// Questions to a world: casts and closest points.
 #pragma once
 
 #include <Shapes/Events.h>
@@ -7,7 +7,7 @@
 
 namespace Shapes {
 
-/// What a point or a circle on a straight way meets.
+/// The first meeting of a point or a circle on a straight way.
 struct CCastHit {
   CShapeId m_cShape;
   float m_fShare = 0.0f; ///< The part of the way that is over then, 0 .. 1.

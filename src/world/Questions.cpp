@@ -24,7 +24,7 @@ CAabb2D BoxOfBall(const Vector2& p, float r) {
   return Padded(CAabb2D(p - Vector2::Constant(r), p + Vector2::Constant(r)));
 }
 
-// What is round errs by its centre and its radius, and both may be far from its box.
+// A round shape errs by its centre and its radius, and both may be far from its box.
 CAabb2D BoxOf(const CShape& shape, const CShapeGeometry& geometry) {
   return Padded(shape.GetAABB(), g_fBoxPadding * static_cast<float>(geometry.m_fSize));
 }

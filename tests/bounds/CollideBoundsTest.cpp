@@ -126,7 +126,7 @@ TEST(DetectBounds, LineSegCircle) {
     const CFifty s = Dot(e - e0, Left(t)), d0 = Gap(e, e0), d1 = Gap(e, e1);
     CHit hit;
     const bool got = CollideLineSegCircle(seg, ball, hit);
-    // What is met overlaps, and is between both ends.
+    // A ball that meets the segment overlaps it between both ends.
     const CFifty overlap = std::min({CFifty(r - abs(s)), Dot(e - e0, t), CFifty(-Dot(e - e1, t))});
     errors.m_cAnswer.SeeAnswer(!got, -overlap, 3 * g_fUlp * (d0 + d1));
     if (!got || abs(s) <= 3 * g_fUlp * d0) return; // on the segment: either side

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the geometric functions are to give, in 50 digits: from textbook formulas, by angles and squares,
+// The right results of the geometric functions, in 50 digits: from textbook formulas, by angles and squares,
 // which the library avoids. At 50 digits they lose nothing that a float could show.
 #pragma once
 

@@ -94,7 +94,7 @@ TEST(ShapeMathBounds, NormalizeAngle) {
     }
     const CFifty exact = Turn(angle);
     const auto see = [&](CWorst& w, float is) {
-      // What is so close below a whole turn that it rounds to it becomes 0.
+      // An angle so close below a whole turn that it rounds to it becomes 0.
       if (is == 0.0f && exact > 6) return w.See(2 * Pi() - exact, g_fUlp);
       w.See(abs(is - exact), g_fUlp * exact);
     };

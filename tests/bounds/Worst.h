@@ -25,7 +25,7 @@ public:
   void See(const CFifty& error, const CFifty& bound) {
     ++m_nSeen;
     const double share = error == 0 ? 0.0 : CFifty(error / bound).convert_to<double>();
-    // What is not a number is an error without bound.
+    // A NaN is an error without bound.
     if (!(share <= m_fShare)) m_fShare = share > m_fShare ? share : std::numeric_limits<double>::infinity();
   }
   void See(const CVec& is, const CVec& should, const CFifty& bound) { See(Gap(is, should), bound); }

@@ -86,7 +86,7 @@ TEST(FitElasticitiesTest, NoneIsAboveTheLimit) {
   EXPECT_EQ(CountWrong(kinds, CPairs{{0, 0}, {0, 1}}), 1u);
 }
 
-// What is known to be possible: one restitution for all balls, whatever the shapes have.
+// Worlds that an import can match: one restitution for all balls, whatever the shapes have.
 TEST(FitElasticitiesTest, BallsOfOneRestitutionAreAlwaysReproduced) {
   Tests::ForEachCase(1, 2000, [&](Tests::CRandom& random, int) {
     const bool ballsMeet = random.Coin();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands for a shape on Box2D: chords within the tolerance, vertices that Box2D accepts, the solid side
+// The fixtures of a shape on Box2D: chords within the tolerance, vertices that Box2D accepts, the solid side
 // where it belongs.
 #include "box2d_backend/world/FixtureShapes.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Who may be destroyed before whom, and who may replace whose listener, where Shapes is in a game's b2World.
-// What goes wrong here is memory that is used after its end: run it under the address sanitizer, too.
+// The order in which objects may be destroyed, and the listeners they may replace, where Shapes is in a
+// game's b2World. A failure here is memory that is used after its end: run it under the address sanitizer,
+// too.
 #include "GuestTesting.h"
 
 namespace Shapes::Tests {

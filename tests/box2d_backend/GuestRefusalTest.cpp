@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What cannot be done with Shapes in a game's b2World, or not now, and that nothing has changed then.
+// Calls that Shapes refuses in a game's b2World, always or at that moment, change nothing.
 #include "GuestTesting.h"
 
 namespace Shapes::Tests {

@@ -14,7 +14,7 @@ inline std::unique_ptr<CBox2DWorld> MakeGuest(b2World& game, eProfile e = eProfi
   return MakeWorld(game, desc);
 }
 
-/// What a game does in each frame.
+/// The frame of a game.
 inline void Steps(b2World& game, CBox2DWorld& guest, int n, float dt = g_fDt) {
   for (int i = 0; i < n; ++i) {
     guest.PreStep(dt);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a game's b2World has and a scene has not is said, in so many words.
+// An import names all that a game's b2World has and a scene has not.
 #include "ImportTesting.h"
 
 namespace Shapes {

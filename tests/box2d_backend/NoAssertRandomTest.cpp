@@ -259,7 +259,7 @@ public:
   std::uint64_t m_nAccepted = 0, m_nRefused = 0, m_nContacts = 0;
 
 private:
-  // What is refused changes nothing, and nothing but std::invalid_argument is thrown.
+  // A refused call changes nothing, and nothing but std::invalid_argument is thrown.
   template <class F>
   void Try(const F& f) {
     const std::vector<Vector2> before = Positions();
@@ -352,7 +352,7 @@ private:
 };
 
 class CNoAssertRandom : public Tests::CEveryProfile {
-  // What Box2D computes within, at the limits, may be infinite: not what comes out of it.
+  // At the limits Box2D's own numbers may be infinite, but not its results.
   const CWithoutTraps m_cInBox2D;
 };
 SHAPES_ON_EVERY_PROFILE(CNoAssertRandom);

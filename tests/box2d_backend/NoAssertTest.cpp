@@ -27,7 +27,7 @@ TEST(NoAssertDeathTest, Box2DEndsTheProcess) {
 
 class CNoAssert : public Tests::CEveryProfile {
 protected:
-  // What Box2D computes within, at the limits, may be infinite: not what comes out of it.
+  // At the limits Box2D's own numbers may be infinite, but not its results.
   const CWithoutTraps m_cInBox2D;
   CNoAssert() { m_cDesc.m_cBox2D.m_eProfile = GetParam(); }
 

@@ -42,7 +42,7 @@ private:
   CWorldState m_cState;
 };
 
-/// What goes on beyond an end; fails if nothing does.
+/// The segment that goes on beyond an end; fails if none does.
 CSharedEnd At(const CTable& table, CShapeId id, std::size_t end) {
   const auto sharedEnds = table.Find();
   const auto it = sharedEnds.find(id);
@@ -86,7 +86,7 @@ TEST(JointsTest, WhereThreeMeetNoneIsJoined) {
   table.Segment({1, 0}, {2, 1}); // elsewhere two of them do
   ExpectJoint(At(table, b, 1), CShapeId{4}, Vector2(1, 1).normalized(), 0);
   EXPECT_EQ(table.Count(), 2u);
-  // What cannot be met does not count.
+  // A segment that cannot be met does not count.
   table.Get(c).SetCanCollide(false);
   ExpectJoint(At(table, a, 1), b, {1, 0}, 0);
   table.Get(c).SetCanCollide(true);

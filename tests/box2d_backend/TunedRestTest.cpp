@@ -188,7 +188,7 @@ TEST(TunedPileTest, APileSettlesAndLosesNone) {
           ASSERT_EQ(vessel.CountLost(), 0) << 10 * i;
           ASSERT_LE(vessel.GetEnergy(), 1.001 * first) << 10 * i;
         }
-        // What slides in a bowl slides on.
+        // A ball that slides in a bowl slides on.
         EXPECT_LT(GetFastest(*vessel.m_pWorld), kind == eVessel::Bowl ? 1.0 : 0.2);
         EXPECT_LT(GetOverlap(*vessel.m_pWorld), 0.1);
       }

@@ -108,7 +108,7 @@ private:
   std::vector<CFigure> m_stdShapes;
 };
 
-/// What a shot is meant to be.
+/// The plan of a shot.
 struct CAim {
   Vector2d m_vSurface, m_vNorm; // where to hit; the normal points to the ball
   double m_fIncidence;          // radians from the normal, of either sign

@@ -181,7 +181,7 @@ protected:
     return size + f.m_fRadius;
   }
 
-  // What overlaps from the beginning is set back: that is no shot.
+  // A ball that overlaps from the beginning is set back: that is no shot.
   static bool BeginsWithOverlap(const CExact& exact) {
     const CExactBall<double>& ball = exact.GetBall(0);
     const double gap =

@@ -147,7 +147,7 @@ TEST(ImpactTrialRulesTest, WhatTheReferenceGivesUpIsReported) {
   EXPECT_EQ(Judge(scene, 50, 3).m_cExcluded.m_nUndecided, 0u);
 }
 
-// What one engine cannot hold is judged on none.
+// An impact that one engine cannot hold is judged on none.
 TEST(ImpactTrialRulesTest, WhatAnEngineRefusesIsReportedAndNotJudged) {
   CScene scene = MakeScene(1, 1e-7f);
   scene.m_cWorld.m_fTimeStep = 1e-11f;

@@ -31,7 +31,7 @@ CImpactTrialResult JudgeTrials(const CScene& scene, std::size_t contacts = g_nRe
 
 double AsDouble(float x) { return static_cast<double>(x); }
 
-// What is left of the step after the impact, as a share.
+// The rest of the step after the impact, as a share.
 double Rest(const CContact& c) { return 1.0 - AsDouble(c.m_fTime); }
 
 // Too close to where the answer changes for float to tell.

@@ -204,7 +204,7 @@ TEST(LastingTest, EnergyFromNothingIsOnlyToldWhereNothingDoesWork) {
   CScene deep =
       MakeLasting(1, {CLineSegDesc({-3, 0}, {3, 0}, 0.0f)}, {CDynamicCircleDesc({0, 0.05f}, 0.1f)}, {0, -10});
   EXPECT_NEAR(Measure(deep, g_nApproximate).m_fEnergyGained.value(), 0.05 / 4.05, 1e-3);
-  // What another ball loses, which falls by 1 onto the floor, does not make up for it.
+  // The loss of another ball, which falls by 1 onto the floor, does not make up for it.
   AddBall(deep, {{2, 1.1f}, 0.1f});
   EXPECT_NEAR(Measure(deep, g_nApproximate).m_fEnergyGained.value(), 0.05 / (4.05 + 5.1), 1e-3);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a command line may say: engines, scenes, limits, and names that are nearly right.
+// The arguments of a command line: engines, scenes, limits, and names that are nearly right.
 #include "app/Options.h"
 
 #include "SampleReport.h"

@@ -172,7 +172,7 @@ double Apart(const CVec<double>& a, const CVec<CFifty>& b) {
   return static_cast<double>(sqrt(x * x + y * y));
 }
 
-// What the comparison of runs has found.
+// The findings of a comparison of runs.
 struct CTally {
   int m_nHits = 0;
   int m_nAmbiguous = 0; // scenes given up at a graze, or where the order of two hits is open

@@ -116,7 +116,7 @@ CVec2d AsFloats(const CVec2d& v) {
   return {static_cast<double>(x), static_cast<double>(y)};
 }
 
-// What a step of an engine starts from.
+// The state from which a step of an engine starts.
 void RoundToFloat(CExact& reference) {
   for (std::size_t i = 0; i < reference.GetBallCount(); ++i)
     reference.SetBall(i, AsFloats(reference.GetBall(i).m_vPos), AsFloats(reference.GetBall(i).m_vVel));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the exact reference share: short ways to describe shapes, to run a reference, and to sum
-// up its balls.
+// Parts that the tests of the exact reference share: short ways to describe shapes, to run a reference, and
+// to sum up its balls.
 #pragma once
 
 #include "Descs.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is recorded for a replay; and the files of a report whose figures are known: contacts.csv, what is in
+// The recording of a replay; and the files of a report whose figures are known: contacts.csv, what is in
 // report.html, and that they are written. What the page does in a browser is tested in ReportPageTest.cpp.
 #include "CommandCalls.h"
 #include "MadeScenes.h"

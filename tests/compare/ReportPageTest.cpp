@@ -17,7 +17,7 @@ using nlohmann::json;
 
 enum class eScheme { Dark, Light }; // in the browser's order
 
-// What WCAG 2.1 asks of text (1.4.3), and of what is drawn (1.4.11).
+// Contrasts that WCAG 2.1 asks of text (1.4.3) and of drawings (1.4.11).
 constexpr double g_fTextContrast = 4.5, g_fGraphicsContrast = 3.0;
 // A thin line of a plot covers hundreds of pixels, most of them blended; some have the pure colour.
 constexpr int g_nPixelsOfALine = 20;
@@ -42,7 +42,7 @@ protected:
     return "<script>\n" + text + "</script>\n";
   }
 
-  /// What the exercise leaves behind.
+  /// The traces of the exercise.
   json Exercise(const std::string& page, eScheme scheme = eScheme::Light, int width = 1280) const {
     // rfind of "<head>" is right as long as the data has none: '<' is escaped in it.
     const std::string watched = Insert(page, "<head>\n", ReadPart("watch.js"), true);
@@ -107,7 +107,7 @@ protected:
     return std::any_of(texts.begin(), texts.end(), [&](const json& text) { return Contains(text, part); });
   }
 
-  // What has to work on whatever was recorded.
+  // Controls that have to work with any recording.
   static void ExpectReplay(const json& scene) {
     EXPECT_GT(scene.at("replay").at("colours").get<int>(), 3);
     const json& play = scene.at("play");
@@ -149,7 +149,7 @@ protected:
     EXPECT_EQ(scene.at("differing").size(), 2u * (4u + 1u)); // flights without what is called for, and losses
   }
 
-  // What the made-up scenes hold beyond that.
+  // Facts of the made-up scenes beyond that.
   static void ExpectFull(const json& scene) {
     SCOPED_TRACE(scene.at("name"));
     ExpectDrawn(scene.at("plots").at("error"), GetNames(true));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the terminal and the chart show of a report whose figures are known.
+// Terminal and chart of a report whose figures are known.
 #include "SampleReport.h"
 
 #include "report/Chart.h"

@@ -28,7 +28,7 @@ class SceneTest : public Tests::CFolderTest {
 protected:
   CScene Load(const json& doc) const { return LoadScene(Write("s.json", doc.dump())); }
 
-  // What the error says after the name of the file.
+  // The words of the error after the name of the file.
   std::string ErrorOf(const std::string& text) const {
     const std::string file = Write("s.json", text);
     const std::string what = MessageOf<CSceneError>([&] { LoadScene(file); });

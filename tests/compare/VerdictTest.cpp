@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the verdicts say follows from the figures.
+// Verdicts follow from the figures.
 #include "SampleReport.h"
 #include "metrics/Overall.h"
 #include "report/Numbers.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What accuracy costs, and where balls tunnel.
+// The cost of accuracy, and the steps at which balls tunnel.
 #include "metrics/WorkPrecision.h"
 #include "MadeScenes.h"
 #include "SampleReport.h"
@@ -118,7 +118,7 @@ TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
   EXPECT_GT(one.m_nTunneled, one.m_nContacts / 3);
   EXPECT_EQ(eight.m_nTunneled, 0u);
   EXPECT_EQ(box2d.m_nTunneled, 0u);
-  // What is lost goes the wrong way, however exact the others are.
+  // A lost ball goes the wrong way, however exact the others are.
   EXPECT_GT(one.m_fDirectionErrorP95.value(), 3.0);
   EXPECT_LT(eight.m_fDirectionErrorP95.value(), 1e-3);
   EXPECT_EQ(eight.m_nContacts, 300u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What somebody else's program does with the library: names its engine and drops a ball onto the floor.
+// Somebody else's program uses the library: it names its engine and drops a ball onto the floor.
 #include <Shapes/Shapes.h>
 
 #include <iostream>

@@ -19,7 +19,7 @@ inline std::string BackendName(const testing::TestParamInfo<const CBackend*>& in
   return std::string(info.param->GetName());
 }
 
-/// What GoogleTest prints of the parameter.
+/// The name of the parameter for GoogleTest.
 inline void PrintTo(const CBackend* pBackend, std::ostream* pOut) { *pOut << pBackend->GetName(); }
 
 inline CWorldDesc Described(const Vector2& gravity, float dt = g_fDt, unsigned substeps = 1,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What no shape can have is refused before anything is added, with the field and the value in the message.
+// A value that no shape can have is refused before anything is added, with the field and the value in the
+// message.
 #include "../fuzz/Fuzz.h"
 #include "Backends.h"
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint64_t g_nEffectBitsContractSeed = 505;
 
-// What a scene has.
+// The content of a scene.
 struct CScene {
   bool m_bGravity = true, m_bTurns = true, m_bPairs = true, m_bSensor = true, m_bFast = true;
   float m_fElasticity = 0.9f;

@@ -213,7 +213,7 @@ TEST_P(CEffectContract, WhatIsNotCalledForCountsNothing) {
         before.m_nSensorTests, before.m_nSensorHits, before.m_nSpeedsCapped, before.m_nMovesClamped,
         before.m_nTurnsClamped, before.m_nArcPieces})
     EXPECT_EQ(n, 0u);
-  // What is called for wherever a ball can meet anything.
+  // The effects of every world in which a ball can meet anything.
   const CEffects meeting{eEffect::Events, eEffect::Continuous};
   for (const eEffect e : AllEffects())
     EXPECT_EQ(before.GetSubstepsWith(e), meeting.Has(e) ? 120u : 0u) << GetName(e);

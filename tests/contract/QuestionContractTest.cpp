@@ -195,7 +195,7 @@ TEST_P(CQuestionContract, EveryEngineHasTheSameBits) {
   EXPECT_EQ(ask(Backend()), ask(GetDefaultBackend()));
 }
 
-// Whatever changes is seen by the next question.
+// The next question sees each change.
 TEST_P(CQuestionContract, TheAnswersAreThoseOfTheWorldAsItIsNow) {
   const auto hits = [&] { return m_pWorld->CastAll({-5, 0}, {5, 0}).size(); };
   EXPECT_EQ(hits(), 0u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What sensors see, the same on every engine: whatever touches them on its way.
+// Sensors see, on every engine alike, each ball that touches them on its way.
 #include "Backends.h"
 
 namespace Shapes {

@@ -220,7 +220,7 @@ public:
   }
 
 private:
-  // What has begun and not ended is what touches now.
+  // A touch that has begun and not ended is one that lasts.
   void LookAtAllPairs() {
     for (const CShapeId ball : m_cWorld.GetBallIds())
       for (const CShapeId id : m_cNow.m_stdIds) {

@@ -46,7 +46,7 @@ struct CFigures {
   bool m_bSameAfterLoad = false;
 };
 
-/// What controls do to a run.
+/// The fault that a control puts into a run.
 struct CMeddling {
   std::function<void(CPlayed&, std::size_t step)> m_Before; ///< each step
   std::function<void(CPlayed&)> m_Loaded;                   ///< the game that was loaded

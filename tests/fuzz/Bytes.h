@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a fuzzer gives, read as choices and numbers. make_corpus.py writes the same format.
+// The bytes of a fuzzer, read as choices and numbers. make_corpus.py writes the same format.
 #pragma once
 
 #include <Shapes/ShapeMath.h>

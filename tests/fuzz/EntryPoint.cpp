@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What libFuzzer calls. SHAPES_FUZZ_TARGET is the function to be fuzzed.
+// The entry that libFuzzer calls. SHAPES_FUZZ_TARGET is the function to be fuzzed.
 #include "Fuzz.h"
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is tried with any bytes at all. Each throws CBroken where something does not hold that has to hold for
+// Trials with any bytes at all. Each throws CBroken where something does not hold that has to hold for
 // every input; sanitizers and Box2D's asserts end the process.
 #pragma once
 
@@ -39,7 +39,7 @@ void FuzzWorld(std::span<const std::uint8_t> bytes);
 /// Within some roundings: what a unit vector in float has to be.
 inline bool IsUnit(const Vector2& n) { return std::abs(n.cast<double>().norm() - 1.0) <= 1e-6; }
 
-/// What holds for every world after every step.
+/// Checks that hold for every world after every step.
 inline void RequireSound(const CWorld& world) {
   for (const Vector2& p : world.GetBallPositions())
     Require(p.allFinite(), "a ball has a finite place", p.transpose());

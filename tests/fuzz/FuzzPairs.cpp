@@ -202,7 +202,7 @@ void TrySweep(const CShape& shape, const CBall& ball, const CMotion& motion) {
     RequireTouching(impact, motion, overlaps || isUnfit || extent.m_bOneSided, bound);
   }
 
-  // What the approximate way sees, with open ends, is a part of what the sweeps see.
+  // The approximate mode, with open ends, sees a part of the impacts that the sweeps see.
   if (extent.m_bOneSided) return;
   CHit hit;
   // Right on an arc rounding says on which side the ball is.

@@ -67,7 +67,7 @@ std::string ToText(std::span<const std::uint8_t> data) {
   return scene;
 }
 
-// What the loader has promised.
+// The promises of the loader.
 void TakeNatively(const CScene& scene) {
   const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(scene.m_cWorld);
   for (const CSceneShape& shape : scene.m_stdShapes)

@@ -115,7 +115,7 @@ private:
            stats.m_nSweeps > g_nMostSweeps;
   }
 
-  // What is refused is refused by std::invalid_argument, and has changed nothing.
+  // A refusal is a std::invalid_argument, and has changed nothing.
   template <class F>
   bool Try(const F& f) {
     const CPicture before(*m_pWorld, m_stdIds);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the sweeps share: trials that seek the hard region, and the exact reference as judge.
+// Parts that the tests of the sweeps share: trials that seek the hard region, and the exact reference as
+// judge.
 #pragma once
 
 #include "geometry/TimeOfImpact.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What comes out of a scene to the last bit, in one number: the same for every compiler and every build type.
+// The result of a scene to the last bit, in one number: the same for every compiler and every build type.
 // Whoever changes a result on purpose puts the lines here that the tests print. docs/testing.md says more.
 #include "Played.h"
 

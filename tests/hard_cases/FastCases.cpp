@@ -30,7 +30,7 @@ double ShareThatGetsThrough(eColumn column) {
   return through / static_cast<double>(shots);
 }
 
-// What overlaps at the end of the step is met, on the side on which it is then.
+// A ball that overlaps at the end of the step meets the shape, on the side on which it is then.
 double ShareThatAnOverlapTestLoses() {
   Tests::CRandom random(g_nFastSeed);
   int through = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is left of a number after a million impacts, and whether it is the same number each time.
+// A number after a million impacts, and whether it is the same number each time.
 #include "StepTesting.h"
 
 #include <cstring>

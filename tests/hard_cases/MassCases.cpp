@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an impact does to velocities: masses that differ by much, and elasticities.
+// Velocities after an impact: masses that differ by much, and elasticities.
 #include "StepTesting.h"
 
 namespace Shapes::HardCases {

@@ -91,7 +91,7 @@ struct CShot {
   std::optional<Vector2d> m_vExactPos = {}; ///< Where the reference has the ball: at what is no float.
 };
 
-/// What a user sees of it.
+/// The part of it that a user sees.
 struct CSeen {
   std::size_t m_nContacts = 0; ///< Those that were told.
   Vector2d m_vPos, m_vVel;     ///< At the end.
@@ -127,9 +127,9 @@ double ErrorOf(const CSeen& seen, const CAnswer& answer);
 /// told.
 double ErrorOfFlight(const CSeen& seen, const CShot& shot);
 
-/// What deviates by this figure: held to between half of it and twice of it.
+/// A deviation by this figure: held to between half of it and twice of it.
 CExpect Off(double figure, const std::string& figureAndReason);
-/// What is not met at all.
+/// A case that is not met at all.
 CExpect Missed(const std::string& reason);
 CExpect& Of(CHardCase& c, eColumn column);
 /// The rest of a case whose bound and error are known. @param right  "": that of c

@@ -15,7 +15,7 @@ CDiscGrid MakeGrid(const std::vector<CDisc>& discs) {
   return grid;
 }
 
-// What the pair kernel would answer.
+// The answer of the pair kernel.
 bool Overlap(const CDisc& a, const CDisc& b) {
   return Length(b.m_vCenter - a.m_vCenter) < a.m_fRadius + b.m_fRadius;
 }

@@ -199,8 +199,8 @@ TEST(NativeWorldTest, ABallMovedByAResponseMeetsWhatItWasMovedInto) {
   EXPECT_TRUE(both.HaveSameBits());
 }
 
-// What one change costs must not depend on how many other shapes there are. The control is a shape that comes
-// and goes, for which the tree is built anew.
+// The cost of one change must not depend on how many other shapes there are. The control is a shape that
+// comes and goes, for which the tree is built anew.
 TEST(NativeWorldTest, AChangeOfOneShapeCostsNoMoreAmongMany) {
   struct CScene {
     CWorld& m_cWorld;

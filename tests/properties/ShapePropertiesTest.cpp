@@ -25,7 +25,7 @@ Vector2 ByGradient(const CCircleDesc& desc, const Vector2& q) {
   const float m = v.y() / v.x(), x = std::copysign(desc.m_fRadius / std::sqrt(1.0f + m * m), v.x());
   return desc.m_vPos + Vector2(x, m * x);
 }
-// What is closer to the centre than a millimetre is in it.
+// A place closer to the centre than a millimetre is in it.
 Vector2 WithAnEpsilon(const CCircleDesc& desc, const Vector2& q) {
   return (q - desc.m_vPos).norm() < 1e-3f ? Vector2(desc.m_vPos + desc.m_fRadius * Vector2(0.0f, 1.0f))
                                           : Closest(desc, q);
@@ -56,7 +56,7 @@ TEST(CircleProperties, APowerOfTwoScalesTheBits) {
   });
 }
 
-// What needs no more than differences of coordinates does not change where these are exact.
+// Results of differences of coordinates do not change where these are exact.
 TEST(CircleProperties, AMoveAmongRepresentablePlacesKeepsTheBits) {
   ExpectHolds(false, true, 5000, [](bool bySquares) {
     const auto place = [] {

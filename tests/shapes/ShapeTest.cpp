@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every shape has, tried on each kind.
+// The members that all shapes share, tried on each kind.
 
 #include <typeinfo>
 

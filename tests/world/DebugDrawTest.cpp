@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is drawn of a world, and the drawn figures of documents: what the drawing here gives is what is there.
+// The drawing of a world, and the drawn figures of documents: each is what the drawing here gives.
 
 #include <fstream>
 

@@ -73,7 +73,7 @@ private:
   CPreSolveOverride m_cOverride;
   bool m_bContacts = true, m_bPathVertices = true;
   std::uint64_t m_nAsked = 0;
-  /// What the solver has pushed a ball and another one apart with.
+  /// The impulse with which the solver has pushed a ball and another one apart.
   struct CSolved {
     CTouchingPair m_cPair;
     float m_fImpulse; ///< newton seconds

@@ -185,7 +185,7 @@ void CStaticBroadPhase::FindNearOfAll(const Vector2& p, float r, std::vector<std
   Query(m_cKinematic, box, orders);
   for (const std::uint32_t order : m_stdLoose)
     if (BoxOf(GetShape(order)) && box) orders.push_back(order);
-  // What has moved may be where it was, too.
+  // A shape that has moved may be where it was, too.
   std::sort(orders.begin(), orders.end());
   if (!m_stdLoose.empty()) orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
 }
