@@ -58,40 +58,27 @@ CRunSizes CRunSizes::ForContacts(std::size_t contacts) const {
 CSceneReport RunScene(const CScene& scene, const std::vector<CEngine>& engines, const CRunSizes& sizes,
                       std::uint64_t seed, const std::function<void(eStage, double)>& progress) {
   const auto during = [&](eStage part) { return [&progress, part](double share) { progress(part, share); }; };
+  const auto getTrials = [&](std::size_t contacts, eStage part) {
+    return CTrials{seed, contacts, g_nTrialsPerContact * contacts, during(part)};
+  };
   CSceneReport report;
   report.m_cScene = scene;
 
-  CImpactTrialOptions restart;
-  restart.m_nSeed = seed;
-  restart.m_nContacts = sizes.m_nContacts;
-  restart.m_nMostTrials = g_nTrialsPerContact * sizes.m_nContacts;
-  restart.m_stdProgress = during(eStage::ImpactTrials);
-  report.m_cImpactTrials = RunImpactTrials(scene, engines, restart);
+  report.m_cImpactTrials =
+      RunImpactTrials(scene, engines, {getTrials(sizes.m_nContacts, eStage::ImpactTrials)});
   const std::vector<CContact>& contacts = report.m_cImpactTrials.m_stdContacts;
   report.m_cDifference = SummariseDifference(contacts);
 
-  CParameterSweepOptions sweep;
-  sweep.m_nSeed = seed;
-  sweep.m_nContacts = sizes.m_nSweepContacts;
-  sweep.m_nMostTrials = g_nTrialsPerContact * sizes.m_nSweepContacts;
-  sweep.m_nConfirmation = sizes.m_nConfirmation;
-  sweep.m_nBallSteps = sizes.m_nSweepBallSteps;
-  sweep.m_nRepeats = sizes.m_nSweepRepeats;
-  sweep.m_stdProgress = during(eStage::ParameterSweep);
+  const CParameterSweepOptions sweep{getTrials(sizes.m_nSweepContacts, eStage::ParameterSweep),
+                                     sizes.m_nConfirmation, sizes.m_nSweepBallSteps, sizes.m_nSweepRepeats};
   report.m_cWork = MeasureWorkPrecision(scene, SelectSettings(engines, scene), sweep);
 
   const std::vector<CCost> costs =
       MeasureCost(scene, engines, seed, sizes.m_nRepeats, sizes.m_nBallSteps, during(eStage::Timing));
   report.m_cHeatMap = MeasureHeatMap(scene, engines, seed, sizes.m_nHeatContacts, during(eStage::HeatMap));
-  CEffectOptions effects;
-  effects.m_nSeed = seed;
-  effects.m_nContacts = sizes.m_nEffectContacts;
-  effects.m_nMostTrials = g_nTrialsPerContact * sizes.m_nEffectContacts;
-  effects.m_nRepeats = sizes.m_nEffectRepeats;
-  effects.m_nBallSteps = sizes.m_nEffectBallSteps;
-  effects.m_nCountedSteps = sizes.m_nCountedSteps;
-  effects.m_sProgram = std::filesystem::read_symlink("/proc/self/exe").string();
-  effects.m_stdProgress = during(eStage::Effects);
+  const CEffectOptions effects{getTrials(sizes.m_nEffectContacts, eStage::Effects), sizes.m_nEffectRepeats,
+                               sizes.m_nEffectBallSteps, sizes.m_nCountedSteps,
+                               std::filesystem::read_symlink("/proc/self/exe").string()};
   report.m_cEffects = MeasureEffects(scene, engines, effects);
 
   progress(eStage::LongRuns, 0.0);

@@ -6,7 +6,6 @@
 #include "report/Report.h"
 
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace Shapes::Compare {

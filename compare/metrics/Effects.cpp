@@ -6,7 +6,6 @@
 #include "scene/ExactGame.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 namespace Shapes::Compare {
@@ -182,11 +181,7 @@ private:
 std::vector<CEffectWorld> MeasureWorlds(const CScene& scene, const std::vector<CEngine>& worlds,
                                         const CEffectOptions& options, CEffectCosts& report) {
   std::vector<CEffectWorld> measured(worlds.size());
-  CImpactTrialOptions restart;
-  restart.m_nSeed = options.m_nSeed;
-  restart.m_nContacts = options.m_nContacts;
-  restart.m_nMostTrials = options.m_nMostTrials;
-  restart.m_bAsk = restart.m_bGhosts = false;
+  CImpactTrialOptions restart{options, false, false};
   restart.m_stdProgress = [&](double done) { options.m_stdProgress(g_fImpactShare * done); };
   const CTouches touches(scene, worlds, options);
   CFlights flights(scene, worlds, options);

@@ -6,8 +6,6 @@
 #include "Cost.h"
 #include "Totals.h"
 
-#include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,16 +43,12 @@ struct CEffectCosts {
   std::string m_sNotCounted;           ///< Why no instructions were counted; empty if they were.
 };
 
-struct CEffectOptions {
-  std::uint64_t m_nSeed = 1;
-  std::size_t m_nContacts = 0;     ///< impacts, and as many touches of sensors
-  std::uint64_t m_nMostTrials = 0; ///< gives up after so many trials
+/// As many touches of sensors as impacts.
+struct CEffectOptions : CTrials {
   int m_nRepeats = 1;              ///< of each timing
   std::size_t m_nBallSteps = 0;    ///< least length of one timing
   std::size_t m_nCountedSteps = 0; ///< whose instructions are counted; 0: none
   std::string m_sProgram;          ///< what can be called as in Instructions.h
-  /// Called with the share that is done; what it throws ends the measurement.
-  std::function<void(double)> m_stdProgress;
 };
 
 /// The engine with one effect forced, or forbidden, and nothing said of the others.

@@ -5,7 +5,6 @@
 #include "ImpactEvaluator.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 namespace Shapes::Compare {

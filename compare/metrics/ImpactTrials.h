@@ -96,14 +96,18 @@ struct CExcluded {
   std::string m_sUndecided;        ///< the first of them: trial, step and what was said
 };
 
-struct CImpactTrialOptions {
+/// The random trials of a measurement.
+struct CTrials {
   std::uint64_t m_nSeed = 1;
   std::size_t m_nContacts = 0;     ///< impacts to judge
-  std::uint64_t m_nMostTrials = 0; ///< give up after so many trials
-  bool m_bAsk = true;              ///< also put each pair to CollisionDetected
-  bool m_bGhosts = true;           ///< also judge quiet steps
-  /// Called after each trial with the share of the impacts that are done; what it throws ends the run.
+  std::uint64_t m_nMostTrials = 0; ///< gives up after so many
+  /// Called now and then with the share that is done; what it throws ends the measurement.
   std::function<void(double)> m_stdProgress;
+};
+
+struct CImpactTrialOptions : CTrials {
+  bool m_bAsk = true;    ///< also put each pair to CollisionDetected
+  bool m_bGhosts = true; ///< also judge quiet steps
 };
 
 struct CImpactTrialResult {

@@ -7,7 +7,6 @@
 #include "reference/Reference.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace Shapes::Compare {
 namespace {

@@ -82,11 +82,7 @@ constexpr double g_fRestartShare = 0.5, g_fTimingShare = 0.3;
 
 void MeasureErrors(const CScene& scene, const std::vector<CEngine>& sweep,
                    const CParameterSweepOptions& options, std::vector<CSetting>& settings) {
-  CImpactTrialOptions restart;
-  restart.m_nSeed = options.m_nSeed;
-  restart.m_nContacts = options.m_nContacts;
-  restart.m_nMostTrials = options.m_nMostTrials;
-  restart.m_bAsk = restart.m_bGhosts = false;
+  CImpactTrialOptions restart{options, false, false};
   restart.m_stdProgress = [&](double done) { options.m_stdProgress(g_fRestartShare * done); };
   const CImpactTrialResult result = RunImpactTrials(scene, sweep, restart);
   for (std::size_t i = 0; i < sweep.size(); ++i) {

@@ -2,11 +2,9 @@
 // Work and precision: a scene on a sweep of settings of each engine, what each costs and how exact it is.
 #pragma once
 
+#include "ImpactTrials.h"
 #include "Statistics.h"
-#include "scene/Trial.h"
 
-#include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,14 +50,11 @@ struct CWorkPrecision {
   std::vector<CRecommendation> m_stdRecommendations;
 };
 
-struct CParameterSweepOptions {
-  std::uint64_t m_nSeed = 1;
-  std::size_t m_nContacts = 0;               ///< impacts on each setting
-  std::uint64_t m_nMostTrials = 0;           ///< as in CImpactTrialOptions
-  std::size_t m_nConfirmation = 0;           ///< impacts without a miss that are called "no miss"
-  std::size_t m_nBallSteps = 0;              ///< length of one timing
-  int m_nRepeats = 11;                       ///< timings of each setting, taking turns
-  std::function<void(double)> m_stdProgress; ///< as in CImpactTrialOptions
+/// Trials of each setting.
+struct CParameterSweepOptions : CTrials {
+  std::size_t m_nConfirmation = 0; ///< impacts without a miss that are called "no miss"
+  std::size_t m_nBallSteps = 0;    ///< length of one timing
+  int m_nRepeats = 11;             ///< timings of each setting, taking turns
 };
 
 /// Settings that lost nothing in m_nContacts impacts are given further ones, the cheapest of each engine

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 
 namespace Shapes::Compare {
 

@@ -12,7 +12,6 @@
 #include "Vec2.h"
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace Shapes::Compare {

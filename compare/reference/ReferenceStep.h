@@ -7,7 +7,6 @@
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <stdexcept>
 

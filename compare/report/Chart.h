@@ -5,7 +5,6 @@
 
 #include "metrics/Overall.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 

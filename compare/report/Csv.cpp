@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <iterator>
-#include <string_view>
 
 namespace Shapes::Compare {
 namespace {

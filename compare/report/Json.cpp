@@ -9,7 +9,6 @@
 #include <cmath>
 #include <string>
 #include <string_view>
-#include <variant>
 
 namespace Shapes::Compare {
 namespace {

@@ -39,7 +39,7 @@ std::string DegreesText(double radians);
 /// So many of so many, as people say it: "none of 2,000", "1 in 40", "45%" above a quarter.
 std::string LossText(std::size_t lost, std::size_t n);
 
-/// A time in times of this one: "11 times faster", "1.3 times slower", "as fast" within a twentieth.
+/// A ratio of speeds: "11 times as fast", "0.77 times as fast", "as fast" within a twentieth.
 std::string FasterText(double ratio);
 
 bool Overlap(const CInterval& a, const CInterval& b);

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -63,19 +62,13 @@ std::string Bounces(double direction) {
   return fmt::format(", and 95% of its bounces are within {} of the exact direction", DegreesText(direction));
 }
 
-// "6.1 times faster than", "as fast as".
-std::string FasterThan(double times) {
-  const std::string faster = FasterText(times);
-  return faster + (faster == "as fast" ? " as" : " than");
-}
-
-// "; native-approximate is 1.9 times faster than native but loses 1 in 40".
+// "; native-approximate is 1.9 times as fast as native but loses 1 in 40".
 std::string Price(const std::vector<CCase>& cases, const CCase& take, std::size_t n) {
   const CCase* pFaster = FindFaster(cases, take);
   if (pFaster == nullptr) return "";
   const std::string flaw = Flaw(*pFaster, take, n);
   if (flaw.empty()) return "";
-  return fmt::format("; {} is {} {} but {}", pFaster->GetName(), FasterThan(take.m_fNs / pFaster->m_fNs),
+  return fmt::format("; {} is {} as {} but {}", pFaster->GetName(), FasterText(take.m_fNs / pFaster->m_fNs),
                      take.GetName(), flaw);
 }
 
@@ -236,8 +229,9 @@ std::string MakeResult(const CRunReport& report, const COverall& overall) {
   const std::string n = CountText(overall.m_nImpacts);
   const auto loss = [](const CCase& c) { return c.m_nLost == 0 ? "none" : CountText(c.m_nLost); };
   std::string text = cases.size() == 1 ? take.GetName() + ": " : fmt::format("Take {}: ", take.GetName());
-  text += isAgainst ? FasterThan(overall.m_stdEngines[*overall.m_nTake].m_cTimes->m_fMedian) + " Box2D. It "
-                    : "it ";
+  text += isAgainst
+              ? FasterText(overall.m_stdEngines[*overall.m_nTake].m_cTimes->m_fMedian) + " as Box2D. It "
+              : "it ";
   text += fmt::format("loses {} of {} impacts", loss(take), n);
   if (isAgainst) text += fmt::format(" (Box2D {})", loss(*pBox2D));
   if (take.m_fDirection) text += Bounces(*take.m_fDirection);

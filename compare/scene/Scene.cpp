@@ -187,20 +187,28 @@ private:
       Refuse(path / "motion", "\"kinematic\" for a shape that moves");
   }
 
+  // The fields that shuttles and flips share.
+  template <class TMotion>
+  void ReadTimes(const CJsonPath& path, CSceneFields& fields, float mostSpeed, TMotion& motion) const {
+    fields.Read("speed", motion.m_fSpeed, g_cPositive, eNeed::Required);
+    fields.Read("period", motion.m_fPeriod, g_cPositive, eNeed::Required);
+    fields.Read("phase", motion.m_fPhase, g_cNotNegative);
+    fields.RefuseOthers();
+    if (!(motion.m_fSpeed > 0.0f && motion.m_fSpeed <= mostSpeed))
+      Refuse(path / "speed", fmt::format("a number above 0, up to {}", mostSpeed));
+  }
+  void CheckPeriod(const CJsonPath& path, const char* sMove, float shortest, float period) const {
+    if (!(period > 0.0f && period >= shortest))
+      Refuse(path / "period", fmt::format("the time to {} at speed and back, {} or more", sMove, shortest));
+  }
+
   CShuttle ReadShuttle(const CJsonPath& owner) const {
     const CJsonPath path = owner / "shuttle";
     CSceneFields fields = Fields(path, "an object with way, speed, period and perhaps phase");
     CShuttle shuttle;
     fields.Read("way", shuttle.m_vWay, g_cVector, eNeed::Required);
-    fields.Read("speed", shuttle.m_fSpeed, g_cPositive, eNeed::Required);
-    fields.Read("period", shuttle.m_fPeriod, g_cPositive, eNeed::Required);
-    fields.Read("phase", shuttle.m_fPhase, g_cNotNegative);
-    fields.RefuseOthers();
-    if (!(shuttle.m_fSpeed > 0.0f && shuttle.m_fSpeed <= g_fMaxSpeed))
-      Refuse(path / "speed", fmt::format("a number above 0, up to {}", g_fMaxSpeed));
-    const float shortest = 2.0f * Length(shuttle.m_vWay) / shuttle.m_fSpeed;
-    if (!(shuttle.m_fPeriod > 0.0f && shuttle.m_fPeriod >= shortest))
-      Refuse(path / "period", fmt::format("the time to go the way at speed and back, {} or more", shortest));
+    ReadTimes(path, fields, g_fMaxSpeed, shuttle);
+    CheckPeriod(path, "go the way", 2.0f * Length(shuttle.m_vWay) / shuttle.m_fSpeed, shuttle.m_fPeriod);
     return shuttle;
   }
 
@@ -209,16 +217,8 @@ private:
     CSceneFields fields = Fields(path, "an object with angle, speed, period and perhaps phase");
     CFlip flip;
     fields.Read("angle", flip.m_fAngle, g_cAngle, eNeed::Required);
-    fields.Read("speed", flip.m_fSpeed, g_cPositive, eNeed::Required);
-    fields.Read("period", flip.m_fPeriod, g_cPositive, eNeed::Required);
-    fields.Read("phase", flip.m_fPhase, g_cNotNegative);
-    fields.RefuseOthers();
-    if (!(flip.m_fSpeed > 0.0f && flip.m_fSpeed <= g_fMaxRotSpeed))
-      Refuse(path / "speed", fmt::format("a number above 0, up to {}", g_fMaxRotSpeed));
-    const float shortest = std::abs(flip.m_fAngle) / (g_fPi * flip.m_fSpeed);
-    if (!(flip.m_fPeriod > 0.0f && flip.m_fPeriod >= shortest))
-      Refuse(path / "period",
-             fmt::format("the time to turn by angle at speed and back, {} or more", shortest));
+    ReadTimes(path, fields, g_fMaxRotSpeed, flip);
+    CheckPeriod(path, "turn by angle", std::abs(flip.m_fAngle) / (g_fPi * flip.m_fSpeed), flip.m_fPeriod);
     return flip;
   }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <variant>
 
 namespace Shapes::Compare {
 namespace {

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace Shapes::Compare {

@@ -197,7 +197,7 @@ TEST_F(ReportPageTest, AFullReportInTheLight) {
   EXPECT_EQ(result.at("tiles").size(), 4u);
   EXPECT_EQ(result.at("labels"), json({4})); // the chart that fits, and not the other one
   EXPECT_LE(result.at("firstScreen").get<double>(), 800);
-  EXPECT_TRUE(Contains(result.at("text"), "Take native: 7.1 times faster than Box2D"));
+  EXPECT_TRUE(Contains(result.at("text"), "Take native: 7.1 times as fast as Box2D"));
   EXPECT_TRUE(Contains(result.at("text"), "within 12\u00b0") ||
               Contains(result.at("text"), "Box2D 12\u00b0"));
   EXPECT_TRUE(AnyContains(result.at("tiles"), "1 in 4,300"));

@@ -42,7 +42,7 @@ TEST(NumbersTest, AreWhatPeopleRead) {
                     LossText(450, 1000), LossText(0, 0)}),
             (CTexts{"none of 2,000", "1 in 40", "1 in 4,300", "1 in 4.9", "45%", "-"}));
   EXPECT_EQ((CTexts{FasterText(7.14), FasterText(0.5), FasterText(1.04), FasterText(16.2)}),
-            (CTexts{"7.1 times faster", "2.0 times slower", "as fast", "16 times faster"}));
+            (CTexts{"7.1 times as fast", "0.50 times as fast", "as fast", "16 times as fast"}));
   EXPECT_TRUE(Overlap({0.1, 0.3}, {0.3, 0.4}));
   EXPECT_FALSE(Overlap({0.1, 0.3}, {0.31, 0.4}));
 }

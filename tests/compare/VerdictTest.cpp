@@ -31,8 +31,8 @@ CRunReport Of(std::initializer_list<std::size_t> numbers) {
 
 TEST(VerdictTest, SaysWhatToTakeAndWhatAFasterOneWouldLose) {
   CRunReport report = MakeSampleReport();
-  EXPECT_EQ(Use(report), "Use tuned Box2D: better than Box2D here and 1.6 times slower; native-approximate "
-                         "is 16 times faster than "
+  EXPECT_EQ(Use(report), "Use tuned Box2D: better than Box2D here and 0.62 times as fast; native-approximate "
+                         "is 16 times as fast as "
                          "tuned Box2D but loses 1 in 4.9.");
 }
 
@@ -43,16 +43,16 @@ TEST(VerdictTest, TheFastestOfTheBestGradeIsTaken) {
   EXPECT_EQ(Use(report).substr(0, 12), "Use Box2D: n");
   engines[g_nNative] = MakeSampleEngine(0, 70.0, 0.0002);
   EXPECT_EQ(Use(report),
-            "Use native: better than Box2D here and 7.1 times faster; native-approximate is 1.4 times "
-            "faster than native but loses 1 in 4.9.");
+            "Use native: better than Box2D here and 7.1 times as fast; native-approximate is 1.4 times "
+            "as fast as native but loses 1 in 4.9.");
   EXPECT_EQ(
       Does(report),
       "It loses none of 1,000, and 95% of its bounces are within 0.011 degrees of the exact direction; Box2D "
       "loses 1 in 170 and is within 1.1 degrees.");
   engines[g_nBox2D] = MakeSampleEngine(0, 500.0, 0.0002);
-  EXPECT_EQ(Use(report).substr(0, 50), "Use native: as good as Box2D here and 7.1 times fa");
+  EXPECT_EQ(Use(report).substr(0, 50), "Use native: as good as Box2D here and 7.1 times as");
   engines[g_nApproximate] = MakeSampleEngine(0, 50.0, 0.0002);
-  EXPECT_EQ(Use(report), "Use native-approximate: as good as Box2D here and 10 times faster.");
+  EXPECT_EQ(Use(report), "Use native-approximate: as good as Box2D here and 10 times as fast.");
   // The world by default, where the faster one is so by chance only; the control is faster in every repeat.
   engines[g_nApproximate] = MakeSampleEngine(0, 69.9, 0.0002);
   SetSampleTimes(engines[g_nApproximate].m_cCost, 69.9, 5);
@@ -69,7 +69,7 @@ TEST(VerdictTest, WorseBouncesAreAReasonToo) {
   engines[g_nBox2D] = MakeSampleEngine(0, 500.0, 0.01);
   EXPECT_EQ(
       Use(report),
-      "Use Box2D: no faster engine is as good here; native is 10 times faster than Box2D but bounces up to "
+      "Use Box2D: no faster engine is as good here; native is 10 times as fast as Box2D but bounces up to "
       "5.7 degrees off.");
 }
 
@@ -81,7 +81,7 @@ TEST(VerdictTest, OneEngineAloneIsNotCompared) {
   // Without Box2D the one that loses least is the measure.
   CRunReport two = Of({g_nNative, g_nApproximate});
   two.m_stdScenes[0].m_stdEngines[0] = MakeSampleEngine(0, 70.0, 0.0002);
-  EXPECT_EQ(Use(two), "Use native; native-approximate is 1.4 times faster than native but loses 1 in 4.9.");
+  EXPECT_EQ(Use(two), "Use native; native-approximate is 1.4 times as fast as native but loses 1 in 4.9.");
 }
 
 TEST(VerdictTest, TellsOfWhatElseIsWrongAndOnlyThen) {
@@ -186,9 +186,9 @@ TEST(OverallTest, TheResultBeginsWithTheEngineToTake) {
   report.m_stdScenes[0].m_stdEngines[g_nNative] = MakeSampleEngine(1, 70.0, 0.0002);
   const std::string result = MakeResult(report, MakeOverall(report));
   EXPECT_EQ(result,
-            "Take native: 7.1 times faster than Box2D. It loses 1 of 1,000 impacts (Box2D 6), and 95% "
+            "Take native: 7.1 times as fast as Box2D. It loses 1 of 1,000 impacts (Box2D 6), and 95% "
             "of its bounces are within 0.001 degrees of the exact direction; native-approximate is 1.4 times "
-            "faster than native but loses 1 in 4.9.");
+            "as fast as native but loses 1 in 4.9.");
   CRunReport alone = Of({g_nNative, g_nApproximate});
   EXPECT_EQ(MakeResult(alone, MakeOverall(alone))
                 .rfind("Take native: it loses 12 of 1,000 impacts, and 95% of its bounces are within ", 0),
