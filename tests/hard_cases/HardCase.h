@@ -13,6 +13,10 @@ enum class eColumn { Approximate, Native, Box2D, Tuned, Reference, Size };
 inline constexpr std::size_t g_nColumns = static_cast<std::size_t>(eColumn::Size);
 /// "approximate", "native", "box2d", "tuned", "reference".
 const char* GetName(eColumn column);
+inline bool IsNative(eColumn column) { return column == eColumn::Approximate || column == eColumn::Native; }
+
+/// The error of an event that did not happen.
+inline constexpr double g_fNever = std::numeric_limits<double>::infinity();
 
 /// The expected result of an engine in a case.
 struct CExpect {
@@ -34,11 +38,15 @@ CExpect Right();
 /// A bound of its own, wider than that of the case: `derivation` says why it has to be.
 CExpect RightWithin(double bound, const std::string& derivation);
 CExpect Deviates(double least, double most, const std::string& figureAndReason);
+/// A deviation by this figure: held to between half of it and twice of it.
+CExpect Off(double figure, const std::string& figureAndReason);
+/// A case that is not met at all.
+CExpect Missed(const std::string& reason);
 CExpect Refused(const std::string& words);
 CExpect NotAsked(const std::string& why);
 
-using CExpectations = std::array<CExpect, g_nColumns>;
-inline const CExpectations g_stdAllRight{Right(), Right(), Right(), Right(), Right()};
+/// Of the engines that are not just right.
+using CExpectations = std::vector<std::pair<eColumn, CExpect>>;
 
 /// Largest error that is right, in the unit of CHardCase::m_fnError. The right answer is that to the input
 /// rounded to float.
@@ -49,13 +57,16 @@ struct CBound {
 };
 inline const CBound g_cBits{0.0, 0.0, "bit for bit"};
 inline const CBound g_cEightRoundings{1e-12, 0x1p-21, "1e-12; engines 8 roundings of 1"};
+inline const CBound g_cTwoUlps{1e-12, 0x1p-22, "1e-12; engines 2 ulps of 1"};
+/// n roundings of a number of this size, in double and in float.
+CBound Roundings(int n, int size = 1);
 
 struct CHardCase {
   std::string m_sName;  ///< CamelCase, unique: the name of its tests.
   std::string m_sInput; ///< In words and numbers, for the table. r is a ball's radius, v its velocity.
   std::string m_sRight; ///< The right answer.
   CBound m_cBound;
-  CExpectations m_stdExpect = g_stdAllRight;
+  std::array<CExpect, g_nColumns> m_stdExpect{Right(), Right(), Right(), Right(), Right()};
   /// The error of one of them, at least 0; infinity where nothing was found that had to be, or the other way
   /// round. Exceptions of the library pass through.
   std::function<double(eColumn)> m_fnError;
@@ -64,6 +75,18 @@ struct CHardCase {
   std::function<double()> m_fnControl;
   std::string m_sGroup = {}; ///< A heading of the table, from the list of all cases.
 };
+
+/// Every engine refuses it.
+CExpectations RefusedByAll(const std::string& words);
+
+/// Completes a case whose bound and error are known. @param right  "": that of c
+CHardCase Named(CHardCase c, const std::string& name, const std::string& input, const std::string& right,
+                const CExpectations& expect, const std::string& control,
+                const std::function<double()>& naive);
+/// A case of all its parts.
+CHardCase Case(const std::string& name, const std::string& input, const std::string& right,
+               const CBound& bound, const CExpectations& expect, const std::function<double(eColumn)>& error,
+               const std::string& control, const std::function<double()>& naive);
 
 /// How GoogleTest prints one.
 inline void PrintTo(const CHardCase& c, std::ostream* pOut) { *pOut << c.m_sName; }
@@ -83,12 +106,24 @@ std::vector<CHardCase> SimultaneousCases();
 std::vector<CHardCase> JointCases();
 std::vector<CHardCase> LongRunCases();
 
-/// The description of a world of that column; not for Reference.
-CWorldDesc Desc(eColumn column, const Vector2& gravity = Vector2::Zero(), float dt = 1.0f / 60.0f);
-std::unique_ptr<CWorld> MakeWorld(eColumn column, const CWorldDesc& desc);
+/// A world of that column; not of Reference.
+std::unique_ptr<CWorld> MakeWorld(eColumn column, const Vector2& gravity = Vector2::Zero(), float dt = g_fDt);
 
-/// The error of an event that did not happen.
-inline constexpr double g_fNever = std::numeric_limits<double>::infinity();
+/// The larger one; g_fNever where either is not a number.
+double Worst(double a, double b);
+/// The worst of f(0) .. f(n - 1).
+template <class F>
+double WorstOf(int n, const F& f) {
+  double worst = 0.0;
+  for (int i = 0; i < n; ++i)
+    worst = Worst(worst, f(i));
+  return worst;
+}
+/// The worst of f of each value.
+template <class T, class F>
+double WorstOf(std::initializer_list<T> values, const F& f) {
+  return WorstOf(static_cast<int>(values.size()), [&](int i) { return f(values.begin()[i]); });
+}
 /// Of two points or vectors; g_fNever if either is not finite.
 double Distance(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 

@@ -6,8 +6,6 @@ namespace Shapes::HardCases {
 
 namespace {
 
-constexpr float g_fInfinite = std::numeric_limits<float>::infinity();
-
 // The foot of the perpendicular from q.
 CVec<CFifty> FootAt50Digits(const Vector2& p0, const Vector2& p1, const CVec<CFifty>& q) {
   const CVec<CFifty> a = p0.cast<CFifty>(), s = p1.cast<CFifty>() - a;
@@ -39,39 +37,30 @@ CHardCase ClosestPoint(const std::string& name, const std::string& input, const 
   const Vector2 q = ball.m_vPos;
   const Vector2d foot = FootAt50Digits(p0, p1, q.cast<CFifty>()).cast<double>();
   const Vector2d met = MetAt50Digits(p0, p1, ball).cast<double>();
-  return {name,
-          input,
-          right,
-          bound,
-          {Right(), Right(), Off(0.005, "off by .005: its skin"), Right(), Right()},
-          [=](eColumn column) {
-            const double error = Distance(Shoot(column, shot).m_vPOI, met);
-            if (column != eColumn::Approximate) return error;
-            const CLineSegDesc desc(p0, p1);
-            const double ofSegment = Distance(CLineSeg(desc).ClosestPt(q).cast<double>(), foot);
-            const double ofLine = Distance(CLine(p0, desc.GetGradient()).ClosestPt(q).cast<double>(), foot);
-            return std::max({error, ofSegment, ofLine});
-          },
-          control,
-          [=] { return Distance(FootByGradients(p0, p1, q), foot); }};
+  return Case(
+      name, input, right, bound, {{eColumn::Box2D, Off(0.005, "off by .005: its skin")}},
+      [=](eColumn column) {
+        const double error = Distance(Shoot(column, shot).m_vPOI, met);
+        if (column != eColumn::Approximate) return error;
+        const CLineSegDesc desc(p0, p1);
+        return std::max({error, Distance(Wide(CLineSeg(desc).ClosestPt(q)), foot),
+                         Distance(Wide(CLine(p0, desc.GetGradient()).ClosestPt(q)), foot)});
+      },
+      control, [=] { return Distance(FootByGradients(p0, p1, q), foot); });
 }
 
 // Infinite unless the answer is that there is none.
 double ErrorOfNoCrossing(const CLine& a, const CLine& b) {
-  return a.Intersect(b) == Vector2(g_fInfinite, g_fInfinite) ? 0.0 : g_fNever;
+  return a.Intersect(b) == Vector2(g_fInf, g_fInf) ? 0.0 : g_fNever;
 }
 
 CHardCase NoCrossing(const std::string& name, const std::string& input, const std::function<double()>& error,
-                     const std::string& control, const std::function<double()>& fnControl) {
+                     const std::string& control, const std::function<double()>& naive) {
   const CExpect none = NotAsked("no engine crosses lines");
-  return {name,
-          input,
-          "no point: (Inf, Inf), which nothing in the library uses",
-          g_cBits,
-          {Right(), none, none, none, none},
-          [=](eColumn) { return error(); },
-          control,
-          fnControl};
+  return Case(
+      name, input, "no point: (Inf, Inf), which nothing in the library uses", g_cBits,
+      {{eColumn::Native, none}, {eColumn::Box2D, none}, {eColumn::Tuned, none}, {eColumn::Reference, none}},
+      [=](eColumn) { return error(); }, control, naive);
 }
 
 CHardCase OfEqualGradient() {
@@ -79,10 +68,9 @@ CHardCase OfEqualGradient() {
       "CrossingOfLinesOfEqualGradient",
       "lines of equal gradient (0, 1, -1/3, 1e-20, 1e20) through (0, 0) and (0, 1)",
       [] {
-        double error = 0.0;
-        for (const float m : {0.0f, 1.0f, -1.0f / 3.0f, 1e-20f, 1e20f})
-          error = std::max(error, ErrorOfNoCrossing(CLine({0.0f, 0.0f}, m), CLine({0.0f, 1.0f}, m)));
-        return error;
+        return WorstOf({0.0f, 1.0f, -1.0f / 3.0f, 1e-20f, 1e20f}, [](float m) {
+          return ErrorOfNoCrossing(CLine({0.0f, 0.0f}, m), CLine({0.0f, 1.0f}, m));
+        });
       },
       "x = (b1 - b0) / (m0 - m1) = 1 / 0 taken for a point of impact: its normal is NaN",
       [] {
@@ -95,7 +83,7 @@ CHardCase OfVerticalLines() {
   return NoCrossing(
       "CrossingOfVerticalLinesOfEitherSign", "lines of gradient +Inf through (0, 0) and -Inf through (1, 0)",
       [] {
-        const CLine up({0.0f, 0.0f}, g_fInfinite), down({1.0f, 0.0f}, -g_fInfinite);
+        const CLine up({0.0f, 0.0f}, g_fInf), down({1.0f, 0.0f}, -g_fInf);
         return std::max(ErrorOfNoCrossing(up, down), ErrorOfNoCrossing(down, up));
       },
       "parallel if m0 == m1: +Inf is not -Inf; they cross at NaN",
@@ -109,8 +97,8 @@ CHardCase BetweenVerticalSegments() {
   CShot shot{{CLineSegDesc({-1.0f, -1.0f}, {-1.0f, 1.0f}), CLineSegDesc({1.0f, 1.0f}, {1.0f, -1.0f})},
              {CDynamicCircleDesc({0.0f, 0.0f}, 0.5f, {1.0f, 0.0f})},
              0.75f};
-  const CAnswer right{CFifty(0.5), {CFifty(-1), CFifty(0)}, {CFifty(-1), CFifty(0)}};
-  const CAnswer left{CFifty(0.5), {CFifty(1), CFifty(0)}, {CFifty(1), CFifty(0)}};
+  const CVec<CFifty> back(CFifty(-1), CFifty(0));
+  const CAnswer right{CFifty(0.5), back, back}, left{CFifty(0.5), -back, -back};
   CHardCase c =
       Named(ShotCase(shot, right), "BallBetweenVerticalSegmentsGivenUpAndDown",
             "segments (-1, -1)-(-1, 1) and (1, 1)-(1, -1); ball r = .5 at (0, 0), v = (1, 0) and (-1, 0); "
@@ -122,10 +110,10 @@ CHardCase BetweenVerticalSegments() {
               const double m = g_fNever, x = 1.0, b = 1.0 - m * x;
               return 0.0 - (m * x + b);
             });
-  CShot back = shot;
-  back.m_stdBalls[0].m_vVel = {-1.0f, 0.0f};
+  CShot toTheLeft = shot;
+  toTheLeft.m_stdBalls[0].m_vVel = {-1.0f, 0.0f};
   c.m_fnError = [=](eColumn column) {
-    return std::max(ErrorOf(Shoot(column, shot), right), ErrorOf(Shoot(column, back), left));
+    return std::max(ErrorOf(Shoot(column, shot), right), ErrorOf(Shoot(column, toTheLeft), left));
   };
   return c;
 }

@@ -3,6 +3,7 @@
 #include "StepTesting.h"
 
 #include <cstring>
+#include <numeric>
 
 namespace Shapes::HardCases {
 
@@ -16,27 +17,25 @@ int GetCount(eColumn column) { return column == eColumn::Approximate ? 1000000 :
 // ---- Speed.
 
 /// A ball of r = .5 in a box of 1.2 that is turned, and that it crosses in about a step.
-CSceneDesc MakeBox(double turn) {
+double SpeedDriftInABox(eColumn column, double turn) {
   std::vector<CAnyShapeDesc> walls;
   for (int i = 0; i < 4; ++i) {
     const double angle = turn + i * std::numbers::pi / 2.0;
     walls.emplace_back(CLineSegDesc(Turned(0.6, -0.6, angle), Turned(0.6, 0.6, angle)));
   }
-  return MakeScene(walls, {CDynamicCircleDesc({0, 0}, 0.5f, {3, 4})}, 0.04f);
+  CStepped stepped(column, walls, {CDynamicCircleDesc({0, 0}, 0.5f, {3, 4})}, 0.04f);
+  double worst = 0.0;
+  const std::size_t count = static_cast<std::size_t>(GetCount(column)) / 4;
+  for (std::size_t impacts = 0; impacts < count; impacts += stepped.GetImpacts().size()) {
+    stepped.Step();
+    if (!(stepped.GetPos().norm() < 0.6)) return g_fNever; // it is out
+    worst = Worst(worst, std::abs(stepped.GetVel().norm() / 5.0 - 1.0));
+  }
+  return worst;
 }
 
 double SpeedDrift(eColumn column) {
-  double worst = 0.0;
-  for (const double turn : {0.1, 0.3, 0.7, 1.1}) {
-    CStepped stepped(column, MakeBox(turn));
-    const std::size_t count = static_cast<std::size_t>(GetCount(column)) / 4;
-    for (std::size_t impacts = 0; impacts < count; impacts += stepped.GetImpacts().size()) {
-      stepped.Step();
-      if (!(stepped.GetPos().norm() < 0.6)) return g_fNever; // it is out
-      worst = Worst(worst, std::abs(stepped.GetVel().norm() / 5.0 - 1.0));
-    }
-  }
-  return worst;
+  return WorstOf({0.1, 0.3, 0.7, 1.1}, [=](double turn) { return SpeedDriftInABox(column, turn); });
 }
 
 // ---- Momentum.
@@ -44,7 +43,7 @@ double SpeedDrift(eColumn column) {
 /// Two balls that are put together again after each impact, at another angle: what their momentum changes by,
 /// relative to what they carry.
 double MomentumDrift(eColumn column) {
-  const float r = 0.5f, dt = 1.0f / 60.0f, m0 = 1.0f, m1 = 3.0f;
+  const float r = 0.5f, dt = g_fDt, m0 = 1.0f, m1 = 3.0f;
   CStepped stepped(
       column, {},
       {CDynamicCircleDesc({-1, 0}, r, {1, 0.3f}, m0), CDynamicCircleDesc({1, 0}, r, {-0.5f, -0.7f}, m1)}, dt);
@@ -53,20 +52,19 @@ double MomentumDrift(eColumn column) {
   const double carried = m0 * stepped.GetVel(0).norm() + m1 * stepped.GetVel(1).norm();
   Tests::CRandom random(g_nLongRunSeed);
   const int count = GetCount(column);
-  double worst = 0.0;
   int impacts = 0;
-  for (int i = 0; i < count; ++i) {
+  const double worst = WorstOf(count, [&](int) {
     const Vector2d w0 = stepped.GetVel(0), w1 = stepped.GetVel(1);
-    Vector2d u = random.Direction().cast<double>();
+    Vector2d u = Wide(random.Direction());
     if ((w1 - w0).dot(u) > 0.0) u = -u;
     const double gap = 0.5 * dt * -(w1 - w0).dot(u);
     // In the reference, too, where floats are.
-    stepped.SetPos(0, (-r * u).cast<float>().cast<double>());
-    stepped.SetPos(1, ((r + gap) * u).cast<float>().cast<double>());
+    stepped.SetPos(0, Wide((-r * u).cast<float>()));
+    stepped.SetPos(1, Wide(((r + gap) * u).cast<float>()));
     stepped.Step(column == eColumn::Box2D ? 2 : 1); // it answers two balls a step late
     impacts += stepped.GetVel(0) != w0;
-    worst = Worst(worst, (momentum() - before).norm());
-  }
+    return (momentum() - before).norm();
+  });
   return impacts < count * 9 / 10 ? g_fNever : worst / carried * std::sqrt(1e6 / count);
 }
 
@@ -74,26 +72,26 @@ double MomentumDrift(eColumn column) {
 
 /// The way of each of 16 balls in a box of its own with a turning hand, added in that order.
 std::vector<float> RunBoxes(eColumn column, const std::vector<int>& order) {
-  CSceneDesc scene = MakeScene({}, {}, 1.0f / 60.0f, {0.0f, -9.8f});
+  std::vector<CAnyShapeDesc> shapes;
+  std::vector<CDynamicCircleDesc> balls;
   for (const int cell : order) {
     const Vector2 c(3.0f * static_cast<float>(cell % 4), 3.0f * static_cast<float>(cell / 4));
     for (const CLineSegDesc& wall : Walls(c - Vector2(1, 1), c + Vector2(1, 1), 0.9f))
-      scene.m_stdShapes.emplace_back(wall);
-    scene.m_stdShapes.emplace_back(Turning(CLineSegDesc(c, c + Vector2(0.4f, 0.0f)), 0.5f, c));
+      shapes.emplace_back(wall);
+    shapes.emplace_back(Turning(CLineSegDesc(c, c + Vector2(0.4f, 0.0f)), 0.5f, c));
     Tests::CRandom random(g_nLongRunSeed + static_cast<std::uint64_t>(cell));
-    scene.m_stdBalls.emplace_back(c + Vector2(0.6f, 0.5f), 0.1f, 4.0f * random.Direction());
-    scene.m_stdBalls.emplace_back(c + Vector2(-0.6f, 0.5f), 0.15f, 4.0f * random.Direction(), 2.0f);
+    balls.emplace_back(c + Vector2(0.6f, 0.5f), 0.1f, 4.0f * random.Direction());
+    balls.emplace_back(c + Vector2(-0.6f, 0.5f), 0.15f, 4.0f * random.Direction(), 2.0f);
   }
-  CStepped stepped(column, scene);
-  std::vector<float> way(order.size() * 8);
+  CStepped stepped(column, shapes, balls, g_fDt, {0.0f, -9.8f});
   stepped.Step(240);
-  for (std::size_t i = 0; i < order.size(); ++i)
-    for (std::size_t k = 0; k < 2; ++k) {
-      const Vector2d p = stepped.GetPos(2 * i + k), v = stepped.GetVel(2 * i + k);
-      float* pOut = &way[8 * static_cast<std::size_t>(order[i]) + 4 * k];
-      for (const double x : {p.x(), p.y(), v.x(), v.y()})
-        *pOut++ = static_cast<float>(x);
-    }
+  std::vector<float> way(order.size() * 8);
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const Vector2d p = stepped.GetPos(i), v = stepped.GetVel(i);
+    float* pOut = &way[8 * static_cast<std::size_t>(order[i / 2]) + 4 * (i % 2)];
+    for (const double x : {p.x(), p.y(), v.x(), v.y()})
+      *pOut++ = static_cast<float>(x);
+  }
   return way;
 }
 
@@ -106,8 +104,7 @@ double CountDifferent(const std::vector<float>& a, const std::vector<float>& b) 
 
 std::vector<int> InOrder() {
   std::vector<int> order(16);
-  for (std::size_t i = 0; i < order.size(); ++i)
-    order[i] = static_cast<int>(i);
+  std::iota(order.begin(), order.end(), 0);
   return order;
 }
 
@@ -122,15 +119,14 @@ std::vector<int> Shuffled() {
 } // namespace
 
 std::vector<CHardCase> LongRunCases() {
-  return {{"MillionReflections",
+  return {
+      Case("MillionReflections",
            "r = .5 in boxes of 1.2 that are turned by .1, .3, .7 and 1.1 rad, v = (3, 4), a million "
            "reflections in the approximate mode, 100,000 elsewhere: largest change of the speed, relative",
            "0",
            {1e-11, 64 * g_fFloatRounding,
             "1e-11; engines 64 roundings, 3.8e-6: of the million some 1,000, their root, could add up"},
-           g_stdAllRight,
-           SpeedDrift,
-           "a normal whose length is wrong by a rounding: it counts at each reflection",
+           {}, SpeedDrift, "a normal whose length is wrong by a rounding: it counts at each reflection",
            [] {
              float x = 3.0f, y = 4.0f;
              const float nx = 0.6f, ny = 0.8f * (1.0f + 0x1p-23f);
@@ -139,53 +135,53 @@ std::vector<CHardCase> LongRunCases() {
                x -= d * nx;
                y -= d * ny;
              }
-             return std::abs(std::hypot(static_cast<double>(x), static_cast<double>(y)) / 5.0 - 1.0);
-           }},
-          {"MillionPairImpacts",
+             return std::abs(std::hypot(Wide(x), Wide(y)) / 5.0 - 1.0);
+           }),
+      Case("MillionPairImpacts",
            "Masses 1 and 3, e = 1, put together again after each impact, at a random angle, a million times "
            "in the approximate mode, 100,000 (times the root of 10) elsewhere: change of the momentum, "
            "relative",
            "0",
            {1e-12, 4 * 1000 * g_fFloatRounding,
             "1e-12; engines 4 x 1,000 roundings: they add up as the root of their number"},
-           g_stdAllRight,
-           MomentumDrift,
-           "each ball is answered with the velocity that the other one has by then",
+           {}, MomentumDrift, "each ball is answered with the velocity that the other one has by then",
            [] {
              double v0 = 1.0, v1 = -0.5;
              const double before = v0 + 3.0 * v1;
              v0 -= 2.0 * 3.0 / 4.0 * (v0 - v1);
              v1 += 2.0 * 1.0 / 4.0 * (v0 - v1);
              return std::abs(v0 + 3.0 * v1 - before) / 2.5;
-           }},
-          {"TheSameTwice",
-           "16 boxes with a turning hand and two balls each, gravity, 240 steps, made and run twice: numbers "
-           "of 128 that differ",
-           "none", g_cBits, g_stdAllRight,
-           [](eColumn column) {
-             return CountDifferent(RunBoxes(column, InOrder()), RunBoxes(column, InOrder()));
-           },
-           "random numbers that go on where the last run stopped",
-           [] {
-             Tests::CRandom random(g_nLongRunSeed);
-             const Vector2 a = random.Direction(), b = random.Direction();
-             return CountDifferent({a.x(), a.y()}, {b.x(), b.y()});
-           }},
-          {"AddedInAnotherOrder", "The same boxes, added in a random order",
-           "none: what does not meet does not matter", g_cBits, g_stdAllRight,
-           [](eColumn column) {
-             return CountDifferent(RunBoxes(column, InOrder()), RunBoxes(column, Shuffled()));
-           },
-           "the mean velocity of all, summed up in float in the order of adding, taken off each",
-           [] {
-             const auto mean = [](const std::vector<int>& order) {
-               float sum = 0.0f;
-               for (const int cell : order)
-                 sum += 0.1f + 0.37f * static_cast<float>(cell * cell);
-               return sum / 16.0f;
-             };
-             return CountDifferent({mean(InOrder())}, {mean(Shuffled())});
-           }}};
+           }),
+      Case(
+          "TheSameTwice",
+          "16 boxes with a turning hand and two balls each, gravity, 240 steps, made and run twice: numbers "
+          "of 128 that differ",
+          "none", g_cBits, {},
+          [](eColumn column) {
+            return CountDifferent(RunBoxes(column, InOrder()), RunBoxes(column, InOrder()));
+          },
+          "random numbers that go on where the last run stopped",
+          [] {
+            Tests::CRandom random(g_nLongRunSeed);
+            const Vector2 a = random.Direction(), b = random.Direction();
+            return CountDifferent({a.x(), a.y()}, {b.x(), b.y()});
+          }),
+      Case(
+          "AddedInAnotherOrder", "The same boxes, added in a random order",
+          "none: what does not meet does not matter", g_cBits, {},
+          [](eColumn column) {
+            return CountDifferent(RunBoxes(column, InOrder()), RunBoxes(column, Shuffled()));
+          },
+          "the mean velocity of all, summed up in float in the order of adding, taken off each",
+          [] {
+            const auto mean = [](const std::vector<int>& order) {
+              float sum = 0.0f;
+              for (const int cell : order)
+                sum += 0.1f + 0.37f * static_cast<float>(cell * cell);
+              return sum / 16.0f;
+            };
+            return CountDifferent({mean(InOrder())}, {mean(Shuffled())});
+          })};
 }
 
 } // namespace Shapes::HardCases

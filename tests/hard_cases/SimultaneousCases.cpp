@@ -21,11 +21,10 @@ double Corner(eColumn column, double opening, double angle, bool swapped) {
 }
 
 double WorstCorner(eColumn column, double opening) {
-  double worst = 0.0;
-  for (int i = 0; i < 12; ++i)
-    for (const bool swapped : {false, true})
-      worst = Worst(worst, Corner(column, opening, i * std::numbers::pi / 6.0, swapped));
-  return worst;
+  return WorstOf(12, [=](int i) {
+    const double angle = i * std::numbers::pi / 6.0;
+    return Worst(Corner(column, opening, angle, false), Corner(column, opening, angle, true));
+  });
 }
 
 /// One reflection at each wall, in the order of adding.
@@ -42,14 +41,11 @@ CHardCase CornerOf(const std::string& name, const std::string& input, int reflec
                    const CExpect& approximate, const CExpect& shipped,
                    const std::string& control = "each wall once, in the order of adding") {
   const double opening = std::numbers::pi / reflections;
-  return {name,
-          input,
-          "v' = -v, after " + std::to_string(reflections) + " reflections",
-          bound,
-          {approximate, Right(), shipped, Right(), Right()},
-          [=](eColumn column) { return WorstCorner(column, opening); },
-          control,
-          [=] { return NaiveCorner(opening); }};
+  return Case(
+      name, input, "v' = -v, after " + std::to_string(reflections) + " reflections", bound,
+      {{eColumn::Approximate, approximate}, {eColumn::Box2D, shipped}},
+      [=](eColumn column) { return WorstCorner(column, opening); }, control,
+      [=] { return NaiveCorner(opening); });
 }
 
 // ---- Cradles.
@@ -62,16 +58,10 @@ double Cradle(eColumn column, int count, int moving, bool reversed) {
   if (reversed) std::reverse(balls.begin(), balls.end());
   CStepped stepped(column, {}, balls);
   stepped.Step(60);
-  double worst = 0.0;
-  for (int i = 0; i < count; ++i) {
+  return WorstOf(count, [&](int i) {
     const auto index = static_cast<std::size_t>(reversed ? count - 1 - i : i);
-    worst = Worst(worst, Distance(stepped.GetVel(index), {i >= count - moving ? 1.0 : 0.0, 0.0}));
-  }
-  return worst;
-}
-
-double WorstCradle(eColumn column, int count, int moving) {
-  return Worst(Cradle(column, count, moving, false), Cradle(column, count, moving, true));
+    return Distance(stepped.GetVel(index), {i >= count - moving ? 1.0 : 0.0, 0.0});
+  });
 }
 
 /// One pass over the pairs, from the far end to the near one.
@@ -80,22 +70,19 @@ double NaiveCradle(int count, int moving) {
   std::fill_n(v.begin(), moving, 1.0);
   for (std::size_t i = v.size() - 1; i-- > 0;)
     if (v[i] > v[i + 1]) std::swap(v[i], v[i + 1]);
-  double worst = 0.0;
-  for (std::size_t i = 0; i < v.size(); ++i)
-    worst = std::max(worst, std::abs(v[i] - (i + static_cast<std::size_t>(moving) >= v.size() ? 1.0 : 0.0)));
-  return worst;
+  return WorstOf(count, [&](int i) {
+    return std::abs(v[static_cast<std::size_t>(i)] - (i >= count - moving ? 1.0 : 0.0));
+  });
 }
 
 CHardCase CradleOf(const std::string& name, const std::string& input, const std::string& right, int count,
                    int moving, double shipped, const std::string& figure) {
-  return {name,
-          input,
-          right,
-          g_cEightRoundings,
-          {Right(), Right(), Deviates(0.5 * shipped, 1.0, figure), Right(), Right()},
-          [=](eColumn column) { return WorstCradle(column, count, moving); },
-          "each pair once, from the far end",
-          [=] { return NaiveCradle(count, moving); }};
+  return Case(
+      name, input, right, g_cEightRoundings, {{eColumn::Box2D, Deviates(0.5 * shipped, 1.0, figure)}},
+      [=](eColumn column) {
+        return Worst(Cradle(column, count, moving, false), Cradle(column, count, moving, true));
+      },
+      "each pair once, from the far end", [=] { return NaiveCradle(count, moving); });
 }
 
 // ---- Five on a line.
@@ -113,9 +100,9 @@ double OnALine(eColumn column, const std::array<float, g_nOnALine>& places) {
     stepped.Step();
     impacts += stepped.GetImpacts().size();
   }
-  double off = 0.0;
-  for (std::size_t i = 0; i < balls.size(); ++i)
-    off = Worst(off, Distance(stepped.GetVel(i), {1.0 + static_cast<double>(i), 0.0}));
+  const double off = WorstOf(static_cast<int>(g_nOnALine), [&](int i) {
+    return Distance(stepped.GetVel(static_cast<std::size_t>(i)), {1.0 + i, 0.0});
+  });
   return Worst(off, std::abs(static_cast<double>(impacts) - g_nOnALine * (g_nOnALine - 1) / 2.0));
 }
 
@@ -140,14 +127,12 @@ double NaiveOnALine(const std::array<float, g_nOnALine>& places) {
 CHardCase FiveOnALine(const std::string& name, const std::string& input,
                       const std::array<float, g_nOnALine>& places, const CExpect& shipped,
                       const CExpect& tuned) {
-  return {name,
-          input,
-          "10 impacts, n (n - 1) / 2, and the speeds in the other order",
-          {1e-14, 1e-5, "none; speeds 1e-14, engines 1e-5"},
-          {Right(), Right(), shipped, tuned, Right()},
-          [=](eColumn column) { return OnALine(column, places); },
-          "whoever overlaps at the end of a step swaps, approaching or not",
-          [=] { return NaiveOnALine(places); }};
+  return Case(
+      name, input, "10 impacts, n (n - 1) / 2, and the speeds in the other order",
+      {1e-14, 1e-5, "none; speeds 1e-14, engines 1e-5"}, {{eColumn::Box2D, shipped}, {eColumn::Tuned, tuned}},
+      [=](eColumn column) { return OnALine(column, places); },
+      "whoever overlaps at the end of a step swaps, approaching or not",
+      [=] { return NaiveOnALine(places); });
 }
 
 // ---- A ball that bounces ever lower.
@@ -174,29 +159,24 @@ double Drop(eColumn column) {
   const float r = 0.1f, dt = 1.0f / g_nDropRate;
   CStepped stepped(column, {CLineSegDesc({-1, 0}, {1, 0}, 0.5f)}, {CDynamicCircleDesc({0, 1.0f + r}, r)}, dt,
                    {0.0f, -9.81f});
-  const double top = static_cast<double>(1.0f + r) - g_fDropHeight;
-  double worst = 0.0;
-  for (int i = 1; i <= 2 * g_nDropRate; ++i) {
+  const double top = Wide(1.0f + r) - g_fDropHeight;
+  return WorstOf(2 * g_nDropRate, [&](int i) {
     stepped.Step();
-    worst = Worst(worst, std::abs(stepped.GetPos().y() - top - DropAt(i * static_cast<double>(dt))));
-  }
-  return worst;
+    return std::abs(stepped.GetPos().y() - top - DropAt((i + 1) * Wide(dt)));
+  });
 }
 
 // ---- At rest.
 
 /// How far it gets at most from where it was put.
 double Rest(eColumn column, float e) {
-  const int steps = column == eColumn::Approximate ? 1000000 : 200000;
   const float r = 0.1f;
-  CStepped stepped(column, {CLineSegDesc({-1, 0}, {1, 0}, e)}, {CDynamicCircleDesc({0, r}, r)}, 1.0f / 60.0f,
+  CStepped stepped(column, {CLineSegDesc({-1, 0}, {1, 0}, e)}, {CDynamicCircleDesc({0, r}, r)}, g_fDt,
                    {0.0f, -9.8f});
-  double worst = 0.0;
-  for (int i = 0; i < steps; ++i) {
+  return WorstOf(column == eColumn::Approximate ? 1000000 : 200000, [&](int) {
     stepped.Step();
-    worst = Worst(worst, Distance(stepped.GetPos(), {0.0, r}));
-  }
-  return worst;
+    return Distance(stepped.GetPos(), {0.0, r});
+  });
 }
 
 double NaiveRest(double e) {
@@ -214,36 +194,33 @@ double NaiveRest(double e) {
 }
 
 CHardCase RestOf(const std::string& name, const std::string& e, float elasticity, const CExpect& shipped) {
-  return {name,
-          "r = .1 at rest on a segment, g = 9.8, e = " + e +
-              ", a million steps in the approximate mode, 200,000 elsewhere: largest way from its place",
-          "0",
-          {1e-6, 1e-6, "1e-6"},
-          {Right(), Right(), shipped, Right(), Right()},
-          [=](eColumn column) { return Rest(column, elasticity); },
-          "mirrored where it is below the floor, not set back: sinks in",
-          [=] { return NaiveRest(elasticity); }};
+  return Case(
+      name,
+      "r = .1 at rest on a segment, g = 9.8, e = " + e +
+          ", a million steps in the approximate mode, 200,000 elsewhere: largest way from its place",
+      "0", {1e-6, 1e-6, "1e-6"}, {{eColumn::Box2D, shipped}},
+      [=](eColumn column) { return Rest(column, elasticity); },
+      "mirrored where it is below the floor, not set back: sinks in", [=] { return NaiveRest(elasticity); });
 }
 
 } // namespace
 
 std::vector<CHardCase> SimultaneousCases() {
-  const CBound rounded{32 * g_fFloatRounding, 32 * g_fFloatRounding,
-                       "32 roundings of a float, to which the opening is rounded"};
+  const double rounding = 32 * g_fFloatRounding;
+  const CBound rounded{rounding, rounding, "32 roundings of a float, to which the opening is rounded"};
   const double step = std::sqrt(2.0 * g_fDropGravity * g_fDropHeight) / g_nDropRate;
   return {
       CornerOf(
           "SquareCorner",
           "r = .1 down the bisector of a corner of 90 degrees, both orders of adding, turned by 0, 30, .. "
           "degrees: velocity, relative",
-          2, {32 * g_fDoubleRounding, 32 * g_fFloatRounding, "32 roundings"}, Right(), Right(),
-          "both as one contact, with the mean of the normals"),
+          2, Roundings(32), Right(), Right(), "both as one contact, with the mean of the normals"),
       CornerOf("SharpCorner", "The same with 60 degrees", 3, rounded, Right(),
-               Deviates(0.000025, 0.0001, ".00005: it stops after 8 iterations")),
+               Off(0.00005, ".00005: it stops after 8 iterations")),
       CornerOf(
           "NarrowCorner", "The same with 45 degrees", 4, rounded,
           Deviates(1.3, 1.5, "1.4: it answers each wall once, and has set the ball back from both by then"),
-          Deviates(0.005, 0.02, ".01: it stops after 8 iterations")),
+          Off(0.01, ".01: it stops after 8 iterations")),
       CradleOf("CradleOfFive", "Five balls that touch, the first one comes at speed 1; both orders of adding",
                "(0, 0, 0, 0, 1)", 5, 1, 0.60, ".60: it answers all of them at once"),
       CradleOf("CradleOfFiveTwoComing", "The same, two come", "(0, 0, 0, 1, 1)", 5, 2, 0.77,
@@ -257,21 +234,19 @@ std::vector<CHardCase> SimultaneousCases() {
       FiveOnALine("FiveOnALineAtOnce", "The same with gaps of .5: all meet at the same time",
                   {0.0f, 1.5f, 3.0f, 4.5f, 6.0f}, Right(),
                   Deviates(5.5, 6.5, "6 missing: it tells of each pair once a step; the speeds are right")),
-      {"DropThatComesToRest",
-       "Drop from 1, g = 9.81, e = .5, 240 steps a second, for 2 s: largest error of the height",
-       "at rest after 1.3545709 s and a way of 5/3",
-       {1e-7, step, "1e-7, where r + 1 and e round to; engines: an impact late by one step, .018"},
-       g_stdAllRight,
-       Drop,
-       "from impact to impact, without a rule for rest: never gets beyond 1.3546 s",
-       [] {
-         double v = std::sqrt(2.0 * g_fDropGravity * g_fDropHeight), t = v / g_fDropGravity;
-         for (int impact = 0; impact < 100000; ++impact) {
-           v *= g_fDropElasticity;
-           t += 2.0 * v / g_fDropGravity;
-         }
-         return t < 2.0 ? g_fNever : 0.0;
-       }},
+      Case("DropThatComesToRest",
+           "Drop from 1, g = 9.81, e = .5, 240 steps a second, for 2 s: largest error of the height",
+           "at rest after 1.3545709 s and a way of 5/3",
+           {1e-7, step, "1e-7, where r + 1 and e round to; engines: an impact late by one step, .018"}, {},
+           Drop, "from impact to impact, without a rule for rest: never gets beyond 1.3546 s",
+           [] {
+             double v = std::sqrt(2.0 * g_fDropGravity * g_fDropHeight), t = v / g_fDropGravity;
+             for (int impact = 0; impact < 100000; ++impact) {
+               v *= g_fDropElasticity;
+               t += 2.0 * v / g_fDropGravity;
+             }
+             return t < 2.0 ? g_fNever : 0.0;
+           }),
       RestOf("RestWithoutElasticity", "0", 0.0f,
              Deviates(0.0025, 0.01, ".005: lies that much above, in its skin")),
       RestOf("RestOfHalfElasticity", ".5", 0.5f,

@@ -3,25 +3,18 @@
 
 namespace Shapes::HardCases {
 
-CSceneDesc MakeScene(std::vector<CAnyShapeDesc> shapes, std::vector<CDynamicCircleDesc> balls, float dt,
-                     const Vector2& gravity) {
-  CSceneDesc scene;
-  scene.m_cWorld.m_vGravity = gravity;
-  scene.m_cWorld.m_fTimeStep = dt;
-  scene.m_stdShapes = std::move(shapes);
-  scene.m_stdBalls = std::move(balls);
-  return scene;
-}
-
-CStepped::CStepped(eColumn column, const CSceneDesc& scene)
-    : m_fTimeStep(scene.m_cWorld.m_fTimeStep), m_nShapes(scene.m_stdShapes.size()) {
-  const Vector2& g = scene.m_cWorld.m_vGravity;
+CStepped::CStepped(eColumn column, const std::vector<CAnyShapeDesc>& shapes,
+                   const std::vector<CDynamicCircleDesc>& balls, float dt, const Vector2& gravity)
+    : m_fTimeStep(dt), m_nShapes(shapes.size()) {
   if (column == eColumn::Reference) {
-    m_cReference.emplace(scene.m_stdShapes, scene.m_stdBalls, g);
+    m_cReference.emplace(shapes, balls, gravity);
     return;
   }
-  m_pWorld = MakeWorld(column, Desc(column, g, m_fTimeStep));
-  m_stdIds = scene.AddTo(*m_pWorld);
+  m_pWorld = MakeWorld(column, gravity, dt);
+  for (const CAnyShapeDesc& shape : shapes)
+    m_stdIds.push_back(m_pWorld->Add(shape));
+  for (const CDynamicCircleDesc& ball : balls)
+    m_stdIds.push_back(m_pWorld->Add(ball));
 }
 
 void CStepped::Step(int times) {
@@ -65,8 +58,6 @@ std::vector<CImpact> CStepped::GetImpacts() const {
   return impacts;
 }
 
-double Worst(double a, double b) { return std::isnan(a) || std::isnan(b) ? g_fNever : std::max(a, b); }
-
 double AngleBetween(const Vector2d& a, const Vector2d& b) {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
@@ -101,12 +92,19 @@ CAnswer Bounce(const CVec<CFifty>& v, const CFifty& t, const CVec<CFifty>& n) {
   return {t, n, v - CFifty(2) * v.dot(n) * n};
 }
 
+// From outside, side = 1, or from inside, -1; the centres are `reach` apart then.
+CAnswer MeetCircle(const CDynamicCircleDesc& ball, const CFifty& reach, int side) {
+  const CVec<CFifty> d = ball.m_vPos.cast<CFifty>(), v = ball.m_vVel.cast<CFifty>();
+  const CFifty a = v.dot(v), b = d.dot(v), root = sqrt(CFifty(b * b - a * (d.dot(d) - reach * reach)));
+  const CFifty t = (-b - side * root) / a;
+  return Bounce(v, t, CVec<CFifty>(side * (d + v * t) / reach));
+}
+
 } // namespace
 
 CSeen Shoot(eColumn column, const CShot& shot) {
-  const bool exact = column == eColumn::Reference,
-             native = column == eColumn::Approximate || column == eColumn::Native;
-  const unsigned steps = exact ? 1 : native || shot.m_nBox2DSteps == 0 ? shot.m_nSteps : shot.m_nBox2DSteps;
+  const bool exact = column == eColumn::Reference, asNative = IsNative(column) || shot.m_nBox2DSteps == 0;
+  const unsigned steps = exact ? 1 : asNative ? shot.m_nSteps : shot.m_nBox2DSteps;
   CStepped stepped(column, shot.m_stdShapes, shot.m_stdBalls, shot.m_fSeconds / static_cast<float>(steps),
                    shot.m_vGravity);
   if (exact && shot.m_vExactPos) stepped.SetPos(0, *shot.m_vExactPos);
@@ -138,17 +136,11 @@ CSeen Shoot(eColumn column, const CShot& shot) {
 }
 
 CAnswer MeetDisc(const CDynamicCircleDesc& ball, float R) {
-  const CVec<CFifty> d = ball.m_vPos.cast<CFifty>(), v = ball.m_vVel.cast<CFifty>();
-  const CFifty reach = CFifty(R) + CFifty(ball.m_fRadius), a = v.dot(v), b = d.dot(v);
-  const CFifty t = (-b - sqrt(CFifty(b * b - a * (d.dot(d) - reach * reach)))) / a;
-  return Bounce(v, t, CVec<CFifty>((d + v * t) / reach));
+  return MeetCircle(ball, CFifty(R) + CFifty(ball.m_fRadius), 1);
 }
 
 CAnswer MeetRing(const CDynamicCircleDesc& ball, float R) {
-  const CVec<CFifty> d = ball.m_vPos.cast<CFifty>(), v = ball.m_vVel.cast<CFifty>();
-  const CFifty reach = CFifty(R) - CFifty(ball.m_fRadius), a = v.dot(v), b = d.dot(v);
-  const CFifty t = (-b + sqrt(CFifty(b * b - a * (d.dot(d) - reach * reach)))) / a;
-  return Bounce(v, t, CVec<CFifty>(-(d + v * t) / reach));
+  return MeetCircle(ball, CFifty(R) - CFifty(ball.m_fRadius), -1);
 }
 
 CAnswer MeetFloor(const CDynamicCircleDesc& ball) {
@@ -169,27 +161,6 @@ double ErrorOfFlight(const CSeen& seen, const CShot& shot) {
   return std::max({Distance(seen.m_vVel, v),
                    Distance(seen.m_vPos, p + v * static_cast<double>(shot.m_fSeconds)),
                    static_cast<double>(seen.m_nContacts)});
-}
-
-CExpect Off(double figure, const std::string& figureAndReason) {
-  return Deviates(0.5 * figure, 2.0 * figure, figureAndReason);
-}
-
-CExpect Missed(const std::string& reason) { return Deviates(g_fNever, g_fNever, reason); }
-
-CExpect& Of(CHardCase& c, eColumn column) { return c.m_stdExpect[static_cast<std::size_t>(column)]; }
-
-CHardCase Named(CHardCase c, const std::string& name, const std::string& input, const std::string& right,
-                const std::vector<std::pair<eColumn, CExpect>>& deviations, const std::string& control,
-                const std::function<double()>& fnControl) {
-  c.m_sName = name;
-  c.m_sInput = input;
-  if (!right.empty()) c.m_sRight = right;
-  for (const auto& [column, expect] : deviations)
-    Of(c, column) = expect;
-  c.m_sControl = control;
-  c.m_fnControl = fnControl;
-  return c;
 }
 
 CHardCase ShotCase(const CShot& shot, const CAnswer& answer) {

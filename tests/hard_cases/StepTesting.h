@@ -17,10 +17,6 @@ using Compare::CVec;
 inline constexpr double g_fFloatRounding = 0x1p-24;
 inline constexpr double g_fDoubleRounding = 0x1p-53;
 
-/// A scene from its parts.
-CSceneDesc MakeScene(std::vector<CAnyShapeDesc> shapes, std::vector<CDynamicCircleDesc> balls,
-                     float dt = 1.0f / 60.0f, const Vector2& gravity = Vector2::Zero());
-
 /// A contact of the last step.
 struct CImpact {
   Vector2d m_vPOI, m_vNorm; ///< The normal points to the ball.
@@ -32,10 +28,9 @@ struct CImpact {
 /// A scene in the hands of one column.
 class CStepped {
 public:
-  CStepped(eColumn column, const CSceneDesc& scene);
-  CStepped(eColumn column, std::vector<CAnyShapeDesc> shapes, std::vector<CDynamicCircleDesc> balls,
-           float dt = 1.0f / 60.0f, const Vector2& gravity = Vector2::Zero())
-      : CStepped(column, MakeScene(std::move(shapes), std::move(balls), dt, gravity)) {}
+  CStepped(eColumn column, const std::vector<CAnyShapeDesc>& shapes,
+           const std::vector<CDynamicCircleDesc>& balls, float dt = g_fDt,
+           const Vector2& gravity = Vector2::Zero());
 
   void Step(int times = 1);
   Vector2d GetPos(std::size_t ball = 0) const;
@@ -62,8 +57,6 @@ private:
 /// On y = 0.
 inline const CLineSegDesc g_cFloor({-1.0f, 0.0f}, {1.0f, 0.0f});
 
-/// The larger one; infinite where either is not a number.
-double Worst(double a, double b);
 /// Radians between two directions, 0 .. pi.
 double AngleBetween(const Vector2d& a, const Vector2d& b);
 /// v mirrored at a surface of normal n, with elasticity e.
@@ -126,16 +119,6 @@ double ErrorOf(const CSeen& seen, const CAnswer& answer);
 /// Of a ball that is to fly on: largest error of place and velocity, and the number of contacts that were
 /// told.
 double ErrorOfFlight(const CSeen& seen, const CShot& shot);
-
-/// A deviation by this figure: held to between half of it and twice of it.
-CExpect Off(double figure, const std::string& figureAndReason);
-/// A case that is not met at all.
-CExpect Missed(const std::string& reason);
-CExpect& Of(CHardCase& c, eColumn column);
-/// The rest of a case whose bound and error are known. @param right  "": that of c
-CHardCase Named(CHardCase c, const std::string& name, const std::string& input, const std::string& right,
-                const std::vector<std::pair<eColumn, CExpect>>& deviations, const std::string& control,
-                const std::function<double()>& fnControl);
 
 /// A case whose right answer is time, normal and velocity, each within 8 roundings.
 CHardCase ShotCase(const CShot& shot, const CAnswer& answer);
