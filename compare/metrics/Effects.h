@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Cost.h"
+#include "ImpactTrials.h"
 #include "Totals.h"
 
 #include <optional>

@@ -120,10 +120,8 @@ void MeasureCosts(const CScene& scene, const CParameterSweepOptions& options,
 
 // Goes on with settings, at the same impacts, until each has had m_nConfirmation or a loss.
 void Prove(const CScene& scene, const CParameterSweepOptions& options, std::vector<CSetting*> settings) {
-  CImpactTrialOptions restart;
+  CImpactTrialOptions restart{options, false, false};
   restart.m_nContacts = std::max<std::size_t>(options.m_nContacts, 1);
-  restart.m_nMostTrials = options.m_nMostTrials;
-  restart.m_bAsk = restart.m_bGhosts = false;
   restart.m_stdProgress = [&](double) { options.m_stdProgress(g_fRestartShare + g_fTimingShare); };
   for (restart.m_nSeed = options.m_nSeed + 1;; ++restart.m_nSeed) {
     std::erase_if(settings, [&](const CSetting* pSetting) {

@@ -102,7 +102,7 @@ std::string LossText(std::size_t lost, std::size_t n) {
 
 std::string FasterText(double ratio) {
   if (std::abs(ratio - 1.0) < 0.05) return "as fast";
-  return fmt::format("{:.{}f} times as fast", ratio, ratio < 0.995 ? 2 : ratio < 9.95 ? 1 : 0);
+  return fmt::format("{:.{}f} times as fast", ratio, ratio < 1.0 ? 2 : ratio < 9.95 ? 1 : 0);
 }
 
 bool Overlap(const CInterval& a, const CInterval& b) {

@@ -20,7 +20,7 @@ CAnswer PastAt50Digits(double y) {
   return {CFifty(10) + x, {x, h}, {CFifty(1) - CFifty(2) * x * x, -CFifty(2) * x * h}};
 }
 
-// What is left under the root of the quadratic equation, in float: all digits of c = d.d - r r cancel.
+// The radicand of the quadratic equation, in float: all digits of c = d.d - r r cancel.
 float UnderTheRoot(float y) {
   const volatile float dd = 100.0f + y * y; // as a processor without wider registers has it
   const float c = dd - 1.0f;

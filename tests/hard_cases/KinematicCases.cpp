@@ -143,7 +143,8 @@ double NearTheVertical(const F& f) {
                  f);
 }
 
-/// The velocity of a ball that comes to a one-sided segment at that angle, from its front, side = 1, or -1.
+/// The error, relative, of the velocity of a ball that comes to a one-sided segment at that angle, from its
+/// front, side = 1, or its back, -1.
 double AtAGate(eColumn column, float angle, double side) {
   const CLineSegDesc gate = Sided(Turning(CLineSegDesc({-1, 0}, {1, 0})), eSides::Front);
   const Vector2d n(-std::sin(Wide(angle)), std::cos(Wide(angle)));

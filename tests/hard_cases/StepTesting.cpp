@@ -11,10 +11,10 @@ CStepped::CStepped(eColumn column, const std::vector<CAnyShapeDesc>& shapes,
     return;
   }
   m_pWorld = MakeWorld(column, gravity, dt);
-  for (const CAnyShapeDesc& shape : shapes)
-    m_stdIds.push_back(m_pWorld->Add(shape));
-  for (const CDynamicCircleDesc& ball : balls)
-    m_stdIds.push_back(m_pWorld->Add(ball));
+  CSceneDesc scene;
+  scene.m_stdShapes = shapes;
+  scene.m_stdBalls = balls;
+  m_stdIds = scene.AddTo(*m_pWorld);
 }
 
 void CStepped::Step(int times) {
