@@ -111,7 +111,7 @@ def scene_of(run, name):
 
 
 def terminal(run, *names):
-    """What shapes-compare has printed for some scenes, and for all together."""
+    """The rows that shapes-compare has printed for some scenes, and for all together."""
     head, *rows = run["terminal"]
     of_all = rows.index("")
     some = [row for row in rows[:of_all] if row.split()[0] in names]
@@ -175,7 +175,7 @@ def printed(text):
 
 
 def kept(run):
-    """What the functions above read of a run."""
+    """The parts of a run that the functions above read."""
     def some(row, *keys):
         return {key: short(row[key]) for key in keys}
 

@@ -30,8 +30,9 @@ struct CContactEvent {
   /// whose places are rounded.
   float m_fSpeed = 0.0f;
   bool m_bIsSensor = false; ///< Either of them is a sensor: there was no response.
-  /// What the ball got along the normal, mass times velocity, at least 0: how hard it was hit. Of a ball that
-  /// lies, what carried it through the substep. At most the largest float; of sensors 0.
+  /// The impulse that the ball got along the normal, mass times velocity, at least 0: how hard it was hit. Of
+  /// a ball that lies, the impulse that carried it through the substep. At most the largest float; of sensors
+  /// 0.
   float m_fImpulse = 0.0f;
 };
 

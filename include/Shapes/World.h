@@ -61,8 +61,8 @@ public:
   /// Begins and ends of touches of sensors in the last Step, substep by substep, within one in the order of
   /// ball and then by shape. A ball that crosses a sensor within a step gives both.
   std::span<const CSensorEvent> GetSensorEvents() const;
-  /// What solid shapes and balls began or ceased to touch in the last Step, substep by substep; within one by
-  /// ball and then by shape. Empty unless the description forces eEffect::Touches.
+  /// Touches of solid shapes and balls that began or ended in the last Step, substep by substep; within one
+  /// by ball and then by shape. Empty unless the description forces eEffect::Touches.
   std::span<const CTouchEvent> GetTouchEvents() const;
   const CWorldStats& GetStats() const;
 
@@ -134,7 +134,7 @@ public:
   // once. The first one after a change or a step makes a tree of all shapes and balls, which is why two
   // threads must not ask at the same time. They throw std::invalid_argument for what is not finite.
 
-  /// What a circle of this radius meets first on its way, a ray with radius 0, as a ball would: circles are
+  /// The first hit of a circle of this radius on its way, a ray with radius 0, as a ball would: circles are
   /// rings from inside, one-sided shapes let through what comes from their open side, and what overlaps at
   /// the beginning is met at once if the circle approaches, else not. Of several at the same time the first
   /// id.

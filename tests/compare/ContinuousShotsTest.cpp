@@ -222,7 +222,7 @@ protected:
         continue;
       }
       const CExactEvent<double>& first = events[0];
-      // What is touched within the roundings of floats may be answered a step later; a factor of 2.
+      // A touch within the roundings of floats may be answered a step later; a factor of 2.
       const double size = GetSize(exact);
       const double approach = (first.m_vSurface - first.m_vVelBefore).dot(first.m_vNorm);
       if (first.m_bGraze || first.m_bOverlapped || first.m_bSimultaneous ||

@@ -67,7 +67,8 @@ TEST(ImpactTrialRulesTest, SlowImpactsAreResting) {
                           [&](const CContact& c) { return c.m_fApproach < 2 * slow; }));
 }
 
-// What rounding or the order of two impacts decides is set aside; what is off that by a little is judged.
+// An impact that rounding or the order of two decides is set aside; one that is off that by a little is
+// judged.
 TEST(ImpactTrialRulesTest, WhatRoundingOrAnOrderDecidesIsSetAside) {
   const auto expect = [](const std::vector<CAnyShapeDesc>& shapes, const CDynamicCircleDesc& ball,
                          const CDynamicCircleDesc& control, std::size_t CExcluded::*pWhy) {
@@ -112,7 +113,7 @@ TEST(ImpactTrialRulesTest, SlowImpactsAreJudgedWhereRestMakesNoDifference) {
   EXPECT_EQ(run(0.4f, 0.0f).m_cExcluded.m_nResting, 0u); // nothing bounces
 }
 
-// Whoever slides need not report it, but whoever flies on has missed it.
+// An engine whose ball slides need not report it, but one whose ball flies on has missed it.
 TEST(ImpactTrialRulesTest, ASlowImpactThatIsNotAnsweredIsMissed) {
   CScene scene = MakeScene(40, 0.5f, {},
                            {CDynamicCircleDesc({-0.102f, 0}, 0.1f, {0.1f, 20}, 1, 0.5f),

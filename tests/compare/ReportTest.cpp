@@ -86,7 +86,7 @@ TEST(SummaryTest, ShowsEachSceneInALineAndTheResultOverAll) {
             "spinner            box2d-tuned          none of 1,000    <0.001     800     0.62\n");
   EXPECT_TRUE(Says(MakeSceneLine(report, MakeUndecidedScene()), "nothing to judge"));
 
-  // What is lost, 95% of the directions in degrees (2 rad, and 0 on two engines), ns, times as fast.
+  // The columns: lost, 95% of the directions in degrees (2 rad, and 0 on two engines), ns, times as fast.
   const std::string summary = MakeSummary(report);
   for (const char* pLine :
        {"all scenes         native                   1 in 83 !    <0.001      70      7.1\n",

@@ -142,7 +142,7 @@ TEST_P(CEffectBits, AStateGoesFromOneChoiceToAnother) {
   const CEffects running = pHeld->GetEffects();
   EXPECT_TRUE((running & held.m_cForbidden).IsEmpty());
 
-  // What was held there turns again where nothing is forbidden: only the choice of a world says so.
+  // A shape that was held there turns again where nothing is forbidden: only the choice of a world says so.
   const CSavedState heldState = pHeld->SaveState();
   pFrom->LoadState(heldState);
   EXPECT_TRUE(pFrom->GetEffects().Has(eEffect::Kinematics));

@@ -32,7 +32,7 @@ protected:
 };
 SHAPES_ON_EVERY_BACKEND(CEffectContract);
 
-// What is in the world says what runs, from the next step on, and the statistics count it.
+// The content of the world says what runs, from the next step on, and the statistics count it.
 void ExpectFollows(CWorld& world, eEffect e, const std::function<void()>& add,
                    const std::function<void()>& remove) {
   SCOPED_TRACE(GetName(e));

@@ -159,7 +159,7 @@ TEST_P(CQuestionContract, ACastMeetsWhatComesFirst) {
       EXPECT_EQ(first->m_cShape, all[0].m_cShape);
       EXPECT_EQ(first->m_fShare, all[0].m_fShare);
     }
-    // What begins in something may leave it; and what is grazed counts as one likes.
+    // A circle that begins in a shape may leave it; and a shape that is grazed counts as one likes.
     if (!world.FindInCircle(from, r + 1e-4f, crowd.m_cFilter).empty()) return;
     if (first) {
       const Vector2 at = from + first->m_fShare * (to - from);

@@ -50,7 +50,7 @@ TEST_P(CSensorContract, ABallIsSeenAtTenDiametersAStep) {
           EXPECT_LE(contact.m_vPOI.norm(), 0.2f);
           EXPECT_NEAR(contact.m_vNorm.norm(), 1, 1e-5f);
         }
-        // What looking at the end of the step only would see: the control.
+        // The touches that a look at the end of the step only would see: the control.
         if (!events.empty() && events.back().m_bBegin) ++atTheEnd;
       }
       ASSERT_EQ(events, (std::vector<CSensorEvent>{{second, first, true}, {second, first, false}})) << k;
@@ -168,7 +168,7 @@ TEST_P(CSensorContract, ASensorDoesNotStandInTheWay) { // of anything, nor is it
   Steps(*m_pWorld, 16);
   EXPECT_NEAR(m_pWorld->GetVel(ball).y(), 8, 1e-3f); // the floor answered
   EXPECT_EQ(m_pWorld->GetVel(ghost), Vector2(0, 0));
-  // What touches at the end, by ball and then by shape; after the contacts that were answered.
+  // Touches at the end, by ball and then by shape; after the contacts that were answered.
   m_pWorld->SetPos(ball, {0, -0.4375f});
   m_pWorld->SetPos(ghost, {0, -0.375f});
   m_pWorld->SetVel(ball, {0, -1});

@@ -102,8 +102,8 @@ TEST_P(CTouchContract, RunsOnlyWhereItIsForced) {
   EXPECT_TRUE(Says(MessageOf<std::invalid_argument>([&] { Backend().MakeWorld(desc); }), "Touches"));
 }
 
-// What the floor gives in all is what gravity takes and what the ball has got: within what two substeps of
-// gravity give, because a ball that comes to rest in the middle of one is carried from the next one on.
+// The floor gives in all what gravity takes and what the ball has got: within what two substeps of gravity
+// give, because a ball that comes to rest in the middle of one is carried from the next one on.
 TEST_P(CTouchContract, ImpulsesAddUpToTheMomentum) {
   for (const float e : {0.0f, 0.5f, 1.0f})
     for (const CMode& mode : g_stdModes) {

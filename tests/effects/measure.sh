@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What an effect costs where it does not run: instructions of a step in the library as it is against one into which
+# The cost of an effect where it does not run: instructions of a step in the library as it is against one into which
 # the effect is not compiled (SHAPES_WITHOUT_EFFECTS), counted by callgrind. Takes some minutes.
 # Usage: tests/effects/measure.sh [BUILD_FOLDER]
 set -eu

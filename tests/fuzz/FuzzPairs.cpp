@@ -108,8 +108,8 @@ void RequireHit(const CHit& hit, const CBall& ball, const CExtent& extent) {
   Require(IsUnit(hit.m_vNorm), "a normal is a unit vector", hit.m_vNorm.transpose());
   const double setback = Wide(hit.m_fSetback);
   Require(setback >= 0.0, "a setback is at least 0", setback);
-  // Who comes through the solid side is set back across; who does not fit into a ring is outside, however
-  // deep.
+  // A ball that comes through the solid side is set back across; one that does not fit into a ring is
+  // outside, however deep.
   const double most = extent.m_bOneSided ? 2.0 * r : r + extent.m_fRadius;
   Require(setback <= most + bound, "a setback is no longer than the overlap", setback, most);
   const Vector2d n = Wide(hit.m_vNorm), d = Wide(ball.m_vPos) - Wide(hit.m_vPOI);

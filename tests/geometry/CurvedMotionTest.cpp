@@ -119,8 +119,8 @@ TEST(SweepTurning, ABallBesideATurningDrumIsQuick) {
       }
 }
 
-// What turns billions of times is not looked at to the end, but nothing is missed before that: motions that
-// begin where one was left come to the same impact.
+// A shape that turns billions of times is not looked at to the end, but nothing is missed before that:
+// motions that begin where one was left come to the same impact.
 TEST(SweepTurning, WhatIsNotKnownIsSaid) {
   const CKinematicLineSeg spinner(CLineSegDesc({-0.5f, 0}, {0.5f, 0}));
   CImpact impact;

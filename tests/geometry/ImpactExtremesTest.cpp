@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Whatever the library accepts is answered by finite numbers, and without a floating point exception on the
-// way: coordinates, radii and speeds from denormal floats to 1e18 and beyond, no speed, no time, no extent.
+// All input that the library accepts is answered by finite numbers, and without a floating point exception on
+// the way: coordinates, radii and speeds from denormal floats to 1e18 and beyond, no speed, no time, no
+// extent.
 #include "geometry/TimeOfImpact.h"
 
 #include "../Testing.h"

@@ -170,7 +170,7 @@ void ExpectAgrees(eShape type, eSides sides, bool turns, std::uint64_t seed, int
   ForEachCase(seed, trials, [&](CRandom& random, int) {
     const CTrial trial = RandomTrial(random, type, sides, turns);
     const CMotion& motion = trial.m_cMotion;
-    // What is let go in the beginning is met a bit later or earlier, or by another part.
+    // A shape that is let go in the beginning is met a bit later or earlier, or by another part.
     CShapeGeometry whole = trial.m_cShape;
     whole.m_eSides = eSides::Both;
     CImpact impact;

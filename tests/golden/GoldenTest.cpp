@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The result of a scene to the last bit, in one number: the same for every compiler and every build type.
-// Whoever changes a result on purpose puts the lines here that the tests print. docs/testing.md says more.
+// A change that alters a result on purpose puts the lines here that the tests print. docs/testing.md says
+// more.
 #include "Played.h"
 
 #include <gtest/gtest.h>

@@ -82,7 +82,7 @@ def prepare():
                            check=True).stdout.decode().split("\0")
     for name in filter(None, files):
         source, copy = ROOT / name, SOURCES / name
-        # What has not changed keeps its time, so that it is not built again.
+        # A source that has not changed keeps its time, so that it is not built again.
         if not copy.exists() or copy.read_bytes() != source.read_bytes():
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(source, copy)

@@ -57,7 +57,7 @@ Vector2 InSquare(float half) {
   return {x, y};
 }
 
-// What can be turned and mirrored bit for bit: no arcs, and segments that fall from left to right if
+// Shapes that can be turned and mirrored bit for bit: no arcs, and segments that fall from left to right if
 // `falling`.
 CAnyShapeDesc AnyShape(const Vector2& p, float size, bool falling) {
   const float e = *Between(0.5f, 1.0f);

@@ -209,8 +209,8 @@ inline CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) 
   return ToDocuments(MakeReport(scenes));
 }
 
-/// What a run may leave out, scene by scene: no contacts, one engine, nulls for all that may be null, no
-/// clips.
+/// Runs leave out, scene by scene, whatever they may: no contacts, one engine, nulls for all that may be
+/// null, no clips.
 inline CPageDocuments MakeSparsePageDocuments() {
   CRunReport made = MakeReport({"full", "no_contacts", "one_engine", "nulls", "no_clips"});
   made.m_bInterrupted = true;

@@ -142,8 +142,8 @@
     return found;
   }
   /**
-   * What is wider than the page, outside of what scrolls by itself, text that is cut, and rows that are
-   * none.
+   * Elements wider than the page, outside of those that scroll by themselves, text that is cut, and rows
+   * that are none.
    */
   function cut() {
     const width = document.documentElement.clientWidth;
