@@ -25,22 +25,20 @@ std::size_t CountWrong(const CKinds& kinds, const CPairs& pairs, bool withShapes
 
 TEST(FitElasticitiesTest, OneBallKeepsOneAndShapesTakeThePair) {
   const CKinds kinds{{g_bBall, 0.5f}, {g_bShape, 0.8f}, {g_bShape, 0.0f}, {g_bShape, 0.3f}};
-  const std::vector<float> e = FitElasticities(kinds, CPairs{{0, 1}, {0, 2}, {0, 3}});
-  EXPECT_EQ(e, (std::vector<float>{1.0f, 0.8f, 0.5f, 0.5f}));
+  EXPECT_EQ(FitElasticities(kinds, CPairs{{0, 1}, {0, 2}, {0, 3}}),
+            (std::vector<float>{1.0f, 0.8f, 0.5f, 0.5f}));
 }
 
 TEST(FitElasticitiesTest, BallsThatMeetTakeTheRoot) {
   const CKinds kinds{{g_bBall, 0.25f}, {g_bShape, 0.75f}};
-  const std::vector<float> e = FitElasticities(kinds, CPairs{{0, 0}, {0, 1}});
-  EXPECT_EQ(e, (std::vector<float>{0.5f, 1.5f}));
+  EXPECT_EQ(FitElasticities(kinds, CPairs{{0, 0}, {0, 1}}), (std::vector<float>{0.5f, 1.5f}));
 }
 
 TEST(FitElasticitiesTest, ZeroIsTakenByWhatMeetsNothingElse) {
   // A dead ball and a dead floor, a bumper, and a live ball that does not meet the dead one.
   const CKinds kinds{{g_bBall, 0.0f}, {g_bShape, 0.0f}, {g_bShape, 0.9f}};
   const CPairs pairs{{0, 1}, {0, 2}};
-  const std::vector<float> e = FitElasticities(kinds, pairs);
-  EXPECT_EQ(e, (std::vector<float>{1.0f, 0.0f, 0.9f}));
+  EXPECT_EQ(FitElasticities(kinds, pairs), (std::vector<float>{1.0f, 0.0f, 0.9f}));
   EXPECT_EQ(CountWrong(kinds, pairs), 0u);
   EXPECT_EQ(FitElasticities(CKinds{{g_bBall, 0.0f}}, CPairs{{0, 0}}), std::vector<float>{0.0f});
 }
@@ -64,8 +62,7 @@ TEST(FitElasticitiesTest, PairsWithShapesComeFirst) {
   const CPairs pairs{{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}};
   EXPECT_EQ(CountWrong(kinds, pairs, true, false), 0u);
   EXPECT_EQ(CountWrong(kinds, pairs), 1u);
-  const std::vector<float> e = FitElasticities(kinds, pairs);
-  EXPECT_EQ(e[0], 0.0f); // it lies dead on the floor, and so it does on others of its kind
+  EXPECT_EQ(FitElasticities(kinds, pairs)[0], 0.0f); // it lies dead on the floor, and on others of its kind
 }
 
 TEST(FitElasticitiesTest, WhatCannotBeIsFittedAndFound) {
@@ -260,10 +257,9 @@ TEST(MixingTest, NobodyListensWhereNobodyNeedsTo) {
   EXPECT_TRUE(asksForNone(g_cShipped, {}, 0.9f));
   EXPECT_TRUE(asksForNone(g_cShipped, {eEffect::Gravity, eEffect::Continuous}, 0.9f));
   EXPECT_FALSE(asksForNone(g_cShipped, {}, 0.8f));
-  EXPECT_FALSE(asksForNone(g_cShipped, {eEffect::BallPairs}, 0.9f));
-  EXPECT_FALSE(asksForNone(g_cShipped, {eEffect::Events}, 0.9f));
-  EXPECT_FALSE(asksForNone(g_cShipped, {eEffect::Sensors}, 0.9f));
   EXPECT_FALSE(asksForNone(g_cTuned, {}, 0.9f));
+  for (const eEffect e : {eEffect::BallPairs, eEffect::Events, eEffect::Sensors})
+    EXPECT_FALSE(asksForNone(g_cShipped, {e}, 0.9f)) << GetName(e);
 }
 
 } // namespace

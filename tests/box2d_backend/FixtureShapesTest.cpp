@@ -10,14 +10,14 @@
 namespace Shapes::Box2D {
 namespace {
 
-CFixtureShapes Make(const CShape& shape, float sagitta = g_fSagittaTolerance) {
-  return CFixtureShapes::Make(shape, shape.GetPos(), CScale(1.0f), sagitta);
-}
-
 constexpr float g_fSkin = 0.00625f;
 
+CFixtureShapes Make(const CShape& shape, float sagitta = g_fSagittaTolerance,
+                    std::optional<float> skin = {}) {
+  return CFixtureShapes::Make(shape, shape.GetPos(), CScale(1.0f), sagitta, skin);
+}
 CFixtureShapes MakeWithSkin(const CShape& shape, float sagitta = g_fSagittaTolerance) {
-  return CFixtureShapes::Make(shape, shape.GetPos(), CScale(1.0f), sagitta, g_fSkin);
+  return Make(shape, sagitta, g_fSkin);
 }
 
 CArc MakeArc(float R, float a0, float a1, eSides sides = eSides::Both, const Vector2& p = {0, 0}) {
@@ -30,46 +30,35 @@ double Norm(const b2Vec2& v) { return std::hypot(static_cast<double>(v.x), stati
 bool Touches(const b2EdgeShape& edge, const Vector2& p) {
   b2CircleShape ball;
   ball.m_radius = 0.1f;
-  b2Transform still, there;
-  still.SetIdentity();
-  there.Set({p.x(), p.y()}, 0.0f);
   b2Manifold manifold;
+  const b2Transform still(b2Vec2_zero, b2Rot(0)), there({p.x(), p.y()}, b2Rot(0));
   b2CollideEdgeAndCircle(&manifold, &edge, still, &ball, there);
   return manifold.pointCount > 0;
 }
 
 bool Touches(const CFixtureShapes& fixtures, const Vector2& p) {
-  for (const b2EdgeShape& edge : fixtures.m_stdEdges)
-    if (Touches(edge, p)) return true;
+  std::vector<b2EdgeShape> edges = fixtures.m_stdEdges;
   for (const CFixtureShapes::CChain& vertices : fixtures.m_stdChains) {
     b2ChainShape chain;
     CreateChain(vertices, chain);
-    for (int32 i = 0; i < chain.GetChildCount(); ++i) {
-      b2EdgeShape edge;
-      chain.GetChildEdge(&edge, i);
-      if (Touches(edge, p)) return true;
-    }
+    for (int32 i = 0; i < chain.GetChildCount(); ++i)
+      chain.GetChildEdge(&edges.emplace_back(), i);
   }
-  return false;
+  return std::ranges::any_of(edges, [&](const b2EdgeShape& edge) { return Touches(edge, p); });
 }
 
 /// An arc of random size, place in the world, span and number of chords.
 struct CRandomArc {
-  explicit CRandomArc(CRandom& random)
-      : m_vPos(random.InSquare(100)),
-        m_fRadius(random.Scale(-7, 9)),
-        m_fSagitta(random.Scale(-10, -5)),
-        m_cArc(Make(random, m_vPos, m_fRadius)) {}
-
   static CArc Make(CRandom& random, const Vector2& p, float R) {
     const float a0 = random.Uniform(0, 6.28f), a1 = random.Coin() ? random.Uniform(0, 6.28f) : a0;
     return MakeArc(R, a0, a1, eSides::Both, p);
   }
 
-  Vector2 m_vPos;
-  float m_fRadius;
-  float m_fSagitta;
-  CArc m_cArc;
+  CRandom& m_cRandom;
+  Vector2 m_vPos = m_cRandom.InSquare(100);
+  float m_fRadius = m_cRandom.Scale(-7, 9);
+  float m_fSagitta = m_cRandom.Scale(-10, -5);
+  CArc m_cArc = Make(m_cRandom, m_vPos, m_fRadius);
 };
 
 TEST(PiecesTest, AHalfCircleOfOneMetreHasSixteenChords) {
@@ -96,28 +85,26 @@ TEST(PiecesTest, LengthsAreTakenInMetres) {
   const CFixtureShapes same = Make(MakeArc(1, 0, g_fPi, eSides::Front));
   ASSERT_EQ(fixtures.m_nArcPieces, 16);
   ASSERT_EQ(same.m_nArcPieces, 16);
+  const auto &u = fixtures.m_stdChains[0].m_stdVertices, &v = same.m_stdChains[0].m_stdVertices;
   for (std::size_t i = 0; i < 17; ++i)
-    EXPECT_LE(Norm(fixtures.m_stdChains[0].m_stdVertices[i] - same.m_stdChains[0].m_stdVertices[i]),
-              4 * g_fUlp);
+    EXPECT_LE(Norm(u[i] - v[i]), 4 * g_fUlp);
 }
 
 TEST(PiecesTest, TheSagittaIsWithinTheToleranceAndNoFewerChordsWouldDo) {
   int byTolerance = 0;
   ForEachCase(11, 20000, [&](CRandom& random, int) {
-    const CRandomArc made(random);
+    const CRandomArc made{random};
     const double R = made.m_fRadius, span = made.m_cArc.GetSpan();
     const int n =
         CountArcPieces(made.m_fRadius, made.m_cArc.GetSpan(), made.m_cArc.IsFullCircle(), made.m_fSagitta);
     if (n == 0) return;
+    SCOPED_TRACE(testing::Message() << "R = " << R << ", span = " << span);
     const auto sagitta = [&](int fixtures) { return R * (1 - std::cos(span / fixtures / 2)); };
-    const bool chordsAreShort = R * span / n < 2.3 * static_cast<double>(g_fShortestEdge);
-    if (!chordsAreShort && n < g_nMaxArcPieces) {
-      EXPECT_LE(sagitta(n), made.m_fSagitta * (1 + 1e-5)) << "R = " << R << ", span = " << span;
-    }
-    if (n > 1 && span / (n - 1) <= 0.5 * static_cast<double>(g_fPi)) {
-      EXPECT_GT(sagitta(n - 1), made.m_fSagitta * (1 - 1e-5)) << "R = " << R << ", span = " << span;
-      ++byTolerance;
-    }
+    const bool chordsAreShort = R * span / n < 2.3 * Wide(g_fShortestEdge);
+    EXPECT_TRUE(chordsAreShort || n >= g_nMaxArcPieces || sagitta(n) <= made.m_fSagitta * (1 + 1e-5)) << n;
+    if (n == 1 || span / (n - 1) > 0.5 * Wide(g_fPi)) return;
+    EXPECT_GT(sagitta(n - 1), made.m_fSagitta * (1 - 1e-5));
+    ++byTolerance;
   });
   EXPECT_GT(byTolerance, 10000);
 }
@@ -125,7 +112,7 @@ TEST(PiecesTest, TheSagittaIsWithinTheToleranceAndNoFewerChordsWouldDo) {
 TEST(PiecesTest, VerticesAreOnTheCircleAndFarEnoughApart) {
   int chains = 0;
   ForEachCase(12, 5000, [&](CRandom& random, int) {
-    const CRandomArc made(random);
+    const CRandomArc made{random};
     const CFixtureShapes fixtures = Make(made.m_cArc, made.m_fSagitta);
     const double R = made.m_fRadius;
     // A component of AngleToVector is within 1 ulp, and products and sums round; the last vertex is the end
@@ -166,9 +153,10 @@ TEST(PiecesTest, VerticesFarFromTheOriginAreNotTooCloseForBox2D) {
 TEST(PiecesTest, TheEndsOfChainsAndOfEdgesAreTheEndsOfTheArc) {
   for (const float span : {0.7f, 3.0f, 6.0f}) {
     const CArc arc = MakeArc(2, 1, 1 + span);
+    const Vector2 p0 = arc.GetEndPt0(), p1 = arc.GetEndPt1();
     const auto expectEnds = [&](const b2Vec2& first, const b2Vec2& last) {
-      EXPECT_LE(Norm(first - b2Vec2(arc.GetEndPt0().x(), arc.GetEndPt0().y())), 4 * 2 * g_fUlp);
-      EXPECT_LE(Norm(last - b2Vec2(arc.GetEndPt1().x(), arc.GetEndPt1().y())), 4 * 2 * g_fUlp);
+      EXPECT_LE(Norm(first - b2Vec2(p0.x(), p0.y())), 4 * 2 * g_fUlp);
+      EXPECT_LE(Norm(last - b2Vec2(p1.x(), p1.y())), 4 * 2 * g_fUlp);
     };
     const CFixtureShapes fixtures = Make(arc);
     ASSERT_EQ(fixtures.m_stdChains.size(), 2u);
@@ -192,8 +180,9 @@ TEST(PiecesTest, AFullCircleIsALoopOrItsEdgesClose) {
     EXPECT_EQ(chain.GetChildCount(), fixtures.m_nArcPieces); // as many edges as vertices: it is closed
   }
   b2ChainShape open;
-  CreateChain(Make(MakeArc(2, 1, 4)).m_stdChains[0], open); // the control
-  EXPECT_EQ(open.GetChildCount(), Make(MakeArc(2, 1, 4)).m_nArcPieces);
+  const CFixtureShapes part = Make(MakeArc(2, 1, 4)); // the control
+  CreateChain(part.m_stdChains[0], open);
+  EXPECT_EQ(open.GetChildCount(), part.m_nArcPieces);
   EXPECT_EQ(open.m_count, open.GetChildCount() + 1);
   const CFixtureShapes withSkin = MakeWithSkin(MakeArc(2, 1, 1));
   ASSERT_EQ(withSkin.m_stdEdges.size(), static_cast<std::size_t>(withSkin.m_nArcPieces));
@@ -216,9 +205,8 @@ TEST(PiecesTest, SidesOfASegmentAreSolidAsAskedInEveryDirection) {
       EXPECT_EQ(Touches(fixtures, n), sides != eSides::Back);
       EXPECT_EQ(Touches(fixtures, -n), sides != eSides::Front);
       // The ends are round on the solid side: a ball beyond the end still meets it.
-      const Vector2 beyond =
-          seg.GetEndPt1() - seg.GetPos() + 0.05f * (seg.GetEndPt1() - seg.GetPos()).normalized();
-      EXPECT_EQ(Touches(fixtures, beyond + n), sides != eSides::Back);
+      const Vector2 end = seg.GetEndPt1() - seg.GetPos();
+      EXPECT_EQ(Touches(fixtures, end + 0.05f * end.normalized() + n), sides != eSides::Back);
     }
   });
 }
@@ -262,7 +250,7 @@ TEST(PiecesTest, TheSkinsOfAnArcReachBeyondItAsAskedAndNotMuchFarther) {
   int arcs = 0, fewChords = 0;
   double farthest = 0;
   ForEachCase(16, 1000, [&](CRandom& random, int) {
-    const CRandomArc made(random);
+    const CRandomArc made{random};
     const CArc& arc = made.m_cArc;
     const CFixtureShapes fixtures = MakeWithSkin(arc, made.m_fSagitta);
     const int n = fixtures.m_nArcPieces;

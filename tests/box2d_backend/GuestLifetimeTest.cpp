@@ -82,9 +82,9 @@ TEST(GuestLifetimeTest, TheGameDestroysABallInTheMiddleOfAStep) {
   for (const bool beforeBox2D : {true, false}) {
     CTable table;
     table.m_pGuest->PreStep(g_fDt);
-    if (beforeBox2D) table.m_pGame->DestroyBody(table.BodyOfBall());
-    table.StepGame(1);
-    if (!beforeBox2D) table.m_pGame->DestroyBody(table.BodyOfBall());
+    if (!beforeBox2D) table.StepGame(1);
+    table.m_pGame->DestroyBody(table.BodyOfBall());
+    if (beforeBox2D) table.StepGame(1);
     table.m_pGuest->PostStep();
     ASSERT_EQ(table.World().GetBallIds().size(), 1u);
     EXPECT_EQ(table.World().GetBallIds()[0], table.m_cOther);
@@ -112,12 +112,11 @@ TEST(GuestLifetimeTest, TheGameDestroysAllBodies) {
 TEST(GuestLifetimeTest, TheGameDestroysAllBodiesButABall) {
   for (const bool goesOn : {true, false}) {
     CTable table;
-    b2Body* pBall = table.BodyOfBall();
-    for (b2Body* p = table.m_pGame->GetBodyList(); p != nullptr;) {
-      b2Body* pNext = p->GetNext();
-      if (p != pBall) table.m_pGame->DestroyBody(p);
-      p = pNext;
-    }
+    std::vector<b2Body*> others;
+    for (b2Body* p = table.m_pGame->GetBodyList(); p != nullptr; p = p->GetNext())
+      if (p != table.BodyOfBall()) others.push_back(p);
+    for (b2Body* p : others)
+      table.m_pGame->DestroyBody(p);
     EXPECT_TRUE(table.m_pGuest->IsAlive());
     if (goesOn) table.Step(10);
     EXPECT_EQ(table.World().GetStats().m_nBodiesLost, 4u);
@@ -131,15 +130,14 @@ TEST(GuestLifetimeTest, TheGameDestroysAllBodiesButABall) {
 TEST(GuestLifetimeTest, TheMemoryOfABodyBecomesOneOfTheGame) {
   for (const bool inTheStep : {false, true}) {
     CTable table;
-    CBox2DWorld& guest = *table.m_pGuest;
-    if (inTheStep) guest.PreStep(g_fDt);
+    if (inTheStep) table.m_pGuest->PreStep(g_fDt);
     const b2Body* pBall = table.BodyOfBall();
     table.m_pGame->DestroyBody(table.BodyOfBall());
     b2Body* pBox = AddBox(*table.m_pGame, {3, 1.01f}); // falls onto the segment
     ASSERT_EQ(pBox, pBall);                            // Box2D gives what it got back last
-    if (!inTheStep) guest.PreStep(g_fDt);
+    if (!inTheStep) table.m_pGuest->PreStep(g_fDt);
     table.StepGame(1);
-    guest.PostStep();
+    table.m_pGuest->PostStep();
     table.Step(30);
     EXPECT_FALSE(table.World().Contains(table.m_cBall));
     EXPECT_EQ(table.World().GetStats().m_nBodiesLost, 1u);
@@ -155,34 +153,29 @@ TEST(GuestLifetimeTest, TheMemoryOfABodyBecomesOneOfTheGame) {
 
 TEST(GuestLifetimeTest, TheGuestIsDestroyedFirst) {
   CTable table;
+  const auto touching = [&] { return table.m_cListener.m_nBegin - table.m_cListener.m_nEnd; };
   table.Step(30);
   ASSERT_NE(Installed(*table.m_pGame), &table.m_cListener);
-  const int touching = table.m_cListener.m_nBegin - table.m_cListener.m_nEnd;
-  ASSERT_GT(touching, 1);
+  ASSERT_GT(touching(), 1);
   table.m_pGuest.reset();
   EXPECT_EQ(Installed(*table.m_pGame), &table.m_cListener);
   EXPECT_EQ(table.m_pGame->GetBodyCount(), 2);
-  // Only the box is left, on the ground.
-  EXPECT_EQ(table.m_cListener.m_nBegin - table.m_cListener.m_nEnd, 1);
+  EXPECT_EQ(touching(), 1); // only the box is left, on the ground
   table.StepGame(60);
 }
 
 TEST(GuestLifetimeTest, AnotherListenerIsNoticedAndPassedOnTo) {
   CTable table;
   CCounting second;
-  table.m_pGame->SetContactListener(&second);
-  table.m_cListener = CCounting();
-  table.Step(10);
-  EXPECT_EQ(table.World().GetStats().m_nListenersReplaced, 1u);
-  EXPECT_FALSE(table.World().GetContacts().empty());
-  EXPECT_GT(second.m_nPre, 0);
-  EXPECT_EQ(table.m_cListener.m_nPre, 0);
-  table.m_pGame->SetContactListener(nullptr);
-  second = CCounting();
-  table.Step(10);
-  EXPECT_EQ(table.World().GetStats().m_nListenersReplaced, 2u);
-  EXPECT_FALSE(table.World().GetContacts().empty());
-  EXPECT_EQ(second.m_nPre, 0);
+  for (CCounting* pNext : {&second, static_cast<CCounting*>(nullptr)}) {
+    table.m_pGame->SetContactListener(pNext);
+    table.m_cListener = second = CCounting();
+    table.Step(10);
+    EXPECT_EQ(table.World().GetStats().m_nListenersReplaced, pNext ? 1u : 2u);
+    EXPECT_FALSE(table.World().GetContacts().empty());
+    EXPECT_EQ(second.m_nPre > 0, pNext != nullptr);
+    EXPECT_EQ(table.m_cListener.m_nPre, 0);
+  }
   table.m_pGuest.reset();
   EXPECT_EQ(Installed(*table.m_pGame), nullptr);
 }
@@ -245,9 +238,8 @@ TEST(GuestLifetimeTest, TwoGuestsInOneWorldLeaveInEitherOrder) {
     }
     EXPECT_GT(strangers, 0); // the ball of the one falls onto the segment of the other
     EXPECT_GT(table.World().GetStats().m_nContacts, 0u);
-    EXPECT_EQ(table.World().GetStats().m_nListenersReplaced +
-                  pSecond->GetWorld().GetStats().m_nListenersReplaced,
-              0u);
+    for (CBox2DWorld* p : {table.m_pGuest.get(), pSecond.get()})
+      EXPECT_EQ(p->GetWorld().GetStats().m_nListenersReplaced, 0u);
     CBox2DWorld& left = firstLeavesFirst ? *pSecond : *table.m_pGuest;
     (firstLeavesFirst ? table.m_pGuest : pSecond).reset();
     EXPECT_TRUE(left.IsAlive());
@@ -264,12 +256,9 @@ TEST(GuestLifetimeTest, TwoGuestsInOneWorldLeaveInEitherOrder) {
 }
 
 TEST(GuestLifetimeTest, TheGuestIsDestroyedInTheMiddleOfAStepOfBox2D) {
-  CActing acting;
   CTable table;
-  table.m_pGame->SetContactListener(&acting);
-  table.Step();
   const int bodies = table.m_pGame->GetBodyCount();
-  acting.m_stdAct = [&] { table.m_pGuest.reset(); };
+  table.m_cListener.m_stdAtPreSolve = [&] { table.m_pGuest.reset(); };
   table.m_pGuest->PreStep(g_fDt);
   table.StepGame(1);
   ASSERT_EQ(table.m_pGuest, nullptr);
@@ -283,12 +272,9 @@ TEST(GuestLifetimeTest, TheGuestIsDestroyedInTheMiddleOfAStepOfBox2D) {
 }
 
 TEST(GuestLifetimeTest, TheGuestIsDestroyedWhileABodyIs) {
-  CActing acting;
   CTable table;
-  acting.m_bAtEnd = true;
-  table.m_pGame->SetContactListener(&acting);
   table.Step(30);
-  acting.m_stdAct = [&] { table.m_pGuest.reset(); };
+  table.m_cListener.m_stdAtEnd = [&] { table.m_pGuest.reset(); };
   table.m_pGame->DestroyBody(table.m_pBox); // the other ball lies on it
   ASSERT_EQ(table.m_pGuest, nullptr);
   table.StepGame(30);

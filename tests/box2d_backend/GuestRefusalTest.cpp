@@ -12,26 +12,19 @@ void ExpectThrows(const std::string& words, const std::function<void()>& f) {
 
 TEST(GuestRefusalTest, NothingIsChangedInCallbacksOfBox2D) {
   for (const bool atEnd : {false, true}) { // of the step, and of DestroyBody outside of one
-    CActing acting;
     CTable table;
-    CBox2DWorld& guest = *table.m_pGuest;
-    acting.m_bAtEnd = atEnd;
-    table.m_pGame->SetContactListener(&acting);
     table.Step(30);
     std::vector<std::string> thrown;
     std::size_t balls = 0;
-    acting.m_stdAct = [&] {
+    (atEnd ? table.m_cListener.m_stdAtEnd : table.m_cListener.m_stdAtPreSolve) = [&] {
       for (const auto& f : table.Calls())
         thrown.push_back(Thrown(f));
       balls = table.World().GetBallPositions().size(); // looking is allowed
     };
-    if (atEnd) {
+    if (atEnd)
       table.m_pGame->DestroyBody(table.m_pBox);
-    } else {
-      guest.PreStep(g_fDt);
-      table.StepGame(1);
-      guest.PostStep();
-    }
+    else
+      table.Step();
     ASSERT_EQ(thrown.size(), 12u);
     for (const std::string& what : thrown)
       EXPECT_TRUE(Says(what, "callback of Box2D"));
@@ -40,7 +33,6 @@ TEST(GuestRefusalTest, NothingIsChangedInCallbacksOfBox2D) {
     EXPECT_EQ(table.World().GetUserPtr(table.m_cArc), &table.m_nUserData[1]);
     table.Step(10);
     table.World().Remove(table.m_cBall); // the control: afterwards it can be done
-    table.m_pGuest.reset();
   }
 }
 
@@ -51,20 +43,17 @@ TEST(GuestRefusalTest, WhatTheGuestItselfDestroysIsHeardOfButNotActedUpon) {
     void SayGoodbye(b2Fixture*) override { m_stdAct(); }
   } goodbye;
   for (const bool byDestructionListener : {false, true}) {
-    CActing acting;
     CTable table;
-    acting.m_bAtEnd = true;
-    if (!byDestructionListener) table.m_pGame->SetContactListener(&acting);
     table.Step(30);
     std::string thrown;
-    acting.m_stdAct =
-        goodbye.m_stdAct = [&] { thrown = Thrown([&] { table.World().Remove(table.m_cSegment); }); };
+    (byDestructionListener ? goodbye.m_stdAct : table.m_cListener.m_stdAtEnd) = [&] {
+      thrown = Thrown([&] { table.World().Remove(table.m_cSegment); });
+    };
     if (byDestructionListener) table.m_pGame->SetDestructionListener(&goodbye);
     table.World().Remove(table.m_cOther);
     EXPECT_TRUE(Says(thrown, "callback of Box2D"));
     EXPECT_TRUE(table.World().Contains(table.m_cSegment));
     table.m_pGame->SetDestructionListener(nullptr);
-    table.m_pGuest.reset();
   }
 }
 
@@ -114,14 +103,11 @@ TEST(GuestRefusalTest, WhatAGuestCannotDoItRefuses) {
 }
 
 TEST(GuestRefusalTest, NoGuestIsMadeInTheMiddleOfAStepOfBox2D) {
-  CActing acting;
   CTable table;
   std::string thrown;
-  table.m_pGame->SetContactListener(&acting);
-  acting.m_stdAct = [&] { thrown = Thrown([&] { MakeGuest(*table.m_pGame); }); };
+  table.m_cListener.m_stdAtPreSolve = [&] { thrown = Thrown([&] { MakeGuest(*table.m_pGame); }); };
   table.Step();
   EXPECT_TRUE(Says(thrown, "during b2World::Step"));
-  table.m_pGuest.reset();
 }
 
 } // namespace

@@ -49,30 +49,40 @@ inline std::vector<b2Body*> FindBodies(b2World& game, const void* pUser) {
 
 inline b2Body* FindBody(b2World& game, const void* pUser) { return FindBodies(game, pUser).at(0); }
 
-/// Counts what it hears.
+/// Counts what it hears, and does something once, in the next PreSolve or EndContact.
 struct CCounting : b2ContactListener {
   int m_nBegin = 0, m_nEnd = 0, m_nPre = 0, m_nPost = 0;
   float m_fRestitution = -1.0f; ///< in the last PreSolve
+  std::function<void()> m_stdAtPreSolve, m_stdAtEnd;
   void BeginContact(b2Contact*) override { ++m_nBegin; }
-  void EndContact(b2Contact*) override { ++m_nEnd; }
+  void EndContact(b2Contact*) override {
+    ++m_nEnd;
+    Act(m_stdAtEnd);
+  }
   void PreSolve(b2Contact* pContact, const b2Manifold*) override {
     ++m_nPre;
     m_fRestitution = pContact->GetRestitution();
+    Act(m_stdAtPreSolve);
   }
   void PostSolve(b2Contact*, const b2ContactImpulse*) override { ++m_nPost; }
+  static void Act(std::function<void()>& what) {
+    if (const auto act = std::exchange(what, nullptr)) act();
+  }
 };
 
 /// A game without gravity and a guest in it, of either profile.
 class CGuest : public CEveryProfile {
 protected:
-  /// Puts Shapes into the game; after the game's own bodies or before them.
+  /// Puts Shapes into the game, after the game's own bodies or before them; the last guest leaves first.
   CWorld& Join(const CEffectChoice& choice = g_cAutomatic) {
+    m_pGuest.reset();
     CWorldDesc desc;
     desc.m_cBox2D.m_eProfile = GetParam();
     desc.m_cEffects = choice;
     m_pGuest = MakeWorld(m_cGame, desc);
-    return m_pGuest->GetWorld();
+    return World();
   }
+  CWorld& World() { return m_pGuest->GetWorld(); }
   void Steps(int n, float dt = g_fDt) { Tests::Steps(m_cGame, *m_pGuest, n, dt); }
   /// The contacts, sensor events or touches of n steps.
   template <class T>
@@ -80,15 +90,21 @@ protected:
     std::vector<T> told;
     for (int i = 0; i < n; ++i) {
       Steps(1);
-      const std::span<const T> events = (m_pGuest->GetWorld().*pGet)();
+      const std::span<const T> events = (World().*pGet)();
       told.insert(told.end(), events.begin(), events.end());
     }
     return told;
   }
+  /// The velocity of a new ball after n steps.
+  Vector2 Throw(const CDynamicCircleDesc& ball, int n) {
+    const CShapeId id = World().Add(ball);
+    Steps(n);
+    return World().GetVel(id);
+  }
   b2Body* BodyOf(CShapeId id) {
-    m_pGuest->GetWorld().SetUserPtr(id, this);
+    World().SetUserPtr(id, this);
     b2Body* pBody = FindBody(m_cGame, this);
-    m_pGuest->GetWorld().SetUserPtr(id, nullptr);
+    World().SetUserPtr(id, nullptr);
     return pBody;
   }
   /// One step of the game, in the middle of which it destroys the body of this shape or ball.
@@ -117,8 +133,8 @@ struct CTable {
   std::unique_ptr<b2World> m_pGame = std::make_unique<b2World>(b2Vec2(0, -10));
   b2Body* m_pBox;
   std::unique_ptr<CBox2DWorld> m_pGuest;
-  CShapeId m_cSegment, m_cArc, m_cPoint, m_cBall, m_cOther;
-  int m_nUserData[3] = {}; ///< of the ball, the arc, the other ball
+  CShapeId m_cSegment, m_cArc, m_cBall, m_cOther;
+  int m_nUserData[2] = {}; ///< of the ball, the arc
 
   explicit CTable(eProfile e = eProfile::Tuned) {
     m_pGame->SetContactListener(&m_cListener);
@@ -127,12 +143,11 @@ struct CTable {
     m_pGuest = MakeGuest(*m_pGame, e);
     m_cSegment = World().Add(CLineSegDesc({2, 0.5f}, {4, 0.5f}));
     m_cArc = World().Add(CArcDesc({4, 1.5f}, 1, 1.5f * g_fPi, 0.25f * g_fPi)); // goes on in the segment
-    m_cPoint = World().Add(CPointDesc({2, 0.5f}));
+    World().Add(CPointDesc({2, 0.5f}));
     m_cBall = World().Add(CDynamicCircleDesc({3, 0.62f}, 0.1f, {1, 0}, 1, 0.5f));
     m_cOther = World().Add(CDynamicCircleDesc({0, 1.15f}, 0.1f, {0, 0}, 1, 0));
     World().SetUserPtr(m_cBall, &m_nUserData[0]);
     World().SetUserPtr(m_cArc, &m_nUserData[1]);
-    World().SetUserPtr(m_cOther, &m_nUserData[2]);
     Step(10);
   }
   CWorld& World() { return m_pGuest->GetWorld(); }
@@ -144,7 +159,7 @@ struct CTable {
   }
   /// All that may change something.
   std::vector<std::function<void()>> Calls() {
-    const Vector2 zero = Vector2::Zero();
+    const Vector2 zero(0, 0);
     const std::vector<CAnyShapeDesc> parts{CPointDesc(zero)};
     return {[=, this] { World().Add(CPointDesc(zero)); },
             [=, this] { World().Add(CDynamicCircleDesc(zero, 1)); },
@@ -161,21 +176,6 @@ struct CTable {
   }
   b2Body* BodyOfBall() { return FindBody(*m_pGame, &m_nUserData[0]); }
   b2Body* BodyOfArc() { return FindBody(*m_pGame, &m_nUserData[1]); }
-};
-
-/// Does something in the first callback of one kind.
-struct CActing : b2ContactListener {
-  std::function<void()> m_stdAct;
-  bool m_bAtEnd = false;
-  void Act() {
-    if (const auto act = std::exchange(m_stdAct, nullptr)) act();
-  }
-  void PreSolve(b2Contact*, const b2Manifold*) override {
-    if (!m_bAtEnd) Act();
-  }
-  void EndContact(b2Contact*) override {
-    if (m_bAtEnd) Act();
-  }
 };
 
 } // namespace Shapes::Tests

@@ -125,8 +125,8 @@ TEST(ImportNotesTest, FiltersBetweenBallsAndShapes) {
   EXPECT_EQ(NotesOf(game), CNotes());
   SetFilter(pFloor, 4, 0xFFFF);
   SetFilter(pGhost, 1, 3); // the floor is not in its mask
-  EXPECT_EQ(NotesOf(game), CNotes());
   const CSceneDesc scene = ImportScene(game.m_cWorld);
+  EXPECT_EQ(scene.m_stdNotes, CNotes());
   EXPECT_EQ(std::get<CLineSegDesc>(scene.m_stdShapes.at(0)).m_cFilter, (Shapes::CFilter{4, 0xFFFF}));
   EXPECT_EQ(scene.m_stdBalls.at(0).m_cFilter, Shapes::CFilter());
   EXPECT_EQ(scene.m_stdBalls.at(1).m_cFilter, (Shapes::CFilter{1, 3}));
@@ -186,14 +186,13 @@ TEST(ImportNotesTest, EveryPairBouncesAsInBox2DOrIsTold) {
   Tests::ForEachCase(7, 500, [&](Tests::CRandom& random, int) {
     CGame game;
     const auto draw = [&] { return 0.3f * static_cast<float>(random.Below(4)); };
-    std::vector<float> r;
+    std::vector<float> r, e;
     const std::uint32_t nBalls = 1 + random.Below(3), nShapes = 1 + random.Below(4);
     for (std::uint32_t i = 0; i < nBalls; ++i)
       game.AddBall({static_cast<float>(i), 5}, b2Vec2_zero, r.emplace_back(draw()));
     for (std::uint32_t i = 0; i < nShapes; ++i)
       game.AddStatic(CGame::Circle({static_cast<float>(i), 0}, 0.1f), r.emplace_back(draw()));
     const CSceneDesc scene = ImportScene(game.m_cWorld);
-    std::vector<float> e;
     for (const CDynamicCircleDesc& ball : scene.m_stdBalls)
       e.push_back(ball.m_fElasticity);
     for (const CCircleDesc& circle : GetAll<CCircleDesc>(scene))

@@ -125,19 +125,17 @@ TEST_P(ThrowTest, BouncesAsInTheGame) {
 
 // The control: with the other side solid, or without guards, the native ball goes another way.
 TEST_P(ThrowTest, SidesAndGuardsAreWhatMakesIt) {
-  const bool isCorner = std::string(GetParam().m_sName).find("_at_") != std::string::npos;
+  const std::string_view name = GetParam().m_sName;
+  const bool isCorner = name.find("_at_") != name.npos;
   std::size_t sides = 0;
   for (CAnyShapeDesc& any : m_cScene.m_stdShapes)
-    if (auto* p = std::get_if<CLineSegDesc>(&any); p != nullptr && p->m_eSides != eSides::Both) {
-      p->m_eSides = p->m_eSides == eSides::Front ? eSides::Back : eSides::Front;
-      ++sides;
-    }
+    if (auto* p = std::get_if<CLineSegDesc>(&any); p != nullptr && p->m_eSides != eSides::Both)
+      ++sides, p->m_eSides = p->m_eSides == eSides::Front ? eSides::Back : eSides::Front;
   const auto removed = std::erase_if(m_cScene.m_stdShapes, [&](const CAnyShapeDesc& any) {
     return isCorner && std::holds_alternative<CPointDesc>(any);
   });
   if (sides + removed == 0) {
-    EXPECT_TRUE(std::string(GetParam().m_sName).find("circle") == 0 ||
-                std::string(GetParam().m_sName).find("edge_from") == 0); // no sides, and nothing to guard
+    EXPECT_TRUE(name.starts_with("circle") || name.starts_with("edge_from")); // no sides, nothing to guard
     return;
   }
   m_cScene.m_cWorld.m_cEffects = g_cApproximate; // Continuous has round ends without any guard
@@ -192,8 +190,8 @@ TEST(ImportSceneTest, JoinedSegmentsShareTheirEndsBitForBit) {
   const auto segs = GetAll<CLineSegDesc>(ImportScene(game.m_cWorld, {.m_fLengthUnit = 37.0f}));
   ASSERT_EQ(segs.size(), 6u);
   const auto share = [](const CLineSegDesc& a, const CLineSegDesc& b) {
-    return a.GetEndPt0() == b.GetEndPt0() || a.GetEndPt0() == b.GetEndPt1() ||
-           a.GetEndPt1() == b.GetEndPt0() || a.GetEndPt1() == b.GetEndPt1();
+    const auto isOfB = [&](const Vector2& p) { return p == b.GetEndPt0() || p == b.GetEndPt1(); };
+    return isOfB(a.GetEndPt0()) || isOfB(a.GetEndPt1());
   };
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_TRUE(share(segs[i], segs[(i + 1) % 4])) << i;
@@ -263,22 +261,20 @@ TEST(ImportSceneTest, KinematicBodiesTurnAboutTheirPositions) {
   CGame::AddFixture(pBody, CGame::Circle({1.5f, 0}, 0.2f));
   pBody->SetAngularVelocity(-3.0f);
   const CSceneDesc scene = ImportScene(game.m_cWorld);
+  for (int i = 0; i < 60; ++i)
+    game.m_cWorld.Step(g_fDt, 8, 3);
+  const b2Vec2 moved = pBody->GetWorldPoint({1.5f, 0});
+  const Vector2 tip(moved.x, moved.y);
   for (const eBackend backend : {eBackend::Native, eBackend::Box2D}) {
     const auto pWorld = GetBackend(backend)->MakeWorld(scene.m_cWorld);
     const std::vector<CShapeId> ids = scene.AddTo(*pWorld);
     ASSERT_EQ(ids.size(), 4u); // and a guard at each end
-    CGame copy;
-    b2Body* pTwin = copy.AddBody(b2_kinematicBody, {2, 1}, 0.4f);
-    pTwin->SetAngularVelocity(-3.0f);
-    for (int i = 0; i < 60; ++i) {
-      copy.m_cWorld.Step(g_fDt, 8, 3);
-      pWorld->Step();
-    }
-    const b2Vec2 tip = pTwin->GetWorldPoint({1.5f, 0});
+    Steps(*pWorld, 60);
     // 60 roundings of an angle of up to 4, at a distance of 1.5.
-    EXPECT_LT((pWorld->GetPos(ids[1]) - Vector2(tip.x, tip.y)).norm(), 60 * 4 * 1.2e-7f * 1.5f);
+    const float bound = 60 * 4 * 1.2e-7f * 1.5f;
+    EXPECT_LT((pWorld->GetPos(ids[1]) - tip).norm(), bound);
     const auto& seg = static_cast<const CLineSeg&>(pWorld->GetShape(ids[0]));
-    EXPECT_LT((seg.GetEndPt0() - Vector2(tip.x, tip.y)).norm(), 60 * 4 * 1.2e-7f * 1.5f);
+    EXPECT_LT((seg.GetEndPt0() - tip).norm(), bound);
   }
   EXPECT_TRUE(scene.m_stdNotes.empty());
 }

@@ -12,7 +12,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <iostream>
 
 namespace Shapes::Box2D {
 namespace {
@@ -31,10 +30,9 @@ public:
         Often(1.0f / 60.0f, {g_fMinTimeStep, 1e-20f, 1e-6f, 1.0f, 1e3f, g_fMaxTimeStep, 1e-39f, 2e6f});
     desc.m_nSubsteps = m_cRandom.Below(4) > 0 ? 1 : 2;
     // Rarely tiny: thousands of chords for each arc, all at one place, take Box2D seconds.
-    if (m_cRandom.Below(16) == 0)
-      desc.m_cBox2D.m_fSagittaTolerance = Often(1e-5f, {1e-45f, 1e-38f});
-    else
-      desc.m_cBox2D.m_fSagittaTolerance = Often(g_fSagittaTolerance, {0.001f, 1.0f, 1e9f, g_fMaxLength});
+    desc.m_cBox2D.m_fSagittaTolerance = m_cRandom.Below(16) == 0
+                                            ? Often(1e-5f, {1e-45f, 1e-38f})
+                                            : Often(g_fSagittaTolerance, {0.001f, 1.0f, 1e9f, g_fMaxLength});
     desc.m_cBox2D.m_nVelocityIterations = Count(8);
     desc.m_cBox2D.m_nPositionIterations = Count(3);
     Inside(desc);
@@ -80,8 +78,7 @@ public:
     if (m_cRandom.Below(40) == 0) return Wild(g_fMaxBox2DLength);
     if (m_stdPoints.empty() || m_cRandom.Below(8) == 0) return Remember(m_cRandom.InSquare(m_fUnit));
     const Vector2 p = m_stdPoints[m_cRandom.Below(static_cast<std::uint32_t>(m_stdPoints.size()))];
-    if (m_cRandom.Coin()) return p;
-    return Remember(p + Step());
+    return m_cRandom.Coin() ? p : Remember(p + Step());
   }
 
   Vector2 Vel() {
@@ -120,17 +117,12 @@ public:
     Vector2 p = Pos();
     const float e = Elasticity();
     for (std::uint32_t n = 1 + m_cRandom.Below(4); n > 0; --n) {
-      if (m_cRandom.Below(3) == 0) {
-        const CArcDesc arc = Arc(p, e);
-        Vector2 p0, p1;
-        arc.GetEndPts(p0, p1);
-        chain.emplace_back(arc);
-        p = p1;
-      } else {
-        const Vector2 next = p + Step();
-        chain.emplace_back(LineSeg(p, next, e));
-        p = next;
-      }
+      Vector2 p0, next = p;
+      if (m_cRandom.Below(3) == 0)
+        std::get<CArcDesc>(chain.emplace_back(Arc(p, e))).GetEndPts(p0, next);
+      else
+        chain.emplace_back(LineSeg(p, next += Step(), e));
+      p = next;
       if (m_cRandom.Below(4) == 0) p += Step();
     }
     return chain;
@@ -151,8 +143,7 @@ private:
   // The value itself, or a float beside it.
   float Near(float f) {
     const std::uint32_t i = m_cRandom.Below(4);
-    if (i == 0) return std::nextafter(f, g_fInf);
-    return i == 1 ? std::nextafter(f, 0.0f) : f;
+    return i > 1 ? f : std::nextafter(f, i == 0 ? g_fInf : 0.0f);
   }
 
   // Along an axis or not, and hardly ever a unit vector of neither.
@@ -163,7 +154,7 @@ private:
   }
 
   Vector2 Step() {
-    const float d = Length();
+    const float d = Length(); // drawn before the direction
     return d * Unit();
   }
 
@@ -175,14 +166,10 @@ private:
     return v;
   }
 
-  const Vector2& Remember(const Vector2& p) {
-    m_stdPoints.push_back(p);
-    return m_stdPoints.back();
-  }
+  const Vector2& Remember(const Vector2& p) { return m_stdPoints.emplace_back(p); }
 
   CLineSegDesc LineSeg(const Vector2& p0, const Vector2& p1, float e) {
-    CLineSegDesc desc(p0, p1, e);
-    desc.m_eSides = Sides();
+    const CLineSegDesc desc = Sided(CLineSegDesc(p0, p1, e), Sides());
     Remember(p0), Remember(p1), Remember(desc.m_vPos);
     return desc;
   }
@@ -210,10 +197,8 @@ private:
   TDesc Moving(TDesc desc) {
     desc.m_bIsSensor = m_cRandom.Below(12) == 0;
     if (m_cRandom.Coin()) return desc;
-    desc.m_eMotionType = eMotion::Kinematic;
-    desc.m_fRotSpeed = RotSpeed();
-    desc.m_vRotCenter = Pos();
-    return desc;
+    const float speed = RotSpeed(); // drawn before the centre
+    return Turning(desc, speed, Pos());
   }
 
   Tests::CRandom& m_cRandom;
@@ -225,8 +210,7 @@ private:
 volatile std::sig_atomic_t g_nSeed = 0;
 
 void TellSeed(int) {
-  std::fprintf(stderr, "aborted in the world of seed %d\n", static_cast<int>(g_nSeed));
-  std::fflush(stderr);
+  std::fprintf(stderr, "aborted in the world of seed %d\n", static_cast<int>(g_nSeed)); // is not buffered
 }
 
 /// A random world and what is done to it.
@@ -277,9 +261,8 @@ private:
     if (!m_pWorld) return all;
     for (const CShapeId id : m_stdIds)
       all.push_back(m_pWorld->GetPos(id));
-    const auto balls = m_pWorld->GetBallPositions(), velocities = m_pWorld->GetBallVelocities();
-    all.insert(all.end(), balls.begin(), balls.end());
-    all.insert(all.end(), velocities.begin(), velocities.end());
+    for (const auto& views : {m_pWorld->GetBallPositions(), m_pWorld->GetBallVelocities()})
+      all.insert(all.end(), views.begin(), views.end());
     return all;
   }
 
@@ -300,8 +283,7 @@ private:
       const Vector2 center = m_cBorders.Pos();
       const float speed = m_cBorders.RotSpeed();
       Try([&] {
-        const auto ids = m_pWorld->AddCompound(chain, center, speed);
-        m_stdIds.insert(m_stdIds.end(), ids.begin(), ids.end());
+        std::ranges::copy(m_pWorld->AddCompound(chain, center, speed), std::back_inserter(m_stdIds));
       });
     } else if (what == 1) {
       for (const CAnyShapeDesc& desc : m_cBorders.Chain())
@@ -319,10 +301,7 @@ private:
     const std::uint32_t i = m_cRandom.Below(static_cast<std::uint32_t>(m_stdIds.size()));
     const CShapeId id = m_stdIds[i];
     switch (m_cRandom.Below(16)) {
-    case 0:
-      m_stdIds.erase(m_stdIds.begin() + i);
-      m_pWorld->Remove(id);
-      break;
+    case 0: m_stdIds.erase(m_stdIds.begin() + i), m_pWorld->Remove(id); break;
     case 1:
     case 2: m_pWorld->SetPos(id, m_cBorders.Pos()); break;
     case 3:
@@ -336,10 +315,7 @@ private:
     case 11: m_pWorld->Reset(id); break;
     case 12: m_pWorld->SetGravity(m_cBorders.Gravity()); break;
     case 13: m_cSaved = m_pWorld->SaveState(), m_stdSavedIds = m_stdIds; break;
-    case 14:
-      m_pWorld->LoadState(m_cSaved);
-      m_stdIds = m_stdSavedIds;
-      break;
+    case 14: m_pWorld->LoadState(m_cSaved), m_stdIds = m_stdSavedIds; break;
     default: m_pWorld->SetUserPtr(id, this); break;
     }
   }
@@ -359,40 +335,29 @@ SHAPES_ON_EVERY_PROFILE(CNoAssertRandom);
 
 TEST_P(CNoAssertRandom, WorldsAtTheBordersNeitherAbortNorLoseTheirNumbers) {
   const char *pSeconds = std::getenv("SHAPES_TEST_SECONDS"), *pSeed = std::getenv("SHAPES_TEST_SEED");
-  const double seconds = pSeconds != nullptr ? std::atof(pSeconds) : 0.0;
+  const std::chrono::duration<double> seconds(pSeconds != nullptr ? std::atof(pSeconds) : 0.0);
   const int first = pSeed != nullptr ? std::atoi(pSeed) : 1, n = IsTuned() ? 180 : 400;
   const auto previous = std::signal(SIGABRT, TellSeed);
-  const auto now = [] { return std::chrono::steady_clock::now(); };
-  const auto start = now();
-  const auto since = [&](auto then) { return std::chrono::duration<double>(now() - then).count(); };
+  const auto start = std::chrono::steady_clock::now();
   std::uint64_t accepted = 0, refused = 0, contacts = 0;
-  double longest = 0.0;
-  for (int i = 0; (i < n || since(start) < seconds) && !HasFailure(); ++i) {
+  for (int i = 0; (i < n || std::chrono::steady_clock::now() - start < seconds) && !HasFailure(); ++i) {
     g_nSeed = first + i;
-    const auto begun = now();
+    SCOPED_TRACE("seed " + std::to_string(g_nSeed));
     CTrial trial(GetParam(), static_cast<std::uint64_t>(first + i));
     trial.Run();
-    if (HasFailure()) std::cerr << "seed " << first + i << '\n';
     accepted += trial.m_nAccepted;
     refused += trial.m_nRefused;
     contacts += trial.m_nContacts;
-    if (since(begun) <= longest) continue;
-    longest = since(begun);
-    if (seconds > 0.0) std::cerr << "seed " << first + i << " took " << longest << " s\n";
   }
   std::signal(SIGABRT, previous);
   // The borders are met from both sides, and the worlds are not empty.
   EXPECT_GT(accepted, static_cast<std::uint64_t>(n));
   EXPECT_GT(refused, static_cast<std::uint64_t>(n / 10));
   EXPECT_GT(contacts, static_cast<std::uint64_t>(n));
-  if (seconds > 0.0)
-    std::cerr << g_nSeed << " accepted " << accepted << " refused " << refused << " contacts " << contacts
-              << '\n';
 }
 
 // The shapes of a game, one pair at a time: there is no world that would refuse what is too far for Box2D.
 TEST(NoAssertRandomPair, ContactsAtTheBordersHaveNumbers) {
-  const CBackend& box2d = *GetBackend(eBackend::Box2D);
   std::uint64_t contacts = 0;
   for (std::uint64_t seed = 1; seed <= 600 && !testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -413,15 +378,15 @@ TEST(NoAssertRandomPair, ContactsAtTheBordersHaveNumbers) {
         pShape->move();
         ball.move();
         CContactDesc c(pShape.get(), &ball);
-        if (!box2d.CollisionDetected(c)) continue;
+        if (!GetBackend(eBackend::Box2D)->CollisionDetected(c)) continue;
         ++contacts;
         EXPECT_TRUE(c.m_vPOI.allFinite()) << c.m_vPOI.transpose();
         EXPECT_NEAR(c.m_vNorm.norm(), 1.0f, 1e-5f) << c.m_vNorm.transpose();
-        EXPECT_TRUE(std::isfinite(c.m_fSetback) && std::isfinite(c.m_fSpeed))
-            << c.m_fSetback << ' ' << c.m_fSpeed;
+        for (const float f : {c.m_fSetback, c.m_fSpeed})
+          EXPECT_TRUE(std::isfinite(f)) << f;
         ball.CollisionResponse(c);
-        EXPECT_TRUE(ball.GetPos().allFinite()) << ball.GetPos().transpose();
-        EXPECT_TRUE(ball.GetVel().allFinite()) << ball.GetVel().transpose();
+        for (const Vector2& v : {ball.GetPos(), ball.GetVel()})
+          EXPECT_TRUE(v.allFinite()) << v.transpose();
       }
     } catch (const std::invalid_argument&) { // one of them is beyond the borders
     }

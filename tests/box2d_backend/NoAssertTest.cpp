@@ -94,10 +94,9 @@ TEST_P(CNoAssert, ShapesThatTurnAboutAPointFarAway) {
   // There the vertices of an arc are rounded to each other.
   for (const float metres : {1e3f, 1e4f, 1e5f, 1e6f, 1e7f}) {
     Make();
-    CArcDesc arc({0, 0}, Unit(), 0, 3);
-    CLineSegDesc seg({0, 0}, {g_fShortestEdge * Unit(), 0});
-    const auto ids =
-        m_pWorld->AddCompound(std::vector<CAnyShapeDesc>{arc, seg}, {metres * Unit(), metres * Unit()}, 1);
+    const std::vector<CAnyShapeDesc> parts{CArcDesc({0, 0}, Unit(), 0, 3),
+                                           CLineSegDesc({0, 0}, {g_fShortestEdge * Unit(), 0})};
+    const auto ids = m_pWorld->AddCompound(parts, {metres * Unit(), metres * Unit()}, 1);
     AddBalls({0, 0});
     AddBalls({Unit(), 0});
     Step();
@@ -112,11 +111,11 @@ TEST_P(CNoAssert, TheLimitsAreTakenAndTheNextFloatIsNot) {
     m_cDesc.m_cBox2D.m_fLengthUnit = unit;
     Make();
     const float length = MaxLength(), speed = MaxSpeed();
-    for (const float f : {length, -length}) {
-      m_pWorld->Add(CPointDesc({f, f}));
-      m_pWorld->Add(CDynamicCircleDesc({f, -f}, 0));
-      ExpectRefused(CPointDesc({Above(length), 0}));
-      ExpectRefused(CDynamicCircleDesc({0, f < 0 ? -Above(length) : Above(length)}, 0));
+    ExpectRefused(CPointDesc({Above(length), 0}));
+    for (const float sign : {1.0f, -1.0f}) {
+      m_pWorld->Add(CPointDesc({sign * length, sign * length}));
+      m_pWorld->Add(CDynamicCircleDesc({sign * length, -sign * length}, 0));
+      ExpectRefused(CDynamicCircleDesc({0, sign * Above(length)}, 0));
     }
     m_pWorld->Add(CCircleDesc({0, 0}, length));
     ExpectRefused(CCircleDesc({0, 0}, Above(length)));
@@ -124,9 +123,9 @@ TEST_P(CNoAssert, TheLimitsAreTakenAndTheNextFloatIsNot) {
     m_pWorld->Add(CLineSegDesc({-length, -length}, {length, length}));
     for (const float m : {g_fMinBox2DMass, g_fMaxBox2DMass})
       m_pWorld->Add(CDynamicCircleDesc({0, 0}, unit, {speed, -speed}, m));
+    for (const float m : {Below(g_fMinBox2DMass), Above(g_fMaxBox2DMass)})
+      ExpectRefused(CDynamicCircleDesc({0, 0}, unit, {0, 0}, m));
     ExpectRefused(CDynamicCircleDesc({0, 0}, unit, {Above(speed), 0}));
-    ExpectRefused(CDynamicCircleDesc({0, 0}, unit, {0, 0}, Below(g_fMinBox2DMass)));
-    ExpectRefused(CDynamicCircleDesc({0, 0}, unit, {0, 0}, Above(g_fMaxBox2DMass)));
     m_pWorld->SetGravity({speed, -speed});
     EXPECT_THROW(m_pWorld->SetGravity({Above(speed), 0}), std::invalid_argument);
     m_pWorld->SetPos(m_pWorld->GetBallIds()[0], {length, length});
@@ -154,13 +153,12 @@ TEST_P(CNoAssert, WorldDescriptionsAtTheirLimits) {
     step([&](CWorldDesc& d) { d.m_cBox2D.m_fLengthUnit = f; });
   for (const float f : {g_fDenormal, 1e-30f, 1.0f, g_fMaxLength})
     step([&](CWorldDesc& d) { d.m_cBox2D.m_fSagittaTolerance = f; });
-  step([](CWorldDesc& d) { d.m_cBox2D.m_nVelocityIterations = d.m_cBox2D.m_nPositionIterations = 1; });
-  step([](CWorldDesc& d) { d.m_cBox2D.m_nVelocityIterations = d.m_cBox2D.m_nPositionIterations = 1000; });
+  for (const unsigned n : {1u, 1000u})
+    step([&](CWorldDesc& d) { d.m_cBox2D.m_nVelocityIterations = d.m_cBox2D.m_nPositionIterations = n; });
   step([](CWorldDesc& d) { d.m_nSubsteps = 64; });
   // A metre of a tuned world would have been infinitely many of these units.
-  EXPECT_THROW(step([](CWorldDesc& d) { d.m_cBox2D.m_fLengthUnit = Below(g_fMinLengthUnit); }),
-               std::invalid_argument);
-  EXPECT_THROW(step([](CWorldDesc& d) { d.m_cBox2D.m_fLengthUnit = g_fDenormal; }), std::invalid_argument);
+  for (const float f : {Below(g_fMinLengthUnit), g_fDenormal})
+    EXPECT_THROW(step([&](CWorldDesc& d) { d.m_cBox2D.m_fLengthUnit = f; }), std::invalid_argument);
 }
 
 TEST_P(CNoAssert, ManyShapesAtOnePlace) {
@@ -183,10 +181,8 @@ TEST_P(CNoAssert, TheFastestSurfaceAndTheLargestElasticityGiveASpeedThatIsANumbe
       m_pWorld->Add(Turning(CLineSegDesc({-Unit(), 0}, {Unit(), 0}, g_fMaxElasticity), g_fMaxRotSpeed,
                             Vector2{-0.9f * MaxLength(), 0}));
       m_pWorld->SetGravity({0, -MaxSpeed()});
-      m_pWorld->Add(
-          CDynamicCircleDesc({0, 0.1f * Unit()}, 0.1f * Unit(), {0, 0}, g_fMaxBox2DMass, g_fMaxElasticity));
-      m_pWorld->Add(
-          CDynamicCircleDesc({0, 0.25f * Unit()}, 0.1f * Unit(), {0, 0}, g_fMinBox2DMass, g_fMaxElasticity));
+      for (const auto& [y, m] : {std::pair(0.1f, g_fMaxBox2DMass), std::pair(0.25f, g_fMinBox2DMass)})
+        m_pWorld->Add(CDynamicCircleDesc({0, y * Unit()}, 0.1f * Unit(), {0, 0}, m, g_fMaxElasticity));
       Step();
     }
 }
@@ -231,10 +227,10 @@ TEST_P(CNoAssert, BouncyBallsInEachOtherStayNumbers) {
 
 TEST_P(CNoAssert, WhatTouchesIsMovedChangedAndRemoved) {
   Make();
-  const CShapeId seg = m_pWorld->Add(CLineSegDesc({-1, 0}, {0, 0}));
-  const CShapeId flipper = m_pWorld->Add(Turning(CLineSegDesc({0, 0}, {1, 0})));
-  const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f, {0, -1}));
-  const CShapeId other = m_pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -1}));
+  const CShapeId seg = m_pWorld->Add(CLineSegDesc({-1, 0}, {0, 0})),
+                 flipper = m_pWorld->Add(Turning(CLineSegDesc({0, 0}, {1, 0}))),
+                 ball = m_pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f, {0, -1})),
+                 other = m_pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -1}));
   const std::vector<std::function<void()>> changes = {
       [&] { m_pWorld->SetPos(ball, Vector2(0, 0)); },
       [&] { m_pWorld->SetPos(other, m_pWorld->GetPos(ball)); },

@@ -30,20 +30,15 @@ protected:
     return ball;
   }
 
+  static bool Meets(CShape& shape, CDynamicCircle& ball) {
+    CContactDesc c(&shape, &ball);
+    return CollidePair(c);
+  }
   /// The contact of both, which must meet.
   static CContactDesc Meet(CShape& shape, CDynamicCircle& ball) {
     CContactDesc c(&shape, &ball);
     EXPECT_TRUE(CollidePair(c));
     return c;
-  }
-  static bool Meets(CShape& shape, CDynamicCircle& ball) {
-    CContactDesc c(&shape, &ball);
-    return CollidePair(c);
-  }
-
-  /// Where the ball was when it met the shape.
-  static Vector2 CentreAtImpact(const CContactDesc& c) {
-    return c.m_vPOI + c.m_pCircle->GetRadius() * c.m_vNorm;
   }
 };
 
@@ -55,9 +50,8 @@ TEST_F(CPairSweepTest, TheSetbackFromASegmentIsExactWithinTheSlop) {
                 r = random.Uniform(0.05f, 0.5f);
     // Comes from n or from -n, at up to 45 degrees, and would end up `depth` inside or beyond.
     const Vector2 nhat = random.Coin() ? n : Vector2(-n);
-    const float along = random.Uniform(-1, 1);
-    const Vector2 way = -(gap + depth) * nhat + along * (gap + depth) * t * 0.3f;
-    CDynamicCircle ball = Fly((gap + r) * nhat, way, r);
+    const float along = random.Uniform(-0.3f, 0.3f);
+    CDynamicCircle ball = Fly((gap + r) * nhat, (gap + depth) * (along * t - nhat), r);
     const CContactDesc c = Meet(seg, ball);
     EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-5f);
     EXPECT_NEAR(depth - c.m_fSetback, g_fIntoEdge, g_fStopTolerance + g_fRounding);
@@ -70,12 +64,10 @@ TEST_F(CPairSweepTest, TheSetbackFromACircleIsExactWithinTheSlop) {
   ForEachCase(22, 5000, [&](CRandom& random, int) {
     const Vector2 nhat = random.Direction();
     const float R = random.Coin() ? 0.0f : random.Uniform(0.1f, 1); // 0: a point
-    CCircle circle(CCircleDesc({0, 0}, R));
-    CPoint point(CPointDesc(Vector2(0, 0)));
-    CShape& shape = R == 0.0f ? static_cast<CShape&>(point) : circle;
+    const auto pShape = R == 0.0f ? MakeShape(CPointDesc({0, 0})) : MakeShape(CCircleDesc({0, 0}, R));
     const float gap = random.Uniform(0.02f, 1), depth = random.Uniform(0.02f, 2);
     CDynamicCircle ball = Fly((gap + R + g_fR) * nhat, -(gap + depth) * nhat);
-    const CContactDesc c = Meet(shape, ball);
+    const CContactDesc c = Meet(*pShape, ball);
     EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-4f);
     EXPECT_NEAR(depth - c.m_fSetback, g_fIntoCircle, g_fStopTolerance + g_fRounding);
   });
@@ -85,12 +77,11 @@ TEST_F(CPairSweepTest, AnObliqueImpactIsOnTheWayOfTheBall) {
   ForEachCase(23, 5000, [&](CRandom& random, int) {
     CCircle circle(CCircleDesc({0, 0}, 0.5f));
     // The way passes the centre at up to .8 of the sum of the radii.
-    const Vector2 dir = random.Direction();
-    const Vector2 from = -2 * dir + random.Uniform(-0.48f, 0.48f) * perp(dir),
+    const Vector2 dir = random.Direction(), from = -2 * dir + random.Uniform(-0.48f, 0.48f) * perp(dir),
                   way = random.Uniform(2, 4) * dir;
     CDynamicCircle ball = Fly(from, way);
     const CContactDesc c = Meet(circle, ball);
-    const Vector2 p = CentreAtImpact(c);
+    const Vector2 p = c.m_vPOI + g_fR * c.m_vNorm; // the ball's centre at the impact
     EXPECT_NEAR(p.norm(), 0.6f - g_fIntoCircle, g_fStopTolerance + g_fRounding);
     EXPECT_NEAR(Cross(p - from, dir), 0, g_fRounding);
     EXPECT_LT((p - from).norm(), way.norm() + g_fRounding);
@@ -112,11 +103,9 @@ TEST_F(CPairSweepTest, TheSetbackFromAnArcIsExactWithinTheSlopAndTheSagitta) {
     EXPECT_GT(c.m_vNorm.dot(side * u), std::cos(1.01f * angle));
     // Chords lie inside the arc: seen from outside they are up to a sagitta farther away, from inside nearer.
     // The setback is along the normal of the chord, so it is shorter than the way by its cosine.
-    const float least = g_fIntoEdge - g_fStopTolerance - (outside ? 0 : g_fSagittaTolerance);
-    const float most = g_fIntoEdge + g_fStopTolerance + (outside ? g_fSagittaTolerance : 0);
-    const float oblique = (1 - std::cos(angle)) * depth;
-    EXPECT_GE(depth - c.m_fSetback, least - g_fRounding);
-    EXPECT_LE(depth - c.m_fSetback, most + oblique + g_fRounding);
+    const float into = depth - c.m_fSetback - g_fIntoEdge, bound = g_fStopTolerance + g_fRounding;
+    EXPECT_GE(into, -bound - (outside ? 0 : g_fSagittaTolerance));
+    EXPECT_LE(into, bound + (outside ? g_fSagittaTolerance : 0) + (1 - std::cos(angle)) * depth);
   });
 }
 
@@ -142,29 +131,27 @@ TEST_F(CPairSweepTest, ATurningFlipperIsFollowed) {
   flipper.move();
   CDynamicCircle ball = Fly(0.8f * AngleToVector(0.25f), {0, 0}, 0.05f);
   const CContactDesc c = Meet(flipper, ball);
-  const Vector2 normal = perp(AngleToVector(0.25f));
-  EXPECT_GT(c.m_vNorm.dot(normal), 0.99f); // it came from below
-  flipper.SetOrientation(0.5f);            // the control: placed there, it has not passed over anything
+  EXPECT_GT(c.m_vNorm.dot(perp(AngleToVector(0.25f))), 0.99f); // it came from below
+  flipper.SetOrientation(0.5f); // the control: placed there, it has not passed over anything
   EXPECT_FALSE(Meets(flipper, ball));
 }
 
 TEST_F(CPairSweepTest, EdgesHaveASkinAndCirclesHaveNone) {
-  CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
-  CArc arc(CArcDesc({0, -1}, 1, 0, g_fPi)); // its top is a vertex, which is on the arc
-  CCircle circle(CCircleDesc({0, -1}, 1));
-  CPoint point(CPointDesc(Vector2(0, 0)));
-  const auto setback = [](CShape& shape, float gap) { // 0 if they do not touch
+  const auto setback = [](const CAnyShapeDesc& desc, float gap) { // 0 if they do not touch
+    const auto pShape = MakeShape(desc);
     CDynamicCircle ball = Fly({0, g_fR + gap}, {0, 0});
-    CContactDesc c(&shape, &ball);
+    CContactDesc c(pShape.get(), &ball);
     return CollidePair(c) ? c.m_fSetback : 0.0f;
   };
-  for (CShape* pShape : std::initializer_list<CShape*>{&seg, &arc}) {
-    EXPECT_NEAR(setback(*pShape, 0.9f * b2_polygonRadius), 0.1f * b2_polygonRadius, 1e-6f);
-    EXPECT_EQ(setback(*pShape, 1.1f * b2_polygonRadius), 0);
+  const CArcDesc arc({0, -1}, 1, 0, g_fPi); // its top is a vertex, which is on the arc
+  for (const CAnyShapeDesc& edge : {CAnyShapeDesc(CLineSegDesc({-1, 0}, {1, 0})), CAnyShapeDesc(arc)}) {
+    EXPECT_NEAR(setback(edge, 0.9f * b2_polygonRadius), 0.1f * b2_polygonRadius, 1e-6f);
+    EXPECT_EQ(setback(edge, 1.1f * b2_polygonRadius), 0);
   }
-  for (CShape* pShape : std::initializer_list<CShape*>{&circle, &point}) {
-    EXPECT_NEAR(setback(*pShape, -0.001f), 0.001f, 1e-6f);
-    EXPECT_EQ(setback(*pShape, 0.001f), 0);
+  for (const CAnyShapeDesc& round :
+       {CAnyShapeDesc(CCircleDesc({0, -1}, 1)), CAnyShapeDesc(CPointDesc({0, 0}))}) {
+    EXPECT_NEAR(setback(round, -0.001f), 0.001f, 1e-6f);
+    EXPECT_EQ(setback(round, 0.001f), 0);
   }
 }
 
@@ -186,9 +173,8 @@ TEST_F(CPairSweepTest, WhatABallLeavesIsNotMet) {
   CLineSeg seg(CLineSegDesc({-1, 0}, {1, 0}));
   CDynamicCircle leaves = Fly({0, 0.05f}, {0, 1}); // overlaps at first
   EXPECT_FALSE(Meets(seg, leaves));
-  CDynamicCircle stays = Fly({0, 0.05f}, {0, 0.01f}); // the control
-  const CContactDesc d = Meet(seg, stays);
-  EXPECT_NEAR(d.m_fSetback, g_fR - 0.06f + b2_polygonRadius, 1e-5f); // out to the skin
+  CDynamicCircle stays = Fly({0, 0.05f}, {0, 0.01f}); // the control, out to the skin
+  EXPECT_NEAR(Meet(seg, stays).m_fSetback, g_fR - 0.06f + b2_polygonRadius, 1e-5f);
 }
 
 TEST_F(CPairSweepTest, AShapeThatWasMovedIsMetWhereItIs) {

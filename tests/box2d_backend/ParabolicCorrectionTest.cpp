@@ -13,9 +13,6 @@ using Box2D::CParabolicCorrection;
 constexpr std::uint64_t g_nFlightSeed = 65;
 constexpr double g_fSlack = 2;
 
-Vector2d Random2d(CRandom& random, float least, float most) {
-  return random.VectorOfLength(least, most).cast<double>();
-}
 b2Vec2 ToFloat(const Vector2d& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
 Vector2d ToDouble(const b2Vec2& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
@@ -57,7 +54,7 @@ public:
   }
   /// @return the approach speed
   double Bounce(const CSurface& s, double early) {
-    const CParabolicCorrection::CImpact impact = MoveTo(s.m_vPos, s.m_vNorm, s.m_fElasticity, early);
+    const auto impact = MoveTo(s.m_vPos, s.m_vNorm, s.m_fElasticity, early);
     const double speed = CParabolicCorrection::Bounce(impact, m_cCorrection, 1, nullptr);
     m_vVel = Mirror(m_vVel, s.m_vNorm, s.m_fElasticity);
     return speed;
@@ -92,11 +89,11 @@ struct CCase {
   /// @param slowest  speed, in units of what makes such surfaces possible
   explicit CCase(CRandom& random, float slowest = 3) {
     m_fStep = random.Coin() ? 1.0 / 60 : 1.0 / 240;
-    m_vGravity = Random2d(random, 1, 50);
-    m_vPos = Random2d(random, 0, 1);
+    m_vGravity = Wide(random.VectorOfLength(1, 50));
+    m_vPos = Wide(random.VectorOfLength(0, 1));
     const auto least = static_cast<float>(2 * m_fStep * m_vGravity.norm());
     const float most = random.Scale(2, 6) * least;
-    m_vVel = Random2d(random, slowest * least, most);
+    m_vVel = Wide(random.VectorOfLength(slowest * least, most));
   }
   /// A surface where the parabola is, which it meets with at least that speed.
   CSurface SurfaceAt(CRandom& random, const CParabola& ball) const {
@@ -143,8 +140,8 @@ TEST(FlightTest, ABouncedBallLandsOnItsParabola) {
     const CSurface surface = c.SurfaceAt(random, exact);
     CStep step = c.Step();
     const double fastest = 1.5 * c.m_vVel.norm();
-    const double speed = step.Bounce(surface, early);
-    EXPECT_NEAR(speed, -exact.m_vVel.dot(surface.m_vNorm), g_fSlack * g_fParabolaError * fastest);
+    EXPECT_NEAR(step.Bounce(surface, early), -exact.m_vVel.dot(surface.m_vNorm),
+                g_fSlack * g_fParabolaError * fastest);
     exact.Bounce(surface);
     exact.Move(c.m_fStep - at);
     step.MoveTo(c.m_fStep);
@@ -167,15 +164,13 @@ TEST(FlightTest, TwoBouncesInAStepAreTwo) {
     const double at0 = 0.5 * random.Unit() * c.m_fStep, at1 = at0 + 0.5 * random.Unit() * c.m_fStep;
     CParabola exact = c.Parabola();
     CStep step = c.Step();
-    exact.Move(at0);
-    CSurface surface = c.SurfaceAt(random, exact);
-    surface.m_fElasticity = 1; // it stays fast
-    step.Bounce(surface, 0);
-    exact.Bounce(surface);
-    exact.Move(at1 - at0);
-    const CSurface other = c.SurfaceAt(random, exact);
-    step.Bounce(other, 0);
-    exact.Bounce(other);
+    for (const bool isFirst : {true, false}) {
+      exact.Move(isFirst ? at0 : at1 - at0);
+      CSurface surface = c.SurfaceAt(random, exact);
+      if (isFirst) surface.m_fElasticity = 1; // it stays fast
+      step.Bounce(surface, 0);
+      exact.Bounce(surface);
+    }
     exact.Move(c.m_fStep - at1);
     step.Land();
     ExpectLanded(step, exact, 4 * c.m_vVel.norm());
@@ -212,12 +207,13 @@ TEST(FlightTest, TwoBallsBounceByTheirMasses) {
     const double share = m1 / (m0 + m1);
     CParabolicCorrection::Bounce({stop / h, meets - stop, n, wn, e}, step0.m_cCorrection, share,
                                  &step1.m_cCorrection);
-    step0.m_vVel -= share * (1 + e) * wn * n;
-    step1.m_vVel += (1 - share) * (1 + e) * wn * n;
-
-    const double speed = (exact0.m_vVel - exact1.m_vVel).dot(n);
-    exact0.m_vVel -= share * (1 + e) * speed * n;
-    exact1.m_vVel += (1 - share) * (1 + e) * speed * n;
+    const auto bounce = [&](auto& first, auto& second) {
+      const Vector2d w = (1 + e) * (first.m_vVel - second.m_vVel).dot(n) * n;
+      first.m_vVel -= share * w;
+      second.m_vVel += (1 - share) * w;
+    };
+    bounce(step0, step1);
+    bounce(exact0, exact1);
     const double fastest = 4 * (c.m_vVel.norm() + start.m_vVel.norm());
     for (auto [pStep, pExact] : {std::pair(&step0, &exact0), std::pair(&step1, &exact1)}) {
       pExact->Move(h - at1);
@@ -232,12 +228,10 @@ TEST(FlightTest, WhatLiesIsNotPressedIntoWhatItLiesOn) {
   const double h = 1.0 / 60;
   CStep step({0, 0}, {0, 0}, g, h);
   step.m_vVel -= step.m_vVel.dot(n) * n; // Box2D has stopped it
-  const Vector2d along = g - g.dot(n) * n;
   CStep without = step;
   step.m_cCorrection.Rest(n);
   step.Land();
-  EXPECT_NEAR(step.m_vVel.dot(n), 0, 2 * g_fUlp);
-  EXPECT_LE((step.m_vVel - h * along).norm(), 2 * g_fUlp); // it slides as a ball on a slope does
+  EXPECT_LE((step.m_vVel - h * (g - g.dot(n) * n)).norm(), 2 * g_fUlp); // it slides as a ball on a slope does
   without.Land();
   EXPECT_LT(without.m_vVel.dot(n), -0.05); // the control
 }
@@ -254,9 +248,9 @@ double Drift(bool isFollowed) {
   const double first = energy(p, v);
   double most = 0;
   for (int i = 0; i < 10000; ++i) {
+    p.x() = 0; // the same everywhere
     CStep step(p, v, g, h);
     CParabola ball{p, v, g};
-    ball.m_vPos.x() = step.m_vPos.x() = 0; // the same everywhere
     ball.Move(random.Unit() * h);
     const Vector2d n = UnitVector(std::numbers::pi * (0.5 + 0.3 * (2 * random.Unit() - 1)));
     if (ball.m_vVel.y() < 0 && ball.m_vVel.dot(n) < -1) {

@@ -44,11 +44,9 @@ private:
 
 /// The segment that goes on beyond an end; fails if none does.
 CSharedEnd At(const CTable& table, CShapeId id, std::size_t end) {
-  const auto sharedEnds = table.Find();
-  const auto it = sharedEnds.find(id);
-  if (it != sharedEnds.end() && it->second[end]) return *it->second[end];
-  ADD_FAILURE() << "shape " << id.m_nValue << " has no joint at end " << end;
-  return {};
+  const auto joint = table.Find()[id][end];
+  EXPECT_TRUE(joint) << "shape " << id.m_nValue << " has no joint at end " << end;
+  return joint.value_or(CSharedEnd());
 }
 
 void ExpectJoint(const CSharedEnd& joint, CShapeId neighbour, const Vector2& tangent, float bend) {
@@ -67,13 +65,14 @@ TEST(JointsTest, TwoSegmentsGoOnInEachOther) {
 
 TEST(JointsTest, EndsCountAsOneWithinTheTolerance) {
   for (const Vector2& u : {Vector2(1, 0), Vector2(-1, 0), Vector2(0, 1), Vector2(0.6f, -0.8f)}) {
-    CTable table, apart;
-    table.Segment({-2, -2}, {0, 0});
-    table.Segment(0.9f * g_fTolerance * u, {2, -2});
-    EXPECT_EQ(table.Count(), 2u) << u;
-    apart.Segment({-2, -2}, {0, 0});
-    apart.Segment(1.1f * g_fTolerance * u, {2, -2});
-    EXPECT_EQ(apart.Count(), 0u) << u;
+    const auto count = [&](float gap) {
+      CTable table;
+      table.Segment({-2, -2}, {0, 0});
+      table.Segment(gap * g_fTolerance * u, {2, -2});
+      return table.Count();
+    };
+    EXPECT_EQ(count(0.9f), 2u) << u;
+    EXPECT_EQ(count(1.1f), 0u) << u;
   }
 }
 
@@ -178,16 +177,15 @@ TEST(JointsTest, TheBendLeadsAlongTheNeighbour) {
     const std::size_t end = random.Below(2);
     const Vector2 p = end == 0 ? arc.GetEndPt0() : arc.GetEndPt1();
     const CShapeId seg = table.Segment(p, p + random.VectorOfLength(1, 2));
-    const auto sharedEnds = table.Find();
-    if (!sharedEnds.contains(seg)) return; // the other end of the arc is too near
+    const CSharedEnds ofSeg = table.Find()[seg];
+    if (!ofSeg[0] && !ofSeg[1]) return; // the other end of the arc is too near
     ++found;
-    const CSharedEnds& ofSeg = sharedEnds.at(seg);
     const CSharedEnd& joint = ofSeg[0] ? *ofSeg[0] : *ofSeg[1];
     EXPECT_EQ(joint.m_cNeighbour, id);
     const double bend = joint.m_fBend, s = 0.1;
-    const Vector2d t = joint.m_vTangent.cast<double>(), from = p.cast<double>();
-    const Vector2d there = from + std::sin(s) / std::abs(bend) * t + (1 - std::cos(s)) / bend * Perp(t);
-    EXPECT_NEAR((there - c.cast<double>()).norm(), static_cast<double>(R), 16e-7 * (10 + double(R)));
+    const Vector2d t = Wide(joint.m_vTangent);
+    const Vector2d there = Wide(p) + std::sin(s) / std::abs(bend) * t + (1 - std::cos(s)) / bend * Perp(t);
+    EXPECT_NEAR((there - Wide(c)).norm(), R, 16e-7 * (10 + Wide(R)));
     EXPECT_TRUE(arc.PtInSector(there.cast<float>()));
   });
   EXPECT_GT(found, 1900);
@@ -239,8 +237,8 @@ TEST(JointsTest, TheOrderInWhichTheyWereAddedDoesNotMatter) {
     for (std::size_t i = 0; i < links.size(); ++i)
       for (std::size_t end = 0; end < 2; ++end) {
         ASSERT_TRUE(others[i][end]);
-        ExpectJoint(*others[i][end], links[i][end]->m_cNeighbour, links[i][end]->m_vTangent,
-                    links[i][end]->m_fBend);
+        const CSharedEnd& joint = *links[i][end];
+        ExpectJoint(*others[i][end], joint.m_cNeighbour, joint.m_vTangent, joint.m_fBend);
       }
   });
 }

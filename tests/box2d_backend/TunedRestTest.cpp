@@ -15,7 +15,7 @@ struct CStay {
   double m_fSpeed = 0; // fastest
 };
 
-/// Of all balls, whose places these are, in some steps.
+/// Of balls that should be in these places, in some steps.
 CStay Watch(CWorld& world, const std::vector<Vector2>& places, int steps) {
   CStay stay;
   for (int i = 0; i < steps; ++i) {
@@ -97,13 +97,15 @@ TEST(TunedFloorTest, AStackBetweenTwoWallsStays) {
     EXPECT_LE(stay.m_fOff, 3 * g_fMostOffFloor); // three contacts carry the topmost
     EXPECT_LE(stay.m_fSpeed, 0.01);
   }
-  EXPECT_GT(Stack(g_cShipped, 0.5f).m_fOff, 3 * g_fMostOffFloor); // the control
-  EXPECT_GT(Stack(g_cShipped, 0.5f).m_fSpeed, 0.1);
+  const CStay shipped = Stack(g_cShipped, 0.5f); // the control
+  EXPECT_GT(shipped.m_fOff, 3 * g_fMostOffFloor);
+  EXPECT_GT(shipped.m_fSpeed, 0.1);
 }
 
 constexpr float g_fPileRadius = 0.2f, g_fPileGravity = 10.0f;
 
 enum class eVessel { Box, V, Bowl };
+constexpr eVessel g_eVessels[] = {eVessel::Box, eVessel::V, eVessel::Bowl};
 
 constexpr std::uint64_t g_nPileSeed = 83;
 
@@ -130,27 +132,29 @@ struct CVessel {
       if (kind == eVessel::Box) m_pWorld->Add(CLineSegDesc(left, right));
     }
     CRandom random(seed);
-    const float pitch = 2.1f * g_fPileRadius, bottom = kind == eVessel::Box ? 0.6f * pitch
-                                                       : kind == eVessel::V ? s
-                                                                            : -0.55f * s;
+    const float pitch = 2.1f * g_fPileRadius;
+    const float bottom = std::map<eVessel, float>{
+        {eVessel::Box, 0.6f * pitch}, {eVessel::V, s}, {eVessel::Bowl, -0.55f * s}}[kind];
     const int columns = static_cast<int>(s / pitch - 0.5f);
     for (int i = 0; i < balls; ++i) {
       const float x = pitch * (static_cast<float>(i % columns) - 0.5f * static_cast<float>(columns - 1));
       const float y = bottom + pitch * static_cast<float>(i / columns);
-      const float aside = 0.02f * static_cast<float>(random.Unit());
-      const float v = static_cast<float>(EitherSign(random, 0.5));
+      const float aside = 0.02f * static_cast<float>(random.Unit()), v = EitherSign<float>(random, 0.5);
       m_pWorld->Add(CDynamicCircleDesc({x + aside, y}, g_fPileRadius, {v, 0}, 1, e));
     }
   }
 
-  void Step(int steps) { Steps(*m_pWorld, steps); }
+  /// How far p is from the nearest wall; 0 or less outside.
+  float GetRoom(const Vector2& p) const {
+    if (m_eKind == eVessel::Bowl) return m_fSize - p.norm();
+    const float side = m_eKind == eVessel::V ? (p.y() - 2 * std::abs(p.x())) / std::sqrt(5.0f)
+                                             : 0.5f * m_fSize - std::abs(p.x());
+    return std::min({side, p.y(), 2 * m_fSize - p.y()});
+  }
   int CountLost() const {
     int lost = 0;
-    for (const Vector2& p : m_pWorld->GetBallPositions()) {
-      const float half = m_eKind == eVessel::V ? 0.5f * p.y() : 0.5f * m_fSize;
-      lost += m_eKind == eVessel::Bowl ? !(p.norm() < m_fSize)
-                                       : !(std::abs(p.x()) < half && p.y() > 0 && p.y() < 2 * m_fSize);
-    }
+    for (const Vector2& p : m_pWorld->GetBallPositions())
+      lost += !p.allFinite() || GetRoom(p) <= 0;
     return lost;
   }
   /// Per mass, above the lowest place.
@@ -164,42 +168,36 @@ struct CVessel {
   /// Of a ball and the vessel, in radii.
   double GetDepth() const {
     double most = 0;
-    for (const Vector2& p : m_pWorld->GetBallPositions()) {
-      const float floor = m_eKind == eVessel::V ? (p.y() - 2 * std::abs(p.x())) / std::sqrt(5.0f)
-                                                : std::min(p.y(), 0.5f * m_fSize - std::abs(p.x()));
-      const float room = m_eKind == eVessel::Bowl ? m_fSize - p.norm() : std::min(floor, 2 * m_fSize - p.y());
-      most = std::max<double>(most, g_fPileRadius - room);
-    }
-    return most / g_fPileRadius;
+    for (const Vector2& p : m_pWorld->GetBallPositions())
+      most = std::max<double>(most, 1 - GetRoom(p) / g_fPileRadius);
+    return most;
   }
 };
 
 TEST(TunedPileTest, APileSettlesAndLosesNone) {
-  for (const eVessel kind : {eVessel::Box, eVessel::V, eVessel::Bowl})
-    for (const int balls : {10, 50})
-      for (const float e : {0.0f, 0.5f, 0.9f}) {
-        if (balls == 50 && e == 0.0f) continue;
-        SCOPED_TRACE(testing::Message()
-                     << "vessel " << static_cast<int>(kind) << ", " << balls << " balls, e = " << e);
-        CVessel vessel(g_cTuned, kind, balls, e);
-        const double first = vessel.GetEnergy();
-        for (int i = 0; i < 60; ++i) {
-          vessel.Step(10);
-          ASSERT_EQ(vessel.CountLost(), 0) << 10 * i;
-          ASSERT_LE(vessel.GetEnergy(), 1.001 * first) << 10 * i;
-        }
-        // A ball that slides in a bowl slides on.
-        EXPECT_LT(GetFastest(*vessel.m_pWorld), kind == eVessel::Bowl ? 1.0 : 0.2);
-        EXPECT_LT(GetOverlap(*vessel.m_pWorld), 0.1);
+  for (const eVessel kind : g_eVessels)
+    for (const auto& [balls, e] : {std::pair(10, 0.0f), {10, 0.5f}, {10, 0.9f}, {50, 0.5f}, {50, 0.9f}}) {
+      SCOPED_TRACE(testing::Message()
+                   << "vessel " << static_cast<int>(kind) << ", " << balls << " balls, e = " << e);
+      CVessel vessel(g_cTuned, kind, balls, e);
+      const double first = vessel.GetEnergy();
+      for (int i = 0; i < 60; ++i) {
+        Steps(*vessel.m_pWorld, 10);
+        ASSERT_EQ(vessel.CountLost(), 0) << 10 * i;
+        ASSERT_LE(vessel.GetEnergy(), 1.001 * first) << 10 * i;
       }
+      // A ball that slides in a bowl slides on.
+      EXPECT_LT(GetFastest(*vessel.m_pWorld), kind == eVessel::Bowl ? 1.0 : 0.2);
+      EXPECT_LT(GetOverlap(*vessel.m_pWorld), 0.1);
+    }
 }
 
-/// Sums over several piles while they settle; none is lost.
 struct CSettling {
   double m_fOverlap = 0; // the largest after a step, of two balls or of a ball and the vessel, radii
   double m_fRise = 0;    // of the energy above the least so far, as a share of the first
 };
 
+/// Sums over several piles while they settle; none is lost.
 CSettling Settle(const CTuning& tuning, eVessel kind, int balls, int runs, int steps) {
   CSettling sum;
   for (int run = 0; run < runs; ++run) {
@@ -207,12 +205,11 @@ CSettling Settle(const CTuning& tuning, eVessel kind, int balls, int runs, int s
     const double first = vessel.GetEnergy();
     double least = first, overlap = 0, rise = 0;
     for (int i = 0; i < steps; ++i) {
-      vessel.Step(1);
+      vessel.m_pWorld->Step();
       EXPECT_EQ(vessel.CountLost(), 0) << i;
       overlap = std::max({overlap, GetOverlap(*vessel.m_pWorld), vessel.GetDepth()});
-      const double energy = vessel.GetEnergy();
-      least = std::min(least, energy);
-      rise = std::max(rise, (energy - least) / first);
+      least = std::min(least, vessel.GetEnergy());
+      rise = std::max(rise, (vessel.GetEnergy() - least) / first);
     }
     sum.m_fOverlap += overlap;
     sum.m_fRise += rise;
@@ -223,7 +220,7 @@ CSettling Settle(const CTuning& tuning, eVessel kind, int balls, int runs, int s
 // Where Box2D moves balls into each other it moves them apart again, also upwards. The bottom of a V at 30
 // units per second, with 200 balls, is where most press on one.
 TEST(TunedPileTest, APileThatSettlesOverlapsLessAndGainsNoMoreEnergyThanOnShippedBox2D) {
-  for (const eVessel kind : {eVessel::Box, eVessel::V, eVessel::Bowl})
+  for (const eVessel kind : g_eVessels)
     for (const int balls : {10, 50, 200}) {
       SCOPED_TRACE(testing::Message() << "vessel " << static_cast<int>(kind) << ", " << balls << " balls");
       const int runs = balls == 200 ? 1 : 4, steps = balls == 200 ? 300 : 240;
@@ -241,16 +238,13 @@ TEST(TunedPileTest, APileThatSettlesOverlapsLessAndGainsNoMoreEnergyThanOnShippe
 TEST(TunedPileTest, APileIsSolvedAboutAsOftenAsByShippedBox2D) {
   const auto count = [](const CTuning& tuning, eVessel kind, int steps) {
     CVessel vessel(tuning, kind, 10, 0.5f, {eEffect::Events}); // for the listener, which counts
-    vessel.Step(steps);
+    Steps(*vessel.m_pWorld, steps);
     return static_cast<double>(vessel.m_pWorld->GetStats().m_nEngineContacts);
   };
-  for (const eVessel kind : {eVessel::Box, eVessel::V, eVessel::Bowl}) {
-    SCOPED_TRACE(static_cast<int>(kind));
-    EXPECT_LT(count(g_cTuned, kind, 600), 3 * count(g_cShipped, kind, 600));
-  }
-  // The control.
+  for (const eVessel kind : g_eVessels)
+    EXPECT_LT(count(g_cTuned, kind, 600), 3 * count(g_cShipped, kind, 600)) << static_cast<int>(kind);
   EXPECT_GT(count(Without(&CTuning::m_bLastingContact), eVessel::V, 300),
-            10 * count(g_cShipped, eVessel::V, 300));
+            10 * count(g_cShipped, eVessel::V, 300)); // the control
 }
 
 TEST(TunedPileTest, BallsInOnePlaceComeApart) {
@@ -258,10 +252,8 @@ TEST(TunedPileTest, BallsInOnePlaceComeApart) {
     auto pWorld = MakeBox2D(tuning, {0, -g_fPileGravity}, g_fDt, {eEffect::Events});
     pWorld->Add(CArcDesc({0, 0}, 4, 0, 0));
     CRandom random(83);
-    for (int i = 0; i < balls; ++i) {
-      const float x = static_cast<float>(EitherSign(random, 1e-3));
-      pWorld->Add(CDynamicCircleDesc({x, 0}, g_fPileRadius, {0, 0}, 1, 0.5f));
-    }
+    for (int i = 0; i < balls; ++i)
+      pWorld->Add(CDynamicCircleDesc({EitherSign<float>(random, 1e-3), 0}, g_fPileRadius, {0, 0}, 1, 0.5f));
     Steps(*pWorld, steps);
     for (const Vector2& p : pWorld->GetBallPositions())
       EXPECT_LT(p.norm(), 4);
@@ -285,21 +277,18 @@ struct CCrush {
 CCrush Crush(const CTuning& tuning, std::uint64_t seed) {
   const auto pWorld = MakeBox2D(tuning, {0, -10});
   pWorld->Add(CLineSegDesc({-3, 0}, {3, 0}));
-  CShapeId walls[2];
-  for (const int side : {-1, 1}) {
-    const float x = 2.2f * static_cast<float>(side);
-    walls[side > 0] = pWorld->Add(Turning(CLineSegDesc({x, 0.05f}, {x, 9})));
-  }
+  const CShapeId left = pWorld->Add(Turning(CLineSegDesc({-2.2f, 0.05f}, {-2.2f, 9}))),
+                 right = pWorld->Add(Turning(CLineSegDesc({2.2f, 0.05f}, {2.2f, 9})));
   CRandom random(seed);
   for (int i = 0; i < 20; ++i) {
-    const float x = -0.94f + 0.47f * static_cast<float>(i % 5) + static_cast<float>(EitherSign(random, 0.01));
+    const float x = -0.94f + 0.47f * static_cast<float>(i % 5) + EitherSign<float>(random, 0.01);
     const float y = 0.4f + 0.5f * static_cast<float>(i / 5);
     pWorld->Add(CDynamicCircleDesc({x, y}, g_fCrushRadius, {0, 0}, 1, 0.5f));
   }
   CCrush crush;
   const auto play = [&](float inward, int steps) {
-    for (const int side : {-1, 1})
-      pWorld->SetVel(walls[side > 0], {-static_cast<float>(side) * inward, 0});
+    pWorld->SetVel(left, {inward, 0});
+    pWorld->SetVel(right, {-inward, 0});
     for (int i = 0; i < steps; ++i) {
       pWorld->Step();
       crush.m_fFastest = std::max(crush.m_fFastest, GetFastest(*pWorld));
@@ -334,13 +323,11 @@ int CountLostToABar(eSides sides, int runs) {
     pWorld->Add(Sided(CArcDesc({0, 0}, 1, 0, 0), sides));
     pWorld->Add(Turning(CLineSegDesc({-0.75f, 0}, {0.75f, 0}), 1));
     for (int i = 0; i < 3; ++i) {
-      const float vx = static_cast<float>(EitherSign(random, 1)),
-                  vy = static_cast<float>(EitherSign(random, 1));
+      const float vx = EitherSign<float>(random, 1), vy = EitherSign<float>(random, 1);
       pWorld->Add(CDynamicCircleDesc({0.5f * static_cast<float>(i - 1), 0.35f}, 0.15f, {vx, vy}, 1, 0.7f));
     }
     Steps(*pWorld, 600);
-    lost += std::any_of(pWorld->GetBallPositions().begin(), pWorld->GetBallPositions().end(),
-                        [](const Vector2& p) { return !(p.norm() < 1); });
+    lost += std::ranges::any_of(pWorld->GetBallPositions(), [](const Vector2& p) { return !(p.norm() < 1); });
   }
   return lost;
 }

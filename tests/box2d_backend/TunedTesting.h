@@ -36,7 +36,10 @@ inline std::unique_ptr<CWorld> MakeBox2D(const CTuning& tuning, const Vector2& g
 }
 
 /// In [-most, most].
-inline double EitherSign(CRandom& random, double most) { return (2 * random.Unit() - 1) * most; }
+template <class T = double>
+T EitherSign(CRandom& random, double most) {
+  return static_cast<T>((2 * random.Unit() - 1) * most);
+}
 
 /// The value below which the share q of them lies. @param values not empty
 inline double Quantile(std::vector<double> values, double q) {
@@ -45,24 +48,17 @@ inline double Quantile(std::vector<double> values, double q) {
   return values[static_cast<std::size_t>(i)];
 }
 
-/// A ball on its way: exactly what the floats that an engine is given say.
-struct CBallState {
-  Vector2d m_vPos, m_vVel;
-  double m_fRadius;
-};
-
-struct CHit {
-  double m_fTime = std::numeric_limits<double>::infinity(); // never
-  Vector2d m_vNorm = Vector2d::Zero();                      // from the shape to the ball
-};
-
 using CFigure = Compare::CShapeGeometry<double>;
+/// A ball on its way: exactly what the floats that an engine is given say.
+using CBallState = Compare::CSweptBall<double>;
+using CHit = Compare::CHit<double>;
+
+inline constexpr double g_fNever = std::numeric_limits<double>::infinity();
 
 /// When and where the ball meets the shape, within so many seconds.
 inline CHit Meet(const CFigure& shape, const CBallState& b, double seconds) {
-  Compare::CHit<double> hit;
-  if (!Compare::Sweep<double>(shape, {b.m_vPos, b.m_vVel, b.m_fRadius}, seconds, hit)) return {};
-  return {hit.m_fTime, hit.m_vNorm};
+  CHit hit;
+  return Compare::Sweep<double>(shape, b, seconds, hit) ? hit : CHit{.m_fTime = g_fNever};
 }
 
 /// Shapes that do not move.
@@ -74,7 +70,7 @@ public:
   }
 
   CHit FirstHit(const CBallState& b, double seconds = 1000) const {
-    CHit first;
+    CHit first{.m_fTime = g_fNever};
     for (const CFigure& shape : m_stdShapes)
       if (const CHit hit = Meet(shape, b, seconds); hit.m_fTime < first.m_fTime) first = hit;
     return first;
@@ -85,12 +81,12 @@ public:
     std::vector<CHit> hits;
     double now = 0;
     while (hits.size() < 1000) {
-      const CHit hit = FirstHit(b, seconds - now);
+      CHit hit = FirstHit(b, seconds - now);
       if (now + hit.m_fTime > seconds) break;
       b.m_vPos += hit.m_fTime * b.m_vVel;
       b.m_vVel = Mirror(b.m_vVel, hit.m_vNorm);
-      now += hit.m_fTime;
-      hits.push_back({now, hit.m_vNorm});
+      hit.m_fTime = now += hit.m_fTime;
+      hits.push_back(hit);
     }
     b.m_vPos += (seconds - now) * b.m_vVel;
     return hits;
@@ -98,7 +94,7 @@ public:
 
   /// Distance of p from the nearest surface.
   double Distance(const Vector2d& p) const {
-    double d = std::numeric_limits<double>::infinity();
+    double d = g_fNever;
     for (const CFigure& shape : m_stdShapes)
       d = std::min(d, Compare::Distance<double>(shape, p));
     return d;
@@ -196,12 +192,11 @@ public:
   template <class TAim>
   int CountWrong(int n, TAim aim, double mostAllowance = std::numeric_limits<double>::infinity()) {
     int wrong = 0;
-    while (n > 0) {
-      const auto shot = Aim(aim());
-      if (!shot || shot->m_fAllowance > mostAllowance) continue;
-      --n;
-      wrong += DirectionError(*shot) > 0.01 + shot->m_fAllowance;
-    }
+    while (n > 0)
+      if (const auto shot = Aim(aim()); shot && shot->m_fAllowance <= mostAllowance) {
+        --n;
+        wrong += DirectionError(*shot) > 0.01 + shot->m_fAllowance;
+      }
     return wrong;
   }
 

@@ -2,6 +2,7 @@
 // Steps a world that calls for some effects only, for callgrind: step-cost BALLS STEPS EFFECT... The effects
 // that are named are called for by what is in the world (Events, and pairs of many balls, cannot be left out
 // otherwise than by forbidding them). Prints what ran.
+#include "Descs.h"
 #include "Random.h"
 
 #include <Shapes/Shapes.h>
@@ -33,25 +34,17 @@ int main(int argc, char** argv) {
 
   Tests::CRandom random(1);
   constexpr float half = 8;
-  for (const float s : {-half, half}) {
-    pWorld->Add(CLineSegDesc({-half, s}, {half, s}));
-    pWorld->Add(CLineSegDesc({s, -half}, {s, half}));
-  }
+  for (const CLineSegDesc& wall : Walls({-half, -half}, {half, half}))
+    pWorld->Add(wall);
   // One ball flies in the middle of nothing.
   for (int i = 0; balls > 1 && i < 60; ++i) {
     const Vector2 p = random.InSquare(half - 1);
     pWorld->Add(CLineSegDesc(p, p + random.VectorOfLength(0.1f, 1.0f)));
   }
-  CLineSegDesc bar({-1, 7}, {1, 7});
-  bar.m_eMotionType = eMotion::Kinematic; // a still flipper where Kinematics is not called for
-  bar.m_vRotCenter = {0, 7};
-  if (calls(eEffect::Kinematics)) bar.m_fRotSpeed = 0.1f;
-  if (balls > 1) pWorld->Add(bar);
-  if (calls(eEffect::Sensors)) {
-    CCircleDesc zone({0, -6}, 1);
-    zone.m_bIsSensor = true;
-    pWorld->Add(zone);
-  }
+  // A still flipper where Kinematics is not called for.
+  const float revsPerSecond = calls(eEffect::Kinematics) ? 0.1f : 0.0f;
+  if (balls > 1) pWorld->Add(Turning(CLineSegDesc({-1, 7}, {1, 7}), revsPerSecond, {0, 7}));
+  if (calls(eEffect::Sensors)) pWorld->Add(MakeZone({0, -6}));
   for (int i = 0; i < balls; ++i) {
     const float speed = calls(eEffect::Continuous) ? 10.0f : 0.5f;
     const Vector2 p = balls > 1 ? random.InSquare(half - 1) : Vector2(0, 0);

@@ -2,6 +2,7 @@
 // A scene that is played for long, and what must not change by that. docs/testing.md derives the bounds.
 #pragma once
 
+#include "Numbers.h"
 #include "Played.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <functional>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace Shapes::Tests {
@@ -52,8 +54,6 @@ struct CMeddling {
   std::function<void(CPlayed&)> m_Loaded;                   ///< the game that was loaded
 };
 
-using Vector2d = Eigen::Vector2d;
-
 // Half an ulp of 1: what rounding to float changes at most, relative.
 inline constexpr double g_fUnit = 0x1p-24;
 // A hit of two balls changes the sum of their energies by this share of it at most.
@@ -64,24 +64,20 @@ inline constexpr std::size_t g_nBatches = 20;
 
 class CWatch {
 public:
-  explicit CWatch(const CPlayed& played)
-      : m_cWorld(played.GetWorld()),
-        m_nShapes(played.GetShapes().size()),
-        m_fStep(static_cast<double>(m_cWorld.GetDesc().m_fTimeStep)),
-        m_bIsParabola(!m_cWorld.GetDesc().m_cEffects.m_cForbidden.Has(eEffect::Continuous)),
-        // The gravity as it acts: in semi-implicit steps what is added to the velocity is rounded.
-        m_vGravity(
-            m_bIsParabola
-                ? m_cWorld.GetDesc().m_vGravity.cast<double>()
-                : Vector2d(
-                      Vector2(m_cWorld.GetDesc().m_vGravity * m_cWorld.GetDesc().m_fTimeStep).cast<double>() /
-                      m_fStep)),
-        m_fEnergy0(GetEnergy()) {}
+  explicit CWatch(const CPlayed& played) : m_cWorld(played.GetWorld()), m_nShapes(played.GetShapes().size()) {
+    const CWorldDesc& desc = m_cWorld.GetDesc();
+    m_fStep = Wide(desc.m_fTimeStep);
+    m_bIsParabola = !desc.m_cEffects.m_cForbidden.Has(eEffect::Continuous);
+    // The gravity as it acts: in semi-implicit steps what is added to the velocity is rounded.
+    m_vGravity =
+        m_bIsParabola ? Wide(desc.m_vGravity) : Vector2d(Wide(desc.m_vGravity * desc.m_fTimeStep) / m_fStep);
+    m_fEnergy0 = GetEnergy();
+  }
 
   double GetEnergy() const {
     double sum = 0.0;
     for (const Vector2& v : m_cWorld.GetBallVelocities())
-      sum += 0.5 * v.cast<double>().squaredNorm();
+      sum += 0.5 * Wide(v).squaredNorm();
     return sum;
   }
 
@@ -117,19 +113,16 @@ public:
 
 private:
   void Meet(CShapeId ball) { m_stdMet[ball.m_nValue - 1 - m_nShapes] = true; }
-  double GetEnergy(CShapeId ball) const {
-    return 0.5 * m_cWorld.GetBallVelocities()[ball.m_nValue - 1 - m_nShapes].cast<double>().squaredNorm();
-  }
+  double GetEnergy(CShapeId ball) const { return 0.5 * Wide(m_cWorld.GetVel(ball)).squaredNorm(); }
 
   // Parabolas keep the energy, semi-implicit steps that plus half of what gravity adds in a step.
   double Kept(const Vector2& p, const Vector2& v) const {
-    const Vector2d v2 = v.cast<double>();
-    const double energy = 0.5 * v2.squaredNorm() - m_vGravity.dot(p.cast<double>());
-    return m_bIsParabola ? energy : energy + 0.5 * m_fStep * m_vGravity.dot(v2);
+    const double energy = 0.5 * Wide(v).squaredNorm() - m_vGravity.dot(Wide(p));
+    return m_bIsParabola ? energy : energy + 0.5 * m_fStep * m_vGravity.dot(Wide(v));
   }
   double SizeOfKept(const Vector2& p, const Vector2& v) const {
-    const double g = m_vGravity.norm(), speed = static_cast<double>(v.norm()) + g * m_fStep;
-    return speed * speed + g * static_cast<double>(p.norm());
+    const double g = m_vGravity.norm(), speed = Wide(v.norm()) + g * m_fStep;
+    return speed * speed + g * Wide(p.norm());
   }
 
   const CWorld& m_cWorld;
@@ -149,22 +142,21 @@ inline void LookAtMemory(CFigures& figures) {
   figures.m_nBytesMore = std::max(figures.m_nBytesMore, more(CountLiveBytes(), figures.m_nBytes));
 }
 
-inline double Mean(const double* begin, const double* end) {
-  return std::accumulate(begin, end, 0.0) / static_cast<double>(end - begin);
+inline double Mean(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-inline double HalvesApart(const std::vector<double>& batches) {
-  const double* begin = batches.data();
-  const double *middle = begin + batches.size() / 2, *end = begin + batches.size();
-  const double mean0 = Mean(begin, middle), mean1 = Mean(middle, end);
-  double squares = 0.0;
-  for (const double* p = begin; p != end; ++p) {
-    const double d = *p - (p < middle ? mean0 : mean1);
-    squares += d * d;
+inline double HalvesApart(std::span<const double> batches) {
+  double squares = 0.0, difference = 0.0;
+  for (const auto& half : {batches.first(batches.size() / 2), batches.last(batches.size() / 2)}) {
+    const double mean = Mean(half);
+    difference = mean - difference;
+    for (const double value : half)
+      squares += (value - mean) * (value - mean);
   }
   const auto n = static_cast<double>(batches.size());
   const double variance = squares / (n - 2.0) * (4.0 / n); // of the difference of both means
-  return variance > 0.0 ? std::abs(mean1 - mean0) / std::sqrt(variance) : 0.0;
+  return variance > 0.0 ? std::abs(difference) / std::sqrt(variance) : 0.0;
 }
 
 /// @param steps  200 at least

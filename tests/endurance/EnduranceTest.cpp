@@ -101,11 +101,10 @@ TEST_P(EnduranceTest, BallsInABoxGoOnForever) {
 TEST_P(EnduranceTest, ALeakIsSeen) {
   std::vector<std::unique_ptr<int>> leaks;
   leaks.reserve(g_nControlSteps);
-  const CFigures f = Control(LoadBundled("pinball"), {[&](CPlayed&, std::size_t i) {
-                                                        if (i % 500 == 0)
-                                                          leaks.push_back(std::make_unique<int>());
-                                                      },
-                                                      {}});
+  const auto leak = [&](CPlayed&, std::size_t i) {
+    if (i % 500 == 0) leaks.push_back(std::make_unique<int>());
+  };
+  const CFigures f = Control(LoadBundled("pinball"), {leak, {}});
   EXPECT_FALSE(KeepsMemory(f)) << Text(f);
 }
 

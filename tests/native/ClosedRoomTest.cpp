@@ -10,42 +10,21 @@
 namespace Shapes {
 namespace {
 
-/// A convex room, its corners counterclockwise.
-using CRoom = std::vector<Vector2>;
-
-std::unique_ptr<CWorld> MakeRoom(const CRoom& room, const CEffectChoice& effects, float gravity, float e) {
-  auto pWorld = MakeNative(effects, gravity);
-  AddRoom(*pWorld, room, e);
-  return pWorld;
-}
-
-/// How many balls have their centres outside.
-int CountOutside(const CRoom& room, const CWorld& world) {
-  int n = 0;
-  for (const Vector2& p : world.GetBallPositions()) {
-    bool isInside = true;
-    for (std::size_t i = 0; i < room.size(); ++i)
-      isInside = isInside && Cross(room[(i + 1) % room.size()] - room[i], p - room[i]) > 0.0f;
-    n += !isInside;
-  }
-  return n;
-}
-
-int PlayPile(const CEffectChoice& effects, int balls, int steps) {
-  const CRoom room{{0, 0}, {6, 0}, {6, 40}, {0, 40}};
-  const auto pWorld = MakeRoom(room, effects, 10.0f, 0.7f);
-  CRandom random(15);
-  for (int i = 0; i < balls; ++i) {
-    const Vector2 p(0.5f + 0.5f * static_cast<float>(i % 11), 0.5f + 0.5f * static_cast<float>(i / 11));
-    pWorld->Add(CDynamicCircleDesc(p + random.InSquare(0.02f), 0.2f, random.InSquare(0.5f), 1.0f, 0.7f));
-  }
-  Steps(*pWorld, steps);
-  return CountOutside(room, *pWorld);
-}
-
 TEST(ClosedRoom, APileLosesNone) {
-  EXPECT_EQ(PlayPile(g_cAutomatic, 200, 600), 0);
-  EXPECT_GT(PlayPile(g_cApproximate, 200, 600), 0); // the control
+  const auto countOutside = [](const CEffectChoice& effects) {
+    const auto pWorld = MakeNative(effects, 10);
+    AddBox(*pWorld, {0, 0}, {6, 40}, 0.7f);
+    CRandom random(15);
+    for (int i = 0; i < 200; ++i) {
+      const Vector2 p(0.5f + 0.5f * static_cast<float>(i % 11), 0.5f + 0.5f * static_cast<float>(i / 11));
+      pWorld->Add(CDynamicCircleDesc(p + random.InSquare(0.02f), 0.2f, random.InSquare(0.5f), 1.0f, 0.7f));
+    }
+    Steps(*pWorld, 600);
+    return CountBalls(*pWorld,
+                      [](const Vector2& p) { return !(p.x() > 0 && p.x() < 6 && p.y() > 0 && p.y() < 40); });
+  };
+  EXPECT_EQ(countOutside(g_cAutomatic), 0);
+  EXPECT_GT(countOutside(g_cApproximate), 0); // the control
 }
 
 // A ball that lies over a gap that is smaller than itself, pressed by another one, is stopped by the ends. It
@@ -65,10 +44,7 @@ TEST(ClosedRoom, AStoppedBallGathersNoSpeed) {
     return sum;
   };
   const float most = energy() + 1.4f;
-  for (int i = 0; i < 300; ++i) {
-    pWorld->Step();
-    ASSERT_LT(energy(), most) << "after step " << i;
-  }
+  InEachStep(*pWorld, 300, [&](int) { EXPECT_LT(energy(), most); });
 }
 
 // A post that appears under a ball that is larger than the post pushes it out.
@@ -125,13 +101,10 @@ struct CShaft {
   }
 };
 
-constexpr int g_nSteps = 100;
-constexpr float g_fDeepest = 0.25f;
-
 float GetDeepest(const CEffectChoice& effects, float radius, std::uint64_t seed) {
   CShaft shaft(effects, radius, seed);
   float deepest = 0.0f;
-  for (int step = 0; step < g_nSteps; ++step) {
+  for (int step = 0; step < 100; ++step) {
     shaft.Step(step);
     deepest = std::max(deepest, shaft.GetDepth());
   }
@@ -139,22 +112,17 @@ float GetDeepest(const CEffectChoice& effects, float radius, std::uint64_t seed)
 }
 
 TEST(SqueezedBalls, GoThroughNoShape) {
-  struct CRow {
-    float m_fRadius;
-    std::vector<std::uint64_t> m_stdSeeds; // in which one got through once, besides the first ones
-  };
-  for (const CRow& row :
-       {CRow{0.05f, {265, 377, 417, 498, 530, 639, 1141, 2427}},
-        CRow{0.1f, {49, 96, 199, 263, 270, 500, 972}}, CRow{0.2f, {17, 224, 305, 463, 1211}}}) {
-    std::vector<std::uint64_t> seeds = row.m_stdSeeds;
+  using CSeeds = std::vector<std::uint64_t>; // in which one got through once, besides the first ones
+  const float most = 0.25f;
+  for (auto [radius, seeds] : {std::pair<float, CSeeds>(0.05f, {265, 377, 417, 498, 530, 639, 1141, 2427}),
+                               {0.1f, {49, 96, 199, 263, 270, 500, 972}},
+                               {0.2f, {17, 224, 305, 463, 1211}}}) {
     for (std::uint64_t seed = 0; seed < 10; ++seed)
       seeds.push_back(seed);
-    for (const std::uint64_t seed : seeds) {
-      SCOPED_TRACE(testing::Message() << "radius " << row.m_fRadius << ", seed " << seed);
-      EXPECT_LT(GetDeepest(g_cAutomatic, row.m_fRadius, seed), g_fDeepest);
-    }
+    for (const std::uint64_t seed : seeds)
+      EXPECT_LT(GetDeepest(g_cAutomatic, radius, seed), most) << "radius " << radius << ", seed " << seed;
   }
-  EXPECT_GT(GetDeepest(g_cApproximate, 0.1f, 49), g_fDeepest) << "the control";
+  EXPECT_GT(GetDeepest(g_cApproximate, 0.1f, 49), most) << "the control";
 }
 
 // The fastest of a heap of balls that a piston pushes against a wall, in its speeds.
@@ -172,8 +140,8 @@ float PushHeap(float speed, float e, std::uint64_t seed) {
   Steps(*pWorld, 60); // they come to rest
   pWorld->SetVel(piston, {-speed, 0});
   float fastest = 0.0f;
-  for (int step = 0; step < static_cast<int>(240.0f / speed);
-       ++step) { // until two thirds of the room are gone
+  const int steps = static_cast<int>(240.0f / speed); // until two thirds of the room are gone
+  for (int step = 0; step < steps; ++step) {
     pWorld->Step();
     fastest = std::max(fastest, GetFastest(*pWorld) / speed);
   }
@@ -183,39 +151,32 @@ float PushHeap(float speed, float e, std::uint64_t seed) {
 // Seeds in which one left at 2.8 to 7.6 when many impacts gave any speed to a ball between others that go
 // along with the piston, and at 6 to 15 when the solver did. (With e = .9 one may be faster, as on Box2D.)
 TEST(SqueezedBalls, LeaveAPistonAtItsSpeedNotAtThatOverASine) {
-  for (const std::uint64_t seed :
-       std::vector<std::uint64_t>{0, 1, 2, 3, 4, 5, 6, 7, 11, 19, 26, 34, 38, 39, 42, 43})
+  for (const auto seed : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u, 11u, 19u, 26u, 34u, 38u, 39u, 42u, 43u})
     EXPECT_LT(PushHeap(10.0f, 0.3f, seed), 2.5f) << "seed " << seed;
-  for (const std::uint64_t seed : std::vector<std::uint64_t>{4, 9, 10, 21, 33, 57})
+  for (const auto seed : {4u, 9u, 10u, 21u, 33u, 57u})
     EXPECT_LT(PushHeap(2.0f, 0.0f, seed), 2.5f) << "seed " << seed;
 }
 
 constexpr float g_fHalf = 4.0f;
 
-struct CTable {
-  std::unique_ptr<CWorld> m_pWorld;
-  std::vector<CShapeId> m_stdBalls;
-
-  float GetFarthest(CShapeId ball) const {
-    return m_pWorld->GetPos(ball).cwiseAbs().maxCoeff() + m_pWorld->GetRadius(ball);
-  }
-};
+float GetFarthest(const CWorld& world, CShapeId ball) {
+  return world.GetPos(ball).cwiseAbs().maxCoeff() + world.GetRadius(ball);
+}
 
 /// Walls around up to 11 shapes and 8 balls, which may begin in one another.
-CTable MakeTable(std::uint64_t seed, bool turning, const CEffectChoice& choice) {
+std::unique_ptr<CWorld> MakeTable(std::uint64_t seed, bool turning, const CEffectChoice& choice) {
   CRandom random(seed);
   const float gravity = random.Coin() ? 10.0f : 0.0f;
-  CTable table{MakeNative(choice, gravity, g_fDt, 1 + random.Below(2)), {}};
-  CWorld& world = *table.m_pWorld;
+  auto pWorld = MakeNative(choice, gravity, g_fDt, 1 + random.Below(2));
   const float e = random.Coin() ? 1.0f : random.Uniform(0, 1.1f);
-  AddBox(world, g_fHalf, e);
+  AddBox(*pWorld, g_fHalf, e);
   const auto add = [&](auto shape) {
     shape.m_fElasticity = e;
     if (turning && random.Coin()) {
       const Vector2 center = shape.m_vPos + random.VectorOfLength(0, 0.5f);
       shape = Turning(shape, random.Uniform(-5, 5), center);
     }
-    world.Add(shape);
+    pWorld->Add(shape);
   };
   const std::uint32_t shapes = random.Below(12);
   for (std::uint32_t i = 0; i < shapes; ++i) {
@@ -228,10 +189,9 @@ CTable MakeTable(std::uint64_t seed, bool turning, const CEffectChoice& choice) 
   for (std::uint32_t i = 0; i < balls; ++i) {
     const Vector2 p = random.InSquare(3.4f), v = random.VectorOfLength(0, fastest);
     const float r = random.Scale(-5, -2), mass = random.Scale(-4, 4);
-    table.m_stdBalls.push_back(
-        world.Add(CDynamicCircleDesc(p, r, v, mass, random.Coin() ? 1.0f : random.Uniform(0, 1))));
+    pWorld->Add(CDynamicCircleDesc(p, r, v, mass, random.Coin() ? 1.0f : random.Uniform(0, 1)));
   }
-  return table;
+  return pWorld;
 }
 
 // Where nothing turns nobody is squeezed: once what began in one another is apart, balls stay out of the
@@ -240,16 +200,13 @@ TEST(ContinuousRandomTest, NobodyGetsOutOfATableNorWhereNothingTurnsIntoAWall) {
   for (const bool turning : {false, true})
     for (std::uint64_t seed = 1; seed <= 150; ++seed) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << (turning ? ", turning" : ""));
-      const CTable table = MakeTable(seed, turning, g_cContinuous);
-      for (int step = 0; step < 100; ++step) {
-        table.m_pWorld->Step();
-        for (const CShapeId ball : table.m_stdBalls) {
-          ASSERT_LT(table.m_pWorld->GetPos(ball).cwiseAbs().maxCoeff(), g_fHalf) << "step " << step;
-          const bool mayBeIn = turning || step < 10;
-          ASSERT_TRUE(mayBeIn || table.GetFarthest(ball) < g_fHalf + 24 * g_fTouchRounding * 2 * g_fHalf)
-              << table.GetFarthest(ball) << " in step " << step;
-        }
-      }
+      const auto pWorld = MakeTable(seed, turning, g_cContinuous);
+      InEachStep(*pWorld, 100, [&](int step) {
+        EXPECT_TRUE(AreWithin(*pWorld, g_fHalf));
+        for (const CShapeId ball : pWorld->GetBallIds())
+          if (!turning && step >= 10)
+            EXPECT_LT(GetFarthest(*pWorld, ball), g_fHalf + 24 * g_fTouchRounding * 2 * g_fHalf);
+      });
     }
 }
 
@@ -257,10 +214,10 @@ TEST(ContinuousRandomTest, NobodyGetsOutOfATableNorWhereNothingTurnsIntoAWall) {
 TEST(ContinuousRandomTest, AsTheyDoInTheApproximateWay) {
   std::size_t out = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
-    const CTable table = MakeTable(seed, false, g_cApproximate);
-    Steps(*table.m_pWorld, 100);
-    for (const CShapeId ball : table.m_stdBalls)
-      out += table.GetFarthest(ball) > g_fHalf + 1;
+    const auto pWorld = MakeTable(seed, false, g_cApproximate);
+    Steps(*pWorld, 100);
+    for (const CShapeId ball : pWorld->GetBallIds())
+      out += GetFarthest(*pWorld, ball) > g_fHalf + 1;
   }
   EXPECT_GT(out, 100u);
 }

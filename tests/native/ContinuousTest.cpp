@@ -18,7 +18,7 @@ protected:
 double KineticEnergy(const CWorld& world) {
   double energy = 0.0;
   for (const CShapeId id : world.GetBallIds())
-    energy += 0.5 * static_cast<double>(world.GetMass(id)) * world.GetVel(id).cast<double>().squaredNorm();
+    energy += 0.5 * Wide(world.GetMass(id)) * Wide(world.GetVel(id)).squaredNorm();
   return energy;
 }
 
@@ -97,12 +97,10 @@ TEST_F(ContinuousTest, MomentumAndEnergyOfManyBallsAreKept) {
   const double before = KineticEnergy(*m_pWorld);
   Steps(*m_pWorld, 2000);
   // Velocities are rounded to floats in each step: a walk of 2000 half ulps, with a factor of 4.
-  EXPECT_NEAR(KineticEnergy(*m_pWorld) / before, 1.0,
-              4 * std::sqrt(2000.0) * 0.5 * static_cast<double>(g_fUlp));
+  EXPECT_NEAR(KineticEnergy(*m_pWorld) / before, 1.0, 4 * std::sqrt(2000.0) * 0.5 * g_fUlp);
   EXPECT_GT(m_pWorld->GetStats().m_nContacts, 100000u);
   EXPECT_EQ(m_pWorld->GetStats().m_nBallsHalted, 0u);
-  for (const Vector2& p : m_pWorld->GetBallPositions())
-    EXPECT_LT(p.cwiseAbs().maxCoeff(), 4.0f);
+  EXPECT_TRUE(AreWithin(*m_pWorld, 4));
 }
 
 // Balls of every speed in a closed table with everything in it that they may hit: none gets out, none gets
@@ -122,20 +120,15 @@ TEST_F(ContinuousTest, NoneLeavesAClosedTableAtAnySpeed) {
       const Vector2 v = std::ldexp(1.0f, exponent) * random.Direction();
       pWorld->Add(CDynamicCircleDesc({-3.0f + 1.25f * static_cast<float>(i), 3.25f}, 0.2f, v));
     }
-    for (int step = 0; step < 40; ++step) {
-      pWorld->Step();
-      for (std::size_t i = 0; i < 5; ++i) {
-        const Vector2& p = pWorld->GetBallPositions()[i];
-        ASSERT_LT(p.cwiseAbs().maxCoeff(), 3.8f + 32 * g_fUlp) << "ball " << i << " in step " << step;
-        ASSERT_GT((p - pWorld->GetPos(post)).norm(), 0.7f - 32 * g_fUlp);
-      }
-    }
-    if (exponent <= 12) {
-      EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u);
-    }
-    if (exponent >= 20) {
-      EXPECT_GT(pWorld->GetStats().m_nBallsHalted, 0u);
-    }
+    const auto isOutside = [&](const Vector2& p) {
+      return (p - pWorld->GetPos(post)).norm() > 0.7f - 32 * g_fUlp;
+    };
+    InEachStep(*pWorld, 40, [&](int) {
+      EXPECT_TRUE(AreWithin(*pWorld, 3.8f + 32 * g_fUlp));
+      EXPECT_TRUE(AllBalls(*pWorld, isOutside)) << "in the post";
+    });
+    const bool isHalted = pWorld->GetStats().m_nBallsHalted > 0;
+    EXPECT_TRUE(exponent <= 12 ? !isHalted : isHalted || exponent < 20);
   }
 }
 
@@ -152,27 +145,25 @@ TEST_F(ContinuousTest, ABallOfFourRoundingsGetsThroughNothing) {
                      << "at " << x << ", r = " << roundings << " roundings, seed " << seed);
         auto pWorld = MakeContinuous();
         const float low = x - half, high = x + half;
-        AddRoom(*pWorld, std::vector<Vector2>{{low, low}, {high, low}, {high, high}, {low, high}});
+        AddBox(*pWorld, {low, low}, {high, high});
         const float way = r * random.Scale(-8, 8);
         const CShapeId ball = pWorld->Add(CDynamicCircleDesc({x, x}, r, way / g_fDt * random.Direction()));
-        for (int step = 0; step < 200; ++step) {
-          pWorld->Step();
-          ASSERT_LE((pWorld->GetPos(ball) - Vector2(x, x)).cwiseAbs().maxCoeff(), half) << "step " << step;
-        }
+        InEachStep(*pWorld, 200, [&](int) {
+          EXPECT_LE((pWorld->GetPos(ball) - Vector2(x, x)).cwiseAbs().maxCoeff(), half);
+        });
       }
 }
 
 TEST_F(ContinuousTest, AHaltedBallIsReportedAndGoesOnInTheNextStep) {
   AddSlot(*m_pWorld);
   const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, 8000}));
-  for (int i = 0; i < 10; ++i) {
-    m_pWorld->Step();
+  InEachStep(*m_pWorld, 10, [&](int step) {
     EXPECT_EQ(m_pWorld->GetContacts().size(), g_nMaxImpacts);
-    EXPECT_EQ(m_pWorld->GetStats().m_nBallsHalted, static_cast<std::uint64_t>(i) + 1);
+    EXPECT_EQ(m_pWorld->GetStats().m_nBallsHalted, static_cast<std::uint64_t>(step) + 1);
     EXPECT_GE(m_pWorld->GetPos(ball).y(), 0.1f - g_fUlp);
     EXPECT_LE(m_pWorld->GetPos(ball).y(), 0.15f + g_fUlp);
     EXPECT_EQ(m_pWorld->GetVel(ball).norm(), 8000.0f);
-  }
+  });
 }
 
 TEST_F(ContinuousTest, OthersBounceOffAHaltedBall) {
@@ -190,11 +181,10 @@ TEST_F(ContinuousTest, ABallRollsOverTheJointsOfAFloor) {
   for (int i = 0; i < 20; ++i)
     pWorld->Add(CLineSegDesc({0.37f * static_cast<float>(i), 0}, {0.37f * static_cast<float>(i + 1), 0}, 0));
   const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.2f, 0.1f}, 0.1f, {1, 0}));
-  for (int step = 0; step < 360; ++step) {
-    pWorld->Step();
-    ASSERT_NEAR(pWorld->GetPos(ball).y(), 0.1f, 2 * g_fUlp) << step;
-    ASSERT_NEAR(pWorld->GetVel(ball).x(), 1.0f, 1e-5f) << step;
-  }
+  InEachStep(*pWorld, 360, [&](int) {
+    EXPECT_NEAR(pWorld->GetPos(ball).y(), 0.1f, 2 * g_fUlp);
+    EXPECT_NEAR(pWorld->GetVel(ball).x(), 1.0f, 1e-5f);
+  });
   EXPECT_NEAR(pWorld->GetPos(ball).x(), 6.2f, 1e-3f);
 }
 
@@ -202,14 +192,13 @@ TEST_F(ContinuousTest, ABallSlidesAlongTheInsideOfABowl) {
   // No elasticity and no gravity: it keeps to the wall and its speed, but for what g_nHops says.
   m_pWorld->Add(CArcDesc({0, 0}, 1, 0, 0, 0.0f));
   const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0.8f, 0}, 0.2f, {0, 6}));
-  for (int step = 0; step < 60; ++step) {
-    m_pWorld->Step();
-    ASSERT_LT(m_pWorld->GetPos(ball).norm(), 0.8f + 4 * g_fUlp);
+  const float hop = 0.1f / g_nHops, angle = hop / (2 * 0.8f);
+  InEachStep(*m_pWorld, 60, [&](int) {
+    EXPECT_LT(m_pWorld->GetPos(ball).norm(), 0.8f + 4 * g_fUlp);
     // Sagitta of the hop of a substep's g_nHops-th part, with a factor of 2.
-    ASSERT_GT(m_pWorld->GetPos(ball).norm(), 0.8f - 2 * (0.1f / g_nHops) * (0.1f / g_nHops) / (8 * 0.8f));
-  }
-  // Each hop loses 1 - cos of its angle, v dt / (2 g_nHops R): 60 g_nHops of them, with a factor of 2.
-  const float angle = 0.1f / (2 * g_nHops * 0.8f);
+    EXPECT_GT(m_pWorld->GetPos(ball).norm(), 0.8f - 2 * hop * hop / (8 * 0.8f));
+  });
+  // Each hop loses 1 - cos of its angle: 60 g_nHops of them, with a factor of 2.
   EXPECT_NEAR(m_pWorld->GetVel(ball).norm() / 6, 1, 2 * 60 * g_nHops * angle * angle / 2);
   EXPECT_EQ(m_pWorld->GetStats().m_nBallsHalted, 0u);
 }
@@ -257,13 +246,10 @@ TEST_F(ContinuousTest, ATurningBarCarriesABallAlong) {
   // No elasticity: the bar pushes the ball before it, never through it.
   m_pWorld->Add(Turning(CLineSegDesc({0.5f, 0}, {3, 0}, 0.0f), 1));
   const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({1, 0.3f}, 0.1f));
-  for (int step = 0; step < 10; ++step) {
-    m_pWorld->Step();
-    const Vector2 p = m_pWorld->GetPos(ball);
-    const float angle = g_fTwoPi * g_fDt * static_cast<float>(step + 1);
-    const Vector2 n = perp(AngleToVector(angle));
-    ASSERT_GT(p.dot(n), 0.1f - 1e-5f) << step;
-  }
+  InEachStep(*m_pWorld, 10, [&](int step) {
+    const Vector2 n = perp(AngleToVector(g_fTwoPi * g_fDt * static_cast<float>(step + 1)));
+    EXPECT_GT(m_pWorld->GetPos(ball).dot(n), 0.1f - 1e-5f);
+  });
   EXPECT_GT(m_pWorld->GetVel(ball).norm(), 6.0f);
   EXPECT_EQ(m_pWorld->GetStats().m_nBallsHalted, 0u);
 }
@@ -277,14 +263,9 @@ TEST_F(ContinuousTest, ABallThatWasPutIntoAWallIsSetBack) {
 
 // There the normal is against the velocity, and a ball that has bounced must not be taken for one that comes.
 TEST_F(ContinuousTest, ACentreExactlyOnAShapeGoesBackWhereItCameFrom) {
-  const CCircleDesc ring({-1, 0}, 1);
-  const CArcDesc arc({-1, 0}, 1, 0, 0);
-  const CAnyShapeDesc shapes[] = {CPointDesc({0, 0}),
-                                  CCircleDesc({0, 0}, 0),
-                                  CLineSegDesc({0, -1}, {0, 1}),
-                                  CLineSegDesc({0, 0}, {0, 1}),
-                                  ring,
-                                  arc};
+  const CAnyShapeDesc shapes[] = {
+      CPointDesc({0, 0}),           CCircleDesc({0, 0}, 0),  CLineSegDesc({0, -1}, {0, 1}),
+      CLineSegDesc({0, 0}, {0, 1}), CCircleDesc({-1, 0}, 1), CArcDesc({-1, 0}, 1, 0, 0)};
   for (const CAnyShapeDesc& shape : shapes)
     for (const float vx : {1.0f, -1.0f}) {
       SCOPED_TRACE(testing::Message() << "shape " << &shape - shapes << ", v = " << vx);
@@ -335,27 +316,23 @@ TEST_F(ContinuousTest, ASetbackGoesThroughNothing) {
   AddBox(*m_pWorld, 0.25f);
   m_pWorld->Add(CDynamicCircleDesc({0, 0}, 0.2f, {1, 0}));
   m_pWorld->Add(CDynamicCircleDesc({0.01f, 0}, 0.2f, {-1, 0}));
-  for (int step = 0; step < 100; ++step) {
-    m_pWorld->Step();
-    for (const Vector2& p : m_pWorld->GetBallPositions())
-      ASSERT_LT(p.cwiseAbs().maxCoeff(), 0.05f + 4 * g_fUlp) << step;
-  }
+  InEachStep(*m_pWorld, 100, [&](int) { EXPECT_TRUE(AreWithin(*m_pWorld, 0.05f + 4 * g_fUlp)); });
 }
 
 TEST_F(ContinuousTest, WithoutGravityWhatMeetsNothingHasTheBitsOfTheApproximateWay) {
   CRandom random(11);
   SCOPED_TRACE(random.GetSeed());
+  std::vector<CDynamicCircleDesc> balls;
+  for (int i = 0; i < 50; ++i)
+    balls.emplace_back(Vector2(3.0f * static_cast<float>(i), 0), 0.1f,
+                       Vector2{random.Uniform(-0.1f, 0.1f), random.Uniform(-100, 100)});
   auto pSwept = MakeContinuous(), pApproximate = MakeNative(g_cApproximate);
-  for (CWorld* pWorld : {pSwept.get(), pApproximate.get()})
+  for (CWorld* pWorld : {pSwept.get(), pApproximate.get()}) {
     pWorld->Add(CLineSegDesc({-1000, -10000}, {1000, -10000}));
-  for (int i = 0; i < 50; ++i) {
-    const CDynamicCircleDesc ball({3.0f * static_cast<float>(i), 0}, 0.1f,
-                                  {random.Uniform(-0.1f, 0.1f), random.Uniform(-100, 100)});
-    pSwept->Add(ball);
-    pApproximate->Add(ball);
+    for (const CDynamicCircleDesc& ball : balls)
+      pWorld->Add(ball);
+    Steps(*pWorld, 300);
   }
-  Steps(*pSwept, 300);
-  Steps(*pApproximate, 300);
   EXPECT_TRUE(HaveSameBits(*pSwept, *pApproximate));
 }
 
@@ -367,15 +344,11 @@ TEST_F(ContinuousTest, WhatMeetsNothingFliesOnItsParabola) {
     pWorld->Add(CLineSegDesc({-1000, -10000}, {1000, -10000}));
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, 0.1f, v));
     Steps(*pWorld, 300);
-    const double t = 300.0 * static_cast<double>(g_fDt);
-    const double error =
-        (pWorld->GetPos(ball).cast<double>() - t * v.cast<double>() - Vector2d(0, -5 * t * t)).norm();
+    const double t = 300.0 * Wide(g_fDt);
+    const double error = (Wide(pWorld->GetPos(ball)) - t * Wide(v) - Vector2d(0, -5 * t * t)).norm();
+    const bool isContinuous = !effects.m_cForbidden.Has(eEffect::Continuous);
     // A rounding of the place and of the velocity in each step, with a factor of 2.
-    const double rounding = 300 * 2 * static_cast<double>(g_fUlp) * (50 + 50 * t);
-    if (effects.m_cForbidden.Has(eEffect::Continuous))
-      EXPECT_NEAR(error, 5 * static_cast<double>(g_fDt) * t, rounding);
-    else
-      EXPECT_LT(error, rounding);
+    EXPECT_NEAR(error, isContinuous ? 0 : 5 * Wide(g_fDt) * t, 300 * 2 * g_fUlp * (50 + 50 * t));
   }
 }
 

@@ -61,7 +61,7 @@ TEST(InvolvedBallsTest, AWorldThatGoesOnAndOneThatIsLoadedHaveTheSameBitsWhateve
   for (const bool falls : {true, false}) {
     CRandom random(271);
     auto pWorld = MakeNative(g_cContinuous, falls ? 10.0f : 0.0f);
-    AddRoom(*pWorld, std::vector<Vector2>{{0, 0}, {12, 0}, {12, 12}, {0, 12}});
+    AddBox(*pWorld, {0, 0}, {12, 12});
     for (int i = 0; i < 60; ++i) {
       const Vector2 p = Vector2(6, 6) + random.InSquare(5.5f);
       if (random.Coin()) {
@@ -84,7 +84,7 @@ TEST(InvolvedBallsTest, AWorldThatGoesOnAndOneThatIsLoadedHaveTheSameBitsWhateve
       pWorld->Step();
       pLoaded->Step();
       contacts += pWorld->GetContacts().size();
-      ASSERT_EQ(pWorld->GetContacts().size(), pLoaded->GetContacts().size()) << random.GetSeed();
+      ASSERT_EQ(pWorld->GetContacts().size(), pLoaded->GetContacts().size()) << i;
       ASSERT_TRUE(HaveSameBits(*pWorld, *pLoaded)) << i;
     }
     EXPECT_GT(contacts, 20u);
@@ -94,8 +94,7 @@ TEST(InvolvedBallsTest, AWorldThatGoesOnAndOneThatIsLoadedHaveTheSameBitsWhateve
 // A ball that slides leaves the disc by which it was found near others, in long steps by much. Seeds in which
 // two got into each other when that was not allowed for.
 TEST(InvolvedBallsTest, BallsThatLeaveTheirDiscsFindWhatIsThere) {
-  for (const std::uint64_t seed :
-       std::vector<std::uint64_t>{6, 26, 566, 662, 1725, 2497, 3499, 3768, 4400, 4539}) {
+  for (const auto seed : {6u, 26u, 566u, 662u, 1725u, 2497u, 3499u, 3768u, 4400u, 4539u}) {
     CRandom random(seed);
     const auto pWorld = MakeNative(g_cContinuous, 10, random.Uniform(0.03f, 0.1f));
     AddBox(*pWorld, 1.5f, 0.5f);
@@ -108,12 +107,10 @@ TEST(InvolvedBallsTest, BallsThatLeaveTheirDiscsFindWhatIsThere) {
       pWorld->Add(CDynamicCircleDesc(p, 0.06f, v, 1, e));
     }
     Steps(*pWorld, 26); // they begin in each other
-    for (int step = 0; step < 34; ++step) {
-      pWorld->Step();
-      for (const Vector2& p : pWorld->GetBallPositions())
-        ASSERT_LT(p.cwiseAbs().maxCoeff(), 1.5f) << "seed " << seed << ", step " << step;
-      ASSERT_LT(GetOverlap(*pWorld), 0.1) << "seed " << seed << ", step " << step;
-    }
+    InEachStep(*pWorld, 34, [&](int) {
+      EXPECT_TRUE(AreWithin(*pWorld, 1.5)) << "seed " << seed;
+      EXPECT_LT(GetOverlap(*pWorld), 0.1) << "seed " << seed;
+    });
   }
 }
 
@@ -125,10 +122,8 @@ TEST(InvolvedBallsTest, ARowThatAWallSqueezesIsLiftedInsteadOfMerging) {
   pWorld->Add(Moving(CLineSegDesc({4, 0}, {4, 9}), {-2, 0}));
   for (int i = 0; i < 9; ++i)
     pWorld->Add(CDynamicCircleDesc({0.2f + 0.4f * static_cast<float>(i), 0.2f}, 0.2f, {0, 0}, 1, 0.5f));
-  for (int step = 0; step < 60; ++step) { // until it is half as wide
-    pWorld->Step();
-    EXPECT_LT(GetOverlap(*pWorld), 1.25); // of two radii
-  }
+  // Of two radii, until it is half as wide.
+  InEachStep(*pWorld, 60, [&](int) { EXPECT_LT(GetOverlap(*pWorld), 1.25); });
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 // Threads share balls that do not meet each other, and nothing that comes out depends on it.
 #include "../../src/native/Lanes.h"
 
-#include "../Testing.h"
+#include "NativeTesting.h"
 
 #include "../Hash.h"
 
@@ -42,40 +42,33 @@ void AddAllTo(CHash& hash, const CWorld& world) {
     hash.Add(static_cast<std::uint32_t>(n));
 }
 
+CEffectChoice WithoutPairs(CEffectChoice choice) {
+  choice.m_cForbidden.Set(eEffect::BallPairs);
+  return choice;
+}
+
 constexpr float g_fHalf = 12.0f;
 
 // Pegs of all kinds, of which some turn, some move, and one is a sensor, and balls that meet no others.
-std::unique_ptr<CWorld> MakeField(const CEffectChoice& choice, const Vector2& gravity, unsigned threads) {
+std::unique_ptr<CWorld> MakeField(const CEffectChoice& choice, float gravity, unsigned threads) {
   CRandom random(18);
-  CWorldDesc desc;
-  desc.m_vGravity = gravity;
-  desc.m_nSubsteps = 2;
-  desc.m_cEffects = choice;
-  desc.m_cEffects.m_cForbidden.Set(eEffect::BallPairs);
-  desc.m_nThreads = threads;
-  auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+  auto pWorld = MakeNative(WithoutPairs(choice), gravity, g_fDt, 2, threads);
   for (const float s : {-g_fHalf, g_fHalf}) {
     pWorld->Add(CLineSegDesc({-g_fHalf, s}, {g_fHalf, s}));
     pWorld->Add(CLineSegDesc({s, -g_fHalf}, {s, g_fHalf}));
   }
-  const auto add = [&](auto shape, std::uint32_t i) {
-    shape.m_fElasticity = 0.5f;
-    shape.m_bIsSensor = i % 16 == 5;
-    if (i % 8 == 3) {
-      shape.m_eMotionType = eMotion::Kinematic;
-      shape.m_vRotCenter = shape.m_vPos;
-      shape.m_fRotSpeed = random.Uniform(-2, 2);
-    }
-    pWorld->Add(shape);
-  };
   for (std::uint32_t i = 0; i < 160; ++i) {
     const Vector2 p = random.InSquare(g_fHalf - 1);
-    WithAnyShape(random, i % 3 + 1, p, 0.7f, [&](auto shape) { add(shape, i); });
+    WithAnyShape(random, i % 3 + 1, p, 0.7f, [&](auto shape) {
+      shape.m_fElasticity = 0.5f;
+      shape.m_bIsSensor = i % 16 == 5;
+      if (i % 8 == 3) shape = Turning(shape, random.Uniform(-2, 2), shape.m_vPos);
+      pWorld->Add(shape);
+    });
   }
   for (int i = 0; i < 2600; ++i) {
     const Vector2 p = random.InSquare(g_fHalf - 0.5f), v = random.VectorOfLength(0, 8);
-    const float r = random.Uniform(0.03f, 0.1f);
-    pWorld->Add(CDynamicCircleDesc(p, r, v, 1.0f, 0.7f));
+    pWorld->Add(CDynamicCircleDesc(p, random.Uniform(0.03f, 0.1f), v, 1.0f, 0.7f));
   }
   return pWorld;
 }
@@ -95,13 +88,13 @@ std::uint64_t Play(CWorld& world) {
 
 TEST(Lanes, NeitherBitsNorContactsNorCountsDependOnThem) {
   for (const CEffectChoice& choice : {g_cContinuous, g_cApproximate})
-    for (const float gravity : {0.0f, -10.0f}) {
-      const std::uint64_t alone = Play(*MakeField(choice, {0, gravity}, 1));
+    for (const float gravity : {0.0f, 10.0f}) {
+      SCOPED_TRACE(gravity);
+      const std::uint64_t alone = Play(*MakeField(choice, gravity, 1));
       for (const unsigned threads : {2u, 4u})
-        EXPECT_EQ(Play(*MakeField(choice, {0, gravity}, threads)), alone)
-            << threads << " threads, gravity " << gravity;
+        EXPECT_EQ(Play(*MakeField(choice, gravity, threads)), alone) << threads << " threads";
       // The control: one more ball.
-      const auto pOther = MakeField(choice, {0, gravity}, 2);
+      const auto pOther = MakeField(choice, gravity, 2);
       pOther->Add(CDynamicCircleDesc({0, 0}, 0.05f, {1, 0}));
       EXPECT_NE(Play(*pOther), alone);
     }
@@ -110,11 +103,7 @@ TEST(Lanes, NeitherBitsNorContactsNorCountsDependOnThem) {
 // Without a grid that has lasted, and where balls meet each other, one lane has to do.
 TEST(Lanes, ShapesThatMoveInEachStepAndBallsThatMeetStayInOne) {
   const auto play = [](unsigned threads, bool pairs) {
-    CWorldDesc desc;
-    desc.m_vGravity = {0, -10};
-    desc.m_nThreads = threads;
-    if (!pairs) desc.m_cEffects.m_cForbidden.Set(eEffect::BallPairs);
-    const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+    const auto pWorld = MakeNative(pairs ? g_cAutomatic : WithoutPairs(g_cAutomatic), 10, g_fDt, 1, threads);
     CRandom random(5);
     const CShapeId wall = pWorld->Add(CLineSegDesc({-20, 0}, {20, 0}));
     for (int i = 0; i < 1200; ++i)

@@ -8,12 +8,13 @@ namespace Shapes {
 
 /// @param gravity  downward
 inline std::unique_ptr<CWorld> MakeNative(const CEffectChoice& effects, float gravity = 0, float dt = g_fDt,
-                                          unsigned substeps = 1) {
+                                          unsigned substeps = 1, unsigned threads = 1) {
   CWorldDesc desc;
   desc.m_vGravity = {0, -gravity};
   desc.m_fTimeStep = dt;
   desc.m_nSubsteps = substeps;
   desc.m_cEffects = effects;
+  desc.m_nThreads = threads;
   return GetBackend(eBackend::Native)->MakeWorld(desc);
 }
 
@@ -30,16 +31,46 @@ inline void AddRoom(CWorld& world, std::span<const Vector2> corners, float e = 1
     world.Add(CLineSegDesc(corners[i], corners[(i + 1) % corners.size()], e));
 }
 
-/// Those of a square about the origin.
-inline void AddBox(CWorld& world, float half, float e = 1) {
-  const Vector2 corners[] = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+inline void AddBox(CWorld& world, const Vector2& low, const Vector2& high, float e = 1) {
+  const Vector2 corners[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
   AddRoom(world, corners, e);
+}
+/// About the origin.
+inline void AddBox(CWorld& world, float half, float e = 1) { AddBox(world, {-half, -half}, {half, half}, e); }
+
+/// Steps, and checks after each step. The first one that fails is named, and the last.
+template <class F>
+void InEachStep(CWorld& world, int steps, const F& check) {
+  for (int step = 0; step < steps && !testing::Test::HasFailure(); ++step) {
+    SCOPED_TRACE(testing::Message() << "after step " << step);
+    world.Step();
+    check(step);
+  }
+}
+
+/// Whether it holds for the place of each ball.
+template <class F>
+testing::AssertionResult AllBalls(const CWorld& world, const F& isRight) {
+  for (const CShapeId ball : world.GetBallIds())
+    if (const Vector2 p = world.GetPos(ball); !isRight(p))
+      return testing::AssertionFailure() << "ball " << ball.m_nValue << " is at " << p.transpose();
+  return testing::AssertionSuccess();
+}
+
+template <class F>
+std::ptrdiff_t CountBalls(const CWorld& world, const F& isCounted) {
+  const auto places = world.GetBallPositions();
+  return std::count_if(places.begin(), places.end(), isCounted);
+}
+
+/// Whether all centres are in a square about the origin.
+inline testing::AssertionResult AreWithin(const CWorld& world, double half) {
+  return AllBalls(world, [=](const Vector2& p) { return Wide(p.cwiseAbs().maxCoeff()) < half; });
 }
 
 /// Per mass, above the floor on which a ball of radius r lies.
 inline double EnergyOf(const CWorld& world, CShapeId ball, double g, double r) {
-  return 0.5 * world.GetVel(ball).cast<double>().squaredNorm() +
-         g * (static_cast<double>(world.GetPos(ball).y()) - r);
+  return 0.5 * Wide(world.GetVel(ball)).squaredNorm() + g * (Wide(world.GetPos(ball).y()) - r);
 }
 
 } // namespace Shapes

@@ -35,13 +35,11 @@ struct CPile {
     }
   }
 
-  std::size_t CountLost() const {
-    std::size_t lost = 0;
-    for (const Vector2& p : m_pWorld->GetBallPositions()) {
+  std::ptrdiff_t CountLost() const {
+    return CountBalls(*m_pWorld, [this](const Vector2& p) {
       const float half = m_bIsV ? 0.5f * m_fWidth * p.y() / m_fHeight : 0.5f * m_fWidth;
-      lost += !(std::abs(p.x() - 0.5f * m_fWidth) < half && p.y() > 0.0f && p.y() < m_fHeight);
-    }
-    return lost;
+      return !(std::abs(p.x() - 0.5f * m_fWidth) < half && p.y() > 0.0f && p.y() < m_fHeight);
+    });
   }
 };
 
@@ -50,10 +48,7 @@ void ExpectRest(int balls, bool isV, float e, std::uint64_t seed, std::uint64_t*
   SCOPED_TRACE(testing::Message() << balls << " balls, e = " << e << (isV ? ", in a V" : ", in a box")
                                   << ", seed " << seed);
   CPile pile(g_cAutomatic, balls, isV, e, seed);
-  for (int step = 0; step < 900; ++step) {
-    pile.m_pWorld->Step();
-    ASSERT_EQ(pile.CountLost(), 0u) << step;
-  }
+  InEachStep(*pile.m_pWorld, 900, [&](int) { EXPECT_EQ(pile.CountLost(), 0); });
   EXPECT_LT(GetOverlap(*pile.m_pWorld), 0.001);
   EXPECT_LT(GetFastest(*pile.m_pWorld), 2.0f * 10.0f * g_fDt); // Balls without friction roll on for long.
   if (pHalted != nullptr) *pHalted += pile.m_pWorld->GetStats().m_nBallsHalted;
@@ -120,8 +115,7 @@ TEST(Pile, ACrowdInOnePlaceComesApart) {
   EXPECT_GT(GetOverlap(*pWorld), 1.0);
   Steps(*pWorld, 500);
   EXPECT_LT(GetOverlap(*pWorld), 0.001);
-  for (const Vector2& p : pWorld->GetBallPositions())
-    EXPECT_LT(p.cwiseAbs().maxCoeff(), 4.0f);
+  EXPECT_TRUE(AreWithin(*pWorld, 4));
 }
 
 // Two balls that meet are set apart, however many balls that neither meets are nearer to both.
@@ -154,12 +148,10 @@ TEST(Pile, APileGainsNoEnergy) {
     };
     const double first = getEnergy();
     double last = first, most = 0.0;
-    for (int step = 0; step < 600; ++step) {
-      pile.m_pWorld->Step();
-      const double now = getEnergy();
-      most = std::max(most, (now - last) / first);
-      last = now;
-    }
+    InEachStep(*pile.m_pWorld, 600, [&](int) {
+      const double before = std::exchange(last, getEnergy());
+      most = std::max(most, (last - before) / first);
+    });
     EXPECT_LT(most, 6e-4) << "seed " << seed;
     sum += most;
   }
@@ -185,32 +177,17 @@ TEST(Pile, BallsFlowThroughANeck) {
       pWorld->Add(CDynamicCircleDesc(p, 0.2f, {random.Uniform(-0.1f, 0.1f), 0}, 1, 0.1f));
     }
     Steps(*pWorld, 480);
-    const auto places = pWorld->GetBallPositions();
-    const auto passed =
-        std::count_if(places.begin(), places.end(), [](const Vector2& p) { return p.y() < 19; });
-    EXPECT_GT(passed, 200) << "seed " << seed;
+    EXPECT_GT(CountBalls(*pWorld, [](const Vector2& p) { return p.y() < 19; }), 200) << "seed " << seed;
   }
 }
 
 // Nothing is done any more for a pile at rest, and no contact is told; what comes near wakes it, and so does
 // what is taken away.
 TEST(Pile, APileAtRestSleepsUntilSomethingHappens) {
-  const auto makeRested = [] {
-    CPile pile(g_cAutomatic, 50, false, 0.5f, 150);
-    Steps(*pile.m_pWorld, 900);
-    return pile;
-  };
-  const auto moves = [](CPile& pile) {
-    bool any = false;
-    for (int step = 0; step < 30; ++step) {
-      pile.m_pWorld->Step();
-      any |= GetFastest(*pile.m_pWorld) > 0.0f;
-    }
-    return any;
-  };
-  CPile pile = makeRested();
+  CPile pile(g_cAutomatic, 50, false, 0.5f, 150);
   CWorld& world = *pile.m_pWorld;
-  ASSERT_EQ(GetFastest(*pile.m_pWorld), 0.0f);
+  Steps(world, 900);
+  ASSERT_EQ(GetFastest(world), 0.0f);
   EXPECT_TRUE(world.GetContacts().empty());
   const std::vector<Vector2> before(world.GetBallPositions().begin(), world.GetBallPositions().end());
   const std::uint64_t sweeps = world.GetStats().m_nSweeps;
@@ -218,22 +195,30 @@ TEST(Pile, APileAtRestSleepsUntilSomethingHappens) {
   EXPECT_EQ(world.GetStats().m_nSweeps, sweeps);
   EXPECT_TRUE(std::equal(before.begin(), before.end(), world.GetBallPositions().begin()));
 
-  EXPECT_FALSE(moves(pile)); // the control
   const CSavedState rested = world.SaveState();
+  const auto moves = [&] {
+    float fastest = 0.0f;
+    for (int step = 0; step < 30; ++step) {
+      world.Step();
+      fastest = std::max(fastest, GetFastest(world));
+    }
+    return fastest > 0.0f;
+  };
+  EXPECT_FALSE(moves()); // the control
   world.SetVel(world.GetBallIds()[0], {0.5f, 0.5f});
-  EXPECT_TRUE(moves(pile));
+  EXPECT_TRUE(moves());
   world.LoadState(rested);
-  EXPECT_FALSE(moves(pile));
+  EXPECT_FALSE(moves());
   world.Remove(CShapeId{4}); // the floor
-  EXPECT_TRUE(moves(pile));
+  EXPECT_TRUE(moves());
   EXPECT_LT(world.GetBallPositions()[0].y(), before[0].y());
   world.LoadState(rested);
   world.SetGravity({0, 10});
-  EXPECT_TRUE(moves(pile));
+  EXPECT_TRUE(moves());
   world.SetGravity({0, -10});
   world.LoadState(rested);
   world.Add(CDynamicCircleDesc({0.5f * pile.m_fWidth, 0.75f * pile.m_fHeight}, 0.2f, {0, -5}));
-  EXPECT_TRUE(moves(pile));
+  EXPECT_TRUE(moves());
   Steps(world, 30); // until it has arrived
   EXPECT_FALSE(std::equal(before.begin(), before.end(), world.GetBallPositions().begin()));
 }
@@ -243,7 +228,7 @@ TEST(Pile, APaddleThatPushesAPileLosesNone) {
   const auto countLost = [](const CEffectChoice& effects, std::uint64_t seed, float speed) {
     CRandom random(seed);
     const auto pWorld = MakeNative(effects, 10);
-    AddRoom(*pWorld, std::vector<Vector2>{{-2, 0}, {2, 0}, {2, 4}, {-2, 4}});
+    AddBox(*pWorld, {-2, 0}, {2, 4});
     const CShapeId paddle = pWorld->Add(Turning(CLineSegDesc({0, 0.05f}, {0, 1.5f})));
     for (int i = 0; i < 12; ++i)
       pWorld->Add(CDynamicCircleDesc(
@@ -255,12 +240,10 @@ TEST(Pile, APaddleThatPushesAPileLosesNone) {
       if (x > 1.3f) pWorld->SetVel(paddle, {-speed, 0});
       pWorld->Step();
     }
-    int lost = 0;
-    for (const Vector2& p : pWorld->GetBallPositions())
-      lost += !(std::abs(p.x()) < 2.0f && p.y() > 0.0f && p.y() < 4.0f);
-    return lost;
+    return CountBalls(
+        *pWorld, [](const Vector2& p) { return !(std::abs(p.x()) < 2.0f && p.y() > 0.0f && p.y() < 4.0f); });
   };
-  int control = 0;
+  std::ptrdiff_t control = 0;
   for (const float speed : {0.5f, 3.0f, 20.0f})
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
       EXPECT_EQ(countLost(g_cAutomatic, seed, speed), 0) << speed << ", seed " << seed;
@@ -273,13 +256,11 @@ TEST(Pile, APaddleThatPushesAPileLosesNone) {
 TEST(Pile, APileThatIsLoadedTakesTheSameSteps) {
   CPile pile(g_cAutomatic, 40, false, 0.5f, 3), other(g_cAutomatic, 40, false, 0.5f, 3);
   Steps(*pile.m_pWorld, 150);
-  const CSavedState saved = pile.m_pWorld->SaveState();
-  other.m_pWorld->LoadState(saved);
-  for (int step = 0; step < 100; ++step) {
-    pile.m_pWorld->Step();
+  other.m_pWorld->LoadState(pile.m_pWorld->SaveState());
+  InEachStep(*pile.m_pWorld, 100, [&](int) {
     other.m_pWorld->Step();
-    ASSERT_TRUE(HaveSameBits(*pile.m_pWorld, *other.m_pWorld)) << step;
-  }
+    EXPECT_TRUE(HaveSameBits(*pile.m_pWorld, *other.m_pWorld));
+  });
 }
 
 } // namespace

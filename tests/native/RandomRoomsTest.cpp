@@ -74,9 +74,8 @@ struct CRandomRoom {
     if (m_stdCorners.empty()) return static_cast<double>(m_fSize - (p - m_vMiddle).norm());
     double depth = m_fSize;
     for (std::size_t i = 0; i < m_stdCorners.size(); ++i) {
-      const Vector2d a = m_stdCorners[i].cast<double>();
-      const Vector2d way = m_stdCorners[(i + 1) % m_stdCorners.size()].cast<double>() - a,
-                     d = p.cast<double>() - a;
+      const Vector2d a = Wide(m_stdCorners[i]), d = Wide(p) - a;
+      const Vector2d way = Wide(m_stdCorners[(i + 1) % m_stdCorners.size()]) - a;
       depth = std::min(depth, (way.x() * d.y() - way.y() * d.x()) / way.norm());
     }
     return depth;
@@ -85,19 +84,17 @@ struct CRandomRoom {
   double GetEnergy() const {
     double sum = 0.0;
     for (const CShapeId ball : m_pWorld->GetBallIds())
-      sum += static_cast<double>(m_pWorld->GetMass(ball)) * EnergyOf(*m_pWorld, ball, m_fGravity, -m_fSize);
+      sum += Wide(m_pWorld->GetMass(ball)) * EnergyOf(*m_pWorld, ball, m_fGravity, -m_fSize);
     return sum;
   }
   double GetMass() const {
     double sum = 0.0;
     for (const CShapeId ball : m_pWorld->GetBallIds())
-      sum += static_cast<double>(m_pWorld->GetMass(ball));
+      sum += Wide(m_pWorld->GetMass(ball));
     return sum;
   }
   bool LosesABall() const {
-    const auto places = m_pWorld->GetBallPositions();
-    return std::any_of(places.begin(), places.end(),
-                       [&](const Vector2& p) { return !(GetDepthInside(p) >= -2.0 * GetUlp()); });
+    return !AllBalls(*m_pWorld, [&](const Vector2& p) { return GetDepthInside(p) >= -2.0 * GetUlp(); });
   }
 };
 

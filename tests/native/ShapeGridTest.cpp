@@ -15,14 +15,15 @@ std::unique_ptr<CShape> RandomShape(CRandom& random, const Vector2& centre, floa
   return MakeAnyShape(random, kind, p, random.Coin() ? 1.0f : 0.8f * spread);
 }
 
-class CShapes {
-public:
-  CShapes(CRandom& random, std::size_t n, const Vector2& centre, float spread) {
-    for (std::size_t i = 0; i < n; ++i)
-      m_stdOwned.push_back(RandomShape(random, centre, spread));
-    Place();
+struct CShapes {
+  explicit CShapes(std::vector<std::unique_ptr<CShape>> owned) : m_stdOwned(std::move(owned)) {
+    std::vector<CAabb2D> boxes;
+    for (const auto& pShape : m_stdOwned) {
+      m_stdShapes.push_back({pShape.get(), static_cast<std::uint32_t>(m_stdShapes.size())});
+      boxes.push_back(Geometry::Padded(pShape->GetAABB()));
+    }
+    m_cTree.Build(boxes);
   }
-  explicit CShapes(std::vector<std::unique_ptr<CShape>> owned) : m_stdOwned(std::move(owned)) { Place(); }
   bool Build(CShapeGrid& grid, float reach) const { return grid.Build(m_stdShapes, m_cTree, reach); }
   CShapeGrid MakeGrid(float reach) const {
     CShapeGrid grid;
@@ -33,23 +34,20 @@ public:
   std::vector<std::unique_ptr<CShape>> m_stdOwned;
   std::vector<CShapeGrid::CPlaced> m_stdShapes;
   Geometry::CAabbTree m_cTree;
-
-private:
-  void Place() {
-    std::vector<CAabb2D> boxes;
-    for (const auto& pShape : m_stdOwned) {
-      m_stdShapes.push_back({pShape.get(), static_cast<std::uint32_t>(m_stdShapes.size())});
-      boxes.push_back(Geometry::Padded(pShape->GetAABB()));
-    }
-    m_cTree.Build(boxes);
-  }
 };
 
-std::vector<std::unique_ptr<CShape>> MakePoints(const std::vector<Vector2>& places) {
+CShapes MakeRandom(CRandom& random, std::size_t n, const Vector2& centre, float spread) {
+  std::vector<std::unique_ptr<CShape>> shapes;
+  for (std::size_t i = 0; i < n; ++i)
+    shapes.push_back(RandomShape(random, centre, spread));
+  return CShapes(std::move(shapes));
+}
+
+CShapes MakePoints(const std::vector<Vector2>& places) {
   std::vector<std::unique_ptr<CShape>> points;
   for (const Vector2& p : places)
     points.push_back(std::make_unique<CPoint>(CPointDesc(p)));
-  return points;
+  return CShapes(std::move(points));
 }
 
 std::vector<std::uint32_t> Ask(CShapeGrid& grid, const Vector2& p, float r) {
@@ -63,9 +61,10 @@ std::vector<std::uint32_t> Ask(CShapeGrid& grid, const Vector2& p, float r) {
 
 void Check(std::uint64_t seed, const Vector2& centre, float spread, float reach) {
   CRandom random(seed);
+  SCOPED_TRACE(seed);
   std::size_t near = 0, answers = 0, clear = 0, asked = 0;
   for (int trial = 0; trial < 5; ++trial) {
-    const CShapes shapes(random, 1 + random.Below(200), centre, spread);
+    const CShapes shapes = MakeRandom(random, 1 + random.Below(200), centre, spread);
     CShapeGrid grid = shapes.MakeGrid(reach);
     for (int q = 0; q < 400; ++q, ++asked) {
       const Vector2 p = centre + random.InSquare(2.5f * spread);
@@ -79,12 +78,12 @@ void Check(std::uint64_t seed, const Vector2& centre, float spread, float reach)
       const float more = reach * random.Uniform(1.0f, 4.0f);
       const bool isMoreClear = grid.IsClear(p, more);
       for (std::uint32_t order = 0; order < shapes.m_stdShapes.size(); ++order) {
-        ASSERT_FALSE(isMoreClear && DistanceFrom(*shapes.m_stdOwned[order], p) <= more)
-            << order << " seed " << seed;
-        if (DistanceFrom(*shapes.m_stdOwned[order], p) > r) continue;
+        const float d = DistanceFrom(*shapes.m_stdOwned[order], p);
+        ASSERT_FALSE(isMoreClear && d <= more) << order;
+        if (d > r) continue;
         ++near;
-        ASSERT_TRUE(std::binary_search(found.begin(), found.end(), order)) << order << " seed " << seed;
-        ASSERT_FALSE(isClear) << order << " seed " << seed;
+        ASSERT_TRUE(std::binary_search(found.begin(), found.end(), order)) << order;
+        ASSERT_FALSE(isClear) << order;
       }
     }
   }
@@ -103,7 +102,7 @@ TEST(ShapeGrid, ALineOfShapesHasNoCellForEachUnitOfItsSquare) {
   std::vector<Vector2> places;
   for (int i = 0; i < 100; ++i)
     places.emplace_back(1000.0f * static_cast<float>(i), 0.0f);
-  const CShapes shapes(MakePoints(places));
+  const CShapes shapes = MakePoints(places);
   CShapeGrid grid = shapes.MakeGrid(0.5f);
   for (std::uint32_t i = 0; i < 100; ++i)
     EXPECT_EQ(Ask(grid, {1000.0f * static_cast<float>(i) + 0.3f, 0.1f}, 0.5f), std::vector<std::uint32_t>{i});
@@ -112,17 +111,17 @@ TEST(ShapeGrid, ALineOfShapesHasNoCellForEachUnitOfItsSquare) {
 TEST(ShapeGrid, WhereFloatsWouldOverflowThereIsNone) {
   CShapeGrid grid;
   for (const float at : {1e13f, 1e18f}) {
-    EXPECT_FALSE(CShapes(MakePoints({{at, 0.0f}, {-at, 0.0f}})).Build(grid, 0.5f));
+    EXPECT_FALSE(MakePoints({{at, 0.0f}, {-at, 0.0f}}).Build(grid, 0.5f));
     EXPECT_FALSE(grid.IsBuilt());
   }
-  EXPECT_FALSE(CShapes(MakePoints({{0.0f, 0.0f}})).Build(grid, 0.0f));
-  EXPECT_FALSE(CShapes(MakePoints({})).Build(grid, 1.0f));
+  EXPECT_FALSE(MakePoints({{0.0f, 0.0f}}).Build(grid, 0.0f));
+  EXPECT_FALSE(MakePoints({}).Build(grid, 1.0f));
 }
 
 TEST(ShapeGrid, APositionThatIsNoNumberIsNearNothing) {
   const CWithoutTraps onPurpose;
   CRandom random(265);
-  const CShapes shapes(random, 10, {0.0f, 0.0f}, 1.0f);
+  const CShapes shapes = MakeRandom(random, 10, {0.0f, 0.0f}, 1.0f);
   CShapeGrid grid = shapes.MakeGrid(0.5f);
   for (const Vector2& p : {Vector2(g_fNan, 0.0f), Vector2(0.0f, g_fInf), Vector2(-g_fInf, g_fNan)})
     EXPECT_TRUE(Ask(grid, p, 0.3f).empty());
@@ -131,18 +130,18 @@ TEST(ShapeGrid, APositionThatIsNoNumberIsNearNothing) {
 // The broad phase with its grid gives all that a look at every shape gives, whatever has moved meanwhile.
 TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesMove) {
   CRandom random(266);
+  SCOPED_TRACE(random.GetSeed());
   std::vector<CShapeEntry> entries;
   for (std::uint32_t i = 0; i < 60; ++i)
     entries.emplace_back(CShapeId{i + 1}, RandomShape(random, {0.0f, 0.0f}, 10.0f));
   for (std::uint32_t i = 60; i < 64; ++i) {
-    CLineSegDesc bar({0.0f, static_cast<float>(i) - 60.0f}, {2.0f, 0.0f});
-    bar.m_eMotionType = eMotion::Kinematic;
+    CLineSegDesc bar = Turning(CLineSegDesc({0.0f, static_cast<float>(i) - 60.0f}, {2.0f, 0.0f}));
     bar.m_vVel = random.Direction();
     entries.emplace_back(CShapeId{i + 1}, std::make_unique<CLineSeg>(bar));
   }
   CStaticBroadPhase broadPhase;
   broadPhase.Build(entries);
-  std::vector<std::uint32_t> found, room, first, called;
+  std::vector<std::uint32_t> found, room, called;
   std::size_t near = 0, answers = 0;
   for (int step = 0; step < 300; ++step) {
     // Quiet times, one that moves, and more than are looked at one by one.
@@ -169,15 +168,14 @@ TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesMove) {
         called.push_back(order);
         return called.size() < 3;
       });
-      first = found;
-      first.resize(std::min<std::size_t>(3, found.size()));
-      ASSERT_EQ(called, first);
+      ASSERT_EQ(called.size(), std::min<std::size_t>(3, found.size()));
+      ASSERT_TRUE(std::equal(called.begin(), called.end(), found.begin()));
       const bool isClear = broadPhase.IsClear(p, r);
       for (std::uint32_t order = 0; order < broadPhase.Size(); ++order) {
         if (DistanceFrom(*broadPhase.Get(order).m_pShape, p) > r) continue;
         ++near;
-        ASSERT_TRUE(std::binary_search(found.begin(), found.end(), order)) << "seed " << random.GetSeed();
-        ASSERT_FALSE(isClear) << "seed " << random.GetSeed();
+        ASSERT_TRUE(std::binary_search(found.begin(), found.end(), order));
+        ASSERT_FALSE(isClear);
       }
     }
   }

@@ -26,21 +26,18 @@ struct COnCircle {
     return *this;
   }
   bool IsPulled() const { return g_fL * m_fSpeed * m_fSpeed > g_fG * std::cos(m_fAngle); }
-  Eigen::Vector2d GetPos() const { return g_fL * Eigen::Vector2d(std::sin(m_fAngle), std::cos(m_fAngle)); }
-  Eigen::Vector2d GetVel() const {
-    return g_fL * m_fSpeed * Eigen::Vector2d(std::cos(m_fAngle), -std::sin(m_fAngle));
-  }
+  Vector2d GetPos() const { return g_fL * Vector2d(std::sin(m_fAngle), std::cos(m_fAngle)); }
+  Vector2d GetVel() const { return g_fL * m_fSpeed * Vector2d(std::cos(m_fAngle), -std::sin(m_fAngle)); }
 };
 
 // Steps until .3 s after the ball has left its circle and flies, and returns how far it is off then.
 double GetErrorAfter(const COnCircle& left, CWorld& world, CShapeId ball) {
   const int steps = static_cast<int>((left.m_fTime + 0.3) * 60.0);
   Steps(world, steps);
-  const double flown = steps * static_cast<double>(g_fDt) - left.m_fTime;
-  const Eigen::Vector2d fall(0.0, -COnCircle::g_fG * flown);
-  const Eigen::Vector2d pos = left.GetPos() + flown * (left.GetVel() + 0.5 * fall),
-                        vel = left.GetVel() + fall;
-  return (world.GetPos(ball).cast<double>() - pos).norm() + (world.GetVel(ball).cast<double>() - vel).norm();
+  const double flown = steps * Wide(g_fDt) - left.m_fTime;
+  const Vector2d fall(0.0, -COnCircle::g_fG * flown);
+  const Vector2d pos = left.GetPos() + flown * (left.GetVel() + 0.5 * fall), vel = left.GetVel() + fall;
+  return (Wide(world.GetPos(ball)) - pos).norm() + (Wide(world.GetVel(ball)) - vel).norm();
 }
 
 // Of a part of the way that turns by g_fSlideTurn the end is off by its fourth power / 24, in radii. Errors
@@ -61,26 +58,20 @@ TEST(Slide, ABallSlidesInABowlAsAPendulum) {
       g = std::sqrt(a * g);
       a = mean;
     }
-    const double period = 2.0 * 3.14159265358979 * std::sqrt(0.8 / 10.0) / a;
-    const auto energy = [&] {
-      return 0.5 * pWorld->GetVel(ball).cast<double>().squaredNorm() +
-             10.0 * (0.8 + static_cast<double>(pWorld->GetPos(ball).y()));
-    };
+    const double period = g_fPi2 * std::sqrt(0.8 / 10.0) / a;
+    const auto energy = [&] { return EnergyOf(*pWorld, ball, 10, -0.8); };
     const double first = energy();
     int crossings = 0;
-    double time = 0.0, x = static_cast<double>(start.x()), lastCrossing = 0.0;
-    for (int step = 1; step <= 6000; ++step) {
-      pWorld->Step();
-      const double now = static_cast<double>(pWorld->GetPos(ball).x());
-      if ((x > 0.0) != (now > 0.0)) {
+    double x = Wide(start.x()), lastCrossing = 0.0;
+    InEachStep(*pWorld, 6000, [&](int step) {
+      const double before = std::exchange(x, Wide(pWorld->GetPos(ball).x()));
+      if ((before > 0.0) != (x > 0.0)) {
         ++crossings;
-        lastCrossing = time + static_cast<double>(g_fDt) * x / (x - now);
+        lastCrossing = Wide(g_fDt) * (step + before / (before - x));
       }
-      x = now;
-      time = step * static_cast<double>(g_fDt);
-      ASSERT_NEAR(pWorld->GetPos(ball).norm(), 0.8f, 1e-6f);
-      ASSERT_NEAR(energy(), first, 2e-6 * (1.0 + first)) << step;
-    }
+      EXPECT_NEAR(pWorld->GetPos(ball).norm(), 0.8f, 1e-6f);
+      EXPECT_NEAR(energy(), first, 2e-6 * (1.0 + first));
+    });
     EXPECT_NEAR(lastCrossing / (0.5 * crossings - 0.25), period, 1e-5 * period) << amplitude;
     EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u);
   }
@@ -91,9 +82,9 @@ TEST(Slide, ABallLeavesACircleWhereItWouldBePulled) {
     const auto pWorld = MakeNative(g_cAutomatic, 10);
     pWorld->Add(CCircleDesc({0, 0}, 0.4f, 0.0f));
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.5f}, 0.1f, {v, 0}));
-    COnCircle exact{0.0, static_cast<double>(v) / COnCircle::g_fL};
+    COnCircle exact{0.0, Wide(v) / COnCircle::g_fL};
     exact.Until([](const COnCircle& at) { return at.IsPulled(); });
-    EXPECT_NEAR(std::cos(exact.m_fAngle), (2.0 + 0.2 * static_cast<double>(v * v)) / 3.0, 1e-3) << v;
+    EXPECT_NEAR(std::cos(exact.m_fAngle), (2.0 + 0.2 * Wide(v * v)) / 3.0, 1e-3) << v;
     EXPECT_LT(GetErrorAfter(exact, *pWorld, ball), g_fBound) << v;
   }
 }
@@ -104,10 +95,9 @@ TEST(Slide, ABallLeavesABowlAtItsEnd) {
     // From beyond the left side of it to `end` radians right of the bottom.
     pWorld->Add(CArcDesc({0, 0}, 0.6f, 3.0f, 4.712389f + end, 0.0f));
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-0.5f, 0}, 0.1f));
-    const double bottom = 3.14159265358979;
+    const double bottom = 0.5 * g_fPi2;
     COnCircle exact{1.5 * bottom, 0.0};
-    const double last = bottom - static_cast<double>(end);
-    exact.Until([last](const COnCircle& at) { return at.m_fAngle < last; });
+    exact.Until([=](const COnCircle& at) { return at.m_fAngle < bottom - Wide(end); });
     EXPECT_LT(GetErrorAfter(exact, *pWorld, ball), g_fBound) << end;
   }
 }
