@@ -139,7 +139,7 @@ TEST(PiecesTest, VerticesFarFromTheOriginAreNotTooCloseForBox2D) {
   // ones. Box2D would stop the program.
   ForEachCase(15, 2000, [&](CRandom& random, int) {
     const CArc arc = CRandomArc::Make(random, {0, 0}, random.Scale(-7, 2));
-    const Vector2 origin = random.Scale(10, 25) * random.Direction();
+    const Vector2 origin = random.Vector(10, 25);
     const CFixtureShapes fixtures = CFixtureShapes::Make(arc, origin, CScale(1), g_fSagittaTolerance);
     for (const CFixtureShapes::CChain& chain : fixtures.m_stdChains) {
       const auto& v = chain.m_stdVertices;
@@ -193,7 +193,8 @@ TEST(PiecesTest, AFullCircleIsALoopOrItsEdgesClose) {
 
 TEST(PiecesTest, SidesOfASegmentAreSolidAsAskedInEveryDirection) {
   ForEachCase(14, 1000, [&](CRandom& random, int) {
-    CLineSegDesc desc(random.InSquare(5), random.InSquare(5));
+    const Vector2 p = random.InSquare(5), q = random.InSquare(5);
+    CLineSegDesc desc(p, q);
     if ((desc.GetEndPt1() - desc.GetEndPt0()).norm() < 0.5f) return;
     for (const eSides sides : {eSides::Both, eSides::Front, eSides::Back}) {
       desc.m_eSides = sides;

@@ -229,7 +229,8 @@ TEST(TunedMisfitTest, ABallFarBelowTheSlopStaysInARoom) {
         auto pWorld = MakeBox2D(g_cTuned, {0, -10});
         for (const CAnyShapeDesc& wall : rooms[kind])
           pWorld->Add(wall);
-        const Vector2d v = (0.3 + 4 * random.Unit()) * UnitVector(360 * g_fDegree * random.Unit());
+        const double speed = 0.3 + 4 * random.Unit();
+        const Vector2d v = speed * UnitVector(360 * g_fDegree * random.Unit());
         const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, -0.3f}, r, v.cast<float>(), 1, 0.7f));
         for (int i = 0; i < 300; ++i) {
           pWorld->Step();

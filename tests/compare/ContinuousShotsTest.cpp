@@ -139,7 +139,8 @@ CShot MakeShot(CRandom& random, const CCase& what) {
     std::visit(
         [&](auto& desc) {
           desc.m_eMotionType = eMotion::Kinematic;
-          desc.m_vRotCenter = c + random.Coin() * random.VectorOfLength(0.0f, 4.0f * r);
+          const Vector2 away = random.VectorOfLength(0.0f, 4.0f * r);
+          desc.m_vRotCenter = random.Coin() ? Vector2(c + away) : c;
           if (moves.m_bTurns) desc.m_fRotSpeed = random.SignedScale(-3, 5); // up to a whole turn in a step
           if (moves.m_bMoves) desc.m_vVel = random.VectorOfLength(0.0f, 50.0f * r / g_fDt);
           ball.m_vVel += desc.m_vVel; // seen from there the ball comes as it did

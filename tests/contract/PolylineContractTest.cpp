@@ -150,7 +150,7 @@ TEST_P(CPolylineContract, NoBallGetsIntoACapsule) {
           if (!whole) parts.resize(2);
           const auto ids = pWorld->AddCompound(parts, {-1, 0}, turns ? 0.5f : 0.0f);
           const Vector2 from = 3 * AngleToVector(random.Uniform(0, 2 * g_fPi));
-          const Vector2 to(random.Uniform(-1, 1), random.Uniform(-0.2f, 0.2f));
+          const Vector2 to{random.Uniform(-1, 1), random.Uniform(-0.2f, 0.2f)};
           const CShapeId ball = pWorld->Add(CDynamicCircleDesc(from, 0.1f, 2 * Normalize(to - from)));
           bool isIn = false, isHit = false;
           for (int i = 0; i < 150; ++i) {

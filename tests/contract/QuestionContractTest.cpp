@@ -183,10 +183,11 @@ TEST_P(CQuestionContract, EveryEngineHasTheSameBits) {
     const auto pWorld = backend.MakeWorld(CWorldDesc());
     CRandom random(7);
     for (int i = 0; i < 30; ++i)
-      pWorld->Add(CArcDesc(random.InSquare(3), 0.7f, random.Uniform(0, 6), random.Uniform(0, 6)));
+      pWorld->Add(CArcDesc{random.InSquare(3), 0.7f, random.Uniform(0, 6), random.Uniform(0, 6)});
     std::vector<float> answers;
     for (int i = 0; i < 100; ++i) {
-      const auto hit = pWorld->Cast(random.InSquare(3), random.InSquare(3), 0.05f);
+      const Vector2 from = random.InSquare(3), to = random.InSquare(3);
+      const auto hit = pWorld->Cast(from, to, 0.05f);
       const auto closest = pWorld->FindClosest(random.InSquare(3));
       answers.insert(answers.end(), {hit ? hit->m_fShare : -1.0f, closest->m_vPOI.x(), closest->m_fDistance});
     }

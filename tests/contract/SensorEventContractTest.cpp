@@ -249,7 +249,7 @@ private:
   Vector2 Velocity() { return m_cRandom.InSquare(60); } // up to 1 unit a step
   void AddBall() {
     if (m_cWorld.GetBallIds().size() >= 12) return;
-    CDynamicCircleDesc desc(m_cRandom.InSquare(3), m_cRandom.Uniform(0.05f, 0.3f));
+    CDynamicCircleDesc desc{m_cRandom.InSquare(3), m_cRandom.Uniform(0.05f, 0.3f)};
     desc.m_vVel = Velocity();
     desc.m_bIsSensor = m_cRandom.Below(4) == 0;
     desc.m_fElasticity = m_cRandom.Coin() ? 1.0f : 0.5f;

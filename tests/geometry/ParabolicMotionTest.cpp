@@ -119,8 +119,8 @@ TEST(ParabolicMotion, ABallThatIsThrownUpMeetsTheFloorThatItLeft) {
 TEST(ParabolicMotion, TheGapClosesAsItsSecondDerivativeSays) {
   int impacts = 0;
   ForEachCase(29, 1200, [&](CRandom& random, int i) {
-    const CCircle disc(CCircleDesc(random.InSquare(1), random.Uniform(0.1f, 0.5f)));
-    const CLineSeg bar(CLineSegDesc(random.InSquare(1), random.InSquare(1)));
+    const CCircle disc(CCircleDesc{random.InSquare(1), random.Uniform(0.1f, 0.5f)});
+    const CLineSeg bar(CLineSegDesc{random.InSquare(1), random.InSquare(1)});
     CShapeGeometry o = MakeShapeGeometry(i % 2 == 0 ? static_cast<const CShape&>(disc) : bar, 0.0);
     o.m_vRotCenter = Wide(random.InSquare(1));
     o.m_fTurnSpeed = o.m_fSpin = static_cast<double>(random.Uniform(-6, 6));

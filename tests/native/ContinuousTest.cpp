@@ -91,8 +91,8 @@ TEST_F(ContinuousTest, MomentumAndEnergyOfManyBallsAreKept) {
   AddBox(*m_pWorld, 4);
   for (int i = 0; i < 40; ++i) {
     const Vector2 p(-3.5f + 0.9f * static_cast<float>(i % 8), -3.5f + 1.2f * static_cast<float>(i / 8));
-    const float r = random.Uniform(0.1f, 0.4f);
-    m_pWorld->Add(CDynamicCircleDesc(p, r, random.VectorOfLength(0, 200), random.Uniform(0.1f, 5)));
+    const float r = random.Uniform(0.1f, 0.4f), mass = random.Uniform(0.1f, 5);
+    m_pWorld->Add(CDynamicCircleDesc(p, r, random.VectorOfLength(0, 200), mass));
   }
   const double before = KineticEnergy(*m_pWorld);
   Steps(*m_pWorld, 2000);
@@ -357,7 +357,7 @@ TEST_F(ContinuousTest, DoesNotDependOnTheOrderOfShapes) {
   SCOPED_TRACE(random.GetSeed());
   std::vector<CLineSegDesc> walls;
   for (int i = 0; i < 30; ++i)
-    walls.emplace_back(random.InSquare(4), random.InSquare(4));
+    walls.push_back(CLineSegDesc{random.InSquare(4), random.InSquare(4)});
   const auto play = [&] {
     auto pWorld = MakeContinuous();
     for (const CLineSegDesc& wall : walls)

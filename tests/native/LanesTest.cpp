@@ -106,8 +106,10 @@ TEST(Lanes, ShapesThatMoveInEachStepAndBallsThatMeetStayInOne) {
     const auto pWorld = MakeNative(pairs ? g_cAutomatic : WithoutPairs(g_cAutomatic), 10, g_fDt, 1, threads);
     CRandom random(5);
     const CShapeId wall = pWorld->Add(CLineSegDesc({-20, 0}, {20, 0}));
-    for (int i = 0; i < 1200; ++i)
-      pWorld->Add(CDynamicCircleDesc(random.InSquare(15) + Vector2(0, 16), 0.05f, random.InSquare(2)));
+    for (int i = 0; i < 1200; ++i) {
+      const Vector2 v = random.InSquare(2), p = random.InSquare(15) + Vector2(0, 16);
+      pWorld->Add(CDynamicCircleDesc(p, 0.05f, v));
+    }
     CHash hash;
     for (int step = 0; step < 20; ++step) {
       if (!pairs) pWorld->SetPos(wall, {0, 0.01f * static_cast<float>(step)});

@@ -275,9 +275,11 @@ TEST(LastingContact, AClosedBoxThatTurnsKeepsWhatIsInIt) {
         pWorld->AddCompound(std::vector<CAnyShapeDesc>{CLineSegDesc(a, b, e), CLineSegDesc(b, c, e),
                                                        CLineSegDesc(c, d, e), CLineSegDesc(d, a, e)},
                             {0, 0}, revsPerSecond);
-        for (int i = 0; i < 5; ++i)
-          pWorld->Add(CDynamicCircleDesc({-1 + 0.5f * static_cast<float>(i), random.Uniform(-0.5f, 0.5f)},
-                                         0.2f, random.InSquare(1)));
+        for (int i = 0; i < 5; ++i) {
+          const Vector2 v = random.InSquare(1);
+          const float y = random.Uniform(-0.5f, 0.5f);
+          pWorld->Add(CDynamicCircleDesc({-1 + 0.5f * static_cast<float>(i), y}, 0.2f, v));
+        }
         Steps(*pWorld, 120);
         EXPECT_TRUE(AllBalls(*pWorld, [](const Vector2& p) { return p.norm() < 2.0f * std::sqrt(2.0f); }));
         halted += pWorld->GetStats().m_nBallsHalted;

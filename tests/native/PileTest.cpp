@@ -108,8 +108,10 @@ TEST(Pile, ACrowdInOnePlaceComesApart) {
   pWorld->Add(CLineSegDesc({-1, -0.25f}, {1, -0.25f}, 0.7f));
   CRandom random(4);
   SCOPED_TRACE(random.GetSeed());
-  for (int i = 0; i < 200; ++i)
-    pWorld->Add(CDynamicCircleDesc(random.InSquare(0.001f), 0.2f, random.InSquare(2), 1, 0.7f));
+  for (int i = 0; i < 200; ++i) {
+    const Vector2 v = random.InSquare(2), p = random.InSquare(0.001f);
+    pWorld->Add(CDynamicCircleDesc(p, 0.2f, v, 1, 0.7f));
+  }
   pWorld->Step();
   EXPECT_LT(pWorld->GetStats().m_nSweeps, 64u * 200u); // of 200 balls with all others at least 199 * 200
   EXPECT_GT(GetOverlap(*pWorld), 1.0);
@@ -230,10 +232,11 @@ TEST(Pile, APaddleThatPushesAPileLosesNone) {
     const auto pWorld = MakeNative(effects, 10);
     AddBox(*pWorld, {-2, 0}, {2, 4});
     const CShapeId paddle = pWorld->Add(Turning(CLineSegDesc({0, 0.05f}, {0, 1.5f})));
-    for (int i = 0; i < 12; ++i)
-      pWorld->Add(CDynamicCircleDesc(
-          {-1.75f + 0.42f * static_cast<float>(i % 9) + random.Uniform(0, 0.01f), i < 9 ? 1.8f : 2.22f}, 0.2f,
-          random.InSquare(1), 1, 0.5f));
+    for (int i = 0; i < 12; ++i) {
+      const Vector2 v = random.InSquare(1);
+      const float x = -1.75f + 0.42f * static_cast<float>(i % 9) + random.Uniform(0, 0.01f);
+      pWorld->Add(CDynamicCircleDesc({x, i < 9 ? 1.8f : 2.22f}, 0.2f, v, 1, 0.5f));
+    }
     for (int step = 0; step < 600; ++step) {
       const float x = pWorld->GetPos(paddle).x();
       if (step == 0 || x < -1.3f) pWorld->SetVel(paddle, {speed, 0});

@@ -24,7 +24,7 @@ struct CContactGeometry {
   bool m_bFull = false;                  ///< An arc that is a full circle has no ends.
   bool m_bIsOneSided = false;            ///< A ball may be on its way through it.
   bool m_bLong = false;                  ///< An arc of more than half a circle.
-  CEnd m_cEnd0, m_cEnd1;                 ///< An arc runs counterclockwise from end 0.
+  CEnd m_cEnd0{}, m_cEnd1{};             ///< An arc runs counterclockwise from end 0.
 };
 
 struct CExactContact {
