@@ -107,14 +107,14 @@ TEST(NativeWorldTest, HasTheBitsOfThePlainLoop) {
     CRandom random(seed);
     CBoth both(4, 1.0f / 120.0f);
     Fill(both, random, 300, 30);
-    both.StepAndCompare(2000);
+    both.StepAndCompare(600);
     const CWorldStats& stats = both.m_pWorld->GetStats();
     EXPECT_EQ(stats.m_nContacts, both.m_nContacts);
-    EXPECT_GT(both.m_nContacts, 10000u); // a scene in which little happens would show little
-    EXPECT_GT(stats.m_nSensorHits, 1000u);
+    EXPECT_GT(both.m_nContacts, 3000u); // a scene in which little happens would show little
+    EXPECT_GT(stats.m_nSensorHits, 300u);
     // No all-pairs loop: it would have tested 301 * 30 shapes a step.
-    EXPECT_LT(stats.m_nShapeTests, 2000u * 301u * 30u / 5u);
-    EXPECT_LT(stats.m_nBallTests, 2000u * 30u * 29u / 2u / 5u);
+    EXPECT_LT(stats.m_nShapeTests, 600u * 301u * 30u / 5u);
+    EXPECT_LT(stats.m_nBallTests, 600u * 30u * 29u / 2u / 5u);
   }
 }
 
