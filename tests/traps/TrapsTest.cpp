@@ -13,6 +13,7 @@
 #include <csignal>
 #include <limits>
 #include <stdexcept>
+#include <xmmintrin.h>
 
 namespace Shapes::Tests {
 namespace {
@@ -46,17 +47,20 @@ TEST(TrapsTest, NothingElseIsTrapped) {
   EXPECT_FALSE(IsLess(g_fNan, 1));
 }
 
+// What SSE traps now.
+unsigned GetTrapped() { return ~_mm_getcsr() & (_MM_MASK_INVALID | _MM_MASK_DIV_ZERO | _MM_MASK_OVERFLOW); }
+
 TEST(TrapsTest, AnExceptionLeavesTheLibraryWithoutThem) {
-  EXPECT_EQ(fegetexcept(), 0);
+  EXPECT_EQ(GetTrapped(), 0u);
   EXPECT_THROW(CCircle(CCircleDesc({0, 0}, g_fNan)), std::invalid_argument);
-  EXPECT_EQ(fegetexcept(), 0);
+  EXPECT_EQ(GetTrapped(), 0u);
 }
 
 TEST(TrapsTest, WhoHasThemOnKeepsThem) {
   std::feclearexcept(FE_ALL_EXCEPT);
   feenableexcept(FE_DIVBYZERO);
   EXPECT_EQ(Quotient(1, 2), 0.5f);
-  EXPECT_EQ(fegetexcept(), FE_DIVBYZERO);
+  EXPECT_EQ(GetTrapped(), unsigned{_MM_MASK_DIV_ZERO});
   fedisableexcept(FE_DIVBYZERO);
 }
 
