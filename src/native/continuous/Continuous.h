@@ -39,8 +39,9 @@ namespace Shapes::Native {
 ///   other: else they do not meet.
 /// - A ball that has had g_nMaxImpacts impacts, g_nCrowded in a pile, or has found more than g_nMostBallsSeen
 ///   others in all searches, is halted: for the rest of the substep it stays where it is, which is a place
-///   that it can be at, or goes along with the moving shape that it has met last. It keeps its velocity, in a
-///   pile no more of it than what is slow; others bounce off it as off a wall.
+///   that it can be at, or goes along with the moving shape that it has met last. It keeps its velocity,
+///   under gravity none into the shapes that it touches, in a pile no more of it than what is slow; others
+///   bounce off it as off a wall.
 class CContinuous {
 public:
   /// Begins to move the balls by dt seconds, and counts what is done. Threads share balls that do not meet
@@ -156,6 +157,7 @@ private:
   bool HoldIfStaying(CMoving& ball, std::uint32_t order, const CImpact& impact, double gap);
   void ReportHold(const CMoving& ball);
   bool IsSlow(const CMoving& ball, const CMoving& other, double approach) const;
+  void StopTogether(CMoving& upper, CMoving& lower, const Vector2d& up) const;
   void Rest(CMoving& ball, CMoving& other, const Vector2d& n);
   bool AreAtRest(std::uint32_t i, std::uint32_t j) const;
   void Settle(CMoving& ball, const CMotion& before);
@@ -183,6 +185,7 @@ private:
   void Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n, double speed,
               float impulse);
   void EndMotion(CMoving& ball);
+  void StopAtTouching(CMoving& ball);
   void Halt(CMoving& ball);
 
   std::vector<CContactEvent> m_stdContacts;

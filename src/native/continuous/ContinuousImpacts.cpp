@@ -342,8 +342,28 @@ void CContinuous::EndMotion(CMoving& ball) {
   if (isCrowded || ball.m_nImpacts == g_nMaxImpacts || ball.m_nBallsSeen > g_nMostBallsSeen) Halt(ball);
 }
 
+// It keeps no velocity into the shapes that it touches.
+void CContinuous::StopAtTouching(CMoving& ball) {
+  FindShapes(static_cast<std::uint32_t>(&ball - m_stdBalls.data()));
+  CHolds touching;
+  for (const std::uint32_t order : m_stdShapesFound) {
+    const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
+    const double reach = Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + geometry.m_fSize);
+    CImpact impact;
+    double gap;
+    if (m_pShapes->Get(order).m_pShape->GetCanCollide() &&
+        !IsOutOfWay(geometry, GetPlace(ball), ball.m_fTime, reach) &&
+        Near(geometry, GetMotion(ball), ball.m_fTime, reach, impact, gap))
+      touching.Add(
+          {order, false, impact.m_vNorm, impact.m_vNorm.dot(impact.m_vSurface), 0.0, impact.m_fRadius});
+  }
+  ball.m_vVel = touching.ConstrainVel(ball.m_vVel);
+}
+
 void CContinuous::Halt(CMoving& ball) {
   m_pStats->m_nBallsHalted += !ball.m_bIsHalted;
+  // Gravity would give it more velocity in every substep, and so it would be halted in each.
+  if (IsFalling() && !ball.m_bIsHalted) StopAtTouching(ball);
   ball.m_bIsHalted = true;
   for (const CHold& hold : ball.m_cHolds.Get()) // what it lies on comes upon it as well
     if (ball.m_nLastMoving == g_nNobody && !hold.m_bIsBall &&

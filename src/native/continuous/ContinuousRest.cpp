@@ -292,10 +292,24 @@ double CContinuous::GetHoldTime(const CMoving& ball) const {
 
 // Whether two balls meet no faster than what gravity gives in a substep presses them together.
 bool CContinuous::IsSlow(const CMoving& ball, const CMoving& other, double approach) const {
-  if (!IsFalling() || ball.m_bIsHalted || other.m_bIsHalted) return false;
+  if (!IsFalling() || ball.m_bIsHalted || other.m_bIsHalted || approach > m_cResting.GetSlow()) return false;
   const double out = ball.m_fElasticity * other.m_fElasticity * approach;
-  if (IsHop(out, ball.m_cNext.m_cImpact.m_fClosing, 0.0)) return true;
-  return (ball.m_bIsInPile || other.m_bIsInPile) && approach <= m_cResting.GetSlow();
+  return ball.m_bIsInPile || other.m_bIsInPile || IsHop(out, ball.m_cNext.m_cImpact.m_fClosing, 0.0);
+}
+
+// An impact without elasticity of two balls that move as what holds them lets them. Without it the upper one
+// goes along with the lower one, however light that is.
+void CContinuous::StopTogether(CMoving& upper, CMoving& lower, const Vector2d& up) const {
+  const double approach = up.dot(lower.m_vVel - upper.m_vVel);
+  if (!(approach > 0.0)) return;
+  const auto answer = [](const CMoving& ball, const Vector2d& change) {
+    return Vector2d((ball.m_cHolds.ConstrainVel(ball.m_vVel + change) - ball.m_vVel) / ball.m_fMass);
+  };
+  const Vector2d u = answer(upper, approach * up), l = answer(lower, -approach * up);
+  const double free = approach * (1.0 / upper.m_fMass + 1.0 / lower.m_fMass), held = up.dot(u - l);
+  if (held < g_fLeastGiven * free) return;
+  upper.m_vVel = upper.m_cHolds.ConstrainVel(upper.m_vVel + approach / held * u);
+  lower.m_vVel = lower.m_cHolds.ConstrainVel(lower.m_vVel + approach / held * l);
 }
 
 // The upper one of two balls comes to rest on the lower one, until the substep ends.
@@ -309,6 +323,7 @@ void CContinuous::Rest(CMoving& ball, CMoving& other, const Vector2d& n) {
   const bool isAbove = !(n.dot(m_vGravity) > 0.0);
   CMoving &upper = isAbove ? ball : other, &lower = isAbove ? other : ball;
   const Vector2d up = isAbove ? n : Vector2d(-n);
+  StopTogether(upper, lower, up);
   const double along = Cross(up, upper.m_vVel - lower.m_vVel), R = upper.m_fRadius + lower.m_fRadius;
   const double bend = R > 0.0 ? along * along / R : 0.0;
   upper.m_cHolds.Add({static_cast<std::uint32_t>(&lower - m_stdBalls.data()), true, up, up.dot(lower.m_vVel),

@@ -10,7 +10,7 @@
 namespace Shapes::Native {
 namespace {
 
-using Geometry::Cross;
+using Geometry::Cross, Geometry::Norm;
 
 // The point closest to x with n . point >= b for all: it is x, on one of the lines, or where two cross. What
 // rounding violates is no violation. If there is none, the one that goes into shapes least, and then into
@@ -39,10 +39,13 @@ Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound
     offer(x + (bound(holds[i]) - n.dot(x)) * n);
     for (std::size_t j = 0; j < i; ++j) {
       const Vector2d& m = holds[j].m_vNorm;
-      const double det = Cross(n, m);
-      if (std::abs(det) < (holds[i].m_bIsBall || holds[j].m_bIsBall ? g_fSteep : g_fParallel)) continue;
-      const double b = bound(holds[i]), c = bound(holds[j]);
-      offer(Vector2d(b * m.y() - c * n.y(), c * n.x() - b * m.x()) / det);
+      const double det = Cross(n, m), b = bound(holds[i]), c = bound(holds[j]);
+      const Vector2d crossing(b * m.y() - c * n.y(), c * n.x() - b * m.x()); // times det
+      const bool isOfBall = holds[i].m_bIsBall || holds[j].m_bIsBall;
+      // Two walls that are all but parallel hold a ball between them, as in a slot, if they cross nearby.
+      const double nearby = (std::abs(b) + std::abs(c) + Norm(x)) * std::abs(det);
+      const bool isNearby = !isOfBall && det != 0.0 && Norm(crossing) <= nearby;
+      if (isNearby || std::abs(det) >= (isOfBall ? g_fSteep : g_fParallel)) offer(crossing / det);
     }
   }
   return best;
