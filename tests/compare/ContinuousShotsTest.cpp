@@ -219,7 +219,9 @@ protected:
       pWorld->Step();
       const auto contacts = pWorld->GetContacts();
       if (events.empty()) {
-        result.m_nGhosts += !contacts.empty() && exact.GetNearMissCount() == 0;
+        // A ball that meets a shape along its surface slides on it, without an event.
+        const bool touches = exact.GetNearMissCount() + exact.GetSlideCount() > 0;
+        result.m_nGhosts += !contacts.empty() && !touches;
         continue;
       }
       const CExactEvent<double>& first = events[0];
