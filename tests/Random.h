@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 namespace Shapes::Tests {
 
@@ -79,5 +80,12 @@ private:
   std::uint64_t m_nSeed;
   std::uint64_t m_nState;
 };
+
+/// How many of something a random test plays: what the variable of the environment says, else the usual
+/// number.
+inline std::uint64_t HowMany(const char* sVariable, std::uint64_t usual) {
+  const char* sMany = std::getenv(sVariable);
+  return sMany == nullptr ? usual : std::strtoull(sMany, nullptr, 10);
+}
 
 } // namespace Shapes::Tests

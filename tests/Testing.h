@@ -40,6 +40,6 @@
 
 namespace Shapes {
 
-using Tests::CRandom, Tests::ForEachCase;
+using Tests::CRandom, Tests::HowMany, Tests::ForEachCase;
 
 } // namespace Shapes

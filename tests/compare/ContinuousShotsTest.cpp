@@ -9,20 +9,13 @@
 
 #include "../../src/Tolerances.h"
 
-#include <cstdlib>
 #include <iostream>
 #include <stdexcept>
 
 namespace Shapes::Compare {
 namespace {
 
-using Shapes::Tests::CRandom;
-
-/// How often each kind is shot at.
-int GetShots() {
-  const char* sShots = std::getenv("SHAPES_SHOTS");
-  return sShots == nullptr ? 10000 : std::atoi(sShots);
-}
+using Shapes::Tests::CRandom, Shapes::Tests::HowMany;
 
 struct CShot {
   CShapes m_stdShapes; // the target,
@@ -249,7 +242,7 @@ protected:
 
 TEST_P(ContinuousShotsTest, NoneTunnelsAtAnySpeed) {
   constexpr std::uint64_t seed = 20;
-  const int shots = GetShots();
+  const int shots = static_cast<int>(HowMany("SHAPES_SHOTS", 10000)); // of each kind
   CResult result = Shoot(g_cContinuous, shots, seed);
   SCOPED_TRACE(testing::Message() << "seed " << seed);
   std::cout << GetParam().m_sName << ": " << shots << " shots, " << result.m_nHits << " hits, "

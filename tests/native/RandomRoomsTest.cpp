@@ -4,8 +4,6 @@
 // 100,000 did neither.
 #include "NativeTesting.h"
 
-#include <cstdlib>
-
 namespace Shapes {
 namespace {
 
@@ -124,8 +122,7 @@ void PlayRoom(std::uint64_t seed, const CEffectChoice& effects, CCounts& counts)
 }
 
 TEST(RandomRooms, LoseNoBallAndGainNoEnergy) {
-  const char* sWorlds = std::getenv("SHAPES_WORLDS");
-  const std::uint64_t worlds = sWorlds == nullptr ? 1000 : std::strtoull(sWorlds, nullptr, 10);
+  const std::uint64_t worlds = HowMany("SHAPES_WORLDS", 1000);
   CCounts counts;
   for (std::uint64_t seed = 0; seed < worlds; ++seed)
     PlayRoom(seed, seed % 2 == 0 ? g_cAutomatic : g_cContinuous, counts);

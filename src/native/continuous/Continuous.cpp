@@ -176,7 +176,7 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i) {
     if (!m_pShapes->Get(order).m_pShape->GetCanCollide()) continue;
     const CMoving& ball = m_stdBalls[i];
     const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
-    const double rounding = Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + geometry.m_fSize);
+    const double rounding = GetRounding(ball, order);
     const double reach = IsFalling() ? rounding : 0.0;
     CTouching touching{order, 0.0, {}};
     if (IsOutOfWay(geometry, GetPlace(ball), 0.0, reach) ||

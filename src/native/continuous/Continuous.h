@@ -152,7 +152,10 @@ private:
   bool CanFollow(const CMoving& ball, std::uint32_t order, const CImpact& impact) const;
   void Hold(CMoving& ball, const CHold& hold);
   CHold MakeHold(const CMoving& ball, std::uint32_t order, const CImpact& impact) const;
+  // What rounding explains of a gap between the two.
+  double GetRounding(const CMoving& ball, std::uint32_t order) const;
   void HoldTouching(CMoving& ball);
+  bool Touches(const CMoving& ball, std::uint32_t order, CImpact& impact, double& gap) const;
   bool HoldIfTouching(CMoving& ball, std::uint32_t order);
   bool HoldIfStaying(CMoving& ball, std::uint32_t order, const CImpact& impact, double gap);
   void ReportHold(const CMoving& ball);

@@ -347,15 +347,9 @@ void CContinuous::StopAtTouching(CMoving& ball) {
   FindShapes(static_cast<std::uint32_t>(&ball - m_stdBalls.data()));
   CHolds touching;
   for (const std::uint32_t order : m_stdShapesFound) {
-    const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
-    const double reach = Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + geometry.m_fSize);
     CImpact impact;
     double gap;
-    if (m_pShapes->Get(order).m_pShape->GetCanCollide() &&
-        !IsOutOfWay(geometry, GetPlace(ball), ball.m_fTime, reach) &&
-        Near(geometry, GetMotion(ball), ball.m_fTime, reach, impact, gap))
-      touching.Add(
-          {order, false, impact.m_vNorm, impact.m_vNorm.dot(impact.m_vSurface), 0.0, impact.m_fRadius});
+    if (Touches(ball, order, impact, gap)) touching.Add(MakeHold(ball, order, impact));
   }
   ball.m_vVel = touching.ConstrainVel(ball.m_vVel);
 }

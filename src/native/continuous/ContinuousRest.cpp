@@ -154,14 +154,23 @@ void CContinuous::HoldTouching(CMoving& ball) {
       ReportHold(ball);
 }
 
-bool CContinuous::HoldIfTouching(CMoving& ball, std::uint32_t order) {
+double CContinuous::GetRounding(const CMoving& ball, std::uint32_t order) const {
+  return Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + m_pShapes->GetGeometry(order).m_fSize);
+}
+
+// Whether the ball touches the shape now, or is in it.
+bool CContinuous::Touches(const CMoving& ball, std::uint32_t order, CImpact& impact, double& gap) const {
   const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
   FailIf(!m_pShapes->Get(order).m_pShape->GetCanCollide());
-  const double reach = Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + geometry.m_fSize);
+  const double reach = GetRounding(ball, order);
   FailIf(IsOutOfWay(geometry, GetPlace(ball), ball.m_fTime, reach));
+  return Near(geometry, GetMotion(ball), ball.m_fTime, reach, impact, gap);
+}
+
+bool CContinuous::HoldIfTouching(CMoving& ball, std::uint32_t order) {
   CImpact impact;
   double gap;
-  return Near(geometry, GetMotion(ball), ball.m_fTime, reach, impact, gap) && gap >= -reach &&
+  return Touches(ball, order, impact, gap) && gap >= -GetRounding(ball, order) &&
          HoldIfStaying(ball, order, impact, gap);
 }
 
@@ -242,7 +251,7 @@ double CContinuous::GetTimeToEnd(const CMoving& ball, const CHold& hold) const {
   const Vector2d u = ball.m_vVel - o.m_vVel, moved = ball.m_fTime * o.m_vVel;
   const double left = m_fStep - ball.m_fTime;
   // So far that rounding leaves nothing of the shape below the ball.
-  const double past = Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + o.m_fSize);
+  const double past = GetRounding(ball, hold.m_nOther);
   if (!std::isfinite(hold.m_fRadius)) {
     const Vector2d along = -Perp(o.m_vFront);
     for (const double sign : {1.0, -1.0}) {
