@@ -118,6 +118,20 @@ TEST(NativeWorldTest, HasTheBitsOfThePlainLoop) {
   }
 }
 
+// By then the grid stands, and each is in a place where all but its rim is in the open.
+TEST(NativeWorldTest, MeetsWhatASlowBallTouchesWithItsRim) {
+  CRandom random(5);
+  CBoth both;
+  for (int i = 0; i < 64; ++i) {
+    const Vector2 p(5.0f * static_cast<float>(i % 8), 5.0f * static_cast<float>(i / 8));
+    both.Add(CPointDesc(p));
+    const Vector2 away = random.VectorOfLength(1.1f, 1.3f);
+    both.Add(CDynamicCircleDesc(p + away, 1.0f, -0.05f * away));
+  }
+  both.StepAndCompare(400);
+  EXPECT_EQ(both.m_nContacts, 64u);
+}
+
 TEST(NativeWorldTest, HasTheBitsOfThePlainLoopFarFromTheOrigin) {
   // At 1e5 a coordinate has steps of .008: boxes without padding lose contacts there.
   CRandom random(4);
