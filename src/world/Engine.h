@@ -57,6 +57,8 @@ public:
   virtual void Changed(CShapeId id, eChange change) = 0;
   /// @param running  the effects that run
   virtual void Plan(CEffects running) = 0;
+  /// Moves kinematic shapes and balls, within the limits of places and speeds; reports contacts and counts
+  /// (Stats.h) in the world.
   /// @param dt  seconds
   virtual void Substep(float dt) = 0;
   virtual void Saved() {}

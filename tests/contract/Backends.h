@@ -38,6 +38,7 @@ class CEveryBackend : public testing::TestWithParam<const CBackend*> {
 protected:
   const CBackend& Backend() const { return *GetParam(); }
   bool IsNative() const { return Backend().GetName() == "native"; }
+  bool IsBox2D() const { return Backend().GetName() == "box2d"; } // whose limits are narrower
   /// How far a POI or a touching ball may be off: rounding on native; on Box2D its time of impact stops
   /// within 3 slops of .005, and its discrete contacts reach through a skin of .01.
   float Skin() const { return IsNative() ? 1e-6f : 0.016f; }

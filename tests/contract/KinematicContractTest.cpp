@@ -307,7 +307,7 @@ TEST_P(CMovingWallContract, ASensorThatMovesSeesABallThatRests) {
 
 // Far out it stops at the limit of what coordinates may be, and nothing else happens.
 TEST_P(CMovingWallContract, ItStopsAtTheGreatestLength) {
-  const float limit = IsNative() ? g_fMaxLength : g_fMaxBox2DLength;
+  const float limit = IsBox2D() ? g_fMaxBox2DLength : g_fMaxLength;
   CPointDesc desc = Turning(CPointDesc({0.999f * limit, 0}), 0);
   desc.m_vVel = {1e-4f * limit, 0};
   const CShapeId point = m_pWorld->Add(desc);

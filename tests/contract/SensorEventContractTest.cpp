@@ -53,7 +53,7 @@ TEST_P(CSensorEventContract, WhoeverIsRemovedOrTurnedOffCeasesToTouch) {
       EXPECT_EQ(Marks(world, pGet, made.m_nSteps), "+");
       EXPECT_EQ(Marks(world, pGet), "");
       part(world, made.m_cShape, made.m_cBall);
-      EXPECT_EQ(Marks(world, pGet), "-");
+      ASSERT_EQ(Marks(world, pGet), "-");
       const auto event = (world.*pGet)()[0];
       EXPECT_EQ(event, (decltype(event){made.m_cShape, made.m_cBall, false}));
       for (const CContactEvent& contact : world.GetContacts())
