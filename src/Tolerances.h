@@ -59,6 +59,10 @@ inline constexpr unsigned g_nMaxHolds = 64;
 /// in proportion.
 inline constexpr double g_fCalmSpeed = 0.05;
 inline constexpr float g_fCalmTime = 0.5f;
+/// Overlap, in radii of the smaller ball, with which none falls asleep: those of a pile are still being moved
+/// apart, little by little where their masses differ by 1,000 times. Without it 3 of 1,600 random piles slept
+/// with .0011 to .0058.
+inline constexpr double g_fSleepOverlap = 1e-3;
 /// Two balls rest on each other if they approach or part by no more than gravity gives in so many substeps,
 /// and would touch within one. With 1 a pile of 200 does not come to rest.
 inline constexpr double g_fRestingSteps = 2.0;

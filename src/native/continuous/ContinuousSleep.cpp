@@ -39,7 +39,7 @@ float CContinuous::GetCalm(const CMoving& ball) const {
   const auto holds = ball.m_cHolds.Get();
   const bool lies = ball.m_bIsAsleep || ball.m_bIsInPile || !holds.empty();
   const bool isInCrowd = ball.m_cFarthestDeep != g_cFarthest; // which comes apart little by little
-  const bool isCalm = lies && !isInCrowd && !ball.m_bIsHalted &&
+  const bool isCalm = lies && !isInCrowd && !ball.m_bIsHalted && !ball.m_bIsPressed &&
                       b.m_stdVel[ball.m_nBall].norm() <= m_fCalmSpeed &&
                       std::none_of(holds.begin(), holds.end(), isCarried);
   return isCalm ? b.m_stdCalm[ball.m_nBall] + static_cast<float>(m_fStep) : 0.0f;

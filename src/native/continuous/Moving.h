@@ -61,6 +61,7 @@ struct CMoving {
   bool m_bIsMoved = false;                 // by anything but its velocity and gravity
   bool m_bIsNearBall = false;              // touches one, or could in this substep
   bool m_bIsInPile = false;                // rests on other balls, or they on it
+  bool m_bIsPressed = false;               // overlaps more than one that falls asleep may
 };
 
 } // namespace Shapes::Native

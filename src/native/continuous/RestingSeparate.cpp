@@ -74,6 +74,9 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
     } else {
       c.m_fGap += c.m_vNorm.dot(getWay(c.m_nBall));
     }
+    if (!(c.m_fGap < -g_fSleepOverlap * smaller(c))) continue;
+    balls[c.m_nBall].m_bIsPressed = true;
+    if (c.m_bIsBall) balls[c.m_nOther].m_bIsPressed = true;
   }
 }
 
