@@ -64,6 +64,9 @@ public:
   /// Touches of solid shapes and balls that began or ended in the last Step, substep by substep; within one
   /// by ball and then by shape. Empty unless the description forces eEffect::Touches.
   std::span<const CTouchEvent> GetTouchEvents() const;
+  /// The balls that CWorldStats::m_nBallsHalted counted in the last Step, each once, by id: they had too many
+  /// impacts and stayed where they were for a part of it. Empty on Box2D. Valid until the next change.
+  std::span<const CShapeId> GetHaltedBalls() const;
   const CWorldStats& GetStats() const;
 
   /// The effects of the next substep, from the present content of the world.

@@ -168,7 +168,6 @@ void CNativeEngine::AddCounts(CLane& lane) {
   Stats().m_nShapeTests += stats.m_nShapeTests;
   Stats().m_nSweeps += stats.m_nSweeps;
   Stats().m_nBallsSwept += stats.m_nBallsSwept;
-  Stats().m_nBallsHalted += stats.m_nBallsHalted;
   Stats().m_nMovesLost += stats.m_nMovesLost;
   Stats().m_nContacts += stats.m_nContacts;
   Stats().m_nSpeedsCapped += stats.m_nSpeedsCapped;
@@ -322,6 +321,8 @@ void CNativeEngine::Sweep(float dt) {
   }
   for (const CContinuous::CPathVertex& vertex : all.GetPathVertices())
     m_cWorld.AddPathVertex(vertex.m_nBall, vertex.m_vPos, vertex.m_fPart);
+  for (const CShapeId ball : all.GetHalted())
+    m_cWorld.ReportHalted(ball);
   if (!Runs(eEffect::Events)) return;
   for (const CContactEvent& event : all.GetContacts())
     m_cWorld.Report(event);

@@ -36,7 +36,7 @@ enum class eChange {
 enum class eAccess { Read, Change, SetGravity, Step, SaveLoad };
 
 /// Steps the shapes and balls in the state of its world. It is made with the world, when the state is empty,
-/// and called in this order (tests/world/EngineOrderTest.cpp keeps it):
+/// and called in this order (tests/world/EngineTest.cpp keeps it):
 ///
 ///   Access           before everything that the user does
 ///   Added, Removed, Changed

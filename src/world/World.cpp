@@ -143,6 +143,7 @@ void CWorld::Step() { m_pImpl->Step(); }
 std::span<const CContactEvent> CWorld::GetContacts() const { return m_pImpl->GetContacts(); }
 std::span<const CSensorEvent> CWorld::GetSensorEvents() const { return m_pImpl->GetSensorEvents(); }
 std::span<const CTouchEvent> CWorld::GetTouchEvents() const { return m_pImpl->GetTouchEvents(); }
+std::span<const CShapeId> CWorld::GetHaltedBalls() const { return m_pImpl->GetHaltedBalls(); }
 
 void CWorld::SetGravity(const Vector2& g) {
   m_pImpl->Access(eAccess::SetGravity);

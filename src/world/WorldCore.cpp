@@ -236,6 +236,7 @@ void CWorld::CImpl::BeginStep() {
   if (m_bPlanIsOld) PlanSubsteps();
   m_stdContacts.clear();
   m_stdSensorEvents.clear();
+  m_stdHalted.clear();
   if (Watches()) BeginToWatch();
 }
 
@@ -276,7 +277,11 @@ void CWorld::CImpl::Sense(float dt) {
   m_cStats.m_nSensorTests = m_cSensors.GetTests();
 }
 
-void CWorld::CImpl::EndStep() { ++m_cStats.m_nSteps; }
+void CWorld::CImpl::EndStep() {
+  ++m_cStats.m_nSteps;
+  std::sort(m_stdHalted.begin(), m_stdHalted.end());
+  m_stdHalted.erase(std::unique(m_stdHalted.begin(), m_stdHalted.end()), m_stdHalted.end());
+}
 
 void CWorld::CImpl::Step() {
   Access(eAccess::Step);
@@ -298,6 +303,11 @@ void CWorld::CImpl::Report(const CContactEvent& event) {
   if (!Runs(eEffect::Events)) return;
   m_stdContacts.push_back(event);
   ++m_cStats.m_nReported;
+}
+
+void CWorld::CImpl::ReportHalted(CShapeId ball) {
+  m_stdHalted.push_back(ball);
+  ++m_cStats.m_nBallsHalted;
 }
 
 void CWorld::CImpl::AddPathVertex(std::size_t ball, const Vector2& p, float t) {
@@ -325,6 +335,7 @@ void CWorld::CImpl::LoadState(const CWorldState& state) {
   m_stdContacts.clear();
   m_stdSensorEvents.clear();
   m_stdTouchEvents.clear();
+  m_stdHalted.clear();
   m_cSensors.Invalidate();
   m_cContent = CountContent(m_cState);
   InvalidatePlan();

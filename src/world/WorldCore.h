@@ -35,6 +35,8 @@ public:
   const CWorldLimits& GetLimits() const { return m_cLimits; }
   /// Takes up a contact that was responded to, for GetContacts if Events runs.
   void Report(const CContactEvent& event);
+  /// Takes up a ball that was halted in the substep, once for each.
+  void ReportHalted(CShapeId ball);
   /// A ball (its index) was at p when the share t of the substep was over, 0 .. 1; in the order of time for
   /// each ball. The sensors take its path for straight in between.
   void AddPathVertex(std::size_t ball, const Vector2& p, float t);
@@ -72,6 +74,7 @@ public:
   /// Of the state as it is now.
   const CQuestions& Ask();
   std::span<const CTouchEvent> GetTouchEvents() const { return m_stdTouchEvents; }
+  std::span<const CShapeId> GetHaltedBalls() const { return m_stdHalted; }
   void SetGravity(const Vector2& g);
   CShapeId Add(std::unique_ptr<CShape> pShape, const CMotionLimits& limits);
   CShapeId Add(const CDynamicCircleDesc& desc);
@@ -117,6 +120,7 @@ private:
   std::vector<CContactEvent> m_stdContacts;
   std::vector<CSensorEvent> m_stdSensorEvents;
   std::vector<CTouchEvent> m_stdTouchEvents;
+  std::vector<CShapeId> m_stdHalted;
   std::size_t m_nFollowed = 0; // contacts of this step that Touches knows of
   CWorldStats m_cStats;
   std::uint64_t m_nChanges = 0;

@@ -157,7 +157,9 @@ TEST_F(ContinuousTest, ABallOfFourRoundingsGetsThroughNothing) {
 TEST_F(ContinuousTest, AHaltedBallIsReportedAndGoesOnInTheNextStep) {
   AddSlot(*m_pWorld);
   const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, 8000}));
+  m_pWorld->Add(CDynamicCircleDesc({0, 0.6f}, 0.1f, {0, 80}));
   InEachStep(*m_pWorld, 10, [&](int step) {
+    EXPECT_EQ(Halted(*m_pWorld), std::vector{ball});
     EXPECT_EQ(m_pWorld->GetContacts().size(), g_nMaxImpacts);
     EXPECT_EQ(m_pWorld->GetStats().m_nBallsHalted, static_cast<std::uint64_t>(step) + 1);
     EXPECT_GE(m_pWorld->GetPos(ball).y(), 0.1f - g_fUlp);

@@ -86,6 +86,23 @@ std::uint64_t Play(CWorld& world) {
   return hash.Get();
 }
 
+// Every tenth ball has too many impacts in each of two substeps.
+TEST(Lanes, EachTellsTheBallsThatWereHalted) {
+  for (const unsigned threads : {1u, 2u}) {
+    const auto pWorld = MakeNative(WithoutPairs(g_cContinuous), 0, g_fDt, 2, threads);
+    for (const float y : {0.0f, 0.25f})
+      pWorld->Add(CLineSegDesc({-1, y}, {1, y}));
+    std::vector<CShapeId> fast;
+    for (int i = 0; i < 2600; ++i) {
+      const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, i % 10 ? 1.0f : 2e4f}));
+      if (i % 10 == 0) fast.push_back(ball);
+    }
+    pWorld->Step();
+    EXPECT_EQ(Halted(*pWorld), fast) << threads << " threads";
+    EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 2 * fast.size());
+  }
+}
+
 TEST(Lanes, NeitherBitsNorContactsNorCountsDependOnThem) {
   for (const CEffectChoice& choice : {g_cContinuous, g_cApproximate})
     for (const float gravity : {0.0f, 10.0f}) {

@@ -68,6 +68,12 @@ inline testing::AssertionResult AreWithin(const CWorld& world, double half) {
   return AllBalls(world, [=](const Vector2& p) { return Wide(p.cwiseAbs().maxCoeff()) < half; });
 }
 
+/// In the last step.
+inline std::vector<CShapeId> Halted(const CWorld& world) {
+  const auto halted = world.GetHaltedBalls();
+  return {halted.begin(), halted.end()};
+}
+
 /// Per mass, above the floor on which a ball of radius r lies.
 inline double EnergyOf(const CWorld& world, CShapeId ball, double g, double r) {
   return 0.5 * Wide(world.GetVel(ball)).squaredNorm() + g * (Wide(world.GetPos(ball).y()) - r);

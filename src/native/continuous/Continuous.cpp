@@ -30,6 +30,7 @@ void CContinuous::Begin(CBallArrays& balls, CStaticBroadPhase& shapes, bool pair
   m_stdContacts.clear();
   m_stdTimes.clear();
   m_stdPathVertices.clear();
+  m_stdHalted.clear();
 }
 
 bool CContinuous::Prepare() {
@@ -66,6 +67,7 @@ void CContinuous::Append(const CContinuous& next) {
   m_stdContacts.insert(m_stdContacts.end(), next.m_stdContacts.begin(), next.m_stdContacts.end());
   m_stdPathVertices.insert(m_stdPathVertices.end(), next.m_stdPathVertices.begin(),
                            next.m_stdPathVertices.end());
+  m_stdHalted.insert(m_stdHalted.end(), next.m_stdHalted.begin(), next.m_stdHalted.end());
 }
 
 void CContinuous::MoveTogether() {

@@ -59,7 +59,7 @@ public:
   void MoveTogether();
   /// The balls from begin to end of the arrays, where they do not.
   void MoveAlone(std::size_t begin, std::size_t end);
-  /// Takes over the contacts and path vertices of the next range of balls.
+  /// Takes over the contacts, path vertices and halted balls of the next range of balls.
   void Append(const CContinuous& next);
 
   /// Whether any ball or shape meets not all.
@@ -77,6 +77,8 @@ public:
     float m_fPart;
   };
   const std::vector<CPathVertex>& GetPathVertices() const { return m_stdPathVertices; }
+  /// The balls that were halted, in the order of time of each range.
+  const std::vector<CShapeId>& GetHalted() const { return m_stdHalted; }
 
 private:
   struct CEvent {
@@ -196,6 +198,7 @@ private:
   std::vector<std::pair<double, std::uint32_t>> m_stdMerged;
   std::vector<CContactEvent> m_stdUnsorted;
   std::vector<CPathVertex> m_stdPathVertices;
+  std::vector<CShapeId> m_stdHalted;
 
   // Of the substep.
   CBallArrays* m_pBalls = nullptr;

@@ -355,7 +355,7 @@ void CContinuous::StopAtTouching(CMoving& ball) {
 }
 
 void CContinuous::Halt(CMoving& ball) {
-  m_pStats->m_nBallsHalted += !ball.m_bIsHalted;
+  if (!ball.m_bIsHalted) m_stdHalted.push_back(m_pBalls->m_stdId[ball.m_nBall]);
   // Gravity would give it more velocity in every substep, and so it would be halted in each.
   if (IsFalling() && !ball.m_bIsHalted) StopAtTouching(ball);
   ball.m_bIsHalted = true;
