@@ -57,8 +57,8 @@ inline constexpr unsigned g_nMaxHolds = 64;
 /// gravity gives in a substep, and the seconds after which it sleeps, if all of its pile has been at rest so
 /// long. At 60 substeps a second it does not come to that on a slope of .2 degrees, with longer ones on one
 /// in proportion.
-inline constexpr double g_fCalmSpeed = 0.05;
-inline constexpr float g_fCalmTime = 0.5f;
+inline constexpr double g_fSleepSpeed = 0.05;
+inline constexpr float g_fSleepTime = 0.5f;
 /// Overlap, in radii of the smaller ball, with which none falls asleep: those of a pile are still being moved
 /// apart, little by little where their masses differ by 1,000 times. Without it 3 of 1,600 random piles slept
 /// with .0011 to .0058.

@@ -202,14 +202,31 @@ TEST(HouseRulesTest, TheInterfaceShowsNothingOfTheInside) {
         ADD_FAILURE() << shown;
 }
 
+// A path from the root, or the end of one: the name of a source, also behind its folder.
 TEST(HouseRulesTest, ThePageOfTheHouseNamesWhatIsThere) {
+  const std::set<std::string> files = AllFiles();
+  const auto isThere = [&](const std::string& named) {
+    return fs::exists(fs::path(SHAPES_SOURCE_DIR) / named) ||
+           std::any_of(files.begin(), files.end(),
+                       [&](const std::string& file) { return file.ends_with("/" + named); });
+  };
   const std::string page = Read("docs/architecture.md");
-  const std::regex path(R"(`((?:include|src|compare|tests|docs)/[\w/.]+)`)");
+  const std::regex path(R"(`((?:include|src|compare|tests|docs)/[\w/.]+|[\w/]+\.(?:h|cpp))`)");
   std::size_t paths = 0;
-  for (std::sregex_iterator it(page.begin(), page.end(), path), end; it != end; ++it, ++paths) {
-    const std::string named = (*it)[1].str();
-    const fs::path file = fs::path(SHAPES_SOURCE_DIR) / named;
-    EXPECT_TRUE(fs::exists(file) || fs::exists(file.string() + ".h")) << named;
+  for (std::sregex_iterator it(page.begin(), page.end(), path), end; it != end; ++it, ++paths)
+    EXPECT_TRUE(isThere((*it)[1])) << it->str();
+  EXPECT_GT(paths, 200u);
+  EXPECT_FALSE(isThere("Gone.cpp") || isThere("src/gone")); // the control
+}
+
+TEST(HouseRulesTest, CommentsNameFilesThatThereAre) {
+  const std::regex path(R"(\b((?:src|tests|docs|scripts)/[\w/]+\.(?:h|cpp|md|sh|py))\b)");
+  std::size_t paths = 0;
+  for (const std::string& file : AllFiles()) {
+    if (file == "tests/HouseRulesTest.cpp") continue; // whose files are made up
+    const std::string text = Read(file);
+    for (std::sregex_iterator it(text.begin(), text.end(), path), end; it != end; ++it, ++paths)
+      EXPECT_TRUE(fs::exists(fs::path(SHAPES_SOURCE_DIR) / it->str())) << file << ": " << it->str();
   }
   EXPECT_GT(paths, 20u);
 }

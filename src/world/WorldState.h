@@ -23,7 +23,7 @@ struct CBallArrays {
   // roundings would add up. Zero where anybody else has set them.
   std::vector<Vector2> m_stdPosTail;
   std::vector<Vector2> m_stdVelTail;
-  // Seconds for which each has been at rest, as an engine counts them: g_fCalmTime where it sleeps.
+  // Seconds for which each has been at rest, as an engine counts them: g_fSleepTime where it sleeps.
   std::vector<float> m_stdCalm;
   // Something was added, moved or removed since m_stdCalm was counted, or another engine or mode has made a
   // step: a ball that sleeps may lie on nothing.

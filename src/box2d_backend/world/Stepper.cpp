@@ -2,8 +2,8 @@
 #include "Stepper.h"
 
 #include "../../shapes/Response.h"
+#include "../contact/KeepOnSide.h"
 #include "../contact/LastingContact.h"
-#include "../contact/Sides.h"
 
 #include <algorithm>
 #include <cmath>

@@ -32,7 +32,7 @@ namespace Shapes::Native {
 ///   of the substep, and leaves it all but along the surface, slides: it keeps its speed, but leaves so
 ///   steeply that it stays away for that long, or at g_fShallow radians if that is less.
 /// - Under gravity, balls that lie on something sleep once they and all of their pile have been slower than
-///   g_fCalmSpeed of what gravity gives in a substep for g_fCalmTime seconds: they stand still, no contact
+///   g_fSleepSpeed of what gravity gives in a substep for g_fSleepTime seconds: they stand still, no contact
 ///   of theirs is told, until a ball or a moving shape comes near, or anything is added, removed, moved or
 ///   set.
 /// - Of two balls that are each deep in more than g_nMostDeep others, one has to be among the nearest of the
@@ -118,7 +118,7 @@ private:
   void PutTaken();
   bool AllSleep(const CBallArrays& balls) const;
   bool AnySleeps() const;
-  bool IsAsleep(std::size_t i) const { return IsFalling() && m_pBalls->m_stdCalm[i] >= g_fCalmTime; }
+  bool IsAsleep(std::size_t i) const { return IsFalling() && m_pBalls->m_stdCalm[i] >= g_fSleepTime; }
   bool IsOnWay(std::size_t sleeper, std::size_t ball) const;
   float GetCalm(const CMoving& ball) const;
   void SetCalm(std::size_t k, float calm);
@@ -209,7 +209,7 @@ private:
       0.0; // ball at the beginning, or surface that was met, of it g_fSqueezed times the speed
   Vector2d m_vGravity = Vector2d::Zero();
   double m_fSagitta = 0.0; // of a motion that nothing deflects
-  float m_fCalmSpeed = 0.0f;
+  float m_fSleepSpeed = 0.0f;
   bool m_bIsFalling = false;
   bool m_bCapsSpeeds = false; // gravity can take a ball beyond g_fMaxSpeed
   bool m_bPairs = false;

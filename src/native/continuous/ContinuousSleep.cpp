@@ -10,12 +10,12 @@
 namespace Shapes::Native {
 
 bool CContinuous::AllSleep(const CBallArrays& b) const {
-  return std::all_of(b.m_stdCalm.begin(), b.m_stdCalm.end(), [](float calm) { return calm >= g_fCalmTime; });
+  return std::all_of(b.m_stdCalm.begin(), b.m_stdCalm.end(), [](float calm) { return calm >= g_fSleepTime; });
 }
 
 bool CContinuous::AnySleeps() const {
   return IsFalling() && std::any_of(m_stdSolid.begin(), m_stdSolid.end(), [this](std::uint32_t i) {
-           return m_pBalls->m_stdCalm[i] >= g_fCalmTime;
+           return m_pBalls->m_stdCalm[i] >= g_fSleepTime;
          });
 }
 
@@ -40,15 +40,15 @@ float CContinuous::GetCalm(const CMoving& ball) const {
   const bool lies = ball.m_bIsAsleep || ball.m_bIsInPile || !holds.empty();
   const bool isInCrowd = ball.m_cFarthestDeep != g_cFarthest; // which comes apart little by little
   const bool isCalm = lies && !isInCrowd && !ball.m_bIsHalted && !ball.m_bIsPressed &&
-                      b.m_stdVel[ball.m_nBall].norm() <= m_fCalmSpeed &&
+                      b.m_stdVel[ball.m_nBall].norm() <= m_fSleepSpeed &&
                       std::none_of(holds.begin(), holds.end(), isCarried);
   return isCalm ? b.m_stdCalm[ball.m_nBall] + static_cast<float>(m_fStep) : 0.0f;
 }
 
 void CContinuous::SetCalm(std::size_t k, float calm) {
   CBallArrays& b = *m_pBalls;
-  b.m_stdCalm[k] = std::min(calm, g_fCalmTime);
-  if (calm >= g_fCalmTime) b.SetVel(k, Vector2::Zero());
+  b.m_stdCalm[k] = std::min(calm, g_fSleepTime);
+  if (calm >= g_fSleepTime) b.SetVel(k, Vector2::Zero());
 }
 
 // Of those that were taken.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "Sides.h"
+#include "KeepOnSide.h"
 
 #include "../../Tolerances.h"
 
