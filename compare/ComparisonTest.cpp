@@ -3,23 +3,12 @@
 // and bounds on their figures.
 #include "compare/MadeScenes.h"
 #include "metrics/Cost.h"
-#include "metrics/ImpactTrials.h"
 #include "metrics/Totals.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <ostream>
 
 namespace Shapes::Compare {
 namespace {
 
-using Tests::g_nApproximate;
-using Tests::g_nBox2D;
-using Tests::g_nTuned;
-using Tests::Holds;
-using Tests::LoadBundled;
+using Tests::g_nApproximate, Tests::g_nBox2D, Tests::g_nTuned, Tests::Holds, Tests::LoadBundled;
 
 constexpr std::size_t g_nContacts = 3000;
 constexpr std::uint64_t g_nSeed = 7;

@@ -17,20 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The name in one #include directive, without its quotes or brackets.
-std::string IncludeOf(std::string_view line) {
-  const auto skip = [&] { line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size())); };
-  skip();
-  if (!line.starts_with('#')) return {};
-  line.remove_prefix(1);
-  skip();
-  if (!line.starts_with("include")) return {};
-  line.remove_prefix(7);
-  skip();
-  const bool quoted = line.starts_with('"');
-  if (!quoted && !line.starts_with('<')) return {};
-  line.remove_prefix(1);
-  return std::string(line.substr(0, line.find(quoted ? '"' : '>')));
+/// The name in one #include directive, without its quotes or brackets; empty if it is none.
+std::string IncludeOf(const std::string& line) {
+  static const std::regex pattern(R"([ \t]*#[ \t]*include[ \t]*["<]([^">]*))");
+  std::smatch match;
+  const auto atTheBeginning = std::regex_constants::match_continuous;
+  return std::regex_search(line, match, pattern, atTheBeginning) ? match[1].str() : "";
 }
 
 bool IsIn(const std::string& path, std::string_view folder) { return path.starts_with(folder); }

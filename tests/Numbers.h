@@ -4,6 +4,7 @@
 
 #include <Shapes/ShapeMath.h>
 
+#include <cmath>
 #include <limits>
 
 namespace Shapes {
@@ -22,5 +23,14 @@ using Vector2d = Eigen::Vector2d;
 /// Without rounding.
 inline Vector2d Wide(const Vector2& v) { return v.cast<double>(); }
 inline double Wide(float f) { return static_cast<double>(f); }
+
+/// Radians between two directions, 0 .. pi.
+inline double AngleBetween(const Vector2d& a, const Vector2d& b) {
+  return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+}
+/// v mirrored at a surface of normal n, with elasticity e.
+inline Vector2d Mirrored(const Vector2d& v, const Vector2d& n, double e = 1) {
+  return v - (1 + e) * v.dot(n) * n;
+}
 
 } // namespace Shapes

@@ -24,8 +24,7 @@ CScene MakeBoxOfBalls() {
   CRandom random(1);
   for (int i = 0; i < 100; ++i) {
     const Vector2 p(1.25f * static_cast<float>(i % 10) - 5.625f, 1.25f * static_cast<float>(i / 10) - 5.625f);
-    scene.m_stdBalls.push_back(
-        {CDynamicCircleDesc(p, r, 2.5f * random.Direction()), Vector2::Zero(), 0.0f, 0.0f});
+    scene.m_stdBalls.push_back({CDynamicCircleDesc(p, r, 2.5f * random.Direction()), {0, 0}, 0, 0});
   }
   return scene;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "Descs.h"
-#include "EveryShape.h"
 #include "Messages.h"
 #include "Numbers.h"
 #include "Random.h"

@@ -7,8 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <limits>
-#include <string>
 
 namespace Shapes::Bounds {
 

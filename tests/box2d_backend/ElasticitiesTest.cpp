@@ -25,8 +25,7 @@ std::size_t CountWrong(const CKinds& kinds, const CPairs& pairs, bool withShapes
 
 TEST(FitElasticitiesTest, OneBallKeepsOneAndShapesTakeThePair) {
   const CKinds kinds{{g_bBall, 0.5f}, {g_bShape, 0.8f}, {g_bShape, 0.0f}, {g_bShape, 0.3f}};
-  EXPECT_EQ(FitElasticities(kinds, CPairs{{0, 1}, {0, 2}, {0, 3}}),
-            (std::vector<float>{1.0f, 0.8f, 0.5f, 0.5f}));
+  EXPECT_EQ(FitElasticities(kinds, CPairs{{0, 1}, {0, 2}, {0, 3}}), (std::vector<float>{1, .8f, .5f, .5f}));
 }
 
 TEST(FitElasticitiesTest, BallsThatMeetTakeTheRoot) {

@@ -87,13 +87,7 @@ protected:
   /// The contacts, sensor events or touches of n steps.
   template <class T>
   std::vector<T> Told(int n, std::span<const T> (CWorld::*pGet)() const) {
-    std::vector<T> told;
-    for (int i = 0; i < n; ++i) {
-      Steps(1);
-      const std::span<const T> events = (World().*pGet)();
-      told.insert(told.end(), events.begin(), events.end());
-    }
-    return told;
+    return Shapes::Told(World(), n, pGet, [this] { Steps(1); });
   }
   /// The velocity of a new ball after n steps.
   Vector2 Throw(const CDynamicCircleDesc& ball, int n) {

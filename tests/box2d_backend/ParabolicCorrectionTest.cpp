@@ -30,7 +30,7 @@ struct CParabola {
     m_vPos += t * m_vVel + 0.5 * t * t * m_vGravity;
     m_vVel += t * m_vGravity;
   }
-  void Bounce(const CSurface& s) { m_vVel = Mirror(m_vVel, s.m_vNorm, s.m_fElasticity); }
+  void Bounce(const CSurface& s) { m_vVel = Mirrored(m_vVel, s.m_vNorm, s.m_fElasticity); }
 };
 
 /// A ball in one step of a world without gravity, as the tuned world moves it.
@@ -56,7 +56,7 @@ public:
   double Bounce(const CSurface& s, double early) {
     const auto impact = MoveTo(s.m_vPos, s.m_vNorm, s.m_fElasticity, early);
     const double speed = CParabolicCorrection::Bounce(impact, m_cCorrection, 1, nullptr);
-    m_vVel = Mirror(m_vVel, s.m_vNorm, s.m_fElasticity);
+    m_vVel = Mirrored(m_vVel, s.m_vNorm, s.m_fElasticity);
     return speed;
   }
   void Land() {
@@ -259,7 +259,7 @@ double Drift(bool isFollowed) {
         step.Bounce(surface, 0);
       } else {
         step.MoveTo(surface.m_vPos, n, 1, 0);
-        step.m_vVel = Mirror(step.m_vVel, n);
+        step.m_vVel = Mirrored(step.m_vVel, n);
       }
     }
     step.Land();

@@ -26,7 +26,7 @@ public:
     return Add(MakeShape(CArcDesc(c, r, a0, a1)));
   }
   CShapeId Flipper(const Vector2& p0, const Vector2& p1, const Vector2& center, float revsPerSecond) {
-    return Add(std::make_unique<CKinematicLineSeg>(Turning(CLineSegDesc(p0, p1), revsPerSecond, center)));
+    return Add(MakeShape(Turning(CLineSegDesc(p0, p1), revsPerSecond, center)));
   }
   CShape& Get(CShapeId id) { return *m_cState.m_stdShapes[m_cState.FindShape(id)].m_pShape; }
 

@@ -102,7 +102,7 @@ CMeeting MeetBalls(const CTuning& tuning, double speed) {
     const Vector2d p = Wide(pWorld->GetPos(ball0) - pWorld->GetPos(ball1));
     const CFigure point{.m_eShapeType = eShape::Point};
     const auto resolution = [&](double sum, const Vector2d& aside) {
-      return Mirror(relative, Meet(point, {p + aside, relative, sum}, 2 * t).m_vNorm);
+      return Mirrored(relative, Meet(point, {p + aside, relative, sum}, 2 * t).m_vNorm);
     };
     const double sum = 2 * Wide(0.1f);
     const Vector2d exact = resolution(sum, {0, 0}), across = g_fTunedOffset * Perp(relative.normalized());

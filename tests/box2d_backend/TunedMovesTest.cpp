@@ -173,8 +173,7 @@ TEST(TunedClampTest, CutsAreAsManyAsASpeedNeeds) {
   EXPECT_EQ(Shoot(g_cTuned, {5, 0}).m_cStats.m_nEngineSteps, 6u); // one for each substep
   for (const float speed : {60.0f, 500.0f, 1500.0f}) {
     const float parts = speed * g_fDt * g_cTuned.m_fScale / (g_fSafeMove * b2_maxTranslation);
-    EXPECT_EQ(Shoot(g_cTuned, {speed, 0}).m_cStats.m_nEngineSteps,
-              6u * static_cast<unsigned>(std::ceil(parts)));
+    EXPECT_EQ(Shoot(g_cTuned, {speed, 0}).m_cStats.m_nEngineSteps, 6 * std::ceil(parts));
   }
   // There is a limit, beyond which a ball is slowed down even so.
   const CFastBall slowed = Shoot(g_cTuned, {1e5f, 0});

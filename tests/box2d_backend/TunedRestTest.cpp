@@ -2,8 +2,6 @@
 // Balls of a tuned world that roll, rest, pile up, and are pressed by walls.
 #include "TunedTesting.h"
 
-#include "../Overlap.h"
-
 namespace Shapes::Tests {
 namespace {
 

@@ -84,7 +84,7 @@ public:
       CHit hit = FirstHit(b, seconds - now);
       if (now + hit.m_fTime > seconds) break;
       b.m_vPos += hit.m_fTime * b.m_vVel;
-      b.m_vVel = Mirror(b.m_vVel, hit.m_vNorm);
+      b.m_vVel = Mirrored(b.m_vVel, hit.m_vNorm);
       hit.m_fTime = now += hit.m_fTime;
       hits.push_back(hit);
     }
@@ -211,7 +211,7 @@ private:
     for (const CHit& hit : hits) {
       const double margin = 0.05 * g_fDt + 3 * g_fTunedOffset / std::abs(v.dot(hit.m_vNorm));
       if (std::abs(t - hit.m_fTime) < margin) return true;
-      v = Mirror(v, hit.m_vNorm);
+      v = Mirrored(v, hit.m_vNorm);
     }
     return false;
   }

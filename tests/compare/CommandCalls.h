@@ -2,9 +2,7 @@
 // A folder for each test, because tests may run at the same time; and programs called as a user calls them.
 #pragma once
 
-#include "Messages.h"
-
-#include <gtest/gtest.h>
+#include "Testing.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,8 +10,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
-#include <string>
 
 namespace Shapes::Compare::Tests {
 

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 // shapes-compare as a user calls it.
+#include "CommandCalls.h"
+#include "SampleReport.h"
+#include "scene/Engines.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <pty.h>
 
-#include <algorithm>
 #include <csignal>
 #include <cstdlib>
-
-#include "CommandCalls.h"
-#include "SampleReport.h"
-#include "scene/Engines.h"
 
 namespace {
 
@@ -338,8 +337,7 @@ TEST_F(CommandTest, TheScriptKnowsTheOptionsWithoutABuild) {
   };
   const CResult help = script("--help");
   EXPECT_EQ(help.m_nExit, 0);
-  EXPECT_EQ(help.m_sOutput, Call("run --help").m_sOutput)
-      << "compare/run_help.txt is what the program prints";
+  EXPECT_EQ(help.m_sOutput, Call("run --help").m_sOutput) << "compare/run_help.txt is what it prints";
   const CResult wrong = script("--scenes bowl --ful");
   EXPECT_EQ(wrong.m_nExit, 2);
   EXPECT_TRUE(wrong.Says("there is no option '--ful'. Known: --browse"));

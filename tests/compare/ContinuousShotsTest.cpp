@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Shots at each kind of shape on the native engine with Continuous, held against the exact reference. ctest
-// shoots a part of what docs/effects.md reports; SHAPES_SHOTS=1000000 shoots all of it, and prints the
+// shoots a part of what docs/effects.md reports; SHAPES_SHOTS=1000000 shoots all of it and prints the
 // figures.
-#include "../Numbers.h"
-#include "Random.h"
-#include "compare/ReferenceTesting.h"
+#include "../../src/Tolerances.h"
+#include "../native/NativeTesting.h"
+#include "ReferenceTesting.h"
 #include "reference/Distance.h"
 
-#include "../../src/Tolerances.h"
-
 #include <iostream>
-#include <stdexcept>
 
 namespace Shapes::Compare {
 namespace {
-
-using Shapes::Tests::CRandom, Shapes::Tests::HowMany;
 
 struct CShot {
   CShapes m_stdShapes; // the target,
@@ -200,11 +195,8 @@ protected:
         continue;
       }
 
-      CWorldDesc desc;
-      desc.m_fTimeStep = g_fDt;
-      desc.m_vGravity = shot.m_vGravity;
-      desc.m_cEffects = choice;
-      const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(desc);
+      const auto pWorld = MakeNative(choice);
+      pWorld->SetGravity(shot.m_vGravity);
       for (const CAnyShapeDesc& shape : shot.m_stdShapes)
         pWorld->Add(shape);
       for (const CDynamicCircleDesc& ball : shot.m_stdBalls)
@@ -234,7 +226,7 @@ protected:
       const double ratio =
           static_cast<double>(shot.m_stdBalls[0].m_vVel.norm() * g_fDt / shot.m_stdBalls[0].m_fRadius);
       const auto decade = static_cast<std::size_t>(std::clamp(std::floor(std::log10(ratio)) + 2.0, 0.0, 5.0));
-      result.m_stdErrors[decade].push_back(std::abs(std::atan2(v.x() * w.y() - v.y() * w.x(), v.dot(w))));
+      result.m_stdErrors[decade].push_back(AngleBetween(v, w));
     }
     return result;
   }

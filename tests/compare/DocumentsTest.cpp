@@ -4,9 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <sstream>
-#include <string>
-
 namespace {
 
 using Shapes::Compare::Tests::CResult;

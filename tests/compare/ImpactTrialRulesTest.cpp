@@ -7,9 +7,6 @@
 #include "metrics/ImpactTrials.h"
 #include "scene/ExactGame.h"
 
-#include <map>
-#include <tuple>
-
 namespace Shapes::Compare::Tests {
 namespace {
 
@@ -178,8 +175,7 @@ TEST(ImpactTrialRulesTest, OptionsLeaveOutWhatTheySay) {
   for (std::size_t i = 0; i < 200; ++i) {
     EXPECT_FALSE(lean.m_stdContacts[i].m_bHasDifference);
     for (std::size_t e = 0; e < GetEngines().size(); ++e) {
-      const CEngineContact &a = full.m_stdContacts[i].m_stdEngines[e],
-                           &b = lean.m_stdContacts[i].m_stdEngines[e];
+      const auto &a = full.m_stdContacts[i].m_stdEngines[e], &b = lean.m_stdContacts[i].m_stdEngines[e];
       detected += a.m_bDetected;
       EXPECT_FALSE(b.m_bDetected);
       EXPECT_EQ(a.m_eOutcome, b.m_eOutcome);

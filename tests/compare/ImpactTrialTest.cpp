@@ -4,8 +4,6 @@
 #include "MadeScenes.h"
 #include "metrics/Totals.h"
 
-#include <map>
-
 namespace Shapes::Compare::Tests {
 namespace {
 
@@ -134,8 +132,7 @@ TEST(ImpactTrialTest, Box2DAnswersTwoBallsAStepLate) {
   for (const CContact& contact : result.m_stdContacts) {
     EXPECT_EQ(contact.m_ePair, ePair::Ball);
     EXPECT_NEAR(contact.m_fApproach, 2 * AsDouble(v), 1e-5);
-    const CEngineContact &native = contact.m_stdEngines[g_nApproximate],
-                         &box2d = contact.m_stdEngines[g_nBox2D];
+    const auto &native = contact.m_stdEngines[g_nApproximate], &box2d = contact.m_stdEngines[g_nBox2D];
     if (!IsClose(Rest(contact), 0)) {
       EXPECT_EQ(native.m_eOutcome, eOutcome::Correct);
       EXPECT_EQ(box2d.m_eOutcome, eOutcome::Late);

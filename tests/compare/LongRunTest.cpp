@@ -66,8 +66,7 @@ TEST(LongRunTest, FreePathOfNativeBetweenWallsIsRoundedUpToSteps) {
 // The approximate mode may lose height until the ball lies there (docs/effects.md): the drift is that of the
 // height above the lowest place of the bounds, each bounce for as long as it takes.
 TEST(LongRunTest, EnergyIsThatOfTheHeightAboveTheLowestPlace) {
-  CScene scene =
-      MakeScene(3, 1, {CLineSegDesc({-1, 0}, {1, 0})}, {CDynamicCircleDesc({0, 2}, 0.1f)}, {0, -10});
+  auto scene = MakeScene(3, 1, {CLineSegDesc({-1, 0}, {1, 0})}, {CDynamicCircleDesc({0, 2}, .1f)}, {0, -10});
   const std::vector<CEngine> engines{GetEngines()[g_nApproximate]};
   const CLongRun run = MeasureLongRuns(scene, engines, 3, 400, 100000).at(0);
   const CStart start = MakeStart(scene, 3, 0);

@@ -2,21 +2,10 @@
 // Scenes for the tests of the metrics, those made by hand so that what has to come out is known.
 #pragma once
 
-#include "Descs.h"
-#include "Messages.h"
+#include "Testing.h"
 #include "metrics/ImpactTrials.h"
 #include "metrics/Statistics.h"
 #include "scene/Trial.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Shapes::Compare::Tests {
 

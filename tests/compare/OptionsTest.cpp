@@ -5,7 +5,6 @@
 #include "SampleReport.h"
 #include "app/FailAbove.h"
 #include "app/NearMatches.h"
-#include "geometry/Cases.h"
 
 namespace Shapes::Compare {
 namespace {
@@ -26,7 +25,7 @@ std::size_t Slow(std::string_view a, std::string_view b) {
 }
 
 TEST(NearMatchesTest, DistancesAreThoseOfTheDefinition) {
-  Shapes::Tests::ForEachCase(3, 500, [](Shapes::Tests::CRandom& random, int) {
+  ForEachCase(3, 500, [](CRandom& random, int) {
     const auto word = [&] {
       std::string text(random.Below(6), ' ');
       for (char& c : text)

@@ -2,15 +2,12 @@
 // The exact reference in double against itself with 50 digits, and against its own past: random scenes with
 // everything in them, bounce by bounce. Errors of billiards grow exponentially, so each scene carries a bound
 // that grows with it, and is compared as long as the bound is small.
-#include "Random.h"
 #include "ReferenceTesting.h"
 #include "SweepOracle.h"
 #include "reference/Scalar.h"
 
 namespace Shapes::Compare::Tests {
 namespace {
-
-using Shapes::Tests::CRandom;
 
 struct CTable {
   CShapes m_stdShapes;

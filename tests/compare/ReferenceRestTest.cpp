@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The exact reference where balls rest, slide, jam, pass or are only noticed.
-#include "Messages.h"
-#include "Random.h"
 #include "ReferenceTesting.h"
 #include "SweepOracle.h"
 
-#include <stdexcept>
-#include <tuple>
-
 namespace Shapes::Compare::Tests {
 namespace {
-
-using Shapes::Tests::CRandom;
 
 TEST(ReferenceRest, SensorIsReportedOncePerStep) {
   CExact reference = Make({Sensor(Wall({0, -1}, {0, 1})), Wall({1, -1}, {1, 1})},

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The exact reference where balls slide: along curves, on what turns or moves, and on each other.
-#include "Random.h"
 #include "ReferenceTesting.h"
 #include "reference/Scalar.h"
 
@@ -23,10 +22,7 @@ double Period(double length, double amplitude) {
 // with `speed`.
 double PeriodError(double amplitude, double told, int steps, float speed) {
   CArcDesc ring({0, 0}, 1, 0, 0, .5f);
-  if (speed != 0) {
-    ring.m_eMotionType = eMotion::Kinematic;
-    ring.m_vVel = {speed, 0};
-  }
+  if (speed != 0) ring = Moving(ring, {speed, 0});
   const double r = .25, L = 1 - r, T = Period(L, told), u = static_cast<double>(speed);
   CExact reference =
       MakeOne({ring}, .25f, {L * std::sin(amplitude), -L * std::cos(amplitude)}, {u, 0}, g_vPull);

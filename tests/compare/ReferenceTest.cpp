@@ -2,15 +2,9 @@
 // The exact reference on cases with known answers; and under gravity: balls that bounce, come to rest, lie on
 // slopes, in wedges and on each other, and roll off.
 #include "ReferenceTesting.h"
-#include "geometry/Cases.h"
-
-#include <stdexcept>
-#include <variant>
 
 namespace Shapes::Compare::Tests {
 namespace {
-
-using Shapes::Tests::CRandom, Shapes::Tests::ForEachCase;
 
 TEST(Reference, AnEventTellsOfItsImpact) {
   CExact reference = Make({Wall({-10, 0}, {10, 0}, 2)}, {CDynamicCircleDesc({0, 1}, .5f, {3, -4})});

@@ -3,18 +3,8 @@
 // to sum up its balls.
 #pragma once
 
-#include "Descs.h"
+#include "Testing.h"
 #include "reference/Reference.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <vector>
 
 namespace Shapes::Compare {
 

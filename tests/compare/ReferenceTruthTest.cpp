@@ -2,15 +2,9 @@
 // The exact reference against what is known in closed form: collision counts, cradles, the time at which a
 // bouncing ball comes to rest, and mean free paths. Each has a control that breaks what it rests on.
 #include "ReferenceTesting.h"
-#include "geometry/Cases.h"
-
-#include <functional>
-#include <ostream>
 
 namespace Shapes::Compare::Tests {
 namespace {
-
-using Shapes::Tests::CRandom, Shapes::Tests::ForEachCase;
 
 // A wall at x = 0, a ball of mass 1 at rest, and one of mass `ratio` that comes with speed 1 from the right.
 CExact WallAndTwoBalls(double ratio, float e = 1) {

@@ -2,13 +2,10 @@
 // The recording of a replay; and the files of a report whose figures are known: contacts.csv, what is in
 // report.html, and that they are written. What the page does in a browser is tested in ReportPageTest.cpp.
 #include "CommandCalls.h"
-#include "MadeScenes.h"
 #include "SampleReport.h"
 #include "report/Replay.h"
 
 #include <nlohmann/json.hpp>
-
-#include <limits>
 
 namespace Shapes::Compare::Tests {
 namespace {
@@ -101,8 +98,7 @@ TEST(ReplayJsonTest, HoldsShapesAndTracks) {
 }
 
 TEST(ReplayJsonTest, WhatIsNotFiniteOrFarFromAnyPictureIsNull) {
-  for (const float nowhere :
-       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1e30f}) {
+  for (const float nowhere : {g_fNan, g_fInf, -1e30f}) {
     CRunReport report = MakeSampleReport();
     auto& track = report.m_stdScenes[0].m_stdClips[0].m_stdTracks[1];
     track.insert(track.begin() + 1, Vector2(nowhere, 2.0f));

@@ -5,9 +5,7 @@
 #include "page/PageDocuments.h"
 #include "report/Report.h"
 
-#include <algorithm>
 #include <cstdlib>
-#include <stdexcept>
 
 namespace Shapes::Compare {
 namespace {

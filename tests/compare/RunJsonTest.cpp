@@ -2,10 +2,6 @@
 // run.json fits compare/run.schema.json, which is strict and describes every field.
 #include "app/Run.h"
 
-#include <functional>
-#include <limits>
-#include <set>
-
 #include "SampleReport.h"
 #include "schema/Schema.h"
 

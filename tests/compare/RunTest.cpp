@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A run over scenes, its progress, and its end by Ctrl-C.
 #include "app/Run.h"
-#include "MadeScenes.h"
 #include "SampleReport.h"
 #include "app/Progress.h"
 #include "metrics/Cost.h"

@@ -5,9 +5,6 @@
 #include "MadeScenes.h"
 #include "report/Report.h"
 
-#include <optional>
-#include <sstream>
-
 namespace Shapes::Compare {
 
 using Tests::LoadBundled;

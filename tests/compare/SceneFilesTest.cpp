@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How scenes play; and those that come with the tool, run natively.
 #include "MadeScenes.h"
-#include "scene/Trial.h"
-
-#include <numbers>
-#include <set>
 
 namespace Shapes::Compare::Tests {
 namespace {
@@ -27,8 +23,7 @@ TEST(FlipTest, TurnsStaysGoesBackAndRests) {
     EXPECT_EQ(FlipOrientation(flip, t + 2.0), FlipOrientation(flip, t)); // exact: t and the period are binary
     EXPECT_EQ(FlipOrientation(later, t), FlipOrientation(flip, t + 0.25));
     const float step = FlipOrientation(flip, t + 1.0 / 1024.0) - FlipOrientation(flip, t);
-    EXPECT_LE(std::abs(step), std::numbers::pi / 1024.0 + rounding)
-        << "never faster than its speed, t = " << t;
+    EXPECT_LE(std::abs(step), std::numbers::pi / 1024 + rounding) << "not above its speed, t = " << t;
   }
 }
 

@@ -4,12 +4,9 @@
 #include "CommandCalls.h"
 #include "MadeScenes.h"
 #include "OneOfEach.h"
-#include "Random.h"
-#include "scene/Scene.h"
 #include "schema/Schema.h"
 
 #include <bit>
-#include <functional>
 
 namespace Shapes::Compare::Tests {
 namespace {
@@ -136,7 +133,7 @@ using SceneDescTest = CFolderTest;
 TEST_F(SceneDescTest, EveryFloatAndEveryNoteSurvives) {
   const auto between = std::bit_cast<float>(0x15AE43FDu);
   EXPECT_NE(static_cast<float>(7.038531e-26), between); // the control: double first
-  Shapes::Tests::CRandom random(5);
+  CRandom random(5);
   for (int n = 0; n < 20; ++n) {
     CSceneDesc desc;
     desc.m_stdNotes = {"A note with \"quotes\", \\ and \t."};

@@ -7,8 +7,6 @@
 
 #include <sys/stat.h>
 
-#include <numbers>
-
 namespace Shapes::Compare {
 namespace {
 
@@ -51,12 +49,6 @@ protected:
     return " " + (error.starts_with('/') ? error : std::string(change.m_sPath) + ": " + error);
   }
 };
-
-template <class TDesc>
-TDesc Filtered(TDesc desc, const CFilter& filter) {
-  desc.m_cFilter = filter;
-  return desc;
-}
 
 TEST_F(SceneTest, EveryFieldArrives) {
   const CScene scene = Load(OneOfEach());

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Statistics; and totals, bins and histograms against sums that are written out plainly.
 #include "metrics/Statistics.h"
-#include "Random.h"
+#include "Testing.h"
 #include "metrics/Totals.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <functional>
-#include <limits>
-#include <map>
 #include <numeric>
-#include <set>
-#include <span>
-#include <string>
 
 namespace Shapes::Compare::Tests {
 namespace {
@@ -83,8 +74,6 @@ TEST(StatisticsTest, SixOfSixAreToldApartAndFiveOfFiveAreNot) {
   EXPECT_FALSE(CanBeToldApart(120, 91));
   EXPECT_TRUE(CanBeToldApart(120, 90));
 }
-
-using Shapes::Tests::CRandom;
 
 CEngineContact RandomEngineContact(CRandom& random) {
   CEngineContact c;

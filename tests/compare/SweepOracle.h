@@ -4,12 +4,8 @@
 // the distance cannot reach 0 in it, because it changes no faster than the ball and the shape move.
 #pragma once
 
+#include "Testing.h"
 #include "reference/Sweep.h"
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <optional>
 
 namespace Shapes::Compare::Tests {
 
@@ -46,6 +42,17 @@ public:
     std::optional<real> found;
     Search(0, Gap(0), m_fTimeMax, Gap(m_fTimeMax), found);
     return found;
+  }
+  /// Whether Newton's method on the gap, from the start on, comes to this time.
+  bool NewtonComesTo(double time) const {
+    real t = 0, gap = Gap(t);
+    for (int k = 0; k < 100 && gap > 1e-12L && t < m_fTimeMax; ++k) {
+      const real slope = (Gap(t + 1e-9L) - gap) / 1e-9L;
+      if (slope >= 0) break;
+      t -= gap / slope;
+      gap = Gap(t);
+    }
+    return !(std::abs(gap) > 1e-9L || std::abs(static_cast<double>(t) - time) > 1e-6);
   }
 
 private:
@@ -122,5 +129,11 @@ private:
   real m_fTimeMax;
   real m_fSpeed;
 };
+
+/// The textbook's quadratic: when a ball of radius r that goes with v is at the point from which it is at d.
+inline double TextbookTime(const CVec<double>& d, const CVec<double>& v, double r) {
+  const double a = v.squaredNorm(), b = d.dot(v), disc = b * b - a * (d.squaredNorm() - r * r);
+  return disc < 0.0 ? 0.0 : (-b - std::sqrt(disc)) / a;
+}
 
 } // namespace Shapes::Compare::Tests

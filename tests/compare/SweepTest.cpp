@@ -3,19 +3,11 @@
 #include "reference/Sweep.h"
 #include "ReferenceTesting.h"
 #include "SweepOracle.h"
-#include "geometry/Cases.h"
 #include "reference/Distance.h"
 #include "reference/Scalar.h"
 
-#include <gtest/gtest.h>
-
-#include <ostream>
-#include <string>
-
 namespace Shapes::Compare::Tests {
 namespace {
-
-using Shapes::Tests::CRandom, Shapes::Tests::ForEachCase;
 
 struct CTrial {
   CShapeGeometry<double> m_cGeometry;
@@ -143,8 +135,7 @@ TEST_P(CSweepAgainstSearch, FindsTheSameImpact) {
                 1e-9 * (1.0 + std::abs(approach))); // rotation about the centre of the ball adds none
     ASSERT_GT(approach, 0.0);
     // Twice the bound: close to a tangent the gap is not linear in the time.
-    ASSERT_LE(std::abs(static_cast<double>(*impact - real(hit.m_fTime))),
-              2.0 * bound / approach + 4.0 * g_fEps);
+    ASSERT_LE(std::abs(static_cast<double>(*impact - real(hit.m_fTime))), 2 * bound / approach + 4 * g_fEps);
     ASSERT_LE(std::abs(static_cast<double>(oracle.Gap(hit.m_fTime))), 2.0 * bound);
     ASSERT_NEAR(hit.m_vNorm.norm(), 1.0, 8.0 * g_fEps);
     ASSERT_LE((hit.m_vCenter - hit.m_vPOI - trial.m_cBall.m_fRadius * hit.m_vNorm).norm(), 2.0 * bound);
@@ -223,9 +214,7 @@ TEST(Sweep, NearGrazesKeepTheBoundThatTheTextbookBreaks) {
     const double truth = static_cast<double>(exact.m_fTime);
     const double approach = static_cast<double>(-To50(trial.m_cBall.m_vVel).dot(exact.m_vNorm));
     const double bound = 16.0 * g_fEps * (d.norm() + R) / approach + 4.0 * g_fEps * truth;
-    const double a = trial.m_cBall.m_vVel.squaredNorm(), b = d.dot(trial.m_cBall.m_vVel);
-    const double disc = b * b - a * (d.squaredNorm() - R * R);
-    const double textbook = disc < 0.0 ? 0.0 : (-b - std::sqrt(disc)) / a;
+    const double textbook = TextbookTime(d, trial.m_cBall.m_vVel, R);
     worst = std::max(worst, std::abs(hit.m_fTime - truth) / bound);
     worstTextbook = std::max(worstTextbook, std::abs(textbook - truth) / bound);
   });
@@ -242,14 +231,7 @@ TEST(Sweep, NewtonWouldMissWhatTheSafeStepFinds) {
     if (!Sweep(trial.m_cGeometry, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax, hit)) return;
     ++hits;
     const CSweepOracle oracle(trial.m_cGeometry, trial.m_cTurning, trial.m_cBall, trial.m_fTimeMax);
-    real t = 0, gap = oracle.Gap(t);
-    for (int k = 0; k < 100 && gap > 1e-12L && t < trial.m_fTimeMax; ++k) {
-      const real slope = (oracle.Gap(t + 1e-9L) - gap) / 1e-9L;
-      if (slope >= 0) break;
-      t -= gap / slope;
-      gap = oracle.Gap(t);
-    }
-    if (std::abs(gap) > 1e-9L || std::abs(static_cast<double>(t) - hit.m_fTime) > 1e-6) ++missedByNewton;
+    missedByNewton += !oracle.NewtonComesTo(hit.m_fTime);
   });
   EXPECT_GT(hits, 100);
   EXPECT_GT(missedByNewton, hits / 20);

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The cost of accuracy, and the steps at which balls tunnel.
 #include "metrics/WorkPrecision.h"
-#include "MadeScenes.h"
 #include "SampleReport.h"
 #include "metrics/Cost.h"
 #include "metrics/HeatMap.h"
-#include "metrics/Statistics.h"
-
-#include <set>
 
 namespace Shapes::Compare::Tests {
 namespace {

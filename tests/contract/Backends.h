@@ -63,17 +63,6 @@ inline const CMode g_stdModes[] = {{"automatic", g_cAutomatic},
 #define SHAPES_ON_EVERY_BACKEND(suite)                                                                       \
   INSTANTIATE_TEST_SUITE_P(, suite, testing::ValuesIn(BuiltBackends()), BackendName)
 
-/// The contacts, sensor events or touches of n steps.
-template <class T>
-std::vector<T> Told(CWorld& world, int n, std::span<const T> (CWorld::*pGet)() const) {
-  std::vector<T> told;
-  for (int i = 0; i < n; ++i) {
-    world.Step();
-    const std::span<const T> events = (world.*pGet)();
-    told.insert(told.end(), events.begin(), events.end());
-  }
-  return told;
-}
 /// Begins and ends of n steps as "+" and "-".
 template <class T>
 std::string Marks(CWorld& world, std::span<const T> (CWorld::*pGet)() const, int n = 1) {

@@ -21,12 +21,6 @@ const struct {
 
 const CEffectChoice g_stdChoices[] = {g_cAutomatic, g_cApproximate, g_cContinuous};
 
-template <class TDesc>
-TDesc Filtered(TDesc desc, CFilter filter) {
-  desc.m_cFilter = filter;
-  return desc;
-}
-
 class CFilterContract : public CEveryBackend {
 protected:
   template <class F>

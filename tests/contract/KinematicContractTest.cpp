@@ -16,11 +16,7 @@ CLineSegDesc StoppedFlipper(float revsPerSecond,
   return desc;
 }
 
-CLineSegDesc Wall(const Vector2& v) { // upright, at x = 0
-  CLineSegDesc desc = Turning(CLineSegDesc({0, -2}, {0, 2}), 0);
-  desc.m_vVel = v;
-  return desc;
-}
+CLineSegDesc Wall(const Vector2& v) { return Moving(CLineSegDesc({0, -2}, {0, 2}), v); } // upright, at x = 0
 
 class CStopContract : public CEveryBackend {
 protected:
@@ -109,8 +105,7 @@ TEST_P(CStopContract, AtItsStopItIsAsGoodAsStatic) {
 }
 
 TEST_P(CStopContract, StopsAtTwoPlaces) {
-  CLineSegDesc plunger = Turning(CLineSegDesc({-0.1f, 0}, {0.1f, 0}), 0);
-  plunger.m_vVel = {0, 5};
+  CLineSegDesc plunger = Moving(CLineSegDesc({-0.1f, 0}, {0.1f, 0}), {0, 5});
   plunger.m_cLimits = CMotionLimits::OfCenter({0, 0.3f}, {0, -1});
   const CShapeId id = m_pWorld->Add(plunger);
   Steps(*m_pWorld, 10);
@@ -308,9 +303,7 @@ TEST_P(CMovingWallContract, ASensorThatMovesSeesABallThatRests) {
 // Far out it stops at the limit of what coordinates may be, and nothing else happens.
 TEST_P(CMovingWallContract, ItStopsAtTheGreatestLength) {
   const float limit = IsBox2D() ? g_fMaxBox2DLength : g_fMaxLength;
-  CPointDesc desc = Turning(CPointDesc({0.999f * limit, 0}), 0);
-  desc.m_vVel = {1e-4f * limit, 0};
-  const CShapeId point = m_pWorld->Add(desc);
+  const CShapeId point = m_pWorld->Add(Moving(CPointDesc({0.999f * limit, 0}), {1e-4f * limit, 0}));
   Steps(*m_pWorld, 100 * 60);
   const float x = m_pWorld->GetPos(point).x();
   EXPECT_LE(x, limit);

@@ -109,8 +109,7 @@ TEST_P(CPolylineContract, NoBallGetsIntoABoxPastItsCorners) {
         for (const CAnyShapeDesc& desc : MakeBox({0, 0}, {2, 2}))
           if (guarded || !std::holds_alternative<CPointDesc>(desc)) pWorld->Add(desc);
         const Vector2 aside = random.InSquare(0.02f);
-        const CShapeId ball =
-            pWorld->Add(CDynamicCircleDesc(Vector2(1.3f, 1.3f) + aside, 0.1f, {-1.5f, -1.5f}));
+        const auto ball = pWorld->Add(CDynamicCircleDesc(Vector2(1.3f, 1.3f) + aside, 0.1f, {-1.5f, -1.5f}));
         bool isIn = false;
         for (int i = 0; i < 60; ++i) {
           pWorld->Step();

@@ -19,9 +19,7 @@ std::unique_ptr<CWorld> MakeBusyWorld(const CBackend& backend) {
   pWorld->Add(CCircleDesc({1.5f, 0}, 0.4f, 1.2f));
   pWorld->Add(CLineSegDesc({-2, -2}, {-1, -2.5f}));
   pWorld->Add(Turning(CLineSegDesc({-2, 1}, {-1, 1}), 0.7f, {-1.5f, 1}));
-  CLineSegDesc wall = Turning(CLineSegDesc({-3, -1}, {-3, 0}), 0);
-  wall.m_vVel = {1.3f, 0.2f};
-  pWorld->Add(wall);
+  pWorld->Add(Moving(CLineSegDesc({-3, -1}, {-3, 0}), {1.3f, 0.2f}));
   pWorld->Add(MakeZone({0, 2}, 0.5f));
   for (int i = 0; i < 6; ++i) {
     const float f = static_cast<float>(i);

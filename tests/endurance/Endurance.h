@@ -2,18 +2,11 @@
 // A scene that is played for long, and what must not change by that. docs/testing.md derives the bounds.
 #pragma once
 
-#include "Numbers.h"
 #include "Played.h"
+#include "Testing.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstddef>
-#include <functional>
 #include <numeric>
-#include <optional>
-#include <span>
-#include <vector>
 
 namespace Shapes::Tests {
 

@@ -2,14 +2,9 @@
 // Games that are played for long: 10^5 steps, or as many as SHAPES_ENDURANCE_STEPS says (run.sh). What is
 // expected is in docs/testing.md.
 #include "Endurance.h"
-#include "../Descs.h"
-
-#include <gtest/gtest.h>
 
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
-#include <variant>
 
 namespace Shapes::Tests {
 namespace {

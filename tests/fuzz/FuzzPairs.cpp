@@ -27,12 +27,11 @@ double Largest(const Vector2d& v) { return v.cwiseAbs().maxCoeff(); }
 
 // ---- The pair --------------------------------------------------------------------------------------------
 
-template <class TStatic, class TKinematic, class TDesc>
-std::unique_ptr<CShape> Make(CBytes& bytes, TDesc desc) {
-  if (!bytes.Flag()) return std::make_unique<TStatic>(desc);
-  desc.m_fRotSpeed = bytes.Number();
-  desc.m_vRotCenter = bytes.Vector();
-  auto pShape = std::make_unique<TKinematic>(desc);
+template <class TDesc>
+std::unique_ptr<CShape> Make(CBytes& bytes, const TDesc& desc) {
+  if (!bytes.Flag()) return Shapes::MakeShape(desc);
+  const float revsPerSecond = bytes.Number();
+  auto pShape = Shapes::MakeShape(Turning(desc, revsPerSecond, bytes.Vector()));
   pShape->SetOrientation(bytes.Number());
   return pShape;
 }
@@ -41,13 +40,12 @@ std::unique_ptr<CShape> MakeShape(CBytes& bytes) {
   const eSides sides = bytes.OneOf({eSides::Both, eSides::Front, eSides::Back});
   const unsigned type = bytes.Byte() % 4;
   const Vector2 p = bytes.Vector();
-  if (type == 0) return Make<CPoint, CKinematicPoint>(bytes, CPointDesc(p));
-  if (type == 1)
-    return Make<CLineSeg, CKinematicLineSeg>(bytes, Sided(CLineSegDesc(p, bytes.Vector()), sides));
+  if (type == 0) return Make(bytes, CPointDesc(p));
+  if (type == 1) return Make(bytes, Sided(CLineSegDesc(p, bytes.Vector()), sides));
   const float r = bytes.Number();
-  if (type == 2) return Make<CCircle, CKinematicCircle>(bytes, CCircleDesc(p, r));
+  if (type == 2) return Make(bytes, CCircleDesc(p, r));
   const float a0 = bytes.Number(), a1 = bytes.Number();
-  return Make<CArc, CKinematicArc>(bytes, Sided(CArcDesc(p, r, a0, a1), sides));
+  return Make(bytes, Sided(CArcDesc(p, r, a0, a1), sides));
 }
 
 std::unique_ptr<CDynamicCircle> MakeBall(CBytes& bytes) {

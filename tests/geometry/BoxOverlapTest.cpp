@@ -6,7 +6,6 @@
 namespace Shapes::Geometry {
 namespace {
 
-constexpr double g_fNever = std::numeric_limits<double>::infinity();
 const CBox g_cBox(Vector2d(1, 2), Vector2d(3, 4));
 
 template <class TShape, class TDesc>
@@ -20,10 +19,10 @@ TEST(BoxOverlap, AWayComesInThroughAnySide) {
   EXPECT_EQ(FindEntry(g_cBox, {2, 0}, {0, 4}, 1), 0.5);
   EXPECT_EQ(FindEntry(g_cBox, {0, 1}, {4, 4}, 1), 0.25); // through a corner
   EXPECT_EQ(FindEntry(g_cBox, {2, 3}, {0, 0}, 1), 0);    // it is in it
-  EXPECT_EQ(FindEntry(g_cBox, {0, 3}, {0, 1}, 1), g_fNever);
-  EXPECT_EQ(FindEntry(g_cBox, {0, 3}, {-1, 0}, 1), g_fNever);
-  EXPECT_EQ(FindEntry(g_cBox, {0, 3}, {2, 0}, 0.4), g_fNever); // too late
-  EXPECT_EQ(FindEntry(g_cBox, {0, 5}, {3, 0.1}, 1), g_fNever); // past it
+  EXPECT_EQ(FindEntry(g_cBox, {0, 3}, {0, 1}, 1), g_fInf);
+  EXPECT_EQ(FindEntry(g_cBox, {0, 3}, {-1, 0}, 1), g_fInf);
+  EXPECT_EQ(FindEntry(g_cBox, {0, 3}, {2, 0}, 0.4), g_fInf); // too late
+  EXPECT_EQ(FindEntry(g_cBox, {0, 5}, {3, 0.1}, 1), g_fInf); // past it
 }
 
 TEST(BoxOverlap, PointsAndSegments) {

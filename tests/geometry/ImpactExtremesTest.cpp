@@ -25,17 +25,15 @@ std::unique_ptr<CShape> AnyShape(CRandom& random) {
   const eSides sides[] = {eSides::Both, eSides::Front, eSides::Back};
   const Vector2 p = AnyPlace(random), q = AnyPlace(random), center = random.Coin() ? p : AnyPlace(random);
   const float R = AnySize(random);
-  const auto make = [&]<class TKinematic>(auto desc) -> std::unique_ptr<CShape> {
-    return std::make_unique<TKinematic>(Turning(desc, 0, center));
-  };
+  const auto make = [&](const auto& desc) { return MakeShape(Turning(desc, 0, center)); };
   switch (random.Below(4)) {
-  case 0: return make.operator()<CKinematicPoint>(CPointDesc(p));
-  case 1: return make.operator()<CKinematicLineSeg>(Sided(CLineSegDesc(p, q), sides[random.Below(3)]));
-  case 2: return make.operator()<CKinematicCircle>(CCircleDesc(p, R));
+  case 0: return make(CPointDesc(p));
+  case 1: return make(Sided(CLineSegDesc(p, q), sides[random.Below(3)]));
+  case 2: return make(CCircleDesc(p, R));
   default: {
     const float a0 = random.Uniform(0.0f, 6.28f);
     const CArcDesc desc(p, R, a0, random.Below(3) == 0 ? a0 : random.Uniform(0.0f, 6.28f));
-    return make.operator()<CKinematicArc>(Sided(desc, sides[random.Below(3)]));
+    return make(Sided(desc, sides[random.Below(3)]));
   }
   }
 }

@@ -60,8 +60,7 @@ TEST(ImpactPointCircle, TheEndOfTheLegBelongsToIt) {
 TEST(ImpactPointCircle, NearGrazesKeepTheBoundThatTheTextbookBreaks) {
   double worst = 0.0, worstTextbook = 0.0;
   ForEachCase(31, 3000, [&](CRandom& random, int) {
-    const double r = 0.1, far = 1.0 + 99.0 * random.Unit(),
-                 gap = r * std::pow(10.0, -1.0 - 5.0 * random.Unit());
+    const double r = 0.1, far = 1 + 99 * random.Unit(), gap = r * std::pow(10.0, -1 - 5 * random.Unit());
     const double angle = 6.28 * random.Unit();
     const Vector2d v(std::cos(angle), std::sin(angle)), d = -far * v + (r - gap) * Perp(v);
     const CTrial trial{PointAt({0, 0}), {d, v, r, 2.0 * far}};
@@ -71,8 +70,7 @@ TEST(ImpactPointCircle, NearGrazesKeepTheBoundThatTheTextbookBreaks) {
     ASSERT_TRUE(SweepExactly(trial, exact));
     const double truth = static_cast<double>(exact.m_fTime), approach = -impact.m_vNorm.dot(v);
     const double bound = 16.0 * 0x1p-52 * (d.norm() + r) / approach + 4.0 * 0x1p-52 * truth;
-    const double a = v.squaredNorm(), b = d.dot(v), disc = b * b - a * (d.squaredNorm() - r * r);
-    const double textbook = disc < 0.0 ? 0.0 : (-b - std::sqrt(disc)) / a;
+    const double textbook = Compare::Tests::TextbookTime(d, v, r);
     worst = std::max(worst, std::abs(impact.m_fTime - truth) / bound);
     worstTextbook = std::max(worstTextbook, std::abs(textbook - truth) / bound);
   });

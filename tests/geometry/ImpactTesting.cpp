@@ -26,12 +26,6 @@ Vector2d Vector(CRandom& random, double least, double most) {
   return length * Direction(random);
 }
 
-template <class TShape, class TKinematic, class TDesc>
-std::unique_ptr<CShape> Make(TDesc desc, bool turns, const Vector2& center) {
-  if (!turns) return std::make_unique<TShape>(desc);
-  return std::make_unique<TKinematic>(Turning(desc, 0, center));
-}
-
 // A circle about which something happens: the shape's own, or none about a point of it.
 struct CRim {
   Vector2d m_vCenter;
@@ -53,22 +47,20 @@ CShapeGeometry RandomOutline(CRandom& random, eShape type, eSides sides, bool tu
   const Vector2 p = random.InSquare(1.0f), q = random.InSquare(1.0f);
   const Vector2 center = random.Below(4) == 0 ? p : random.InSquare(1.0f);
   const float R = random.Below(4) == 0 ? random.Scale(-8, -1) : random.Uniform(0.05f, 1.0f);
-  std::unique_ptr<CShape> shape;
-  if (type == eShape::Point) {
-    shape = Make<CPoint, CKinematicPoint>(CPointDesc(p), turns, center);
-  } else if (type == eShape::LineSeg) {
+  const auto make = [&](const auto& desc) {
+    const auto pShape = MakeShape(turns ? Turning(desc, 0, center) : desc);
+    return MakeShapeGeometry(*pShape, turns ? Between(random, -60.0, 60.0) : 0.0);
+  };
+  if (type == eShape::Point) return make(CPointDesc(p));
+  if (type == eShape::LineSeg) {
     const CLineSegDesc desc(p, random.Below(4) == 0 ? Vector2(p + random.Vector(-12, -2)) : q);
-    shape = Make<CLineSeg, CKinematicLineSeg>(Sided(desc, sides), turns, center);
-  } else if (type == eShape::Circle) {
-    shape = Make<CCircle, CKinematicCircle>(CCircleDesc(p, R), turns, center);
-  } else {
-    // Sectors that wrap around, short ones, half circles, almost full and full ones.
-    const float spans[] = {random.Uniform(1e-3f, 6.28f), random.Scale(-12, -1), g_fPi, 6.28f, 0.0f};
-    const float a0 = random.Coin() ? random.Uniform(0.0f, 6.28f) : 0.0f;
-    const CArcDesc desc(p, R, a0, a0 + spans[random.Below(5)]);
-    shape = Make<CArc, CKinematicArc>(Sided(desc, sides), turns, center);
+    return make(Sided(desc, sides));
   }
-  return MakeShapeGeometry(*shape, turns ? Between(random, -60.0, 60.0) : 0.0);
+  if (type == eShape::Circle) return make(CCircleDesc(p, R));
+  // Sectors that wrap around, short ones, half circles, almost full and full ones.
+  const float spans[] = {random.Uniform(1e-3f, 6.28f), random.Scale(-12, -1), g_fPi, 6.28f, 0.0f};
+  const float a0 = random.Coin() ? random.Uniform(0.0f, 6.28f) : 0.0f;
+  return make(Sided(CArcDesc(p, R, a0, a0 + spans[random.Below(5)]), sides));
 }
 
 CTrial RandomTrial(CRandom& random, eShape type, eSides sides, bool turns) {

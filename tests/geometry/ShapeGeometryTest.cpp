@@ -13,8 +13,7 @@ CLineSegDesc RandomLineSeg(CRandom& random) {
 
 CArcDesc RandomArc(CRandom& random) {
   const Vector2 p = random.InSquare(1.0f);
-  const float R = random.Uniform(0.1f, 1.0f), a0 = random.Uniform(0.0f, 6.28f),
-              a1 = random.Uniform(0.0f, 6.28f);
+  const float R = random.Uniform(0.1f, 1), a0 = random.Uniform(0, 6.28f), a1 = random.Uniform(0, 6.28f);
   return Turning(CArcDesc(p, R, a0, a1), 0, random.InSquare(1.0f));
 }
 
@@ -76,8 +75,7 @@ TEST(Outline, ItTurnsAsTheShapeDoes) {
     CKinematicLineSeg seg(RandomLineSeg(random));
     arc.SetRotSpeed(revs);
     seg.SetRotSpeed(revs);
-    const CShapeGeometry a = RotatedFor(MakeShapeGeometry(arc, w), t),
-                         s = RotatedFor(MakeShapeGeometry(seg, w), t);
+    const auto a = RotatedFor(MakeShapeGeometry(arc, w), t), s = RotatedFor(MakeShapeGeometry(seg, w), t);
     arc.Advance(dt);
     seg.Advance(dt);
     ASSERT_LE((a.m_vCenter - Wide(arc.GetPos())).norm(), 64.0 * g_fUlp);

@@ -3,7 +3,6 @@
 #include "StepTesting.h"
 
 namespace Shapes::HardCases {
-
 namespace {
 
 constexpr double g_fDegree = std::numbers::pi / 180.0;

@@ -3,7 +3,6 @@
 #include "StepTesting.h"
 
 namespace Shapes::HardCases {
-
 namespace {
 
 // The ball is put exactly onto the shape, and goes on for a quarter of a second. Native looks at the end of a

@@ -3,7 +3,6 @@
 #include "StepTesting.h"
 
 namespace Shapes::HardCases {
-
 namespace {
 
 const std::uint64_t g_nFastSeed = 20240611;

@@ -3,7 +3,6 @@
 #include "StepTesting.h"
 
 namespace Shapes::HardCases {
-
 namespace {
 
 // A ball r = 1 that flies past the point (0, 0), from 10 units away; in the reference at a height that no

@@ -7,7 +7,6 @@
 #include <iterator>
 
 namespace Shapes::HardCases {
-
 namespace {
 
 class CEveryColumn : public testing::TestWithParam<std::tuple<CHardCase, eColumn>> {};
@@ -78,5 +77,4 @@ TEST(HardCasesTest, DocumentIsMadeOfTheCases) {
 }
 
 } // namespace
-
 } // namespace Shapes::HardCases

@@ -3,7 +3,6 @@
 #include "StepTesting.h"
 
 namespace Shapes::HardCases {
-
 namespace {
 
 constexpr std::uint64_t g_nJointSeed = 20240612;

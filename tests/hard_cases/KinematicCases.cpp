@@ -3,7 +3,6 @@
 #include "StepTesting.h"
 
 namespace Shapes::HardCases {
-
 namespace {
 
 // ---- The kick.
@@ -23,8 +22,7 @@ double Kick(eColumn column, const CKick& kick, double side) {
   const auto a0 = static_cast<float>(
       std::fmod(2.0 * std::numbers::pi - side * kick.m_fSurface * half, 2.0 * std::numbers::pi));
   const Vector2 v(0.5f, static_cast<float>(side * kick.m_fBall));
-  const Vector2 p0(static_cast<float>(1.0 - 0.5 * half),
-                   static_cast<float>(side * (r - kick.m_fBall * half)));
+  const Vector2 p0(static_cast<float>(1 - .5 * half), static_cast<float>(side * (r - kick.m_fBall * half)));
   CStepped stepped(column, {Turning(CLineSegDesc({-3, 0}, {3, 0}, kick.m_fElasticity), revs)},
                    {CDynamicCircleDesc(p0, r, v)});
   stepped.SetOrientation(0, a0);

@@ -3,7 +3,6 @@
 #include "StepTesting.h"
 
 namespace Shapes::HardCases {
-
 namespace {
 
 // The foot of the perpendicular from q.
@@ -16,8 +15,7 @@ CVec<CFifty> FootAt50Digits(const Vector2& p0, const Vector2& p1, const CVec<CFi
 CVec<CFifty> MetAt50Digits(const Vector2& p0, const Vector2& p1, const CDynamicCircleDesc& ball) {
   const CVec<CFifty> q = ball.m_vPos.cast<CFifty>(), v = ball.m_vVel.cast<CFifty>();
   const CVec<CFifty> d = q - FootAt50Digits(p0, p1, q);
-  const CFifty gap = sqrt(d.dot(d)), approach = -v.dot(d) / gap,
-               t = (gap - CFifty(ball.m_fRadius)) / approach;
+  const CFifty gap = sqrt(d.dot(d)), approach = -v.dot(d) / gap, t = (gap - ball.m_fRadius) / approach;
   return FootAt50Digits(p0, p1, q + v * t);
 }
 

@@ -6,7 +6,6 @@
 #include <numeric>
 
 namespace Shapes::HardCases {
-
 namespace {
 
 constexpr std::uint64_t g_nLongRunSeed = 20240613;

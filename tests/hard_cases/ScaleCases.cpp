@@ -3,7 +3,6 @@
 #include "StepTesting.h"
 
 namespace Shapes::HardCases {
-
 namespace {
 
 // ---- A scene of 1e-23 units.
@@ -21,8 +20,7 @@ double Tiny(eColumn column) {
 // ---- A radius whose square is no float.
 
 double Huge(eColumn column) {
-  CStepped stepped(column, {CPointDesc({0.0f, 0.0f})},
-                   {CDynamicCircleDesc({1e18f, 0.0f}, 2e19f, {1.0f, 0.0f})});
+  CStepped stepped(column, {CPointDesc({0, 0})}, {CDynamicCircleDesc({1e18f, 0}, 2e19f, {1, 0})});
   stepped.Step();
   return Distance(stepped.GetVel(), {1.0, 0.0});
 }

@@ -58,10 +58,6 @@ std::vector<CImpact> CStepped::GetImpacts() const {
   return impacts;
 }
 
-double AngleBetween(const Vector2d& a, const Vector2d& b) {
-  return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
-}
-
 double OffBy(const CStepped& stepped, const Vector2d& p, const Vector2d& v, std::size_t ball) {
   return Worst(Distance(stepped.GetPos(ball), p), Distance(stepped.GetVel(ball), v) / v.norm());
 }

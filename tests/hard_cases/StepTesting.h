@@ -57,12 +57,6 @@ private:
 /// On y = 0.
 inline const CLineSegDesc g_cFloor({-1.0f, 0.0f}, {1.0f, 0.0f});
 
-/// Radians between two directions, 0 .. pi.
-double AngleBetween(const Vector2d& a, const Vector2d& b);
-/// v mirrored at a surface of normal n, with elasticity e.
-inline Vector2d Mirrored(const Vector2d& v, const Vector2d& n, double e = 1.0) {
-  return v - (1.0 + e) * v.dot(n) * n;
-}
 /// Off by how much a ball is: in place, or in velocity relative to the speed that it should have.
 double OffBy(const CStepped& stepped, const Vector2d& p, const Vector2d& v, std::size_t ball = 0);
 

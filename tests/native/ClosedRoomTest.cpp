@@ -5,8 +5,6 @@
 
 #include "Tolerances.h"
 
-#include "../Overlap.h"
-
 namespace Shapes {
 namespace {
 

@@ -3,8 +3,6 @@
 // and what finds the shapes does not matter to what comes out.
 #include "NativeTesting.h"
 
-#include "../Overlap.h"
-
 namespace Shapes {
 namespace {
 

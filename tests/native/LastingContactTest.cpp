@@ -2,7 +2,7 @@
 // Contact that lasts under gravity, and what bounces until it does.
 #include "NativeTesting.h"
 
-#include "../Overlap.h"
+#include "../Steps.h"
 
 namespace Shapes {
 namespace {

@@ -18,13 +18,6 @@ inline std::unique_ptr<CWorld> MakeNative(const CEffectChoice& effects, float gr
   return GetBackend(eBackend::Native)->MakeWorld(desc);
 }
 
-/// Kinematic, moving along.
-template <class TDesc>
-TDesc Moving(TDesc desc, const Vector2& vel) {
-  desc.m_vVel = vel;
-  return Turning(desc);
-}
-
 /// The walls of a closed polygon.
 inline void AddRoom(CWorld& world, std::span<const Vector2> corners, float e = 1) {
   for (std::size_t i = 0; i < corners.size(); ++i)

@@ -2,8 +2,6 @@
 // Balls that rest on each other in boxes, Vs and funnels, under a paddle, and in one place.
 #include "NativeTesting.h"
 
-#include "../Overlap.h"
-
 namespace Shapes {
 namespace {
 
@@ -124,9 +122,7 @@ TEST(Pile, ACrowdInOnePlaceComesApart) {
 TEST(Pile, ACrowdThatABallDoesNotMeetHidesNone) {
   const auto pWorld = MakeNative(g_cContinuous);
   const auto add = [&](float x, const CFilter& filter) {
-    CDynamicCircleDesc desc({x, 0}, 0.2f);
-    desc.m_cFilter = filter;
-    return pWorld->Add(desc);
+    return pWorld->Add(Filtered(CDynamicCircleDesc({x, 0}, 0.2f), filter));
   };
   const CShapeId left = add(-0.1f, {2, 2}), right = add(0.1f, {2, 2});
   for (int i = 0; i < 50; ++i)

@@ -5,7 +5,7 @@
 // each kind. So it was in 2,000; a step gave 1.9e-4 of the energy at the start at most.
 #include "NativeTesting.h"
 
-#include "../Overlap.h"
+#include "../Steps.h"
 #include "Tolerances.h"
 
 namespace Shapes {

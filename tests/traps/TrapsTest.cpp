@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 // That what is to stop the program does, and nothing else: the control of a suite that passes with traps.
-#include "../Numbers.h"
+#include "../Testing.h"
 #include "Naive.h"
 
 #include "traps/Traps.h"
 
-#include <Shapes/Shapes.h>
-
-#include <gtest/gtest.h>
-
 #include <cfenv>
 #include <csignal>
-#include <limits>
-#include <stdexcept>
 #include <xmmintrin.h>
 
 namespace Shapes::Tests {

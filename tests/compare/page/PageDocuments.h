@@ -6,9 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <string>
-#include <vector>
-
 namespace Shapes::Compare {
 using nlohmann::json;
 
