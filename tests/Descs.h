@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Descriptions of shapes in one expression.
+// Descriptions of shapes in one expression, shapes of every kind, and how far a place is from one.
 #pragma once
 
 #include "Random.h"

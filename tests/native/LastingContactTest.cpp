@@ -2,8 +2,6 @@
 // Contact that lasts under gravity, and what bounces until it does.
 #include "NativeTesting.h"
 
-#include "../Steps.h"
-
 namespace Shapes {
 namespace {
 
