@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Descriptions of shapes in one expression, shapes of every kind, and how far a place is from one.
+// Descriptions of shapes in one expression.
 #pragma once
-
-#include "Random.h"
 
 #include <Shapes/Shapes.h>
 
 #include <array>
-#include <memory>
 
 namespace Shapes {
 
@@ -56,36 +53,6 @@ inline std::array<CLineSegDesc, 4> Walls(const Vector2& low, const Vector2& high
 
 inline CCircleDesc MakeZone(const Vector2& p = Vector2::Zero(), float r = 1) {
   return Sensor(CCircleDesc(p, r));
-}
-
-/// Gives f the description of a point, a segment, a circle or an arc at p, of a random extent up to `size`.
-/// One arc in eight is a full circle.
-template <class F>
-auto WithAnyShape(Tests::CRandom& random, std::uint32_t kind, const Vector2& p, float size, F f) {
-  const float r = random.Uniform(0.05f * size, size), a0 = random.Uniform(0, 6.28f);
-  const float a1 = random.Below(8) == 0 ? a0 : random.Uniform(0, 6.28f);
-  switch (kind % 4) {
-  case 0: return f(CPointDesc(p));
-  case 1: return f(CLineSegDesc(p, p + r * random.Direction()));
-  case 2: return f(CCircleDesc(p, r));
-  default: return f(CArcDesc(p, r, a0, a1));
-  }
-}
-
-/// Such a shape, static.
-inline std::unique_ptr<CShape> MakeAnyShape(Tests::CRandom& random, std::uint32_t kind, const Vector2& p,
-                                            float size) {
-  return WithAnyShape(random, kind, p, size, [](const auto& desc) { return MakeShape(desc); });
-}
-
-/// How far p is from the curve of a shape, by the shape's own closest point: within some ulp.
-inline float DistanceFrom(const CShape& shape, const Vector2& p) {
-  switch (shape.GetShapeType()) {
-  case eShape::LineSeg: return Length(p - static_cast<const CLineSeg&>(shape).ClosestPt(p));
-  case eShape::Arc: return Length(p - static_cast<const CArc&>(shape).ClosestPt(p));
-  case eShape::Circle: return Length(p - static_cast<const CCircle&>(shape).ClosestPt(p));
-  default: return Length(p - shape.GetPos());
-  }
 }
 
 } // namespace Shapes

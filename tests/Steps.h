@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Several steps of a world at once and what they report, whether two worlds have come to the same, and how
-// deep balls are in each other.
+// Several steps of a world at once and what they report, and whether two worlds have come to the same.
 #pragma once
 
 #include <Shapes/World.h>
 
-#include <algorithm>
 #include <cstring>
 #include <span>
 #include <vector>
@@ -40,29 +38,6 @@ inline bool HaveSameBits(const CWorld& a, const CWorld& b) {
   };
   return same(a.GetBallPositions(), b.GetBallPositions()) &&
          same(a.GetBallVelocities(), b.GetBallVelocities());
-}
-
-/// The deepest of any two balls, in radii of the smaller one; 0 if none overlap.
-inline double GetOverlap(const CWorld& world) {
-  const auto places = world.GetBallPositions();
-  std::vector<float> radii;
-  for (const CShapeId ball : world.GetBallIds())
-    radii.push_back(world.GetRadius(ball));
-  float deepest = 0.0f;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const float depth = radii[i] + radii[j] - (places[i] - places[j]).norm();
-      deepest = std::max(deepest, depth / std::min(radii[i], radii[j]));
-    }
-  return static_cast<double>(deepest);
-}
-
-/// The speed of the fastest ball; 0 if there is none.
-inline float GetFastest(const CWorld& world) {
-  float most = 0.0f;
-  for (const Vector2& v : world.GetBallVelocities())
-    most = std::max(most, v.norm());
-  return most;
 }
 
 } // namespace Shapes

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "Descs.h"
+#include "EveryShape.h"
 #include "Messages.h"
 #include "Numbers.h"
+#include "Overlap.h"
 #include "Random.h"
 #include "Steps.h"
 #include "geometry/Cases.h"
