@@ -81,6 +81,29 @@ TEST(ClosedRoom, ABallThatJamsComesToRest) {
       }
 }
 
+// A wall presses a ball that flies up, and stops where it leaves a slot as wide as the ball: what cannot move
+// has no speed, and is not halted for ever. Of these heights 60 of 180 kept up to 4 units/s without moving.
+TEST(ClosedRoom, AStuckBallHasNoSpeedAndSleeps) {
+  int stuck = 0;
+  for (const float e : {0.0f, 0.5f, 0.9f})
+    for (int k = 0; k < 60; ++k) {
+      const float y = 0.3f + 0.01f * static_cast<float>(k);
+      SCOPED_TRACE(testing::Message() << "elasticity " << e << ", height " << y);
+      const auto pWorld = MakeNative(g_cAutomatic, 10);
+      pWorld->Add(CLineSegDesc({-1, 0}, {-1, 3}));
+      const CShapeId wall = pWorld->Add(Moving(CLineSegDesc({-0.3f, 0}, {-0.3f, 0.8f}), {-3, 0}));
+      const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-0.75f, y}, 0.2f, {0, 3}, 1, e));
+      Steps(*pWorld, 6);
+      pWorld->SetVel(wall, {0, 0});
+      Steps(*pWorld, 600);
+      if (pWorld->GetPos(ball).y() < 0.0f) continue; // it has flown out over the edge
+      ++stuck;
+      EXPECT_EQ(GetFastest(*pWorld), 0.0f);
+      EXPECT_LT(pWorld->GetStats().m_nBallsHalted, 100u);
+    }
+  EXPECT_GT(stuck, 100);
+}
+
 /// Balls of masses 1:1000, many in one place, in a shaft whose floor comes up faster and slower.
 struct CShaft {
   std::unique_ptr<CWorld> m_pWorld;

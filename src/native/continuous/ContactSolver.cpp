@@ -104,7 +104,7 @@ void CContactSolver::Solve(double slow, double surface) {
         Stop(row);
   // Between what comes upon it and what gives no way a ball would leave at the speed of that over the sine of
   // the angle between them, which is small for an instant only.
-  const double limit = std::max(std::sqrt(fastest), g_fSqueezed * surface) + slow;
+  const double limit = std::max(std::sqrt(fastest), g_fSqueezed * surface + slow);
   for (Vector2d& v : m_cVels.m_stdNow)
     if (const double speed = Norm(v); speed > limit) v *= limit / speed;
   StopAtShapes();

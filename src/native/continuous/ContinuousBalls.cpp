@@ -129,6 +129,7 @@ void CContinuous::Take(std::size_t i, const CDiscGrid::CDisc& disc) {
   ball.m_bIsAsleep = IsAsleep(i);
   ball.m_vAcc = ball.m_bIsAsleep ? Vector2d(Vector2d::Zero()) : m_vGravity;
   ball.m_cDisc = disc;
+  ball.m_bWasSqueezed = m_cResting.WasSqueezed(i);
 }
 
 // Its motion is another one.
@@ -304,6 +305,7 @@ void CContinuous::PutBalls() {
     }
   }
   PutTaken();
+  if (IsFalling()) m_cResting.Remember(m_stdBalls, m_pBalls->Size());
 }
 
 void CContinuous::PutTaken() {

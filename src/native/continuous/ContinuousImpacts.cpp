@@ -60,12 +60,22 @@ void CContinuous::FindShapeImpacts(CMoving& ball) {
   }
 }
 
+// Whether two balls of a pile are within the reach of rest when the later of their motions begins.
+bool CContinuous::Touch(const CMoving& ball, const CMoving& other) const {
+  const double start = std::max(ball.m_fTime, other.m_fTime);
+  const auto place = [&](const CMoving& b) { return GetMotion(b).PosAt(start - b.m_fTime); };
+  const double reach = ball.m_fRadius + other.m_fRadius + m_cResting.GetReach(0.0, false);
+  return (place(ball) - place(other)).squaredNorm() <= reach * reach;
+}
+
 // Whether two balls rest on each other as they move now.
 bool CContinuous::AreAtRest(std::uint32_t i, std::uint32_t j) const {
   const CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
   FailIf(!ball.m_bIsInPile || !other.m_bIsInPile);
-  return m_cResting.Has(i, j) || ball.m_cHolds.HasBall(j, other.m_nVersion) ||
-         other.m_cHolds.HasBall(i, ball.m_nVersion);
+  // What rests on a ball that is squeezed need not touch it yet, and does not if either is hit before.
+  const bool asSolved = ball.m_nVersion == 0 && other.m_nVersion == 0;
+  return ((asSolved || Touch(ball, other)) && m_cResting.Has(i, j)) ||
+         ball.m_cHolds.HasBall(j, other.m_nVersion) || other.m_cHolds.HasBall(i, ball.m_nVersion);
 }
 
 void CContinuous::FindBallImpacts(std::uint32_t i) {
@@ -131,7 +141,7 @@ void CContinuous::Resolve(std::uint32_t i) {
 }
 
 // From balls that were hit to those that rest on them, at the same time: two that rest on each other and
-// approach faster than that are an impact.
+// approach faster than that, or would get deep into each other, are an impact.
 void CContinuous::PassOn() {
   const double now = m_stdBalls[m_stdHit.front()].m_fTime;
   std::vector<std::uint32_t>& queue = m_stdPassing;
@@ -140,11 +150,13 @@ void CContinuous::PassOn() {
     const std::uint32_t i = queue[k];
     for (const std::uint32_t j : m_cResting.GetNeighbours(i)) {
       CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
-      if (ball.m_bIsHalted && other.m_bIsHalted) continue;
+      if ((ball.m_bIsHalted && other.m_bIsHalted) || !Touch(ball, other)) continue;
       const CMotion motion = GetMotion(other);
       const double since = now - other.m_fTime;
       const Vector2d n = Unit(ball.m_vPos - motion.PosAt(since), Vector2d::UnitY());
-      if (ApproachSpeed(GetMotion(ball).m_vVel, motion.VelAt(since), n) <= m_cResting.GetSlow()) continue;
+      const double approach = ApproachSpeed(GetMotion(ball).m_vVel, motion.VelAt(since), n);
+      const double deep = g_fPassedOverlap * std::min(ball.m_fRadius, other.m_fRadius);
+      if (approach <= m_cResting.GetSlow() && approach * (m_fStep - now) <= deep) continue;
       if (since > 0.0) Advance(other, since);
       ++other.m_nVersion;
       Collide(ball, other, n, 0.0, false);
@@ -342,7 +354,7 @@ void CContinuous::EndMotion(CMoving& ball) {
   if (isCrowded || ball.m_nImpacts == g_nMaxImpacts || ball.m_nBallsSeen > g_nMostBallsSeen) Halt(ball);
 }
 
-// It keeps no velocity into the shapes that it touches.
+// It keeps no velocity into the shapes that it touches, and none at all if it has got nowhere.
 void CContinuous::StopAtTouching(CMoving& ball) {
   FindShapes(static_cast<std::uint32_t>(&ball - m_stdBalls.data()));
   CHolds touching;
@@ -351,7 +363,8 @@ void CContinuous::StopAtTouching(CMoving& ball) {
     double gap;
     if (Touches(ball, order, impact, gap)) touching.Add(MakeHold(ball, order, impact));
   }
-  ball.m_vVel = touching.ConstrainVel(ball.m_vVel);
+  ball.m_bIsStuck = ball.m_fTime <= g_fStuckPart * m_fStep;
+  ball.m_vVel = touching.ConstrainVel(ball.m_bIsStuck ? Vector2d(Vector2d::Zero()) : ball.m_vVel);
 }
 
 void CContinuous::Halt(CMoving& ball) {

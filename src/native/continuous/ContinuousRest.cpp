@@ -15,7 +15,6 @@ namespace Shapes::Native {
 // separated where they overlap.
 void CContinuous::FindRestingContacts() {
   if (!m_bPairs) return;
-  const double reach = m_cResting.GetSlow() * m_fStep;
   const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
   for (std::uint32_t i = 0; i < n; ++i) {
     if (m_stdBalls[i].m_bIsAsleep) continue;
@@ -24,6 +23,8 @@ void CContinuous::FindRestingContacts() {
       CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
       CImpact impact;
       double gap;
+      const double reach =
+          m_cResting.GetReach(Norm(ball.m_vVel - other.m_vVel), ball.m_bWasSqueezed || other.m_bWasSqueezed);
       if (j <= i || other.m_bIsAsleep || !NearBallBall(GetMotion(other), GetMotion(ball), reach, impact, gap))
         continue;
       m_cResting.Add(i, j, true, impact, gap);
@@ -35,11 +36,15 @@ void CContinuous::FindRestingContacts() {
     const CMoving& ball = m_stdBalls[i];
     if (!ball.m_bIsNearBall) continue;
     // Balls that overlap may be moved towards shapes.
-    const double far = reach + g_fFarCorrection * ball.m_fRadius;
-    FindShapes(i, static_cast<float>(far));
+    const auto getReach = [&](double speed) {
+      return m_cResting.GetReach(speed, ball.m_bWasSqueezed) + g_fFarCorrection * ball.m_fRadius;
+    };
+    FindShapes(i, static_cast<float>(getReach(Norm(ball.m_vVel))));
     for (const std::uint32_t order : m_stdShapesFound) {
       CImpact impact;
       double gap;
+      const Vector2d surface = m_pShapes->GetGeometry(order).GetSurfaceVelocity(ball.m_vPos, 0.0);
+      const double far = getReach(Norm(ball.m_vVel - surface));
       if (m_pShapes->Get(order).m_pShape->GetCanCollide() &&
           Near(m_pShapes->GetGeometry(order), GetMotion(ball), 0.0, far, impact, gap) &&
           CanFollow(ball, order, impact))

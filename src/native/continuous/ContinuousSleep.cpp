@@ -37,9 +37,9 @@ float CContinuous::GetCalm(const CMoving& ball) const {
     return !hold.m_bIsBall && m_pShapes->GetGeometry(hold.m_nOther).IsMoving();
   };
   const auto holds = ball.m_cHolds.Get();
-  const bool lies = ball.m_bIsAsleep || ball.m_bIsInPile || !holds.empty();
+  const bool lies = ball.m_bIsAsleep || ball.m_bIsInPile || ball.m_bIsStuck || !holds.empty();
   const bool isInCrowd = ball.m_cFarthestDeep != g_cFarthest; // which comes apart little by little
-  const bool isCalm = lies && !isInCrowd && !ball.m_bIsHalted && !ball.m_bIsPressed &&
+  const bool isCalm = lies && !isInCrowd && ball.m_bIsHalted == ball.m_bIsStuck && !ball.m_bIsPressed &&
                       b.m_stdVel[ball.m_nBall].norm() <= m_fSleepSpeed &&
                       std::none_of(holds.begin(), holds.end(), isCarried);
   return isCalm ? b.m_stdCalm[ball.m_nBall] + static_cast<float>(m_fStep) : 0.0f;

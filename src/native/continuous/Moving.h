@@ -58,9 +58,11 @@ struct CMoving {
   std::uint32_t m_nLastMoving = g_nNobody; // of the moving shape that it has met last
   bool m_bIsAsleep = false;                // at rest, and nothing is near that is not
   bool m_bIsHalted = false;                // goes along with that one for the rest of the substep
+  bool m_bIsStuck = false;                 // and has got nowhere in the substep, under gravity
   bool m_bIsMoved = false;                 // by anything but its velocity and gravity
   bool m_bIsNearBall = false;              // touches one, or could in this substep
   bool m_bIsInPile = false;                // rests on other balls, or they on it
+  bool m_bWasSqueezed = false;             // in the last substep: CRestingContacts
   bool m_bIsPressed = false;               // overlaps more than one that falls asleep may
 };
 

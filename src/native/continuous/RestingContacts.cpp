@@ -20,6 +20,7 @@ void CRestingContacts::Begin(const Vector2d& gravity, double dt) {
   m_stdContacts.clear();
   m_stdFirst.clear();
   m_stdRoot.clear();
+  m_stdEnergies.clear();
   m_stdKnown.swap(m_stdNear);
   m_stdNear.clear();
 }
@@ -123,7 +124,10 @@ void CRestingContacts::FindKnown() {
 void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
   FindKnown();
   std::erase_if(m_stdContacts, [&](const CContact& c) {
-    return !(std::abs(GetSpeed(c, balls)) <= m_fSlow && c.m_fGap <= m_fSlow * m_fStep);
+    const bool isSqueezed =
+        balls[c.m_nBall].m_bWasSqueezed || (c.m_bIsBall && balls[c.m_nOther].m_bWasSqueezed);
+    const double speed = std::abs(GetSpeed(c, balls));
+    return !((isSqueezed || speed <= m_fSlow) && c.m_fGap <= GetReach(speed, isSqueezed));
   });
   m_stdRoot.resize(balls.size());
   std::iota(m_stdRoot.begin(), m_stdRoot.end(), 0u);
@@ -144,6 +148,19 @@ void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
     if (c.m_bIsBall) balls[c.m_nOther].m_bIsInPile = true;
   }
   FindNeighbours(balls.size());
+}
+
+void CRestingContacts::Remember(const std::vector<CMoving>& balls, std::size_t size) {
+  m_stdIsSqueezed.assign(size, false);
+  for (std::uint32_t i = 0; i < balls.size(); ++i) {
+    const CMoving& ball = balls[i];
+    // One that was taken late has no pile.
+    const bool isMoved = i < m_stdEnergies.size() && m_stdEnergies[FindRoot(i)].m_bIsMoved;
+    const bool isHit = ball.m_bIsNearBall && ball.m_nImpacts >= g_nSqueezed;
+    // One that flies far may be hit as often.
+    const bool isFast = Norm(ball.m_vVel) * m_fStep > ball.m_fRadius;
+    m_stdIsSqueezed[ball.m_nBall] = !isFast && (isHit || (ball.m_bWasSqueezed && isMoved));
+  }
 }
 
 // With the share s of the velocities the pile has gained nothing where kinetic s^2 - fall s = before.

@@ -18,6 +18,10 @@ namespace Shapes::Native {
 /// together by such pairs, and lie on a shape. (Those that fall together do not press on each other.) They
 /// are inelastic.
 ///
+/// A ball is squeezed if it had g_nSqueezed impacts in the substep before, and stays so in a pile that a
+/// shape moves. It rests on all that it could meet, and those on it, at any speed: by impacts, one after the
+/// other, what does not give way would take hundreds of them to come to the same.
+///
 /// Balls of a pile move straight on within the substep, at the velocities that they have at its end: those
 /// that gravity gives, changed by impulses along the normals that push and never pull, so that no pair ends
 /// in an overlap. CContactSolver finds these, and begins with those of the substep before.
@@ -43,6 +47,15 @@ public:
   void Forget() {
     m_stdKnown.clear();
     m_stdNear.clear();
+    m_stdIsSqueezed.clear();
+  }
+  /// Remembers at the end of the substep who of `size` in the arrays is squeezed.
+  void Remember(const std::vector<CMoving>& balls, std::size_t size);
+  /// Of the ball of this index in the arrays.
+  bool WasSqueezed(std::size_t ball) const { return ball < m_stdIsSqueezed.size() && m_stdIsSqueezed[ball]; }
+  /// The gap up to which two are a pair here, who move at this speed against each other.
+  double GetReach(double speed, bool isSqueezed) const {
+    return (isSqueezed ? m_fSlow + speed : m_fSlow) * m_fStep;
   }
   /// Whether two balls are a pair here.
   bool Has(std::uint32_t ball, std::uint32_t other) const;
@@ -140,6 +153,7 @@ private:
   std::vector<std::uint32_t> m_stdFirst;      // of each ball among them, and where the last one's end
   std::vector<double> m_stdLifts;             // the work of lifting each ball as they were moved apart
   std::vector<CEnergy> m_stdEnergies;         // of each root
+  std::vector<bool> m_stdIsSqueezed;          // in the last substep, by the index in the arrays
   std::vector<CKnown> m_stdKnown, m_stdNear;  // pairs of the last substep and of this one, in order
 };
 
