@@ -37,8 +37,8 @@ std::vector<CPlayer> GetPlayers() {
           {"box2d-discrete", box2D(eByHand::Discrete), 10'000, 10'000},
           {"box2d-like-shapes", box2D(eByHand::LikeShapes), 1'000, 1'000},
           {"box2d-through-shapes", shapes(eBackend::Box2D, g_cAutomatic), 1'000, 1'000},
-          {"chipmunk-tree", chipmunk(false), 10'000, 10'000},
-          {"chipmunk-hash", chipmunk(true), 10'000, 10'000}};
+          {"chipmunk-tree", chipmunk(false), 100'000, 10'000},
+          {"chipmunk-hash", chipmunk(true), 100'000, 10'000}};
 }
 
 struct CScene {

@@ -164,7 +164,6 @@ private:
   bool IsSlow(const CMoving& ball, const CMoving& other, double approach) const;
   void StopTogether(CMoving& upper, CMoving& lower, const Vector2d& up) const;
   void Rest(CMoving& ball, CMoving& other, const Vector2d& n);
-  bool Touch(const CMoving& ball, const CMoving& other) const;
   bool AreAtRest(std::uint32_t i, std::uint32_t j) const;
   void Settle(CMoving& ball, const CMotion& before);
   double GetTimeToEnd(const CMoving& ball, const CHold& hold) const;

@@ -60,22 +60,12 @@ void CContinuous::FindShapeImpacts(CMoving& ball) {
   }
 }
 
-// Whether two balls of a pile are within the reach of rest when the later of their motions begins.
-bool CContinuous::Touch(const CMoving& ball, const CMoving& other) const {
-  const double start = std::max(ball.m_fTime, other.m_fTime);
-  const auto place = [&](const CMoving& b) { return GetMotion(b).PosAt(start - b.m_fTime); };
-  const double reach = ball.m_fRadius + other.m_fRadius + m_cResting.GetReach(0.0, false);
-  return (place(ball) - place(other)).squaredNorm() <= reach * reach;
-}
-
 // Whether two balls rest on each other as they move now.
 bool CContinuous::AreAtRest(std::uint32_t i, std::uint32_t j) const {
   const CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
   FailIf(!ball.m_bIsInPile || !other.m_bIsInPile);
-  // What rests on a ball that is squeezed need not touch it yet, and does not if either is hit before.
-  const bool asSolved = ball.m_nVersion == 0 && other.m_nVersion == 0;
-  return ((asSolved || Touch(ball, other)) && m_cResting.Has(i, j)) ||
-         ball.m_cHolds.HasBall(j, other.m_nVersion) || other.m_cHolds.HasBall(i, ball.m_nVersion);
+  return m_cResting.Has(i, j) || ball.m_cHolds.HasBall(j, other.m_nVersion) ||
+         other.m_cHolds.HasBall(i, ball.m_nVersion);
 }
 
 void CContinuous::FindBallImpacts(std::uint32_t i) {
@@ -150,10 +140,12 @@ void CContinuous::PassOn() {
     const std::uint32_t i = queue[k];
     for (const std::uint32_t j : m_cResting.GetNeighbours(i)) {
       CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
-      if ((ball.m_bIsHalted && other.m_bIsHalted) || !Touch(ball, other)) continue;
+      if (ball.m_bIsHalted && other.m_bIsHalted) continue;
       const CMotion motion = GetMotion(other);
       const double since = now - other.m_fTime;
-      const Vector2d n = Unit(ball.m_vPos - motion.PosAt(since), Vector2d::UnitY());
+      const Vector2d d = ball.m_vPos - motion.PosAt(since), n = Unit(d, Vector2d::UnitY());
+      // What rests on a squeezed ball need not touch it yet.
+      if (Norm(d) > ball.m_fRadius + other.m_fRadius + m_cResting.GetReach(0.0, false)) continue;
       const double approach = ApproachSpeed(GetMotion(ball).m_vVel, motion.VelAt(since), n);
       const double deep = g_fPassedOverlap * std::min(ball.m_fRadius, other.m_fRadius);
       if (approach <= m_cResting.GetSlow() && approach * (m_fStep - now) <= deep) continue;
