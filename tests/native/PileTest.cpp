@@ -271,7 +271,7 @@ TEST(Pile, APaddleThatPushesAPileLosesNone) {
   EXPECT_GT(control, 0);
 }
 
-// What cannot give way is solved together. By impacts, one after the other, it took a ball 14 contacts a
+// Squeezed balls are solved together. By impacts, one after the other, it took a ball 14 contacts a
 // step, 2,024 were halted, and the deepest overlap was .31 radii in the mean of all steps, instead of 4.2,
 // 444 and .09.
 TEST(Pile, BallsUnderAPaddleAreNotHitHundredsOfTimes) {

@@ -2,8 +2,8 @@
 // Random piles: 10 to 200 balls, equal, of radii 1:10 or of masses 1:1000, fall into a box, a V, a bowl or an
 // hourglass, or are pushed by a paddle, and lie there. None is lost in any step, no energy comes from
 // nothing, and after 20 s all but those in bowls are at rest. SHAPES_PILES says how many, 15 by default: one
-// of each kind. So it was in 2,000; a step gave 9e-4 of the energy at the start at most, where a ball of a
-// hundred times the mass fell on others, and else 1.9e-4.
+// of each kind. So it was in 1,000 but for one: in seed 179 a heavy ball falls on light ones after a paddle
+// has stopped, and a step gives 9e-4 of the energy at the start.
 #include "NativeTesting.h"
 
 #include "Tolerances.h"
@@ -148,7 +148,7 @@ TEST(RandomPiles, LoseNoBallGainNoEnergyAndComeToRest) {
     CRandomPile pile(seed, g_cAutomatic);
     const CResult result = PlayPile(pile);
     EXPECT_EQ(result.m_nLost, 0);
-    EXPECT_LT(result.m_fGain, 2e-3);
+    EXPECT_LT(result.m_fGain, 5e-4);
     ExpectRest(pile);
   }
 }

@@ -144,7 +144,7 @@ void CContinuous::PassOn() {
       const CMotion motion = GetMotion(other);
       const double since = now - other.m_fTime;
       const Vector2d d = ball.m_vPos - motion.PosAt(since), n = Unit(d, Vector2d::UnitY());
-      // What rests on a squeezed ball need not touch it yet.
+      // A ball that rests on a squeezed one need not touch it yet.
       if (Norm(d) > ball.m_fRadius + other.m_fRadius + m_cResting.GetReach(0.0, false)) continue;
       const double approach = ApproachSpeed(GetMotion(ball).m_vVel, motion.VelAt(since), n);
       const double deep = g_fPassedOverlap * std::min(ball.m_fRadius, other.m_fRadius);
