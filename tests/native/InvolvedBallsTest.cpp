@@ -92,7 +92,8 @@ TEST(InvolvedBallsTest, AWorldThatGoesOnAndOneThatIsLoadedHaveTheSameBitsWhateve
 // A ball that slides leaves the disc by which it was found near others, in long steps by much. Seeds in which
 // two got into each other when that was not allowed for.
 TEST(InvolvedBallsTest, BallsThatLeaveTheirDiscsFindWhatIsThere) {
-  for (const auto seed : {2u, 315u, 1035u, 1210u, 1281u, 1319u, 1766u, 1836u, 1854u, 2161u}) {
+  for (const auto seed : {1u,    2u,    127u,  315u,  1035u, 1210u, 1281u, 1296u, 1319u, 1333u,
+                          1730u, 1766u, 1836u, 1854u, 2161u, 2418u, 2497u, 2692u, 2915u, 4611u}) {
     CRandom random(seed);
     const auto pWorld = MakeNative(g_cContinuous, 10, random.Uniform(0.03f, 0.1f));
     AddBox(*pWorld, 1.5f, 0.5f);
