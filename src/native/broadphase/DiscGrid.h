@@ -18,6 +18,7 @@ namespace Shapes::Native {
 /// among many small ones do not spoil it. A disc is in the cell of its centre.
 class CDiscGrid {
 public:
+  static constexpr double g_fRounded = 1.0 + static_cast<double>(g_fBoxPadding); // as kernels round it
   struct CDisc {
     Vector2 m_vCenter;
     float m_fRadius;
@@ -25,6 +26,12 @@ public:
     bool IsWithin(const CDisc& other, float slack = 0.0f) const {
       const auto rest = static_cast<double>(other.m_fRadius + slack - m_fRadius);
       return rest >= 0.0 && (m_vCenter - other.m_vCenter).cast<double>().squaredNorm() <= rest * rest;
+    }
+    /// Whether they do, as far as kernels do not err.
+    bool Overlaps(const CDisc& other) const {
+      const double reach =
+          g_fRounded * (static_cast<double>(m_fRadius) + static_cast<double>(other.m_fRadius));
+      return (m_vCenter.cast<double>() - other.m_vCenter.cast<double>()).squaredNorm() <= reach * reach;
     }
   };
   /// Takes in these discs instead of those before; the index is the name of a disc from then on.
@@ -54,7 +61,6 @@ private:
   static std::int64_t CellAt(double x, const CLevel& level);
   std::uint32_t GetBucket(std::size_t level, std::int64_t x, std::int64_t y) const;
 
-  static constexpr double g_fRounded = 1.0 + static_cast<double>(g_fBoxPadding); // as kernels round it
   static constexpr std::uint32_t g_nNone = 0xFFFFFFFFu;
   bool m_bIsFew = false; // no cells: the entries are the discs in their order
   std::array<CLevel, g_nMostLevels> m_stdLevels;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "../broadphase/DiscGrid.h"
+#include "../broadphase/NearDiscs.h"
 #include "../broadphase/StaticBroadPhase.h"
 #include "RestingContacts.h"
 
@@ -110,8 +110,6 @@ private:
   void Take(std::size_t i, const CDiscGrid::CDisc& disc);
   void FindBalls(std::uint32_t i);
   void FindAllBalls(std::uint32_t i);
-  void FindBallsAtBegin(std::uint32_t i);
-  void SearchBalls(std::uint32_t i);
   void FindCrowds();
   bool IsBeyondCrowd(std::uint32_t i, std::uint32_t j) const;
   void PutBalls();
@@ -214,13 +212,9 @@ private:
   bool m_bCapsSpeeds = false; // gravity can take a ball beyond g_fMaxSpeed
   bool m_bPairs = false;
   bool m_bFilters = false;
-  bool m_bAnyCrowd = false;                 // balls that do not meet all that they are deep in
-  std::vector<std::uint32_t> m_stdSolid;    // balls of the arrays, by k
-  std::vector<CDiscGrid::CDisc> m_stdDiscs; // around their ways, as they would move alone
-  CDiscGrid m_cDiscGrid;
-  bool m_bAreDiscsMoved = false;                                    // since they were found near each other
-  std::vector<std::uint32_t> m_stdNear;                             // of each that is awake all near it, by k
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> m_stdNearOf; // of each k: where they begin and end
+  bool m_bAnyCrowd = false;              // balls that do not meet all that they are deep in
+  std::vector<std::uint32_t> m_stdSolid; // balls of the arrays, by k
+  CNearDiscs m_cNearDiscs;               // around their ways, as they would move alone, by k
   // Those in the open move as if they were alone. All the rest, and they only, are taken: in the order of the
   // arrays, and behind them those upon which another one has come meanwhile.
   std::vector<std::uint8_t> m_stdIsInvolved; // by k
@@ -230,7 +224,7 @@ private:
   std::uint32_t m_nFoundOf =
       g_nNobody; // ball whose shapes m_stdShapesFound are, and the disc that they are near
   CDiscGrid::CDisc m_cFoundIn{Vector2::Zero(), 0.0f};
-  std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound, m_stdLate, m_stdInTheWay;
+  std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound, m_stdInTheWay;
   std::vector<CTouching> m_stdTouching;
   std::vector<CFarness> m_stdDeep;
   CRestingContacts m_cResting;

@@ -17,7 +17,7 @@ void CContinuous::TakeBalls() {
   for (std::uint32_t i = 0; i < b.Size(); ++i)
     if (b.IsSolid(i)) m_stdSolid.push_back(i);
   FindDiscs();
-  m_cDiscGrid.Build(m_stdDiscs);
+  m_cNearDiscs.Build(GetSlack());
   FindInvolved();
   m_nFoundOf = g_nNobody;
 
@@ -43,12 +43,13 @@ CDiscGrid::CDisc CContinuous::GetDisc(const CMotion& motion, double sagitta) {
 }
 
 void CContinuous::FindDiscs() {
-  m_stdDiscs.resize(m_stdSolid.size());
+  std::vector<CDiscGrid::CDisc>& discs = m_cNearDiscs.GetDiscs();
+  discs.resize(m_stdSolid.size());
   double fastest = 0.0; // squared
   for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k) {
     const CMotion motion = GetFreeMotion(m_stdSolid[k]);
     fastest = std::max(fastest, motion.m_vVel.squaredNorm());
-    m_stdDiscs[k] = GetDisc(motion, m_fSagitta);
+    discs[k] = GetDisc(motion, m_fSagitta);
   }
   m_fFastest = std::sqrt(fastest);
 }
@@ -59,34 +60,23 @@ void CContinuous::FindInvolved() {
   CBallArrays& b = *m_pBalls;
   m_stdIsInvolved.assign(m_stdSolid.size(), 0);
   m_stdWoken.clear();
-  m_stdNear.clear();
-  m_stdNearOf.assign(m_stdSolid.size(), {0, 0});
-  m_bAreDiscsMoved = false;
   const bool anySleeps = AnySleeps();
-  const float reach = 2.0f * GetSlack();
   const auto wake = [&](std::uint32_t k) {
     b.m_stdCalm[m_stdSolid[k]] = 0.0f;
     m_stdWoken.push_back(k);
   };
   const auto look = [&](std::uint32_t k) {
-    const CDiscGrid::CDisc& disc = m_stdDiscs[k];
-    const auto begin = static_cast<std::ptrdiff_t>(m_stdNear.size());
-    m_cDiscGrid.FindNear(disc.m_vCenter, disc.m_fRadius + reach, [&](std::uint32_t other) {
-      if (other == k) return false;
+    for (const std::uint32_t other : m_cNearDiscs.FindAtBegin(k)) {
       m_stdIsInvolved[k] = m_stdIsInvolved[other] = 1;
-      m_stdNear.push_back(other);
       if (anySleeps && IsAsleep(m_stdSolid[other]) && IsOnWay(m_stdSolid[other], m_stdSolid[k])) wake(other);
-      return false;
-    });
-    std::sort(m_stdNear.begin() + begin, m_stdNear.end());
-    m_stdNear.erase(std::unique(m_stdNear.begin() + begin, m_stdNear.end()), m_stdNear.end());
-    m_stdNearOf[k] = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(m_stdNear.size())};
+    }
+    const CDiscGrid::CDisc& disc = m_cNearDiscs.Get(k);
     if (!m_stdIsInvolved[k] && !IsInTheOpen(GetFreeMotion(m_stdSolid[k]), disc)) m_stdIsInvolved[k] = 1;
   };
   for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k)
     if (!anySleeps || !IsAsleep(m_stdSolid[k]))
       look(k);
-    else if (MovesNear(m_stdDiscs[k]))
+    else if (MovesNear(m_cNearDiscs.Get(k)))
       wake(k);
   for (std::size_t w = 0; w < m_stdWoken.size(); ++w)
     look(m_stdWoken[w]);
@@ -111,7 +101,7 @@ bool CContinuous::MovesNear(const CDiscGrid::CDisc& disc) const {
 
 void CContinuous::TakeSolid(std::uint32_t k) {
   m_stdIndexOf[k] = static_cast<std::uint32_t>(m_stdBalls.size());
-  Take(m_stdSolid[k], m_stdDiscs[k]);
+  Take(m_stdSolid[k], m_cNearDiscs.Get(k));
   m_stdBalls.back().m_nSolid = k;
 }
 
@@ -136,16 +126,8 @@ void CContinuous::Take(std::size_t i, const CDiscGrid::CDisc& disc) {
 void CContinuous::MoveDisc(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   const CMotion motion = GetMotion(ball);
-  const CDiscGrid::CDisc disc = GetDisc(motion, motion.GetSagitta());
-  ball.m_cDisc = disc;
-  if (!m_bPairs || disc.IsWithin(m_stdDiscs[ball.m_nSolid], GetSlack())) return;
-  m_bAreDiscsMoved = true;
-  m_stdDiscs[ball.m_nSolid] = ball.m_cDisc;
-  // Those of the ways that it does not take any more have to be forgotten now and then.
-  if (m_cDiscGrid.Size() > g_nMostDiscs * m_stdDiscs.size())
-    m_cDiscGrid.Build(m_stdDiscs);
-  else
-    m_cDiscGrid.Move(ball.m_nSolid, ball.m_cDisc);
+  ball.m_cDisc = GetDisc(motion, motion.GetSagitta());
+  if (m_bPairs) m_cNearDiscs.Move(ball.m_nSolid, ball.m_cDisc);
 }
 
 // The balls whose ways come near that of this one and that it meets, each once, in the order in which they
@@ -159,10 +141,17 @@ void CContinuous::FindBalls(std::uint32_t i) {
 void CContinuous::FindAllBalls(std::uint32_t i) {
   m_stdBallsFound.clear();
   if (!m_bPairs) return;
-  if (m_bAreDiscsMoved)
-    SearchBalls(i);
-  else
-    FindBallsAtBegin(i);
+  m_cNearDiscs.Find(m_stdBalls[i].m_nSolid, m_stdBallsFound);
+  // Where it was not expected a ball may come upon those in the open.
+  bool anyLate = false;
+  for (std::uint32_t& found : m_stdBallsFound) {
+    if (m_stdIndexOf[found] == g_nNobody) {
+      TakeSolid(found);
+      anyLate = true;
+    }
+    found = m_stdIndexOf[found];
+  }
+  if (anyLate) std::sort(m_stdBallsFound.begin(), m_stdBallsFound.end());
   if (m_bFilters)
     std::erase_if(m_stdBallsFound, [&](std::uint32_t j) {
       const std::vector<CFilter>& filters = m_pBalls->m_stdFilter;
@@ -190,8 +179,7 @@ void CContinuous::FindCrowds() {
   m_bAnyCrowd = false;
   for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     CMoving& ball = m_stdBalls[i];
-    const auto [begin, end] = m_stdNearOf[ball.m_nSolid];
-    if (end - begin <= g_nMostDeep) continue;
+    if (ball.m_bIsAsleep || m_cNearDiscs.FindAtBegin(ball.m_nSolid).size() <= g_nMostDeep) continue;
     FindAllBalls(i);
     m_stdDeep.clear();
     for (const std::uint32_t j : m_stdBallsFound)
@@ -208,34 +196,6 @@ void CContinuous::FindCrowds() {
 bool CContinuous::IsBeyondCrowd(std::uint32_t i, std::uint32_t j) const {
   const CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
   return GetFarness(ball, other) > std::max(ball.m_cFarthestDeep, other.m_cFarthestDeep);
-}
-
-// As they were near each other when the substep began.
-void CContinuous::FindBallsAtBegin(std::uint32_t i) {
-  const auto [begin, end] = m_stdNearOf[m_stdBalls[i].m_nSolid];
-  for (std::uint32_t e = begin; e < end; ++e)
-    m_stdBallsFound.push_back(m_stdIndexOf[m_stdNear[e]]);
-}
-
-// Where it was not expected a ball may come upon those in the open.
-void CContinuous::SearchBalls(std::uint32_t i) {
-  const CDiscGrid::CDisc disc = m_stdBalls[i].m_cDisc;
-  m_cDiscGrid.FindNear(disc.m_vCenter, disc.m_fRadius + GetSlack(), [&](std::uint32_t k) {
-    if (m_stdIndexOf[k] == g_nNobody)
-      m_stdLate.push_back(k);
-    else if (m_stdIndexOf[k] != i)
-      m_stdBallsFound.push_back(m_stdIndexOf[k]);
-    return false;
-  });
-  // In their order, whatever that of the grid is.
-  std::sort(m_stdLate.begin(), m_stdLate.end());
-  for (const std::uint32_t k : m_stdLate) {
-    if (m_stdIndexOf[k] == g_nNobody) TakeSolid(k);
-    m_stdBallsFound.push_back(m_stdIndexOf[k]);
-  }
-  m_stdLate.clear();
-  std::sort(m_stdBallsFound.begin(), m_stdBallsFound.end());
-  m_stdBallsFound.erase(std::unique(m_stdBallsFound.begin(), m_stdBallsFound.end()), m_stdBallsFound.end());
 }
 
 // The floats of a place and a velocity, and under gravity what they lack.

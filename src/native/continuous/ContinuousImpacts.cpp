@@ -73,7 +73,8 @@ void CContinuous::FindBallImpacts(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   for (const std::uint32_t j : m_stdBallsFound) {
     const CMoving& other = m_stdBalls[j];
-    if (j == i || (ball.m_bIsHalted && other.m_bIsHalted) || AreAtRest(i, j)) continue;
+    if (!ball.m_cDisc.Overlaps(other.m_cDisc) || (ball.m_bIsHalted && other.m_bIsHalted) || AreAtRest(i, j))
+      continue;
     ++m_pStats->m_nSweeps;
     // Both from the time at which the later motion of the two begins; none beyond what stops it.
     const double start = std::max(ball.m_fTime, other.m_fTime), since = start - ball.m_fTime;

@@ -24,7 +24,7 @@ void CContinuous::FindRestingContacts() {
       CImpact impact;
       double gap;
       const double reach =
-          m_cResting.GetReach(Norm(ball.m_vVel - other.m_vVel), ball.m_bWasSqueezed || other.m_bWasSqueezed);
+          m_cResting.GetReach(Norm(ball.m_vVel - other.m_vVel), CRestingContacts::IsSqueezed(ball, other));
       if (j <= i || other.m_bIsAsleep || !NearBallBall(GetMotion(other), GetMotion(ball), reach, impact, gap))
         continue;
       m_cResting.Add(i, j, true, impact, gap);

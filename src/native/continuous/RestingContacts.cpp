@@ -124,8 +124,8 @@ void CRestingContacts::FindKnown() {
 void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
   FindKnown();
   std::erase_if(m_stdContacts, [&](const CContact& c) {
-    const bool isSqueezed =
-        balls[c.m_nBall].m_bWasSqueezed || (c.m_bIsBall && balls[c.m_nOther].m_bWasSqueezed);
+    const CMoving& ball = balls[c.m_nBall];
+    const bool isSqueezed = IsSqueezed(ball, c.m_bIsBall ? balls[c.m_nOther] : ball);
     const double speed = std::abs(GetSpeed(c, balls));
     return !((isSqueezed || speed <= m_fSlow) && c.m_fGap <= GetReach(speed, isSqueezed));
   });

@@ -53,6 +53,10 @@ public:
   void Remember(const std::vector<CMoving>& balls, std::size_t size);
   /// Of the ball of this index in the arrays.
   bool WasSqueezed(std::size_t ball) const { return ball < m_stdIsSqueezed.size() && m_stdIsSqueezed[ball]; }
+  /// Whether either of the two was: then both rest on each other at any speed.
+  static bool IsSqueezed(const CMoving& ball, const CMoving& other) {
+    return ball.m_bWasSqueezed || other.m_bWasSqueezed;
+  }
   /// The gap up to which two are a pair here, who move at this speed against each other.
   double GetReach(double speed, bool isSqueezed) const {
     return (isSqueezed ? m_fSlow + speed : m_fSlow) * m_fStep;

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "NearDiscs.h"
+
+namespace Shapes::Native {
+
+void CNearDiscs::Build(float slack) {
+  m_fSlack = slack;
+  m_cGrid.Build(m_stdDiscs);
+  m_stdLists.assign(m_stdDiscs.size(), {});
+  m_stdNear.clear();
+  m_stdCame.clear();
+}
+
+// Both of a pair may come nearer by the slack without having moved.
+void CNearDiscs::MakeList(std::uint32_t disc) {
+  const CDisc& d = m_stdDiscs[disc];
+  const auto begin = static_cast<std::ptrdiff_t>(m_stdNear.size());
+  m_cGrid.FindNear(d.m_vCenter, d.m_fRadius + 2.0f * m_fSlack, [&](std::uint32_t other) {
+    if (other != disc) m_stdNear.push_back(other);
+    return false;
+  });
+  std::sort(m_stdNear.begin() + begin, m_stdNear.end());
+  m_stdNear.erase(std::unique(m_stdNear.begin() + begin, m_stdNear.end()), m_stdNear.end());
+  m_stdLists[disc] = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(m_stdNear.size()),
+                      g_nNone};
+}
+
+// Unless it is there.
+void CNearDiscs::Come(std::uint32_t disc, CList& list) {
+  const std::span<const std::uint32_t> near = GetNear(list);
+  if (std::find(near.begin(), near.end(), disc) != near.end()) return;
+  for (std::uint32_t k = list.m_nCame; k != g_nNone; k = m_stdCame[k].m_nNext)
+    if (m_stdCame[k].m_nDisc == disc) return;
+  m_stdCame.push_back({disc, list.m_nCame});
+  list.m_nCame = static_cast<std::uint32_t>(m_stdCame.size() - 1);
+}
+
+void CNearDiscs::Move(std::uint32_t disc, const CDisc& to) {
+  if (to.IsWithin(m_stdDiscs[disc], m_fSlack)) return;
+  m_stdDiscs[disc] = to;
+  // Those of the ways that it does not take any more have to be forgotten now and then.
+  if (m_cGrid.Size() > g_nMostDiscs * m_stdDiscs.size())
+    m_cGrid.Build(m_stdDiscs);
+  else
+    m_cGrid.Move(disc, to);
+  MakeList(disc);
+  for (const std::uint32_t other : GetNear(m_stdLists[disc]))
+    if (CList& list = m_stdLists[other]; list.IsMade()) Come(disc, list);
+}
+
+std::span<const std::uint32_t> CNearDiscs::FindAtBegin(std::uint32_t disc) {
+  if (!m_stdLists[disc].IsMade()) MakeList(disc);
+  return GetNear(m_stdLists[disc]);
+}
+
+void CNearDiscs::Find(std::uint32_t disc, std::vector<std::uint32_t>& found) {
+  const std::span<const std::uint32_t> near = FindAtBegin(disc);
+  found.assign(near.begin(), near.end());
+  std::uint32_t k = m_stdLists[disc].m_nCame;
+  if (k == g_nNone) return;
+  for (; k != g_nNone; k = m_stdCame[k].m_nNext)
+    found.push_back(m_stdCame[k].m_nDisc);
+  std::sort(found.begin(), found.end());
+}
+
+} // namespace Shapes::Native

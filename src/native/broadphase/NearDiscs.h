@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "DiscGrid.h"
+
+namespace Shapes::Native {
+
+/// Which discs are near each other while some of them move: a list for each, which is made once, when it is
+/// asked for, and is made anew or grows where a disc has moved. A pile asks several times for each move: to
+/// search the grid each time would cost 5 to 10% more instructions of a step.
+class CNearDiscs {
+public:
+  using CDisc = CDiscGrid::CDisc;
+
+  /// The discs by their names 0, 1, ..: to be set before Build.
+  std::vector<CDisc>& GetDiscs() { return m_stdDiscs; }
+  const CDisc& Get(std::uint32_t disc) const { return m_stdDiscs[disc]; }
+  /// Forgets all lists.
+  /// @param slack  user units, not below 0: a disc that moves within one that is so much larger has not moved
+  void Build(float slack);
+  /// @param to  where it is, and its radius, from now on
+  void Move(std::uint32_t disc, const CDisc& to);
+  /// Takes into `found`, which is empty, all others that overlap it now, in the order of their names, and
+  /// some that are near or were.
+  void Find(std::uint32_t disc, std::vector<std::uint32_t>& found);
+  /// The same until any is moved.
+  std::span<const std::uint32_t> FindAtBegin(std::uint32_t disc);
+
+private:
+  // In m_stdNear from begin to end, by name; and those that have come since.
+  struct CList {
+    std::uint32_t m_nBegin = g_nNone, m_nEnd = g_nNone, m_nCame = g_nNone;
+    bool IsMade() const { return m_nBegin != g_nNone; }
+  };
+  struct CCame {
+    std::uint32_t m_nDisc, m_nNext;
+  };
+  std::span<const std::uint32_t> GetNear(const CList& list) const {
+    return std::span(m_stdNear).subspan(list.m_nBegin, list.m_nEnd - list.m_nBegin);
+  }
+  void MakeList(std::uint32_t disc);
+  void Come(std::uint32_t disc, CList& list);
+
+  static constexpr std::uint32_t g_nNone = 0xFFFFFFFFu;
+  float m_fSlack = 0.0f;
+  std::vector<CDisc> m_stdDiscs; // around all where each has been since it moved
+  CDiscGrid m_cGrid;
+  std::vector<CList> m_stdLists;
+  std::vector<std::uint32_t> m_stdNear;
+  std::vector<CCame> m_stdCame;
+};
+
+} // namespace Shapes::Native

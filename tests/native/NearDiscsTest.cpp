@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "native/broadphase/NearDiscs.h"
+
+#include "../Testing.h"
+
+namespace Shapes::Native {
+namespace {
+
+using CDisc = CNearDiscs::CDisc;
+
+bool Overlap(const CDisc& a, const CDisc& b) {
+  return Length(b.m_vCenter - a.m_vCenter) < a.m_fRadius + b.m_fRadius;
+}
+
+// Each is asked for its list at times, moves by less than the slack, or goes elsewhere.
+TEST(NearDiscs, FindEachOnceThatOverlapsNow) {
+  constexpr float slack = 0.1f;
+  constexpr std::uint32_t n = 200;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    CRandom random(seed);
+    CNearDiscs near;
+    std::vector<CDisc>& discs = near.GetDiscs();
+    for (std::uint32_t i = 0; i < n; ++i)
+      discs.push_back({random.InSquare(5.0f), random.Uniform(0.1f, 0.5f)});
+    std::vector<CDisc> now = discs;
+    near.Build(slack);
+    std::size_t overlaps = 0;
+    for (int turn = 0; turn < 4000; ++turn) {
+      const std::uint32_t k = random.Below(n);
+      if (random.Coin()) {
+        now[k].m_vCenter = near.Get(k).m_vCenter + random.VectorOfLength(0.0f, 0.99f * slack);
+        if (random.Coin()) now[k].m_vCenter = now[random.Below(n)].m_vCenter + random.InSquare(1.0f);
+        near.Move(k, now[k]);
+        continue;
+      }
+      std::vector<std::uint32_t> found, expected;
+      near.Find(k, found);
+      EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+      EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << "twice";
+      EXPECT_FALSE(std::binary_search(found.begin(), found.end(), k)) << "itself";
+      for (std::uint32_t j = 0; j < n; ++j)
+        if (j != k && Overlap(now[j], now[k])) expected.push_back(j);
+      EXPECT_TRUE(std::includes(found.begin(), found.end(), expected.begin(), expected.end()));
+      overlaps += expected.size();
+    }
+    EXPECT_GT(overlaps, 2000u) << "nothing was tried";
+  }
+}
+
+} // namespace
+} // namespace Shapes::Native
