@@ -65,10 +65,10 @@ TEST(Pile, APileComesToRestAndLosesNone) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed)
     ExpectRest(50, true, 0.0f, seed, &halted);
   EXPECT_LT(halted, 2100u);
-  // Without the momentum of the search for impulses both still overlap by a hundredth of a radius after 15
-  // seconds. (21 balls in a row are wider than this box by a thousandth, so that some piles keep overlaps of
-  // .0045 even so: 5 of the first 24.)
-  for (const std::uint64_t seed : {2u, 3u, 5u})
+  // Without the momentum of the search for impulses some still overlap by a hundredth of a radius after 15
+  // seconds. 21 balls in a row are wider than this box by a thousandth: where none of a row is lifted the
+  // last four piles keep overlaps of .004.
+  for (const std::uint64_t seed : {2u, 3u, 5u, 6u, 12u, 13u, 20u})
     ExpectRest(200, false, 0.5f, seed);
   // The control.
   CPile pile(g_cApproximate, 120, false, 0.5f, 1);

@@ -122,7 +122,6 @@ void CRestingContacts::FindKnown() {
 }
 
 void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
-  FindKnown();
   std::erase_if(m_stdContacts, [&](const CContact& c) {
     const CMoving& ball = balls[c.m_nBall];
     const bool isSqueezed = IsSqueezed(ball, c.m_bIsBall ? balls[c.m_nOther] : ball);
@@ -200,7 +199,10 @@ void CRestingContacts::SolvePile(std::span<CContact> pile, std::vector<CMoving>&
   for (const CContact& c : pile) {
     CContactSolver::CRow row =
         MakeRow(c, balls, [&](std::uint32_t i) { return Vector2d(balls[i].m_vVel + m_vGravity * dt); });
-    row.m_fLeast = c.m_fSpeed - 0.5 * c.m_fBend * dt - std::max(0.0, c.m_fGap) / dt;
+    double bend = 0.5 * c.m_fBend * dt;
+    // Of two balls that slide along each other it is less at the end than at these velocities.
+    if (c.m_bIsBall) bend = std::min(bend, g_fPassedOverlap * GetSmallerRadius(c, balls) / dt);
+    row.m_fLeast = c.m_fSpeed - bend - std::max(0.0, c.m_fGap) / dt;
     m_cSolver.Add(row, c.m_fImpulse);
     surface = std::max(surface, std::abs(c.m_fSpeed));
   }

@@ -114,6 +114,8 @@ private:
   std::uint32_t FindRoot(std::uint32_t ball);
   double GetSpeed(const CContact& c, const std::vector<CMoving>& balls) const;
   void Order(std::vector<CMoving>& balls);
+  static double GetSmallerRadius(const CContact& c, const std::vector<CMoving>& balls);
+  bool IsJammed(const CContact& c, const std::vector<CMoving>& balls) const;
   void FindKnown();
   void FindNeighbours(std::size_t balls);
   // Calls f(ball, energy of its pile, what it was lifted).

@@ -5,6 +5,7 @@
 #include "../../Tolerances.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -23,13 +24,35 @@ void CRestingContacts::Order(std::vector<CMoving>& balls) {
   Sort();
 }
 
+double CRestingContacts::GetSmallerRadius(const CContact& c, const std::vector<CMoving>& balls) {
+  const double radius = balls[c.m_nBall].m_fRadius;
+  return c.m_bIsBall ? std::min(radius, balls[c.m_nOther].m_fRadius) : radius;
+}
+
+// Whether two balls are in a row that is longer than its room: squeezed by a wall, or level and at rest in a
+// pile and still in each other. It has nowhere to go but up, and no contact in it says so.
+bool CRestingContacts::IsJammed(const CContact& c, const std::vector<CMoving>& balls) const {
+  FailIf(!c.m_bIsBall);
+  const double overlap = -c.m_fGap / GetSmallerRadius(c, balls);
+  const double slow = g_fSleepSpeed * Norm(m_vGravity) * m_fStep;
+  const auto isAtRest = [&](std::uint32_t i) {
+    return balls[i].m_bHasPressed && Norm(balls[i].m_vVel) <= slow;
+  };
+  const bool isLevel = std::abs(c.m_vNorm.dot(m_vUp)) < g_fLevel;
+  const bool isStill = isLevel && isAtRest(c.m_nBall) && isAtRest(c.m_nOther);
+  return overlap > (isStill ? g_fSleepOverlap : g_fSqueezedDepth);
+}
+
 void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   m_stdLifts.assign(balls.size(), 0.0);
   Order(balls);
-  const auto smaller = [&balls](const CContact& c) {
-    const double radius = balls[c.m_nBall].m_fRadius;
-    return c.m_bIsBall ? std::min(radius, balls[c.m_nOther].m_fRadius) : radius;
-  };
+  FindKnown();
+  for (const CContact& c : m_stdContacts)
+    if (c.m_fImpulse > 0.0) {
+      balls[c.m_nBall].m_bHasPressed = true;
+      if (c.m_bIsBall) balls[c.m_nOther].m_bHasPressed = true;
+    }
+  const auto smaller = [&balls](const CContact& c) { return GetSmallerRadius(c, balls); };
   double least = std::numeric_limits<double>::infinity(); // overlap that may stay
   bool any = false;
   for (const CContact& c : m_stdContacts) {
@@ -44,9 +67,7 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   for (const CContact& c : m_stdContacts) {
     CContactSolver::CRow row = MakeRow(c, balls, [](std::uint32_t) { return Vector2d(Vector2d::Zero()); });
     row.m_fLeast = -c.m_fGap / m_fStep;
-    // A row that is squeezed has nowhere to go but up, and no contact in it says so.
-    if (c.m_bIsBall && -c.m_fGap > g_fSqueezedDepth * smaller(c))
-      row.m_vNorm = Unit(c.m_vNorm + g_fLift * m_vUp, c.m_vNorm);
+    if (IsJammed(c, balls)) row.m_vNorm = Unit(c.m_vNorm + g_fLift * m_vUp, c.m_vNorm);
     m_cSolver.Add(row, 0.0);
   }
   // Where many are in one place they need not come apart in one substep.
