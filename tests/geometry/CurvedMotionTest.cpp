@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Sweeps against shapes that turn: against the exact reference, against distances alone, and how long they
-// take.
+// Sweeps against shapes that turn: against the exact reference, and how long they take.
 #include "ImpactTesting.h"
 
 namespace Shapes::Geometry {
 namespace {
-
-using Compare::Tests::CSweepOracle;
-using Compare::Tests::real;
 
 TEST(SweepTurning, AgreesWithTheReference) {
   const bool turns = true;
@@ -27,44 +23,11 @@ TEST(SweepTurning, AgreesWith50Digits) {
     ExpectAgrees<CFifty>(type, eSides::Both, true, 110, 100);
 }
 
-// A trial against something with both sides, clear of it at the beginning.
-CTrial ClearTrial(CRandom& random) {
-  for (;;) {
-    const CTrial trial = RandomTrial(random, g_eTypes[random.Below(4)], eSides::Both, true);
-    const bool fits = trial.m_cMotion.m_fRadius < trial.m_cShape.m_fRadius;
-    if (trial.m_cShape.m_fTurnSpeed != 0.0 && MakeOracle(trial.m_cShape, trial.m_cMotion).Gap(0) > 1e-9L &&
-        (fits || trial.m_cShape.m_eShapeType != eShape::Arc))
-      return trial;
-  }
-}
-
-// The control: Newton's method on the same gap steps over impacts.
-TEST(SweepTurning, NewtonMissesImpacts) {
-  int hits = 0, missed = 0;
-  ForEachCase(62, 1000, [&](CRandom& random, int) {
-    const CTrial trial = ClearTrial(random);
-    CImpact impact;
-    if (Sweep(trial.m_cShape, trial.m_cMotion, 0.0, impact) != eSweep::Impact) return;
-    ++hits;
-    const CSweepOracle oracle = MakeOracle(trial.m_cShape, trial.m_cMotion);
-    real t = 0, gap = oracle.Gap(t);
-    for (int k = 0; k < 100 && gap > 1e-12L && t < trial.m_cMotion.m_fDuration; ++k) {
-      const real slope = (oracle.Gap(t + 1e-9L) - gap) / 1e-9L;
-      if (slope >= 0) break;
-      t -= gap / slope;
-      gap = oracle.Gap(t);
-    }
-    missed += std::abs(gap) > 1e-9L || std::abs(static_cast<double>(t) - impact.m_fTime) > 1e-6;
-  });
-  EXPECT_GT(hits, 200);
-  EXPECT_GT(missed, hits / 20);
-}
-
 // The same shape, turned before.
 TEST(SweepTurning, TheLegMayBeginLater) {
   int hits = 0;
   ForEachCase(63, 2000, [&](CRandom& random, int) {
-    const CTrial trial = ClearTrial(random);
+    const CTrial trial = ClearTrial(random, g_eTypes[random.Below(4)], eSides::Both, true);
     const double start = random.Unit();
     CImpact later, turned;
     const eSweep found = Sweep(trial.m_cShape, trial.m_cMotion, start, later);

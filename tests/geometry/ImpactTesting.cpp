@@ -116,10 +116,34 @@ CTrial RandomTrial(CRandom& random, eShape type, eSides sides, bool turns) {
   return trial;
 }
 
+CTrial ClearTrial(CRandom& random, eShape type, eSides sides, bool turns, bool falls) {
+  const auto inSquare = [&](double half) {
+    const double x = Between(random, -half, half), y = Between(random, -half, half);
+    return Vector2d(x, y);
+  };
+  for (;;) {
+    CTrial trial{RandomOutline(random, type, sides, turns), {}};
+    CMotion& motion = trial.m_cMotion;
+    motion.m_fRadius = Between(random, 0.01, 0.5);
+    motion.m_vPos = inSquare(2.0);
+    const Vector2d target = inSquare(1.0);
+    motion.m_vVel = (target - motion.m_vPos) * Between(random, falls ? 0.0 : 0.5, 3.0);
+    motion.m_fDuration = 1.0;
+    if (turns) {
+      motion.m_fDuration = Between(random, 0.01, 0.2);
+      motion.m_vVel *= Between(random, 0.0, 8.0);
+    }
+    if (falls) motion.m_vAcc = inSquare(turns ? 200.0 : 10.0);
+    // What turns about its own centre is no trial of a turn.
+    const bool stays = turns && trial.m_cShape.m_vRotCenter == trial.m_cShape.m_vCenter;
+    if (!stays && MakeOracle(trial.m_cShape, motion).Gap(0) > 1e-6L) return trial;
+  }
+}
+
 double GapBound(const CTrial& trial) {
   const CShapeGeometry& o = trial.m_cShape;
   const CMotion& motion = trial.m_cMotion;
-  const double way = motion.m_vVel.norm() * motion.m_fDuration,
+  const double way = motion.m_vVel.norm() * motion.m_fDuration + 4.0 * motion.GetSagitta(),
                angle = std::abs(o.m_fTurnSpeed) * motion.m_fDuration;
   const double size =
       std::max(o.m_fSize, motion.m_vPos.cwiseAbs().maxCoeff() + o.m_fRadius) + motion.m_fRadius;

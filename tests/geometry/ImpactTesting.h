@@ -28,6 +28,9 @@ CShapeGeometry RandomOutline(CRandom& random, eShape type, eSides sides, bool tu
 /// Against such a shape: ways of 0.01 to 10,000 radii, at random, or grazing, or from almost touching, or
 /// from exactly on the shape, or right at an end.
 CTrial RandomTrial(CRandom& random, eShape type, eSides sides, bool turns = false);
+/// Of a ball that is clear of the shape at the beginning, on a path that goes near it: straight, or a
+/// parabola if it `falls`.
+CTrial ClearTrial(CRandom& random, eShape type, eSides sides, bool turns, bool falls = false);
 
 /// The error bound of Sweep.h as a gap: of the time it is this divided by the approach speed.
 double GapBound(const CTrial& trial);
@@ -39,25 +42,25 @@ bool OverlapsInside(const CTrial& trial);
 inline Compare::CShapeGeometry<double> ForReference(const CShapeGeometry& o) {
   return {o.m_eShapeType, o.m_eSides, o.m_bFull, o.m_bWide, o.m_vCenter, o.m_vPt0, o.m_vPt1, o.m_fRadius};
 }
-/// Distances by closest points and angles alone, in long double.
-inline Compare::Tests::CSweepOracle MakeOracle(const CShapeGeometry& o, const CMotion& motion) {
-  return {ForReference(o),
-          {o.m_vRotCenter, o.m_fTurnSpeed},
-          {motion.m_vPos, motion.m_vVel, motion.m_fRadius, motion.m_vAcc},
-          motion.m_fDuration};
-}
 template <class T>
 Compare::CVec<T> To(const Vector2d& v) {
   return {T(v.x()), T(v.y())};
+}
+/// The ball of the reference, larger by `more`.
+template <class T>
+Compare::CSweptBall<T> BallOf(const CMotion& motion, double more = 0.0) {
+  return {To<T>(motion.m_vPos), To<T>(motion.m_vVel), T(motion.m_fRadius) + T(more), To<T>(motion.m_vAcc)};
+}
+/// Distances by closest points and angles alone, in long double.
+inline Compare::Tests::CSweepOracle MakeOracle(const CShapeGeometry& o, const CMotion& motion) {
+  return {ForReference(o), {o.m_vRotCenter, o.m_fTurnSpeed}, BallOf<double>(motion), motion.m_fDuration};
 }
 /// The reference, the radius of the ball being larger by `more`.
 template <class T>
 bool SweepExactly(const CTrial& trial, Compare::CHit<T>& hit, double more = 0.0) {
   const CShapeGeometry& o = trial.m_cShape;
-  const CMotion& motion = trial.m_cMotion;
   return Compare::Sweep<T>(ForReference(o).template Cast<T>(), {To<T>(o.m_vRotCenter), T(o.m_fTurnSpeed)},
-                           {To<T>(motion.m_vPos), To<T>(motion.m_vVel), T(motion.m_fRadius) + T(more)},
-                           T(motion.m_fDuration), hit);
+                           BallOf<T>(trial.m_cMotion, more), T(trial.m_cMotion.m_fDuration), hit);
 }
 
 /// Runs trials against the reference with T. Wherever the answer of a ball that is larger or smaller by the

@@ -19,45 +19,6 @@ CMotion MakeRandomMotion(CRandom& random) {
   return motion;
 }
 
-// The control is the way without gravity.
-TEST(ParabolicMotion, FindsTheFirstImpactOnAParabola) {
-  int impacts = 0, others = 0;
-  ForEachCase(17, 1200, [&](CRandom& random, int i) {
-    const std::unique_ptr<CShape> pShape = MakeRandomShape(random, i, Vector2::Zero());
-    const CMotion motion = MakeRandomMotion(random);
-    const CShapeGeometry geometry = MakeShapeGeometry(*pShape, 0.0);
-    const auto oracle = MakeOracle(geometry, motion);
-    if (oracle.Gap(0) <= 0) return; // begins in it
-    const auto first = oracle.FirstImpact();
-    CImpact impact;
-    const eSweep found = Sweep(geometry, motion, 0.0, impact);
-    ASSERT_NE(found, eSweep::OutOfIterations) << i;
-    if (!first) { // or hardly
-      if (found == eSweep::Impact) {
-        EXPECT_LT(std::abs(motion.VelAt(impact.m_fTime).dot(impact.m_vNorm)), 0.01) << i;
-      }
-      return;
-    }
-    ++impacts;
-    ASSERT_EQ(found, eSweep::Impact) << i;
-    const double exact = static_cast<double>(*first);
-    const double approach = -motion.VelAt(impact.m_fTime).dot(impact.m_vNorm);
-    EXPECT_GT(approach, 0.0);
-    // The documented bound, size and speed being below 20, with a factor of 4 for the search.
-    EXPECT_LT(std::abs(impact.m_fTime - exact) * std::min(approach, 1.0),
-              4.0 * (64 + 16) * 20.0 * std::numeric_limits<double>::epsilon())
-        << i;
-    EXPECT_NEAR(static_cast<double>(oracle.Gap(impact.m_fTime)), 0.0, 1e-12);
-    CMotion straight = motion;
-    straight.m_vAcc = Vector2d::Zero();
-    CImpact other;
-    others +=
-        Sweep(geometry, straight, 0.0, other) != eSweep::Impact || std::abs(other.m_fTime - exact) > 1e-3;
-  });
-  EXPECT_GT(impacts, 100);
-  EXPECT_GT(others, impacts / 2);
-}
-
 // The control is a ball that stands still. The test has to tell so of most of those that stay away, or it is
 // of no use.
 TEST(ParabolicMotion, ABallThatIsOutOfTheWayStaysAway) {
