@@ -110,9 +110,8 @@ TEST(DetectBounds, LineSegCircle) {
   CHitErrors errors("CollideLineSegCircle", 5000);
   CBroken naive("Setback from a segment by gradients");
   ForEachCase(1703, 2 * g_nDetectBoundsTrials, [&](CRandom& random, int i) {
-    const float size = AnySize(random), r = size * random.Scale(-10, 2);
-    const Vector2 from = AnyPlace(random, size);
-    const Vector2 to = from + AnyWay(random, size);
+    const auto [size, from, to] = AnyPlaces(random);
+    const float r = size * random.Scale(-10, 2);
     const CLineSeg seg(CLineSegDesc(from, to));
     const Vector2 &p0 = seg.GetEndPt0(), &p1 = seg.GetEndPt1();
     if (p0 == p1) return;
@@ -146,9 +145,8 @@ TEST(DetectBounds, ApproachSpeed) {
   CBroken naive("Approach speed as the loss of distance");
   const CBackend& native = *GetBackend(eBackend::Native);
   ForEachCase(1704, g_nDetectBoundsTrials, [&](CRandom& random, int i) {
-    const float size = AnySize(random), r = size * random.Scale(-10, 2);
-    const Vector2 from = AnyPlace(random, size);
-    const Vector2 to = from + AnyWay(random, size);
+    const auto [size, from, to] = AnyPlaces(random);
+    const float r = size * random.Scale(-10, 2);
     CLineSegDesc desc(from, to);
     desc.m_fRotSpeed = random.SignedScale(-8, 6);
     desc.m_vRotCenter = from + AnyWay(random, size);

@@ -38,6 +38,17 @@ inline Vector2 AnyPlace(CRandom& random, float size) {
   }
 }
 
+/// A size, a place for something of it, and one as far from that.
+struct CPlaces {
+  float m_fSize;
+  Vector2 m_vPos, m_vOther;
+};
+inline CPlaces AnyPlaces(CRandom& random) {
+  const float size = AnySize(random);
+  const Vector2 p = AnyPlace(random, size);
+  return {size, p, p + AnyWay(random, size)};
+}
+
 /// A number close to 1: within a few ulps up to a few percent.
 inline float NearOne(CRandom& random) { return 1.0f + random.SignedScale(-23, -5); }
 

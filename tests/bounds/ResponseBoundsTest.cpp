@@ -109,9 +109,9 @@ TYPED_TEST(ResponseBounds, OfTwoBalls) {
 TYPED_TEST(ResponseBounds, CapSpeed) {
   using T = TypeParam;
   CKept worst("CapSpeed", 1000);
-  ForEachCase(1603, g_nResponseBoundsTrials, [&](CRandom& random, int) {
-    const float most = AnySize(random);
-    const TVec<T> v = AnyVel<T>(random);
+  ForEachCase(1603, g_nResponseBoundsTrials, [&](CRandom& random, int i) {
+    const float most = AnySize(random), nearly = most * NearOne(random);
+    const TVec<T> v = i % 2 ? AnyVel<T>(random) : TVec<T>(AnyWay(random, nearly).cast<T>());
     TVec<T> got = v;
     const bool cut = CapSpeed(got, most);
     const CVec e = Exact(v);

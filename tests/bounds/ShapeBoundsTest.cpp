@@ -24,9 +24,7 @@ CVec Along(float m) { return std::isinf(m) ? CVec{0, 1} : Unit(CVec{1, m}); }
 float AnyGradient(CRandom& random) { return random.Below(20) ? random.SignedScale(-60, 60) : g_fInf; }
 
 CLineSegDesc AnySegment(CRandom& random) {
-  const float size = AnySize(random);
-  const Vector2 p0 = AnyPlace(random, size);
-  const Vector2 p1 = p0 + AnyWay(random, size);
+  const auto [size, p0, p1] = AnyPlaces(random);
   return CLineSegDesc(p0, p1);
 }
 
@@ -34,9 +32,8 @@ TEST(LineBounds, ClosestPtOfALine) {
   CKept worst("CLine::ClosestPt", g_nLineBoundsTrials);
   CBroken naive("CLine::ClosestPt by gradients");
   ForEachCase(1101, g_nLineBoundsTrials, [&](CRandom& random, int) {
-    const float size = AnySize(random), m = AnyGradient(random);
-    const Vector2 p = AnyPlace(random, size);
-    const Vector2 q = p + AnyWay(random, size);
+    const auto [size, p, q] = AnyPlaces(random);
+    const float m = AnyGradient(random);
     const CVec exact = ClosestOnLine(Exact(p), Along(m), Exact(q));
     const CFifty bound = 4 * g_fUlp * (Norm(Exact(q)) + Gap(Exact(q), Exact(p)));
     worst.See(Exact(CLine(p, m).ClosestPt(q)), exact, bound);
@@ -48,10 +45,8 @@ TEST(LineBounds, Intersect) {
   CKept worst("CLine::Intersect", 10000);
   CBroken naive("CLine::Intersect by gradients");
   ForEachCase(1102, g_nLineBoundsTrials, [&](CRandom& random, int i) {
-    const float size = AnySize(random), m0 = AnyGradient(random);
-    const float m1 = i % 3 ? AnyGradient(random) : m0 * NearOne(random);
-    const Vector2 p = AnyPlace(random, size);
-    const Vector2 q = p + AnyWay(random, size);
+    const auto [size, p, q] = AnyPlaces(random);
+    const float m0 = AnyGradient(random), m1 = i % 3 ? AnyGradient(random) : m0 * NearOne(random);
     const CVec d0 = Along(m0), d1 = Along(m1);
     const CFifty sine = abs(Cross(d0, d1));
     if (sine < CFifty(0x1p-20)) return;
@@ -122,6 +117,7 @@ TEST(LineBounds, NormalsTangentsAndMidpointsOfSegments) {
     seg.GetTangents(t0, t1);
     tangent.See(Exact(t0), t, 2 * g_fUlp);
     tangent.See(CFifty(-1) * Exact(t1), t, 2 * g_fUlp);
+    ASSERT_TRUE(t0 == -t1 && seg.GetNormal() == perp(t0));
     normal.See(Exact(seg.GetNormal()), Left(t), 2 * g_fUlp);
     normal.See(Exact(desc.GetNormal()), Left(t), 2 * g_fUlp);
     unit.See(abs(Norm(Exact(seg.GetNormal())) - 1), g_fUlp);
@@ -220,7 +216,10 @@ TEST(CircleBounds, CommonTangents) {
   CBroken naive("Common tangents by the tangent length");
   ForEachCase(1203, g_nCircleBoundsTrials, [&](CRandom& random, int i) {
     const float r0 = AnySize(random);
-    const float r1 = i % 4 == 0 ? r0 : i % 4 == 1 ? r0 * NearOne(random) : r0 * random.Scale(-12, 12);
+    const float r1 = i % 4 == 0   ? r0
+                     : i % 4 == 1 ? r0 * NearOne(random)
+                     : i % 8 == 2 ? 0.0f
+                                  : r0 * random.Scale(-12, 12);
     const Vector2 c0 = AnyPlace(random, r0);
     const float nested = std::abs(r0 - r1);
     const float away = i % 2 && nested > 0.0f ? nested * NearOne(random) : (r0 + r1) * random.Scale(-8, 8);
@@ -228,8 +227,10 @@ TEST(CircleBounds, CommonTangents) {
     const CVec e0 = Exact(c0), e1 = Exact(c1);
     const CFifty f0 = r0, f1 = r1, d = Gap(e0, e1);
     const CCircle a = Circle(c0, r0), b = Circle(c1, r1);
-    CLineSegDesc t[2];
+    CLineSegDesc t[2], first;
     const bool got = a.Tangents(&b, t[0], t[1]);
+    ASSERT_EQ(a.Tangent(&b, first), got);
+    ASSERT_TRUE(first.GetEndPt0() == t[0].GetEndPt0() && first.GetEndPt1() == t[0].GetEndPt1());
     exists.SeeAnswer(!got, abs(f0 - f1) - d, 2 * g_fUlp * d);
     if (!got || d - abs(f0 - f1) <= 16 * g_fUlp * d) return;
     const CFifty bound = 8 * g_fUlp * (Norm(e0) + Norm(e1) + f0 + f1);
@@ -370,9 +371,7 @@ TEST(BoxBounds, TranslateWidthAndHeight) {
       width("CAabb2D::GetWidth, GetHt", g_nBoxBoundsTrials);
   CBroken naive("Width of a box that was moved");
   ForEachCase(1401, g_nBoxBoundsTrials, [&](CRandom& random, int) {
-    const float size = AnySize(random);
-    const Vector2 p = AnyPlace(random, size);
-    const Vector2 q = p + AnyWay(random, size);
+    const auto [size, p, q] = AnyPlaces(random);
     CAabb2D box(p, q);
     const CVec tl = Exact(box.GetTopLeft()), br = Exact(box.GetBottomRt());
     const auto see = [&](CWorst& worst) {
@@ -390,9 +389,7 @@ TEST(BoxBounds, TranslateWidthAndHeight) {
 
 TEST(BoxBounds, PointsAndSegmentsHaveExactBoxes) {
   ForEachCase(1402, g_nBoxBoundsTrials, [&](CRandom& random, int) {
-    const float size = AnySize(random);
-    const Vector2 p = AnyPlace(random, size);
-    const Vector2 q = p + AnyWay(random, size);
+    const auto [size, p, q] = AnyPlaces(random);
     const CAabb2D point = CPoint(CPointDesc(p)).GetAABB(), seg = CLineSeg(CLineSegDesc(p, q)).GetAABB();
     ASSERT_TRUE(point.GetTopLeft() == p && point.GetBottomRt() == p);
     ASSERT_EQ(seg.GetTopLeft(), Vector2(std::min(p.x(), q.x()), std::max(p.y(), q.y())));
@@ -423,20 +420,15 @@ TEST(BoxBounds, Circles) {
 TEST(BoxBounds, Arcs) {
   CKept worst("CArc::GetAABB", g_nBoxBoundsTrials);
   CBroken naive("Box of an arc by its ends");
-  ForEachCase(1404, 2 * g_nBoxBoundsTrials, [&](CRandom& random, int i) {
-    const float r = AnySize(random);
-    const Vector2 c = AnyPlace(random, r);
-    const float a0 = AnyAngle(random);
-    const float a1 = i % 3 ? AnyAngle(random) : a0 + (i % 2 ? g_fPi : -g_fPi) * NearOne(random);
-    const CArcDesc desc(c, r, a0, a1);
+  ForEachCase(1404, 2 * g_nBoxBoundsTrials, [&](CRandom& random, int) {
+    const CArcDesc desc = AnyArc(random);
     const CArc arc(desc);
     const CAabb2D& box = arc.GetAABB();
-    CFifty span = Turn(CFifty(desc.GetAngle1()) - CFifty(desc.GetAngle0()));
-    if (span == 0) span = 2 * Pi();
-    const CArcOracle exact{Exact(c), r, desc.GetAngle0(), span};
-    const CFifty bound = 4 * g_fUlp * (Norm(Exact(c)) + r);
-    const CFifty right = c.x() + exact.Reach(0), top = c.y() + exact.Reach(Pi() / 2),
-                 left = c.x() - exact.Reach(Pi()), bottom = c.y() - exact.Reach(3 * Pi() / 2);
+    const CArcOracle exact = Exactly(desc);
+    const CFifty bound = 4 * g_fUlp * Size(desc);
+    const CVec& c = exact.m_vCenter;
+    const CFifty right = c.x + exact.Reach(0), top = c.y + exact.Reach(Pi() / 2),
+                 left = c.x - exact.Reach(Pi()), bottom = c.y - exact.Reach(3 * Pi() / 2);
     worst.See(abs(box.GetBottomRt().x() - right), bound);
     worst.See(abs(box.GetTopLeft().y() - top), bound);
     worst.See(abs(box.GetTopLeft().x() - left), bound);

@@ -66,9 +66,7 @@ TEST(ShapeMathBounds, RotatePt) {
   CKept worst("RotatePt", g_nShapeMathBoundsTrials);
   CBroken naive("RotatePt in float");
   ForEachCase(1004, g_nShapeMathBoundsTrials, [&](CRandom& random, int i) {
-    const float size = AnySize(random);
-    const Vector2 center = AnyPlace(random, size);
-    const Vector2 p = center + AnyWay(random, size);
+    const auto [size, center, p] = AnyPlaces(random);
     const float angle = i % 50 ? AnyAngle(random) : random.SignedScale(10, 120);
     const CVec exact = Turned(Exact(p), Exact(center), angle);
     const CFifty bound = g_fUlp * (Norm(Exact(center)) + Gap(Exact(p), Exact(center)));
@@ -127,9 +125,7 @@ TEST(RotationBounds, Rotate) {
       arcs("CKinematicArc::Rotate", g_nRotationBoundsTrials);
   CBroken naive("Rotate in eight parts");
   ForEachCase(1501, g_nRotationBoundsTrials, [&](CRandom& random, int i) {
-    const float size = AnySize(random);
-    const Vector2 center = AnyPlace(random, size);
-    const Vector2 p = center + AnyWay(random, size);
+    const auto [size, center, p] = AnyPlaces(random);
     const Vector2 q = p + AnyWay(random, size);
     const float angle = i % 2 ? AnyAngle(random) : random.SignedScale(0, 29);
     const auto see = [&](CWorst& worst, const Vector2& is, const Vector2& was) {
@@ -148,6 +144,7 @@ TEST(RotationBounds, Rotate) {
     CKinematicLineSeg seg(desc);
     seg.Rotate(center, angle);
     // Which end comes first may have changed.
+    EXPECT_LE(seg.GetEndPt0().x(), seg.GetEndPt1().x());
     const CVec t0 = Turned(Exact(desc.GetEndPt0()), Exact(center), angle);
     const bool swapped = Gap(Exact(seg.GetEndPt0()), t0) > Gap(Exact(seg.GetEndPt1()), t0);
     see(segments, swapped ? seg.GetEndPt1() : seg.GetEndPt0(), desc.GetEndPt0());

@@ -79,6 +79,8 @@ TEST_P(CPairContract, BallsShareSetbackAndMomentumByMass) {
   EXPECT_NEAR(still.GetVel().y(), -3.0f, 0.01f);
   EXPECT_NEAR(ball.GetPos().y() - 0.07f, 0.75f * c.m_fSetback, 1e-6f);
   EXPECT_NEAR(-0.1f - still.GetPos().y(), 0.25f * c.m_fSetback, 1e-6f);
+  for (const CDynamicCircle* pBall : {&still, &ball}) // boxes follow
+    EXPECT_NEAR(pBall->GetAABB().GetTopLeft().y(), pBall->GetPos().y() + 0.1f, 1e-6f);
 }
 
 TEST_P(CPairContract, BallsThatBothMoveOnlyTouchAfterTheResponse) {

@@ -28,19 +28,6 @@ TEST(Line, ParallelLinesHaveNoIntersection) {
   EXPECT_EQ(CLine({1.0f, 0.0f}, 0.0f).Intersect(CLine({1.0f, 3.0f}, -0.0f)), Vector2(g_fInf, g_fInf));
 }
 
-TEST(LineSeg, FirstEndIsTheLeftOneWhateverOrderTheyAreGivenIn) {
-  ForEachCase(51, 1000, [&](CRandom& random, int) {
-    const Vector2 a = random.InSquare(10.0f), b = random.InSquare(10.0f);
-    const CLineSeg ab(CLineSegDesc(a, b)), ba(CLineSegDesc(b, a));
-    EXPECT_LE(ab.GetEndPt0().x(), ab.GetEndPt1().x());
-    EXPECT_EQ(ab.GetEndPt0(), ba.GetEndPt0());
-    EXPECT_EQ(ab.GetEndPt1(), ba.GetEndPt1());
-    EXPECT_EQ(ab.GetNormal(), ba.GetNormal());
-    EXPECT_EQ(ab.GetPos(), ba.GetPos());
-    EXPECT_GE(ab.GetNormal().y(), 0.0f); // so the front is never the lower side
-  });
-}
-
 TEST(LineSeg, OfEqualXTheLowerEndIsFirst) {
   const CLineSegDesc desc({1.0f, 5.0f}, {1.0f, -2.0f});
   EXPECT_EQ(desc.GetEndPt0(), Vector2(1.0f, -2.0f));
@@ -63,20 +50,6 @@ TEST(LineSeg, DescriptorKeepsEndsAndPositionTogether) {
   EXPECT_EQ(desc.m_vPos, Vector2(2.0f, 1.0f));
   EXPECT_FLOAT_EQ(desc.GetGradient(), 0.5f);
   EXPECT_LE((desc.GetNormal() - Vector2(-1.0f, 2.0f) / std::sqrt(5.0f)).norm(), 2 * g_fUlp);
-}
-
-TEST(LineSeg, TangentsPointInwardAndTheNormalIsCounterclockwise) {
-  ForEachCase(52, 1000, [&](CRandom& random, int) {
-    const Vector2 a = random.InSquare(10.0f), b = random.InSquare(10.0f);
-    const CLineSeg seg(CLineSegDesc(a, b));
-    Vector2 t0, t1;
-    seg.GetTangents(t0, t1);
-    EXPECT_EQ(t0, -t1);
-    EXPECT_NEAR(Wide(t0).norm(), 1.0, 2 * g_fUlp);
-    EXPECT_EQ(seg.GetNormal(), perp(t0));
-    EXPECT_GT((seg.GetEndPt1() - seg.GetEndPt0()).dot(t0), 0.0f);
-    EXPECT_GT((seg.GetEndPt0() - seg.GetEndPt1()).dot(t1), 0.0f);
-  });
 }
 
 TEST(LineSeg, OneWithoutLengthActsAsAPoint) {
@@ -108,20 +81,6 @@ TEST(LineSeg, SetPosTakesTheEndsAlong) {
   EXPECT_EQ(seg.GetAABB().GetBottomRt(), Vector2(12.0f, 9.0f));
   const Vector2 closest = seg.ClosestPt({10.0f, 10.0f}); // the line went along
   EXPECT_LE((closest - Vector2(10.0f, 10.0f)).norm(), 8 * g_fUlp * 20);
-}
-
-TEST(KinematicLineSeg, TurnsFromItsPoseAtConstructionAndOrdersItsEndsAgain) {
-  CKinematicLineSeg seg(CLineSegDesc({0.0f, 0.0f}, {2.0f, 0.0f}));
-  for (int i = 0; i < 3; ++i) {
-    seg.Rotate({0.0f, 0.0f}, g_fPi);
-    EXPECT_LE((seg.GetEndPt0() - Vector2(-2.0f, 0.0f)).norm(), 3 * g_fUlp * 2);
-    EXPECT_LE((seg.GetEndPt1() - Vector2(0.0f, 0.0f)).norm(), 3 * g_fUlp * 2);
-    EXPECT_LE((seg.GetPos() - Vector2(-1.0f, 0.0f)).norm(), 3 * g_fUlp * 2);
-    EXPECT_LE((seg.GetNormal() - Vector2(0.0f, -1.0f)).norm(), 2 * g_fUlp); // turned with the segment
-  }
-  Vector2 t0, t1;
-  seg.GetTangents(t0, t1);
-  EXPECT_LE((t0 - Vector2(1.0f, 0.0f)).norm(), 2 * g_fUlp);
 }
 
 TEST(KinematicLineSeg, NormalAndClosestPointAreContinuousThroughTheVertical) {

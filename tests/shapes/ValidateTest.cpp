@@ -30,34 +30,25 @@ std::vector<SBad> NotFiniteAnd(std::vector<SBad> more) {
   return more;
 }
 
-// Makes a shape from a descriptor after `change`, if that can change such a one, and expects it to be
-// refused.
-template <class TShape, class TDesc, class F>
-void ExpectRefusedBy(const std::string& field, const std::string& value, TDesc desc, const F& change) {
-  if constexpr (std::is_invocable_v<F, TDesc&>) {
-    change(desc);
-    ExpectRefused(field, value, [&] { TShape shape(desc); });
-  }
-}
-
-// Of each class.
+// Every kind of shape, static and kinematic, and a ball: made from a descriptor after `change`, if that can
+// change such a one.
 template <class F>
 void ExpectAllRefused(const std::string& field, const std::string& value, const F& change,
                       bool segments = true) {
-  const CPointDesc point({1.0f, 2.0f});
-  const CCircleDesc circle({1.0f, 2.0f}, 1.0f);
-  const CArcDesc arc({1.0f, 2.0f}, 1.0f, 0.0f, 1.0f);
-  ExpectRefusedBy<CPoint>(field, value, point, change);
-  ExpectRefusedBy<CKinematicPoint>(field, value, point, change);
-  ExpectRefusedBy<CCircle>(field, value, circle, change);
-  ExpectRefusedBy<CKinematicCircle>(field, value, circle, change);
-  ExpectRefusedBy<CArc>(field, value, arc, change);
-  ExpectRefusedBy<CKinematicArc>(field, value, arc, change);
-  ExpectRefusedBy<CDynamicCircle>(field, value, CDynamicCircleDesc({1.0f, 2.0f}, 1.0f), change);
-  if (!segments) return;
-  const CLineSegDesc seg({0.0f, 1.0f}, {2.0f, 3.0f});
-  ExpectRefusedBy<CLineSeg>(field, value, seg, change);
-  ExpectRefusedBy<CKinematicLineSeg>(field, value, seg, change);
+  const auto refuse = [&]<class TDesc>(TDesc desc) {
+    if constexpr (std::is_invocable_v<F, TDesc&>) {
+      change(desc);
+      for (const eMotion motion : {eMotion::Static, eMotion::Kinematic}) {
+        if (desc.m_eMotionType != eMotion::Dynamic) desc.m_eMotionType = motion;
+        ExpectRefused(field, value, [&] { MakeShape(desc); });
+      }
+    }
+  };
+  refuse(CPointDesc({1.0f, 2.0f}));
+  refuse(CCircleDesc({1.0f, 2.0f}, 1.0f));
+  refuse(CArcDesc({1.0f, 2.0f}, 1.0f, 0.0f, 1.0f));
+  refuse(CDynamicCircleDesc({1.0f, 2.0f}, 1.0f));
+  if (segments) refuse(CLineSegDesc({0.0f, 1.0f}, {2.0f, 3.0f}));
 }
 
 TEST(Validate, Position) {
