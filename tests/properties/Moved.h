@@ -31,8 +31,8 @@ inline CAnyShapeDesc Moved(const CAnyShapeDesc& desc, const CMap& map) {
         } else {
           d.m_vPos = map.Pt(d.m_vPos);
           if constexpr (!std::is_same_v<T, CPointDesc>) d.m_fRadius *= map.m_fScale;
-          if constexpr (std::is_same_v<T, CDynamicCircleDesc>) d.m_vVel = map.Way(d.m_vVel);
         }
+        d.m_vVel = map.Way(d.m_vVel);
         d.m_vRotCenter = map.Pt(d.m_vRotCenter);
         return d;
       },

@@ -87,6 +87,22 @@ CScene Crowd(bool falling) {
   return scene;
 }
 
+// One shape in four moves, and turns if it `turns`.
+CScene Driven(CScene scene, bool turns) {
+  for (CAnyShapeDesc& shape : scene.m_stdShapes) {
+    if (*rc::gen::inRange(0, 4) > 0) continue;
+    const float speed = turns ? *Between(-2.0f, 2.0f) : 0.0f;
+    const Vector2 center = InSquare(4.0f), v = InSquare(2.0f);
+    std::visit(
+        [&](auto& d) {
+          d = Turning(d, speed, center);
+          d.m_vVel = v;
+        },
+        shape);
+  }
+  return scene;
+}
+
 // With arcs, and shapes that turn.
 CScene TurningCrowd() {
   CScene scene = Crowd(false);
@@ -96,19 +112,7 @@ CScene TurningCrowd() {
     const float r = *Between(0.3f, 2.0f), a0 = *Between(0.1f, 6.2f), a1 = *Between(0.1f, 6.2f);
     scene.m_stdShapes.emplace_back(CArcDesc(p, r, a0, a1));
   }
-  for (CAnyShapeDesc& shape : scene.m_stdShapes) {
-    if (*rc::gen::inRange(0, 4) > 0) continue;
-    const float speed = *Between(-2.0f, 2.0f);
-    const Vector2 center = InSquare(4.0f);
-    std::visit(
-        [&](auto& d) {
-          d.m_eMotionType = eMotion::Kinematic;
-          d.m_fRotSpeed = speed;
-          d.m_vRotCenter = center;
-        },
-        shape);
-  }
-  return scene;
+  return Driven(scene, true);
 }
 
 // The control of bits that do not depend on the unit or the direction: a push by an amount of its own.
@@ -135,7 +139,7 @@ TEST_P(WorldProperties, APowerOfTwoScalesTheBits) {
 
 TEST_P(WorldProperties, AQuarterTurnAndAMirrorKeepTheBits) {
   ExpectHolds(false, true, 4000, [](bool pushed) {
-    const CScene scene = Crowd(true);
+    const CScene scene = Driven(Crowd(true), false);
     CMap turned, mirrored;
     turned.m_pTurn = Quarter;
     mirrored.m_pTurn = MirrorY;
