@@ -6,11 +6,6 @@
 namespace Shapes::Geometry {
 namespace {
 
-std::vector<std::uint32_t> Sorted(std::vector<std::uint32_t> v) {
-  std::sort(v.begin(), v.end());
-  return v;
-}
-
 std::vector<std::uint32_t> BruteForce(const std::vector<CAabb2D>& boxes, const CAabb2D& box) {
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < boxes.size(); ++i)
@@ -28,15 +23,33 @@ CAabb2D RandomBox(CRandom& random, float spread) {
   }
 }
 
+std::vector<CAabb2D> RandomBoxes(CRandom& random, std::size_t n, float spread) {
+  std::vector<CAabb2D> boxes;
+  for (std::size_t i = 0; i < n; ++i)
+    boxes.push_back(RandomBox(random, spread));
+  return boxes;
+}
+
+CAabbTree MakeTree(const std::vector<CAabb2D>& boxes) {
+  CAabbTree tree;
+  tree.Build(boxes);
+  return tree;
+}
+
+std::vector<std::uint32_t> Find(const CAabbTree& tree, const CAabb2D& box) {
+  std::vector<std::uint32_t> found;
+  tree.Query(box, found);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 // Each query gives exactly what a look at every box gives, each item once.
 void ExpectSame(const CAabbTree& tree, const std::vector<CAabb2D>& boxes, CRandom& random, float spread) {
   std::size_t total = 0;
   for (int q = 0; q < 200; ++q) {
     const CAabb2D box = RandomBox(random, 1.2f * spread);
-    std::vector<std::uint32_t> found;
-    tree.Query(box, found);
     const std::vector<std::uint32_t> expected = BruteForce(boxes, box);
-    ASSERT_EQ(Sorted(found), expected) << "seed " << random.GetSeed();
+    ASSERT_EQ(Find(tree, box), expected) << "seed " << random.GetSeed();
     total += expected.size();
   }
   if (boxes.size() > 50 && spread < 100.0f) {
@@ -46,25 +59,17 @@ void ExpectSame(const CAabbTree& tree, const std::vector<CAabb2D>& boxes, CRando
 
 TEST(AabbTree, QueryEqualsBruteForce) {
   CRandom random(241);
-  for (const std::size_t n : {1u, 2u, 3u, 5u, 16u, 100u, 1000u}) {
+  for (const std::size_t n : {1u, 2u, 3u, 5u, 16u, 100u, 1000u})
     for (const float spread : {1.0f, 30.0f, 1e6f}) {
-      std::vector<CAabb2D> boxes;
-      for (std::size_t i = 0; i < n; ++i)
-        boxes.push_back(RandomBox(random, spread));
-      CAabbTree tree;
-      tree.Build(boxes);
-      ExpectSame(tree, boxes, random, spread);
+      const std::vector<CAabb2D> boxes = RandomBoxes(random, n, spread);
+      ExpectSame(MakeTree(boxes), boxes, random, spread);
     }
-  }
 }
 
 TEST(AabbTree, QueryEqualsBruteForceAfterRefit) {
   CRandom random(242);
-  std::vector<CAabb2D> boxes;
-  for (int i = 0; i < 300; ++i)
-    boxes.push_back(RandomBox(random, 30.0f));
-  CAabbTree tree;
-  tree.Build(boxes);
+  std::vector<CAabb2D> boxes = RandomBoxes(random, 300, 30.0f);
+  CAabbTree tree = MakeTree(boxes);
   for (int k = 0; k < 5; ++k) {
     for (CAabb2D& box : boxes)
       if (random.Coin()) box = RandomBox(random, 30.0f); // not only a little
@@ -76,22 +81,16 @@ TEST(AabbTree, QueryEqualsBruteForceAfterRefit) {
   for (CAabb2D& box : moved)
     box.Translate({1000.0f, 0.0f});
   const CAabb2D there({900.0f, 100.0f}, {1100.0f, -100.0f});
-  std::vector<std::uint32_t> found;
-  tree.Query(there, found);
-  EXPECT_TRUE(found.empty());
+  EXPECT_TRUE(Find(tree, there).empty());
   tree.Refit(moved);
-  tree.Query(there, found);
-  EXPECT_EQ(found.size(), moved.size());
+  EXPECT_EQ(Find(tree, there).size(), moved.size());
 }
 
 TEST(AabbTree, QueryEqualsBruteForceAfterSomeHaveGrown) {
   CRandom random(243);
   for (const std::size_t n : {1u, 2u, 3u, 100u}) {
-    std::vector<CAabb2D> boxes;
-    for (std::size_t i = 0; i < n; ++i)
-      boxes.push_back(RandomBox(random, 30.0f));
-    CAabbTree tree;
-    tree.Build(boxes);
+    std::vector<CAabb2D> boxes = RandomBoxes(random, n, 30.0f);
+    CAabbTree tree = MakeTree(boxes);
     for (int k = 0; k < 20; ++k) {
       const std::uint32_t item = random.Below(static_cast<std::uint32_t>(n));
       const CAabb2D more = RandomBox(random, 60.0f);
@@ -105,36 +104,23 @@ TEST(AabbTree, QueryEqualsBruteForceAfterSomeHaveGrown) {
 
 TEST(AabbTree, CanBeBuiltAgainAndBeEmpty) {
   CAabbTree tree;
-  std::vector<std::uint32_t> found;
   const CAabb2D all({-1e18f, 1e18f}, {1e18f, -1e18f});
-  tree.Query(all, found);
-  EXPECT_TRUE(found.empty());
+  EXPECT_TRUE(Find(tree, all).empty());
   tree.Build(std::vector<CAabb2D>{all, all, all});
-  tree.Query(all, found);
-  EXPECT_EQ(Sorted(found), (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(Find(tree, all), (std::vector<std::uint32_t>{0, 1, 2}));
   tree.Build({});
   tree.Refit({});
-  found.clear();
-  tree.Query(all, found);
-  EXPECT_TRUE(found.empty());
+  EXPECT_TRUE(Find(tree, all).empty());
 }
 
-TEST(AabbTree, QueryAppends) {
-  CAabbTree tree;
-  const CAabb2D box({0.0f, 1.0f}, {1.0f, 0.0f});
-  tree.Build(std::vector<CAabb2D>{box});
-  std::vector<std::uint32_t> found{7};
-  tree.Query(box, found);
-  EXPECT_EQ(found, (std::vector<std::uint32_t>{7, 0}));
-}
-
-TEST(AabbTree, IdenticalBoxesAreAllFound) {
+TEST(AabbTree, QueryAppendsAndFindsAllOfIdenticalBoxes) {
   const std::vector<CAabb2D> boxes(257, CAabb2D({0.0f, 1.0f}, {1.0f, 0.0f}));
-  CAabbTree tree;
-  tree.Build(boxes);
-  std::vector<std::uint32_t> found;
+  const CAabbTree tree = MakeTree(boxes);
+  EXPECT_EQ(Find(tree, boxes[0]), BruteForce(boxes, boxes[0]));
+  std::vector<std::uint32_t> found{7};
   tree.Query(boxes[0], found);
-  EXPECT_EQ(Sorted(found), BruteForce(boxes, boxes[0]));
+  EXPECT_EQ(found.size(), 258u);
+  EXPECT_EQ(found[0], 7u);
 }
 
 TEST(Padded, LeavesRoomForTheRoundingOfAKernel) {
