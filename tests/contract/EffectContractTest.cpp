@@ -131,15 +131,18 @@ TEST_P(CEffectContract, WithoutGravityABallFliesStraight) {
   }
 }
 
-TEST_P(CEffectContract, WithoutKinematicsShapesNeitherTurnNorKick) {
+TEST_P(CEffectContract, WithoutKinematicsShapesNeitherTurnNorMoveNorKick) {
   for (const bool forbidden : {true, false}) {
     auto pWorld = Make(forbidden ? Forbidden(eEffect::Kinematics) : g_cAutomatic);
     const CShapeId flipper = pWorld->Add(Flipper(0.2f));
+    const CShapeId wall = pWorld->Add(Moving(CLineSegDesc({0, -2}, {0, -4}), {2, 0}));
     const CShapeId ball = AddBall(*pWorld, {0.5f, 0.2f}, {0, -2});
     Steps(*pWorld, 10);
-    EXPECT_EQ(pWorld->GetRotSpeed(flipper), 0.2f);
+    EXPECT_EQ(pWorld->GetRotSpeed(flipper), 0.2f); // what was asked for
+    EXPECT_EQ(pWorld->GetVel(wall), Vector2(2, 0));
     EXPECT_EQ(pWorld->GetOrientation(flipper) == 0.0f, forbidden);
-    EXPECT_EQ(pWorld->GetStats().m_nShapesTurned, forbidden ? 0u : 20u);
+    EXPECT_EQ(pWorld->GetPos(wall) == Vector2(0, -3), forbidden);
+    EXPECT_EQ(pWorld->GetStats().m_nShapesTurned, forbidden ? 0u : 40u);
     EXPECT_EQ(pWorld->GetEffects().Has(eEffect::Kinematics), !forbidden);
     if (forbidden)
       EXPECT_NEAR(pWorld->GetVel(ball).y(), 2, 1e-5f);

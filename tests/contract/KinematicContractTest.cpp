@@ -153,29 +153,6 @@ TEST_P(CStopContract, WhatIsBeyondItsStopsMovesTowardsThemOnly) {
   EXPECT_EQ(m_pWorld->GetOrientation(id), g_fHigh);
 }
 
-TEST_P(CStopContract, ASavedStateGoesOnWithTheSameBits) {
-  const auto pWorld = Make(g_cAutomatic, eProfile::Tuned, {0, -10});
-  const CShapeId id = pWorld->Add(StoppedFlipper(1.3f));
-  pWorld->Add(CLineSegDesc({-1, -0.5f}, {2, -0.5f}));
-  pWorld->Add(CDynamicCircleDesc({0.7f, 0.3f}, 0.1f));
-  for (const int before : {2, 5, 20}) { // under way, and at rest
-    Steps(*pWorld, before);
-    const CSavedState saved = pWorld->SaveState();
-    std::vector<float> runs[2];
-    for (std::vector<float>& run : runs) {
-      pWorld->LoadState(saved);
-      EXPECT_EQ(pWorld->GetLimits(id), CMotionLimits::OfAngle(g_fLow, g_fHigh));
-      for (int i = 0; i < 30; ++i) {
-        if (i == 10) pWorld->SetRotSpeed(id, -pWorld->GetRotSpeed(id));
-        pWorld->Step();
-        const Vector2 p = pWorld->GetBallPositions()[0];
-        run.insert(run.end(), {pWorld->GetOrientation(id), p.x(), p.y()});
-      }
-    }
-    EXPECT_EQ(runs[0], runs[1]);
-  }
-}
-
 TEST_P(CStopContract, WhatCannotBeIsRefused) {
   const CShapeId id = m_pWorld->Add(StoppedFlipper(1)), wall = m_pWorld->Add(CLineSegDesc({0, 0}, {1, 1}));
   const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({5, 5}, 0.1f));
@@ -270,16 +247,6 @@ TEST_P(CMovingWallContract, ACompoundMovesAndTurnsAsOne) {
   EXPECT_FALSE(m_pWorld->Contains({ids[3].m_nValue + 1})); // nothing was half added
   parts.back() = CDynamicCircleDesc({0, 0}, 1);
   EXPECT_THROW(m_pWorld->AddCompound(parts, {0, 0}), std::invalid_argument);
-}
-
-TEST_P(CMovingWallContract, WhereKinematicsIsForbiddenItStands) {
-  const auto pWorld = Make({{}, {eEffect::Kinematics}});
-  const CShapeId wall = pWorld->Add(Wall({2, 0}));
-  pWorld->Add(CDynamicCircleDesc({1, 0}, 0.1f));
-  Steps(*pWorld, 60);
-  EXPECT_EQ(pWorld->GetPos(wall), Vector2(0, 0));
-  EXPECT_EQ(pWorld->GetVel(wall), Vector2(2, 0)); // what was asked for
-  EXPECT_EQ(pWorld->GetStats().m_nShapesTurned, 0u);
 }
 
 // One that crosses a ball within a step begins and ends.

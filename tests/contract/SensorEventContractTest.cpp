@@ -230,7 +230,7 @@ private:
         const bool on = m_cWorld.GetCanCollide(ball) && m_cWorld.GetCanCollide(id) &&
                         (m_cWorld.GetSensor(ball) || m_cWorld.GetSensor(id));
         const Vector2& p = m_cWorld.GetPos(ball);
-        // A circle is a disk for sensors.
+        // A circle is a disk for sensors, an arc a curve; ends belong to what they end.
         const bool isDisk =
             !isBall && m_cWorld.GetShapeType(id) == eShape::Circle &&
             Length(p - m_cWorld.GetPos(id)) < static_cast<const CCircle&>(m_cWorld.GetShape(id)).GetRadius();
@@ -258,6 +258,10 @@ private:
   template <class TDesc>
   void Dress(TDesc desc) {
     desc.m_bIsSensor = m_cRandom.Coin();
+    // The open side of a sensor is seen like the solid one.
+    if constexpr (requires { desc.m_eSides; }) {
+      if (m_cRandom.Coin()) desc.m_eSides = m_cRandom.Coin() ? eSides::Front : eSides::Back;
+    }
     if (m_cRandom.Below(3) == 0) {
       desc.m_eMotionType = eMotion::Kinematic;
       desc.m_vRotCenter = desc.m_vPos;

@@ -11,6 +11,8 @@ protected:
 };
 SHAPES_ON_EVERY_BACKEND(CWorldContract);
 
+const CMotionLimits g_cBladeLimits = CMotionLimits::OfAngle(-1, 2);
+
 // A little of everything, with several balls, for tests of states and of order.
 std::unique_ptr<CWorld> MakeBusyWorld(const CBackend& backend) {
   auto pWorld = backend.MakeWorld(Described({0, -5}, 1.0f / 120.0f));
@@ -18,7 +20,9 @@ std::unique_ptr<CWorld> MakeBusyWorld(const CBackend& backend) {
   pWorld->Add(CPointDesc(Vector2(0, -2)));
   pWorld->Add(CCircleDesc({1.5f, 0}, 0.4f, 1.2f));
   pWorld->Add(CLineSegDesc({-2, -2}, {-1, -2.5f}));
-  pWorld->Add(Turning(CLineSegDesc({-2, 1}, {-1, 1}), 0.7f, {-1.5f, 1}));
+  CLineSegDesc blade = Turning(CLineSegDesc({-2, 1}, {-1, 1}), 0.7f, {-1.5f, 1});
+  blade.m_cLimits = g_cBladeLimits;
+  pWorld->Add(blade);
   pWorld->Add(Moving(CLineSegDesc({-3, -1}, {-3, 0}), {1.3f, 0.2f}));
   pWorld->Add(MakeZone({0, 2}, 0.5f));
   for (int i = 0; i < 6; ++i) {
@@ -158,14 +162,21 @@ TEST_P(CWorldContract, TheBulkViewsAreWhatTheIdsSay) {
 TEST_P(CWorldContract, ASavedStateContinuesWithTheSameBits) {
   auto pWorld = MakeBusyWorld(Backend());
   auto pOther = MakeBusyWorld(Backend());
-  Steps(*pWorld, 200);
-  const CSavedState saved = pWorld->SaveState();
-  Steps(*pWorld, 300);
-
-  pOther->Remove(pOther->GetBallIds()[1]); // whatever the other one held is replaced
-  pOther->LoadState(saved);
-  Steps(*pOther, 300);
-  EXPECT_TRUE(HaveSameBits(*pWorld, *pOther));
+  const CShapeId blade{5};
+  for (const int before : {5, 25, 200}) { // the blade is under way, and at a stop
+    Steps(*pWorld, before);
+    const CSavedState saved = pWorld->SaveState();
+    pOther->Remove(pOther->GetBallIds()[1]); // whatever the other one held is replaced
+    pOther->LoadState(saved);
+    EXPECT_EQ(pOther->GetLimits(blade), g_cBladeLimits);
+    for (CWorld* p : {pWorld.get(), pOther.get()}) {
+      Steps(*p, 100);
+      p->SetRotSpeed(blade, -p->GetRotSpeed(blade));
+      Steps(*p, 200);
+    }
+    EXPECT_TRUE(HaveSameBits(*pWorld, *pOther));
+    EXPECT_EQ(pWorld->GetOrientation(blade), pOther->GetOrientation(blade));
+  }
   pOther->Step(); // the control: one step more is not the same
   EXPECT_NE(pWorld->GetBallPositions()[0], pOther->GetBallPositions()[0]);
   EXPECT_THROW(pWorld->LoadState(CSavedState()), std::invalid_argument);
