@@ -5,8 +5,8 @@
 
 #include "Box2DTesting.h"
 #include "box2d_backend/world/OwnedEngine.h"
-#include "geometry/ImpactTesting.h"
 #include "reference/Distance.h"
+#include "reference/Reference.h"
 
 namespace Shapes::Tests {
 
@@ -48,60 +48,36 @@ inline double Quantile(std::vector<double> values, double q) {
   return values[static_cast<std::size_t>(i)];
 }
 
-using CFigure = Compare::CShapeGeometry<double>;
-/// A ball on its way: exactly what the floats that an engine is given say.
-using CBallState = Compare::CSweptBall<double>;
-using CHit = Compare::CHit<double>;
-
 inline constexpr double g_fNever = std::numeric_limits<double>::infinity();
 
-/// When and where the ball meets the shape, within so many seconds.
-inline CHit Meet(const CFigure& shape, const CBallState& b, double seconds) {
-  CHit hit;
-  return Compare::Sweep<double>(shape, b, seconds, hit) ? hit : CHit{.m_fTime = g_fNever};
-}
-
-/// Shapes that do not move.
-class CExactTable {
+/// One ball among static shapes, exactly.
+class CExact {
 public:
-  explicit CExactTable(const std::vector<CAnyShapeDesc>& descs) {
-    for (const CAnyShapeDesc& desc : descs)
-      m_stdShapes.push_back(Geometry::ForReference(Geometry::MakeShapeGeometry(*MakeShape(desc), 0.0)));
-  }
+  CExact(std::span<const CAnyShapeDesc> shapes, float radius)
+      : m_cReference(shapes, std::array{CDynamicCircleDesc({0, 0}, radius)}, {0, 0}) {}
 
-  CHit FirstHit(const CBallState& b, double seconds = 1000) const {
-    CHit first{.m_fTime = g_fNever};
-    for (const CFigure& shape : m_stdShapes)
-      if (const CHit hit = Meet(shape, b, seconds); hit.m_fTime < first.m_fTime) first = hit;
-    return first;
-  }
-
-  /// Every hit within so many seconds, and the ball after them.
-  std::vector<CHit> Fly(CBallState& b, double seconds) const {
-    std::vector<CHit> hits;
-    double now = 0;
-    while (hits.size() < 1000) {
-      CHit hit = FirstHit(b, seconds - now);
-      if (now + hit.m_fTime > seconds) break;
-      b.m_vPos += hit.m_fTime * b.m_vVel;
-      b.m_vVel = Mirrored(b.m_vVel, hit.m_vNorm);
-      hit.m_fTime = now += hit.m_fTime;
-      hits.push_back(hit);
-    }
-    b.m_vPos += (seconds - now) * b.m_vVel;
+  /// Every hit within so many seconds.
+  std::vector<Compare::CExactEvent<double>> Fly(const Vector2d& p, const Vector2d& v, double seconds) {
+    std::vector<Compare::CExactEvent<double>> hits;
+    m_cReference.SetBall(0, p, v);
+    m_cReference.Step(seconds, hits);
     return hits;
   }
-
-  /// Distance of p from the nearest surface.
-  double Distance(const Vector2d& p) const {
-    double d = g_fNever;
-    for (const CFigure& shape : m_stdShapes)
-      d = std::min(d, Compare::Distance<double>(shape, p));
-    return d;
+  /// So many seconds later.
+  Vector2d Velocity(const Vector2d& p, const Vector2d& v, double seconds) {
+    Fly(p, v, seconds);
+    return m_cReference.GetBall(0).m_vVel;
+  }
+  /// Whether a ball there is in a shape.
+  bool Overlaps(const Vector2d& p) const {
+    for (std::size_t i = 0; i < m_cReference.GetShapeCount(); ++i)
+      if (Compare::Distance<double>(m_cReference.GetGeometry(i), p) <= m_cReference.GetBall(0).m_fRadius)
+        return true;
+    return false;
   }
 
 private:
-  std::vector<CFigure> m_stdShapes;
+  Compare::CReference<double> m_cReference;
 };
 
 /// The plan of a shot.
@@ -126,7 +102,11 @@ class CRange {
 public:
   /// @param pWorld empty, without gravity, with steps of g_fDt
   CRange(std::unique_ptr<CWorld> pWorld, const std::vector<CAnyShapeDesc>& shapes, float radius)
-      : m_cTable(shapes), m_pWorld(std::move(pWorld)), m_fRadius(radius) {
+      : m_cExact(shapes, radius),
+        m_cLarger(shapes, radius + static_cast<float>(g_fTunedOffset)),
+        m_cSmaller(shapes, radius - static_cast<float>(g_fTunedOffset)),
+        m_pWorld(std::move(pWorld)),
+        m_fRadius(radius) {
     for (const CAnyShapeDesc& shape : shapes)
       m_pWorld->Add(shape);
     m_cBall = m_pWorld->Add(CDynamicCircleDesc({50, 50}, radius));
@@ -136,34 +116,38 @@ public:
 
   /// A shot that meets the shapes where it is aimed at. None if something is in the way, or if the exact ball
   /// is about to hit something at the end of every step at which it could be looked at.
-  std::optional<CShot> Aim(const CAim& aim) const {
+  std::optional<CShot> Aim(const CAim& aim) {
     const double r = m_fRadius, dt = g_fDt;
     const Vector2d n = aim.m_vNorm, centre = aim.m_vSurface + r * n;
     const Vector2d u = -std::cos(aim.m_fIncidence) * n + std::sin(aim.m_fIncidence) * Perp(n);
     // Clear of any skin at first, if there is room for that.
-    const double room = 0.9 * m_cTable.FirstHit({centre + 1e-6 * n, -u, r}).m_fTime;
     double way = 0.03 / std::cos(aim.m_fIncidence) + aim.m_fPhase * aim.m_fSpeed * dt;
-    if (way > room) way = room * (0.5 + 0.5 * aim.m_fPhase);
+    if (const auto behind = m_cExact.Fly(centre + 1e-6 * n, -u, 2 * way); !behind.empty())
+      if (const double room = 0.9 * behind[0].m_fTime; way > room) way = room * (0.5 + 0.5 * aim.m_fPhase);
 
     CShot shot;
     shot.m_vPos = (centre - way * u).cast<float>();
     shot.m_vVel = (aim.m_fSpeed * u).cast<float>();
-    const CBallState start{shot.m_vPos.cast<double>(), shot.m_vVel.cast<double>(), r};
-    if (m_cTable.Distance(start.m_vPos) <= r) return {};
-    CBallState ball = start;
-    const std::vector<CHit> hits = m_cTable.Fly(ball, way / aim.m_fSpeed + 10 * dt);
+    const Vector2d p = shot.m_vPos.cast<double>(), v = shot.m_vVel.cast<double>();
+    if (m_cExact.Overlaps(p)) return {};
+    const auto hits = m_cExact.Fly(p, v, way / aim.m_fSpeed + 10 * dt);
     if (hits.empty() || hits[0].m_vNorm.dot(u) > -0.05) return {}; // it passes, or only brushes past
-    if ((start.m_vPos + hits[0].m_fTime * start.m_vVel - centre).norm() > 1e-3) return {};
+    if ((hits[0].m_vCenter - centre).norm() > 1e-3) return {};
 
     const int first = static_cast<int>(hits[0].m_fTime / dt) + 1;
     for (int steps = first + 4; steps >= first; --steps) {
       const double t = steps * dt;
-      const auto before = [&](const CHit& hit) { return hit.m_fTime < t; };
-      if (std::count_if(hits.begin(), hits.end(), before) > aim.m_nMostHits) continue;
-      if (IsHitAbout(hits, start.m_vVel, t)) continue;
+      const auto isBefore = [&](const auto& hit) { return hit.m_fTime < t; };
+      // On either side of t for an engine whose surfaces are a little off.
+      const auto isAbout = [&](const auto& hit) {
+        const double speed = std::abs(hit.m_vVelBefore.dot(hit.m_vNorm));
+        return std::abs(t - hit.m_fTime) < 0.05 * dt + 3 * g_fTunedOffset / speed;
+      };
+      if (std::ranges::count_if(hits, isBefore) > aim.m_nMostHits) continue;
+      if (std::ranges::any_of(hits, isAbout)) continue;
       shot.m_nSteps = steps;
-      shot.m_vExact = VelocityAt(start, t);
-      shot.m_fAllowance = Allowance(start, t);
+      shot.m_vExact = m_cExact.Velocity(p, v, t);
+      shot.m_fAllowance = Allowance(p, v, t);
       return shot;
     }
     return {};
@@ -201,37 +185,18 @@ public:
   }
 
 private:
-  Vector2d VelocityAt(CBallState ball, double t) const {
-    m_cTable.Fly(ball, t);
-    return ball.m_vVel;
-  }
-
-  // Whether a hit may be on either side of t for an engine whose surfaces are a little off.
-  static bool IsHitAbout(const std::vector<CHit>& hits, Vector2d v, double t) {
-    for (const CHit& hit : hits) {
-      const double margin = 0.05 * g_fDt + 3 * g_fTunedOffset / std::abs(v.dot(hit.m_vNorm));
-      if (std::abs(t - hit.m_fTime) < margin) return true;
-      v = Mirrored(v, hit.m_vNorm);
-    }
-    return false;
-  }
-
-  // Surfaces that are off along their normals are a ball of another radius; near ends and sharedEnds it
-  // counts too on which side of them the ball passes.
-  double Allowance(const CBallState& start, double t) const {
-    const Vector2d exact = VelocityAt(start, t), across = g_fTunedOffset * Perp(start.m_vVel.normalized());
+  // Surfaces that are off along their normals are a ball of another radius; near ends and joints it counts
+  // too on which side of them the ball passes.
+  double Allowance(const Vector2d& p, const Vector2d& v, double t) {
+    const Vector2d across = g_fTunedOffset * Perp(v.normalized()), exact = m_cExact.Velocity(p, v, t);
     double most = 0;
-    for (const double sign : {-1.0, 1.0}) {
-      CBallState aside = start, other = start;
-      aside.m_vPos += sign * across;
-      other.m_fRadius += sign * g_fTunedOffset;
-      most = std::max(
-          {most, AngleBetween(VelocityAt(aside, t), exact), AngleBetween(VelocityAt(other, t), exact)});
-    }
+    for (const Vector2d& other : {m_cExact.Velocity(p + across, v, t), m_cExact.Velocity(p - across, v, t),
+                                  m_cLarger.Velocity(p, v, t), m_cSmaller.Velocity(p, v, t)})
+      most = std::max(most, AngleBetween(other, exact));
     return most;
   }
 
-  CExactTable m_cTable;
+  CExact m_cExact, m_cLarger, m_cSmaller; // of the radius, and of one that is g_fTunedOffset off
   std::unique_ptr<CWorld> m_pWorld;
   CShapeId m_cBall;
   float m_fRadius;
