@@ -60,29 +60,20 @@ TEST_F(CPairSweepTest, TheSetbackFromASegmentIsExactWithinTheSlop) {
   });
 }
 
-TEST_F(CPairSweepTest, TheSetbackFromACircleIsExactWithinTheSlop) {
-  ForEachCase(22, 5000, [&](CRandom& random, int) {
-    const Vector2 nhat = random.Direction();
-    const float R = random.Coin() ? 0.0f : random.Uniform(0.1f, 1); // 0: a point
+TEST_F(CPairSweepTest, AnImpactOnACircleIsOnTheWayOfTheBallWithinTheSlop) {
+  ForEachCase(22, 10000, [&](CRandom& random, int) {
+    const float R = random.Coin() ? 0.0f : random.Uniform(0.1f, 1), D = R + g_fR; // R = 0: a point
     const auto pShape = R == 0.0f ? MakeShape(CPointDesc({0, 0})) : MakeShape(CCircleDesc({0, 0}, R));
-    const float gap = random.Uniform(0.02f, 1), depth = random.Uniform(0.02f, 2);
-    CDynamicCircle ball = Fly((gap + R + g_fR) * nhat, -(gap + depth) * nhat);
-    const CContactDesc c = Meet(*pShape, ball);
-    EXPECT_NEAR((c.m_vNorm - nhat).norm(), 0, 1e-4f);
-    EXPECT_NEAR(depth - c.m_fSetback, g_fIntoCircle, g_fStopTolerance + g_fRounding);
-  });
-}
-
-TEST_F(CPairSweepTest, AnObliqueImpactIsOnTheWayOfTheBall) {
-  ForEachCase(23, 5000, [&](CRandom& random, int) {
-    CCircle circle(CCircleDesc({0, 0}, 0.5f));
-    // The way passes the centre at up to .8 of the sum of the radii.
-    const Vector2 dir = random.Direction(), from = -2 * dir + random.Uniform(-0.48f, 0.48f) * perp(dir),
-                  way = random.Uniform(2, 4) * dir;
+    // The way passes the centre at up to .8 of D, and ends beyond the place of the impact.
+    const float aside = random.Uniform(-0.8f, 0.8f) * D, before = D + random.Uniform(0.02f, 1);
+    const float met = -std::sqrt((D - g_fIntoCircle) * (D - g_fIntoCircle) - aside * aside);
+    const Vector2 dir = random.Direction(), from = -before * dir + aside * perp(dir),
+                  way = (before + met + random.Uniform(0.02f, 2)) * dir;
     CDynamicCircle ball = Fly(from, way);
-    const CContactDesc c = Meet(circle, ball);
+    const CContactDesc c = Meet(*pShape, ball);
     const Vector2 p = c.m_vPOI + g_fR * c.m_vNorm; // the ball's centre at the impact
-    EXPECT_NEAR(p.norm(), 0.6f - g_fIntoCircle, g_fStopTolerance + g_fRounding);
+    EXPECT_NEAR(p.norm(), D - g_fIntoCircle, g_fStopTolerance + g_fRounding);
+    EXPECT_NEAR((c.m_vNorm - p.normalized()).norm(), 0, 1e-4f);
     EXPECT_NEAR(Cross(p - from, dir), 0, g_fRounding);
     EXPECT_LT((p - from).norm(), way.norm() + g_fRounding);
     EXPECT_LT(p.dot(dir), 0); // the near side, not the far one
@@ -156,17 +147,14 @@ TEST_F(CPairSweepTest, EdgesHaveASkinAndCirclesHaveNone) {
 }
 
 TEST_F(CPairSweepTest, TheEarliestPieceIsTheOneThatIsMet) {
-  // Straight through a bowl from far outside: the near side is met, from outside.
+  // Straight through a bowl: from far outside the near side is met, from within the far side.
   CArc bowl(CArcDesc({0, 0}, 1, 0, 0));
-  CDynamicCircle through = Fly({-3, 0.2f}, {6, 0});
-  const CContactDesc c = Meet(bowl, through);
-  EXPECT_LT(c.m_vPOI.x(), -0.9f);
-  EXPECT_LT(c.m_vNorm.x(), -0.9f);
-  // From within: the far side, from inside.
-  CDynamicCircle out = Fly({-0.5f, 0.2f}, {6, 0});
-  const CContactDesc d = Meet(bowl, out);
-  EXPECT_GT(d.m_vPOI.x(), 0.9f);
-  EXPECT_LT(d.m_vNorm.x(), -0.9f);
+  for (const auto& [start, side] : {std::pair(-3.0f, -1.0f), std::pair(-0.5f, 1.0f)}) {
+    CDynamicCircle ball = Fly({start, 0.2f}, {6, 0});
+    const CContactDesc c = Meet(bowl, ball);
+    EXPECT_GT(side * c.m_vPOI.x(), 0.9f);
+    EXPECT_LT(c.m_vNorm.x(), -0.9f);
+  }
 }
 
 TEST_F(CPairSweepTest, WhatABallLeavesIsNotMet) {
