@@ -28,11 +28,6 @@ TEST(FitElasticitiesTest, OneBallKeepsOneAndShapesTakeThePair) {
   EXPECT_EQ(FitElasticities(kinds, CPairs{{0, 1}, {0, 2}, {0, 3}}), (std::vector<float>{1, .8f, .5f, .5f}));
 }
 
-TEST(FitElasticitiesTest, BallsThatMeetTakeTheRoot) {
-  const CKinds kinds{{g_bBall, 0.25f}, {g_bShape, 0.75f}};
-  EXPECT_EQ(FitElasticities(kinds, CPairs{{0, 0}, {0, 1}}), (std::vector<float>{0.5f, 1.5f}));
-}
-
 TEST(FitElasticitiesTest, ZeroIsTakenByWhatMeetsNothingElse) {
   // A dead ball and a dead floor, a bumper, and a live ball that does not meet the dead one.
   const CKinds kinds{{g_bBall, 0.0f}, {g_bShape, 0.0f}, {g_bShape, 0.9f}};

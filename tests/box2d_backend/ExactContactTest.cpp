@@ -298,25 +298,6 @@ TEST(TrueContactTest, PowersOfTwoAndQuarterTurnsChangeNoBit) {
     });
 }
 
-TEST(TrueContactTest, TheNormalGoesOverFromFaceToEnd) {
-  // Balls side by side, a thousandth of the radius apart, that come down over the whole shape and past it.
-  // On a bend of radius r, met at up to 45 degrees, a step of s turns the normal by s / (r cos 45).
-  const double r = 0.1, step = 0.001 * r;
-  for (const CContactGeometry& o : {MakeSegment({-0.3, 0}, {0.3, 0}), MakeArcOutline({0, -1}, 1, 1.3, 0.6),
-                                    MakeArcOutline({0, 1}, 1, 4.4, 0.6)})
-    for (const double aside : {-1.0, 0.0, 0.5}) {
-      Vector2d last(0, 0);
-      for (double x = -0.5; x < 0.5; x += step) {
-        const CExactContact met = FindExactContact(o, {x, 0.11}, {aside, -1}, r);
-        const bool grazes = met.m_bMisses || met.m_vNorm.dot(Vector2d(aside, -1).normalized()) > -0.70;
-        if (!grazes && last.norm() > 0) {
-          ASSERT_LE((met.m_vNorm - last).norm(), 2 * step / (0.7 * r)) << x << " " << aside;
-        }
-        last = grazes ? Vector2d(0, 0) : met.m_vNorm;
-      }
-    }
-}
-
 TEST(TrueContactTest, WhatItCameThroughAndLeftIsOver) {
   // Clear of the end and parting from it, though it would have come through the face.
   const CContactGeometry o = MakeSegment({-1, 0}, {0, 0});
@@ -429,23 +410,6 @@ TEST(TrueContactJointTest, AtACornerEachMeetsItsOwn) {
     EXPECT_GT(counts.m_nMet, 1000);
     EXPECT_EQ(counts.m_nWrong, 0);
     EXPECT_EQ(counts.m_nInvented, 0);
-  }
-}
-
-TEST(TrueContactJointTest, TheNormalTurnsSteadilyOverAJoint) {
-  // Balls side by side that come down at 30 degrees on two segments that are a flat roof or a flat valley.
-  // Between the two faces of the roof is the end, on which the normal turns by the step over r.
-  const double r = 0.1, step = 1e-4;
-  const Vector2d w(0.5, -1);
-  for (const double turn : {-0.3, 0.0}) {
-    const CJoined joined(0, 0, 0, turn);
-    Vector2d last(0, 1);
-    for (double x = -0.3; x < 0.3; x += step) {
-      const CExactContact met = FindExactContact(joined.m_cShape, {x, 0.12}, w, r);
-      ASSERT_LE((met.m_vNorm - last).norm(), 2 * step / r) << turn << ", " << x;
-      last = met.m_vNorm;
-    }
-    EXPECT_LE((last - Perp(UnitVector(turn))).norm(), 1e-15);
   }
 }
 

@@ -78,18 +78,6 @@ TEST(PiecesTest, NoRadiusAndATinyToleranceAreCountedWithoutADivisionBy0) {
   EXPECT_EQ(std::fetestexcept(FE_DIVBYZERO | FE_INVALID), 0);
 }
 
-TEST(PiecesTest, LengthsAreTakenInMetres) {
-  // 100 units are one metre: the same arc, drawn a hundred times as large, has the same chords.
-  const CArc arc = MakeArc(100, 0, g_fPi, eSides::Front);
-  const CFixtureShapes fixtures = CFixtureShapes::Make(arc, arc.GetPos(), CScale(100), g_fSagittaTolerance);
-  const CFixtureShapes same = Make(MakeArc(1, 0, g_fPi, eSides::Front));
-  ASSERT_EQ(fixtures.m_nArcPieces, 16);
-  ASSERT_EQ(same.m_nArcPieces, 16);
-  const auto &u = fixtures.m_stdChains[0].m_stdVertices, &v = same.m_stdChains[0].m_stdVertices;
-  for (std::size_t i = 0; i < 17; ++i)
-    EXPECT_LE(Norm(u[i] - v[i]), 4 * g_fUlp);
-}
-
 TEST(PiecesTest, TheSagittaIsWithinTheToleranceAndNoFewerChordsWouldDo) {
   int byTolerance = 0;
   ForEachCase(11, 20000, [&](CRandom& random, int) {

@@ -90,22 +90,6 @@ TEST_P(CNoAssert, ArcsOfAnyRadiusAndSpan) {
           Sided(CArcDesc({0, 0}, metres * Unit(), 0, span), span < 1 ? eSides::Front : eSides::Both));
 }
 
-TEST_P(CNoAssert, ShapesThatTurnAboutAPointFarAway) {
-  // There the vertices of an arc are rounded to each other.
-  for (const float metres : {1e3f, 1e4f, 1e5f, 1e6f, 1e7f}) {
-    Make();
-    const std::vector<CAnyShapeDesc> parts{CArcDesc({0, 0}, Unit(), 0, 3),
-                                           CLineSegDesc({0, 0}, {g_fShortestEdge * Unit(), 0})};
-    const auto ids = m_pWorld->AddCompound(parts, {metres * Unit(), metres * Unit()}, 1);
-    AddBalls({0, 0});
-    AddBalls({Unit(), 0});
-    Step();
-    for (const CShapeId id : ids)
-      m_pWorld->SetOrientation(id, 1.0f);
-    Step();
-  }
-}
-
 TEST_P(CNoAssert, TheLimitsAreTakenAndTheNextFloatIsNot) {
   for (const float unit : {1.0f, 1e-3f, 100.0f}) {
     m_cDesc.m_cBox2D.m_fLengthUnit = unit;
@@ -161,17 +145,6 @@ TEST_P(CNoAssert, WorldDescriptionsAtTheirLimits) {
     EXPECT_THROW(step([&](CWorldDesc& d) { d.m_cBox2D.m_fLengthUnit = f; }), std::invalid_argument);
 }
 
-TEST_P(CNoAssert, ManyShapesAtOnePlace) {
-  Make();
-  for (int i = 0; i < 10; ++i) {
-    m_pWorld->Add(CPointDesc({0, 0}));
-    m_pWorld->Add(CCircleDesc({0, 0}, Unit()));
-    m_pWorld->Add(CLineSegDesc({-Unit(), 0}, {Unit(), 0}));
-    AddBalls({0, 0});
-  }
-  Step();
-}
-
 TEST_P(CNoAssert, TheFastestSurfaceAndTheLargestElasticityGiveASpeedThatIsANumber) {
   for (const float unit : {1.0f, 1e10f, 1e17f})
     for (const float dt : {g_fMinTimeStep, 1.0f / 60.0f, g_fMaxTimeStep}) {
@@ -223,58 +196,6 @@ TEST_P(CNoAssert, BouncyBallsInEachOtherStayNumbers) {
   m_pWorld->Add(CDynamicCircleDesc({-0.11f, 0.1f}, 0.025f, {0, 0}, 1, g_fMaxElasticity));
   m_pWorld->Add(CDynamicCircleDesc({0.01f, -0.57f}, 2.5f, {0.24f, 0.07f}));
   Step(10);
-}
-
-TEST_P(CNoAssert, WhatTouchesIsMovedChangedAndRemoved) {
-  Make();
-  const CShapeId seg = m_pWorld->Add(CLineSegDesc({-1, 0}, {0, 0})),
-                 flipper = m_pWorld->Add(Turning(CLineSegDesc({0, 0}, {1, 0}))),
-                 ball = m_pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f, {0, -1})),
-                 other = m_pWorld->Add(CDynamicCircleDesc({0, 0.3f}, 0.1f, {0, -1}));
-  const std::vector<std::function<void()>> changes = {
-      [&] { m_pWorld->SetPos(ball, Vector2(0, 0)); },
-      [&] { m_pWorld->SetPos(other, m_pWorld->GetPos(ball)); },
-      [&] { m_pWorld->SetVel(ball, Vector2(MaxSpeed(), 0)); },
-      [&] { m_pWorld->SetPos(flipper, Vector2(0, 0.1f)); },
-      [&] { m_pWorld->SetOrientation(flipper, 1e9f); },
-      [&] { m_pWorld->SetRotCenter(flipper, Vector2(0, MaxLength())); },
-      [&] { m_pWorld->SetRotSpeed(flipper, g_fMaxRotSpeed); },
-      [&] { m_pWorld->SetRotSpeed(flipper, g_fDenormal); },
-      [&] { m_pWorld->SetElasticity(flipper, g_fMaxElasticity); },
-      [&] { m_pWorld->SetSensor(ball, true); },
-      [&] { m_pWorld->SetSensor(ball, false); },
-      [&] { m_pWorld->SetCanCollide(seg, false); },
-      [&] { m_pWorld->Reset(flipper); },
-      [&] { m_pWorld->LoadState(m_pWorld->SaveState()); },
-      [&] { m_pWorld->Remove(other); },
-      [&] { m_pWorld->Remove(flipper); },
-      [&] { m_pWorld->Remove(ball); },
-  };
-  for (const auto& change : changes) {
-    change();
-    Step();
-  }
-}
-
-TEST_P(CNoAssert, EndsThatNearlyMeet) {
-  // Within the tolerance of sharedEnds in a tuned world, at it and beyond; arcs that are too short for a
-  // chord too.
-  for (const float gap : {0.0f, 1e-6f, Below(b2_linearSlop), b2_linearSlop, Above(b2_linearSlop), 0.02f})
-    for (const float length : {0.0f, 1e-3f, b2_linearSlop, g_fShortestEdge, 1.0f}) {
-      Make();
-      Vector2 p(0, 0);
-      for (int i = 0; i < 3; ++i) {
-        const Vector2 next = p + Vector2(length * Unit(), 0);
-        m_pWorld->Add(CLineSegDesc(p, next));
-        AddBalls(next);
-        CArcDesc arc(next + Vector2(gap, length) * Unit(), length * Unit(), -0.5f * g_fPi, 0);
-        m_pWorld->Add(arc);
-        Vector2 p0;
-        arc.GetEndPts(p0, p);
-        AddBalls(p);
-      }
-      Step();
-    }
 }
 
 } // namespace
