@@ -298,25 +298,6 @@ TEST(TrueContactTest, PowersOfTwoAndQuarterTurnsChangeNoBit) {
     });
 }
 
-TEST(TrueContactTest, WhatItCameThroughAndLeftIsOver) {
-  // Clear of the end and parting from it, though it would have come through the face.
-  const CContactGeometry o = MakeSegment({-1, 0}, {0, 0});
-  const CExactContact met = FindExactContact(o, {0.05, 0.09}, {20, -5}, 0.1);
-  EXPECT_EQ(met.m_fTime, 0);
-  EXPECT_GT(met.m_vNorm.dot(Vector2d(20, -5)), 0);
-  EXPECT_NEAR(met.m_fGap, std::hypot(0.05, 0.09) - 0.1, 1e-15);
-  // The control: a little deeper it has not left yet.
-  EXPECT_LT(FindExactContact(o, {0.04, 0.09}, {20, -5}, 0.1).m_fTime, 0);
-}
-
-TEST(TrueContactTest, AnEndIsInTheWayOfTheArcBehindIt) {
-  // From beyond an end, along the inside: the circle is met far behind the end.
-  const CContactGeometry o = MakeArcOutline({0, 0}, 1, std::numbers::pi / 2 + 0.22 - 1.5, 1.5);
-  const CApproach a{o, {-0.4, 0.899}, {10, 0}, 0.1, 0.1};
-  EXPECT_NEAR(a.Find().m_fTime, a.March(1).value(), 1e-12);
-  EXPECT_LT(a.Find().m_vNorm.x(), -0.5);
-}
-
 constexpr double g_fMarchedJoint = 1e-11; // of the oracle, here where all sizes are about 1
 
 /// A shape whose way leads to the origin, and its neighbour from there on. Curvature is to the left of the

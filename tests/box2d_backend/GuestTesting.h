@@ -7,10 +7,11 @@
 namespace Shapes::Tests {
 
 inline std::unique_ptr<CBox2DWorld> MakeGuest(b2World& game, eProfile e = eProfile::Shipped,
-                                              float unit = 1.0f) {
+                                              float unit = 1.0f, const CEffectChoice& choice = g_cAutomatic) {
   CWorldDesc desc;
   desc.m_cBox2D.m_eProfile = e;
   desc.m_cBox2D.m_fLengthUnit = unit;
+  desc.m_cEffects = choice;
   return MakeWorld(game, desc);
 }
 
@@ -76,10 +77,7 @@ protected:
   /// Puts Shapes into the game, after the game's own bodies or before them; the last guest leaves first.
   CWorld& Join(const CEffectChoice& choice = g_cAutomatic) {
     m_pGuest.reset();
-    CWorldDesc desc;
-    desc.m_cBox2D.m_eProfile = GetParam();
-    desc.m_cEffects = choice;
-    m_pGuest = MakeWorld(m_cGame, desc);
+    m_pGuest = MakeGuest(m_cGame, GetParam(), 1, choice);
     return World();
   }
   CWorld& World() { return m_pGuest->GetWorld(); }

@@ -7,30 +7,19 @@ namespace {
 
 /// A flipper of length 1 about the origin, and a ball at rest ahead of it.
 struct CFlipperCase {
-  double m_fRevs, m_fElasticity;
-  double m_fStart;                         // radians
-  double m_fRadius, m_fDistance, m_fAhead; // of the ball: its place in polar coordinates from the flipper
-
-  double Omega() const { return 2 * std::numbers::pi * m_fRevs; }
-  /// When the face meets the ball, and the velocity that the ball has then.
-  double HitTime() const { return (m_fAhead - std::asin(m_fRadius / m_fDistance)) / Omega(); }
-  Vector2d Kick() const {
-    const double s = std::sqrt(m_fDistance * m_fDistance - m_fRadius * m_fRadius); // along the flipper
-    return (1 + m_fElasticity) * Omega() * s * Perp(UnitVector(m_fStart + Omega() * HitTime()));
-  }
+  CLineSegDesc m_cFlipper;
+  CDynamicCircleDesc m_cBall;
 };
 
 CFlipperCase MakeCase(CRandom& random) {
-  CFlipperCase c{};
-  c.m_fRevs = 2 + 18 * random.Unit();
-  c.m_fElasticity = random.Coin() ? 1 : 0.5;
-  c.m_fStart = 360 * g_fDegree * random.Unit();
-  c.m_fRadius = 0.02 + 0.08 * random.Unit();
-  const double nearest = std::max(0.15, 2 * c.m_fRadius);
-  c.m_fDistance = nearest + (0.95 - nearest) * random.Unit();
-  const double clear = std::asin(c.m_fRadius / c.m_fDistance) + 0.05;
-  c.m_fAhead = clear + (2.7 - clear) * random.Unit();
-  return c;
+  const auto revs = static_cast<float>(2 + 18 * random.Unit());
+  const float e = random.Coin() ? 1 : 0.5f;
+  const double start = 360 * g_fDegree * random.Unit(), r = 0.02 + 0.08 * random.Unit();
+  const double nearest = std::max(0.15, 2 * r), distance = nearest + (0.95 - nearest) * random.Unit();
+  const double clear = std::asin(r / distance) + 0.05, ahead = clear + (2.7 - clear) * random.Unit();
+  const Vector2d tip = UnitVector(start), place = distance * UnitVector(start + ahead);
+  return {Turning(CLineSegDesc({0, 0}, tip.cast<float>()), revs),
+          CDynamicCircleDesc(place.cast<float>(), static_cast<float>(r), {0, 0}, 1, e)};
 }
 
 struct CFlipperResult {
@@ -41,23 +30,26 @@ struct CFlipperResult {
 
 /// Turns the flipper by 3 radians.
 void Sweep(const CTuning& tuning, const CFlipperCase& c, CFlipperResult& result) {
+  const double speed = g_fPi2 * Wide(c.m_cFlipper.m_fRotSpeed); // radians per second
+  const CAnyShapeDesc shapes[] = {c.m_cFlipper};
+  Compare::CReference<double> exact(shapes, std::array{c.m_cBall}, {0, 0});
+  std::vector<Compare::CExactEvent<double>> hits;
+  exact.Step(3 / speed, hits);
+  const Vector2d kick = hits.at(0).m_vVelAfter;
+
   auto pWorld = MakeBox2D(tuning);
-  const CLineSegDesc bar({0, 0}, UnitVector(c.m_fStart).cast<float>());
-  const CShapeId flipper = pWorld->Add(Turning(bar, static_cast<float>(c.m_fRevs)));
-  const Vector2d place = c.m_fDistance * UnitVector(c.m_fStart + c.m_fAhead);
-  const auto r = static_cast<float>(c.m_fRadius), e = static_cast<float>(c.m_fElasticity);
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc(place.cast<float>(), r, {0, 0}, 1, e));
+  const CShapeId flipper = pWorld->Add(c.m_cFlipper), ball = pWorld->Add(c.m_cBall);
   bool isMet = false, isBehind = false;
-  const int steps = static_cast<int>(std::ceil(3 / (c.Omega() * g_fDt)));
+  const int steps = static_cast<int>(std::ceil(3 / (speed * g_fDt)));
   for (int i = 1; i <= steps; ++i) {
     pWorld->Step();
     const Vector2d v = Wide(pWorld->GetVel(ball)), p = Wide(pWorld->GetPos(ball));
-    const double turnedSinceHit = (i * Wide(g_fDt) - c.HitTime()) * c.Omega();
+    const double turnedSinceHit = (i * Wide(g_fDt) - hits[0].m_fTime) * speed;
     if (!isMet && v.norm() > 0) {
       isMet = true;
-      if (turnedSinceHit < 0.7) result.m_stdKickErrors.push_back((v - c.Kick()).norm() / c.Kick().norm());
+      if (turnedSinceHit < 0.7) result.m_stdKickErrors.push_back((v - kick).norm() / kick.norm());
     }
-    const Vector2d along = UnitVector(c.m_fStart + pWorld->GetOrientation(flipper));
+    const Vector2d along = Wide(RotatePt(c.m_cFlipper.GetEndPt1(), {0, 0}, pWorld->GetOrientation(flipper)));
     const bool withinReach = p.norm() < 0.9 && along.dot(p) > 0;
     isBehind = isBehind || (turnedSinceHit > 0 && withinReach && Cross(along, p) < 0);
   }

@@ -6,42 +6,6 @@
 namespace Shapes::Tests {
 namespace {
 
-/// Direction errors of 4,000 shots, half of them at a full circle and half at half circles, r = .1, R = 1,
-/// 10 m/s, up to 80 degrees from the normal.
-std::vector<double> ShootAtArcs(const CTuning& tuning, bool inside) {
-  std::vector<double> errors;
-  CRandom random(41);
-  for (int k = 0; k < 5; ++k) {
-    const bool isFull = k == 4;
-    const double a0 = isFull ? 0 : k * 90 * g_fDegree, span = (isFull ? 360 : 180) * g_fDegree;
-    const double margin = isFull ? 0 : 0.15; // the ends are another matter
-    const CArcDesc arc({0, 0}, 1, static_cast<float>(a0), isFull ? 0 : static_cast<float>(a0 + span));
-    CRange range(MakeBox2D(tuning), {arc}, 0.1f);
-    EXPECT_LE(range.World().GetStats().m_nArcPieces, isFull ? 32u : 16u);
-    const std::vector<double> some = range.Errors(isFull ? 2000 : 500, [&] {
-      const Vector2d u = UnitVector(a0 + margin + (span - 2 * margin) * random.Unit());
-      return CAim{u, inside ? Vector2d(-u) : u, EitherSign(random, 80 * g_fDegree), 10, random.Unit()};
-    });
-    errors.insert(errors.end(), some.begin(), some.end());
-  }
-  return errors;
-}
-
-// Arcs are chords to Box2D. A tuned world bounces off the arc all the same, without more chords.
-TEST(TunedArcTest, DirectionsAreExactToMilliradians) {
-  for (const bool inside : {true, false}) {
-    SCOPED_TRACE(inside ? "inside" : "outside");
-    const std::vector<double> errors = ShootAtArcs(g_cTuned, inside);
-    EXPECT_LE(Quantile(errors, 0.5), 0.004);
-    EXPECT_LE(Quantile(errors, 0.95), 0.016);
-    EXPECT_LE(Quantile(errors, 1), 0.1);                                 // none is lost
-    const std::vector<double> shipped = ShootAtArcs(g_cShipped, inside); // the control: of the chords
-    EXPECT_GT(Quantile(shipped, 0.5), 0.05);
-    EXPECT_GT(Quantile(shipped, 0.95), 0.15);
-    EXPECT_GT(Quantile(ShootAtArcs(Without(&CTuning::m_bExactContacts), inside), 0.5), 0.02);
-  }
-}
-
 /// Of 1,000 shots at the ends of an arc of radius 1, r = .1, up to 85 degrees from the normal and 90 m/s.
 int CountWrongAtEnds(const CTuning& tuning, double degrees) {
   CRandom random(67);

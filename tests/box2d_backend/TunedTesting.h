@@ -53,31 +53,46 @@ inline constexpr double g_fNever = std::numeric_limits<double>::infinity();
 /// One ball among static shapes, exactly.
 class CExact {
 public:
-  CExact(std::span<const CAnyShapeDesc> shapes, float radius)
-      : m_cReference(shapes, std::array{CDynamicCircleDesc({0, 0}, radius)}, {0, 0}) {}
+  CExact(std::span<const CAnyShapeDesc> shapes, float radius) {
+    for (const double off : {0.0, g_fTunedOffset, -g_fTunedOffset})
+      m_stdReferences.emplace_back(
+          shapes, std::array{CDynamicCircleDesc({0, 0}, radius + static_cast<float>(off))}, Vector2(0, 0));
+  }
 
-  /// Every hit within so many seconds.
-  std::vector<Compare::CExactEvent<double>> Fly(const Vector2d& p, const Vector2d& v, double seconds) {
+  /// Every hit within so many seconds. @param off  1 and 2: of a ball that is larger or smaller by
+  /// g_fTunedOffset
+  std::vector<Compare::CExactEvent<double>> Fly(const Vector2d& p, const Vector2d& v, double seconds,
+                                                std::size_t off = 0) {
     std::vector<Compare::CExactEvent<double>> hits;
-    m_cReference.SetBall(0, p, v);
-    m_cReference.Step(seconds, hits);
+    m_stdReferences[off].SetBall(0, p, v);
+    m_stdReferences[off].Step(seconds, hits);
     return hits;
   }
   /// So many seconds later.
-  Vector2d Velocity(const Vector2d& p, const Vector2d& v, double seconds) {
-    Fly(p, v, seconds);
-    return m_cReference.GetBall(0).m_vVel;
+  Vector2d Velocity(const Vector2d& p, const Vector2d& v, double seconds, std::size_t off = 0) {
+    Fly(p, v, seconds, off);
+    return m_stdReferences[off].GetBall(0).m_vVel;
+  }
+  /// Most radians by which surfaces that are g_fTunedOffset off turn that velocity. Off along their normals
+  /// they are a ball of another radius; near ends and joints it counts too on which side of them it passes.
+  double Allowance(const Vector2d& p, const Vector2d& v, double seconds) {
+    const Vector2d across = g_fTunedOffset * Perp(v.normalized()), exact = Velocity(p, v, seconds);
+    double most = 0;
+    for (const Vector2d& other : {Velocity(p + across, v, seconds), Velocity(p - across, v, seconds),
+                                  Velocity(p, v, seconds, 1), Velocity(p, v, seconds, 2)})
+      most = std::max(most, AngleBetween(other, exact));
+    return most;
   }
   /// Whether a ball there is in a shape.
   bool Overlaps(const Vector2d& p) const {
-    for (std::size_t i = 0; i < m_cReference.GetShapeCount(); ++i)
-      if (Compare::Distance<double>(m_cReference.GetGeometry(i), p) <= m_cReference.GetBall(0).m_fRadius)
-        return true;
+    const auto& exact = m_stdReferences[0];
+    for (std::size_t i = 0; i < exact.GetShapeCount(); ++i)
+      if (Compare::Distance<double>(exact.GetGeometry(i), p) <= exact.GetBall(0).m_fRadius) return true;
     return false;
   }
 
 private:
-  Compare::CReference<double> m_cReference;
+  std::vector<Compare::CReference<double>> m_stdReferences;
 };
 
 /// The plan of a shot.
@@ -102,17 +117,11 @@ class CRange {
 public:
   /// @param pWorld empty, without gravity, with steps of g_fDt
   CRange(std::unique_ptr<CWorld> pWorld, const std::vector<CAnyShapeDesc>& shapes, float radius)
-      : m_cExact(shapes, radius),
-        m_cLarger(shapes, radius + static_cast<float>(g_fTunedOffset)),
-        m_cSmaller(shapes, radius - static_cast<float>(g_fTunedOffset)),
-        m_pWorld(std::move(pWorld)),
-        m_fRadius(radius) {
+      : m_cExact(shapes, radius), m_pWorld(std::move(pWorld)), m_fRadius(radius) {
     for (const CAnyShapeDesc& shape : shapes)
       m_pWorld->Add(shape);
     m_cBall = m_pWorld->Add(CDynamicCircleDesc({50, 50}, radius));
   }
-
-  const CWorld& World() const { return *m_pWorld; }
 
   /// A shot that meets the shapes where it is aimed at. None if something is in the way, or if the exact ball
   /// is about to hit something at the end of every step at which it could be looked at.
@@ -147,7 +156,7 @@ public:
       if (std::ranges::any_of(hits, isAbout)) continue;
       shot.m_nSteps = steps;
       shot.m_vExact = m_cExact.Velocity(p, v, t);
-      shot.m_fAllowance = Allowance(p, v, t);
+      shot.m_fAllowance = m_cExact.Allowance(p, v, t);
       return shot;
     }
     return {};
@@ -159,15 +168,6 @@ public:
     m_pWorld->SetVel(m_cBall, shot.m_vVel);
     Steps(*m_pWorld, shot.m_nSteps);
     return AngleBetween(m_pWorld->GetVel(m_cBall).cast<double>(), shot.m_vExact);
-  }
-
-  /// Direction errors of n of the shots that `aim` aims.
-  template <class TAim>
-  std::vector<double> Errors(std::size_t n, TAim aim) {
-    std::vector<double> errors;
-    while (errors.size() < n)
-      if (const auto shot = Aim(aim())) errors.push_back(DirectionError(*shot));
-    return errors;
   }
 
   /// How many of n shots are off by more than .01 radians and what surfaces that are g_fTunedOffset off
@@ -185,18 +185,7 @@ public:
   }
 
 private:
-  // Surfaces that are off along their normals are a ball of another radius; near ends and joints it counts
-  // too on which side of them the ball passes.
-  double Allowance(const Vector2d& p, const Vector2d& v, double t) {
-    const Vector2d across = g_fTunedOffset * Perp(v.normalized()), exact = m_cExact.Velocity(p, v, t);
-    double most = 0;
-    for (const Vector2d& other : {m_cExact.Velocity(p + across, v, t), m_cExact.Velocity(p - across, v, t),
-                                  m_cLarger.Velocity(p, v, t), m_cSmaller.Velocity(p, v, t)})
-      most = std::max(most, AngleBetween(other, exact));
-    return most;
-  }
-
-  CExact m_cExact, m_cLarger, m_cSmaller; // of the radius, and of one that is g_fTunedOffset off
+  CExact m_cExact;
   std::unique_ptr<CWorld> m_pWorld;
   CShapeId m_cBall;
   float m_fRadius;
