@@ -3,26 +3,18 @@
 #pragma once
 
 #include "Testing.h"
+#include "app/Child.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 
 namespace Shapes::Compare::Tests {
 
 class CFolderTest : public testing::Test {
 protected:
-  CFolderTest()
-      : m_cFolder(std::filesystem::temp_directory_path() /
-                  ("shapes-compare-test-" + std::to_string(getpid()) +
-                   testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    std::filesystem::create_directories(m_cFolder);
-  }
-  ~CFolderTest() override { std::filesystem::remove_all(m_cFolder); }
-
   std::string Write(const std::string& name, const std::string& text) const {
     std::ofstream(m_cFolder / name, std::ios::binary) << text;
     return (m_cFolder / name).string();
@@ -34,7 +26,11 @@ protected:
     return text.str();
   }
 
-  std::filesystem::path m_cFolder;
+private:
+  CTemporaryFolder m_cTemporary;
+
+protected:
+  const std::filesystem::path& m_cFolder = m_cTemporary.GetPath();
 };
 
 struct CResult {

@@ -3,7 +3,6 @@
 // and the reader reads a scene that a program wrote.
 #include "CommandCalls.h"
 #include "MadeScenes.h"
-#include "OneOfEach.h"
 #include "schema/Schema.h"
 
 #include <bit>

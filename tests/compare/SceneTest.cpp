@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "CommandCalls.h"
 #include "MadeScenes.h"
-#include "OneOfEach.h"
-
-#include <nlohmann/json.hpp>
+#include "schema/Schema.h"
 
 #include <sys/stat.h>
 

@@ -2,16 +2,13 @@
 // JSON schemas, judged by a validator that is not ours: jsonschema for Python.
 #pragma once
 
+#include "app/Child.h"
+
 #include <nlohmann/json.hpp>
 
-#include <unistd.h>
-
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace Shapes::Compare::Tests {
 
@@ -23,15 +20,15 @@ inline nlohmann::json ReadJsonSource(const std::string& name) {
   return nlohmann::json::parse(in);
 }
 
+/// A scene that has every field there is; fuzzing begins with it, too.
+inline nlohmann::json OneOfEach() { return ReadJsonSource("tests/fuzz/corpus/scene/everything.json"); }
+
 /// For each document where it breaks the schema and how; empty if it fits.
 /// @throws std::runtime_error if the validator fails
 inline std::vector<std::string> FindSchemaFaults(const nlohmann::json& schema,
                                                  const std::vector<nlohmann::json>& documents) {
-  static int calls = 0;
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() /
-      ("shapes-schema-test-" + std::to_string(getpid()) + "-" + std::to_string(++calls));
-  std::filesystem::create_directories(folder);
+  const CTemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.GetPath();
   std::ofstream(folder / "schema") << schema.dump();
   std::ofstream lines(folder / "documents");
   for (const nlohmann::json& document : documents)
@@ -46,7 +43,6 @@ inline std::vector<std::string> FindSchemaFaults(const nlohmann::json& schema,
   std::ifstream in(folder / "faults");
   for (std::string line; std::getline(in, line);)
     faults.push_back(line);
-  std::filesystem::remove_all(folder);
   if (status != 0 || faults.size() != documents.size()) throw std::runtime_error("failed: " + command);
   return faults;
 }
