@@ -81,13 +81,12 @@ TEST(ReferenceRest, PlacesAreExactAfterAHit) {
 }
 
 TEST(ReferenceRest, JammedBallThrowsAndIsNamed) {
-  CExact reference =
-      Make({Wall({-1, 0}, {1, 0}), Wall({-1, 1.000002f}, {1, 1.000002f})},
-           {CDynamicCircleDesc({9, 9}, .1f), CDynamicCircleDesc({.125f, .500001f}, .5f, {0, 1})});
+  const CShapes gap = {Wall({-1, 0}, {1, 0}), Wall({-1, 1.000002f}, {1, 1.000002f})};
+  const CDynamicCircleDesc ball({.125f, .500001f}, .5f, {0, 1});
+  CExact reference = Make(gap, {CDynamicCircleDesc({9, 9}, .1f), ball});
   EXPECT_TRUE(Says(MessageOf<std::runtime_error>([&] { Carry(reference, 1); }), "ball 1 at (0.125, 0.5"));
   // Control: a step in which it hits less often.
-  CExact brief = Make({Wall({-1, 0}, {1, 0}), Wall({-1, 1.000002f}, {1, 1.000002f})},
-                      {CDynamicCircleDesc({.125f, .500001f}, .5f, {0, 1})});
+  CExact brief = Make(gap, {ball});
   EXPECT_NO_THROW(Carry(brief, 1e-4));
 }
 
@@ -137,12 +136,7 @@ TEST(ReferenceRest, TablesKeepBallsApartAndEnergyFromGrowing) {
                          elasticity());
     }
     CExact reference = Make(shapes, balls, {0, -g});
-    const auto energy = [&] {
-      double sum = Energy(reference);
-      for (std::size_t i = 0; i < balls.size(); ++i)
-        sum += reference.GetBall(i).m_fMass * static_cast<double>(g) * (reference.GetBall(i).m_vPos.y() + 4);
-      return sum;
-    };
+    const auto energy = [&] { return Energy(reference, static_cast<double>(g), -4); };
     const double first = energy();
     double before = first, size = 0;
     for (std::size_t i = 0; i < balls.size(); ++i)

@@ -144,22 +144,14 @@ TEST(ReferenceSlide, BallSlidesOffABall) {
              {CDynamicCircleDesc({0, .25f}, .25f, {0, 0}, 3), CDynamicCircleDesc({1, 1}, .25f)}, g_vPull);
     const CVec2d top = CVec2d(0, .25) + .5 * CVec2d(.28, .96);
     reference.SetBall(1, top, {0, 0});
-    const auto energy = [&](double mass) {
-      double sum = 0;
-      for (std::size_t i = 0; i < 2; ++i) {
-        const CExactBall<double>& ball = reference.GetBall(i);
-        sum += (i == 0 ? mass : 1) * (.5 * ball.m_vVel.squaredNorm() + g_fPull * ball.m_vPos.y());
-      }
-      return sum;
-    };
-    const double before = energy(3), apart = .5;
+    const double before = Energy(reference, g_fPull), apart = .5;
     CEvents events;
     double time = 0, left = 0;
     while (events.empty()) {
       reference.Step(1.0 / 64, events);
       time += 1.0 / 64;
       if (!events.empty()) break;
-      EXPECT_NEAR(energy(3), before, 1e-13 * before);
+      EXPECT_NEAR(Energy(reference, g_fPull), before, 1e-13 * before);
       EXPECT_NEAR(Momentum(reference).x(), 0, 1e-13);
       const double d = (reference.GetBall(0).m_vPos - reference.GetBall(1).m_vPos).norm();
       EXPECT_GE(d, apart - 1e-14);

@@ -102,8 +102,6 @@ TEST(Reference, ASpeedBeyondDoublesIsRefused) {
   EXPECT_THROW(carry(1000), std::runtime_error);
 }
 
-CExact MakeHeavy(const CShapes& shapes, const CBalls& balls) { return Make(shapes, balls, g_vPull); }
-
 // Through memory: g++ 12 at -O2 takes a pair of conversions to float and back for none.
 CVec2d AsFloats(const CVec2d& v) {
   volatile float x = static_cast<float>(v.x()), y = static_cast<float>(v.y());
@@ -124,10 +122,11 @@ TEST(ReferenceGravity, RoundingToFloatsRounds) {
 // With gravity over a piece of every kind, and without it in a box.
 TEST(ReferenceGravity, WayDoesNotDependOnTheSteps) {
   for (const CExact& start :
-       {MakeHeavy({Wall({-2, -2}, {2, -1.5f}, .8f), Wall({2, -2}, {2, 2}), Wall({-2, -2}, {-2, 2}),
-                   CArcDesc({0, -1.5f}, .5f, 0, 3, .9f), CCircleDesc({-1, .5f}, .25f), CPointDesc({1, 0})},
-                  {CDynamicCircleDesc({-1, 1.5f}, .125f, {1, 0}),
-                   CDynamicCircleDesc({1, 1}, .25f, {-.5f, .25f}, 2)}),
+       {Make({Wall({-2, -2}, {2, -1.5f}, .8f), Wall({2, -2}, {2, 2}), Wall({-2, -2}, {-2, 2}),
+              CArcDesc({0, -1.5f}, .5f, 0, 3, .9f), CCircleDesc({-1, .5f}, .25f), CPointDesc({1, 0})},
+             {CDynamicCircleDesc({-1, 1.5f}, .125f, {1, 0}),
+              CDynamicCircleDesc({1, 1}, .25f, {-.5f, .25f}, 2)},
+             g_vPull),
         Make(Box(1),
              {CDynamicCircleDesc({.1f, .2f}, .2f, {1.4f, 2.2f}), CDynamicCircleDesc({-.5f, 0}, .3f)})}) {
     CExact one = start, many = start;
@@ -209,8 +208,7 @@ TEST(ReferenceGravity, RollsOffTheEndAndFalls) {
       EXPECT_LT(ball.m_vPos.y(), 0);
       EXPECT_GT(ball.m_vPos.norm(), .25);
       // Nothing has been gained but the height.
-      const double energy = .5 * ball.m_vVel.squaredNorm() + g_fPull * ball.m_vPos.y();
-      EXPECT_NEAR(energy, .5 * v * v + g_fPull * .25, 1e-12);
+      EXPECT_NEAR(Energy(reference, g_fPull), .5 * v * v + g_fPull * .25, 1e-12);
       EXPECT_GT(reference.GetSlideCount(), 0u);
     }
   }
@@ -221,7 +219,7 @@ TEST(ReferenceGravity, WhatFallsComesToRestAndStaysThere) {
   const auto expect = [](const char* pName, const CShapes& shapes, const CBalls& balls,
                          const std::vector<CVec2d>& places, double bound) {
     SCOPED_TRACE(pName);
-    CExact reference = MakeHeavy(shapes, balls);
+    CExact reference = Make(shapes, balls, g_vPull);
     Carry(reference, 10);
     EXPECT_TRUE(Carry(reference, 1.0 / 60, 600).empty());
     for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -258,24 +256,22 @@ TEST(ReferenceGravity, ElasticBounceKeepsItsEnergy) {
     SCOPED_TRACE(curved);
     const CShapes shapes = {curved ? CAnyShapeDesc(CCircleDesc({0, -1}, 1))
                                    : CAnyShapeDesc(Wall({-1, -.0f}, {1, 0}))};
-    CExact reference = MakeHeavy(shapes, {CDynamicCircleDesc({0, 1}, .25f)});
+    CExact reference = Make(shapes, {CDynamicCircleDesc({0, 1}, .25f)}, g_vPull);
     const double energy = g_fPull * .75;
     std::size_t bounces = 0;
     for (const double dt : {1.0 / 60, 30.0})
       while (bounces < (dt < 1 ? 5000u : 10000u)) {
         bounces += Carry(reference, dt).size();
-        const CExactBall<double>& ball = reference.GetBall(0);
-        const double now = g_fPull * (ball.m_vPos.y() - .25) + .5 * ball.m_vVel.squaredNorm();
-        ASSERT_NEAR(now / energy, 1, 16 * g_fEps * static_cast<double>(bounces + 1)) << bounces;
+        ASSERT_NEAR(Energy(reference, g_fPull, .25) / energy, 1,
+                    16 * g_fEps * static_cast<double>(bounces + 1))
+            << bounces;
       }
     EXPECT_EQ(reference.GetSlideCount() + reference.GetRestCount(), 0u);
   }
   // Control: an elasticity a little off.
-  CExact lossy = MakeHeavy({Wall({-1, 0}, {1, 0}, 1 - 1e-6f)}, {CDynamicCircleDesc({0, 1}, .25f)});
+  CExact lossy = Make({Wall({-1, 0}, {1, 0}, 1 - 1e-6f)}, {CDynamicCircleDesc({0, 1}, .25f)}, g_vPull);
   const std::size_t bounces = Carry(lossy, 30).size();
-  const CExactBall<double>& ball = lossy.GetBall(0);
-  const double now = g_fPull * (ball.m_vPos.y() - .25) + .5 * ball.m_vVel.squaredNorm();
-  EXPECT_LT(now / (g_fPull * .75), 1 - 16 * g_fEps * static_cast<double>(bounces));
+  EXPECT_LT(Energy(lossy, g_fPull, .25) / (g_fPull * .75), 1 - 16 * g_fEps * static_cast<double>(bounces));
 }
 
 } // namespace

@@ -51,11 +51,13 @@ inline CEventsOf<T> Carry(CReference<T>& reference, double dt, int steps = 1) {
   return events;
 }
 
-/// Of motion, all balls together.
-inline double Energy(const CExact& reference) {
+/// Of motion, and under gravity g of the heights above y = `lowest`; all balls together.
+inline double Energy(const CExact& reference, double g = 0, double lowest = 0) {
   double energy = 0;
-  for (std::size_t i = 0; i < reference.GetBallCount(); ++i)
-    energy += 0.5 * reference.GetBall(i).m_fMass * reference.GetBall(i).m_vVel.squaredNorm();
+  for (std::size_t i = 0; i < reference.GetBallCount(); ++i) {
+    const CExactBall<double>& ball = reference.GetBall(i);
+    energy += ball.m_fMass * (.5 * ball.m_vVel.squaredNorm() + g * (ball.m_vPos.y() - lowest));
+  }
   return energy;
 }
 
