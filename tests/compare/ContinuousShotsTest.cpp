@@ -84,24 +84,18 @@ CShot MakeShot(CRandom& random, const CCase& what) {
     n = RotatePt(u, Vector2::Zero(), random.Uniform(-1.5f, 0.0f));
     break;
   case eTarget::Circle:
-    target = CCircleDesc(c, R);
-    poi = c + R * u;
-    break;
-  case eTarget::Ring: {
-    const float ring = r * (1.0f + random.Scale(-3, 5));
-    target = CCircleDesc(c, ring);
-    poi = c + ring * u;
-    n = -u;
-    break;
-  }
+  case eTarget::Ring:
   case eTarget::ArcOutside:
   case eTarget::ArcInside: {
-    const bool inside = what.m_eTarget == eTarget::ArcInside;
-    const float arc = inside ? r * (1.0f + random.Scale(-3, 5)) : R, before = random.Uniform(0.0f, 3.0f);
-    const float after = random.Uniform(0.01f, 3.0f);
-    target = CArcDesc(c, arc, a - before, a + after);
-    poi = c + arc * u;
-    n = inside ? Vector2(-u) : u;
+    const bool isInside = what.m_eTarget == eTarget::Ring || what.m_eTarget == eTarget::ArcInside;
+    const float radius = isInside ? r * (1.0f + random.Scale(-3, 5)) : R;
+    target = CCircleDesc(c, radius);
+    if (what.m_eTarget == eTarget::ArcOutside || what.m_eTarget == eTarget::ArcInside) {
+      const float before = random.Uniform(0.0f, 3.0f), after = random.Uniform(0.01f, 3.0f);
+      target = CArcDesc(c, radius, a - before, a + after);
+    }
+    poi = c + radius * u;
+    if (isInside) n = -u;
     break;
   }
   case eTarget::ArcEnd:

@@ -14,10 +14,8 @@ namespace {
 
 constexpr std::size_t g_nEffectsContacts = 60;
 
-CEffectOptions MakeOptions() {
-  CEffectOptions options;
-  options.m_nContacts = g_nEffectsContacts;
-  options.m_nMostTrials = 20 * g_nEffectsContacts;
+CEffectOptions MakeEffectOptions() {
+  auto options = MakeOptions<CEffectOptions>(g_nEffectsContacts, 20 * g_nEffectsContacts, 1);
   options.m_nRepeats = 5;
   options.m_nBallSteps = 300;
   options.m_stdProgress = [](double) {};
@@ -25,9 +23,7 @@ CEffectOptions MakeOptions() {
 }
 
 CEffectCosts Measure(const CScene& scene, const std::string& engine = g_sNative) {
-  std::vector<CEngine> engines = GetEngines();
-  std::erase_if(engines, [&](const CEngine& e) { return e.m_sName != engine; });
-  return MeasureEffects(scene, engines, MakeOptions());
+  return MeasureEffects(scene, OnlyEngine(engine), MakeEffectOptions());
 }
 
 const CEffectCost& Get(const CEffectCosts& costs, eEffect e) {
@@ -39,7 +35,7 @@ std::size_t Lost(const CEffectWorld& world) { return world.m_cTotals.GetTunneled
 TEST(EffectsTest, NativeAndBox2DAsItShipsAreMeasuredWithEachEffect) {
   std::size_t calls = 0;
   double last = 0.0;
-  CEffectOptions options = MakeOptions();
+  CEffectOptions options = MakeEffectOptions();
   options.m_nBallSteps = 50;
   options.m_stdProgress = [&](double done) {
     ++calls;

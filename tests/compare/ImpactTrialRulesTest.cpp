@@ -161,7 +161,7 @@ TEST(ImpactTrialRulesTest, WhatAnEngineRefusesIsReportedAndNotJudged) {
 
 TEST(ImpactTrialRulesTest, OptionsLeaveOutWhatTheySay) {
   const CScene scene = LoadBundled("tangent_joint");
-  const CImpactTrialOptions all = MakeImpactOptions(200, 1000);
+  const CImpactTrialOptions all = MakeOptions(200, 1000);
   CImpactTrialOptions few = all;
   few.m_bAsk = few.m_bGhosts = false;
   const CImpactTrialResult full = RunImpactTrials(scene, GetEngines(), all),
@@ -239,14 +239,10 @@ CScene OverFloor(int pieces, float height) {
   return scene;
 }
 
-CImpactTrialResult JudgeGhosts(const CScene& scene, std::size_t contacts) {
-  return Judge(scene, contacts, 10 * contacts, 1);
-}
-
 // Box2D's edges have a skin of .01. A ball within it before a joint is nearest to the end of the next edge,
 // whose normal leans back: it is braked. That is so while dx^2 + .105^2 < .11^2, dx < .0328, of every .2.
 TEST(GhostsTest, JointsOfAFloorBumpABallOnBox2D) {
-  const CImpactTrialResult result = JudgeGhosts(OverFloor(20, 0.105f), 600);
+  const CImpactTrialResult result = Judge(OverFloor(20, 0.105f), 600);
   ASSERT_GT(result.m_nQuietSteps, 550u);
   EXPECT_LE(result.m_nQuietSteps, 600u);
   EXPECT_EQ(result.m_stdGhosts[g_nApproximate], 0u);
@@ -257,7 +253,7 @@ TEST(GhostsTest, JointsOfAFloorBumpABallOnBox2D) {
   EXPECT_EQ(result.m_stdGhosts[g_nTuned], 0u); // it knows which pieces are joined
   // The controls: a floor without joints, and a ball outside of the skin.
   for (const CScene& scene : {OverFloor(1, 0.105f), OverFloor(20, 0.112f)}) {
-    const CImpactTrialResult none = JudgeGhosts(scene, 300);
+    const CImpactTrialResult none = Judge(scene, 300);
     EXPECT_GT(none.m_nQuietSteps, 250u);
     EXPECT_EQ(none.m_stdGhosts[g_nApproximate] + none.m_stdGhosts[g_nBox2D], 0u);
   }
@@ -308,25 +304,20 @@ TEST(GhostsTest, WhatIsTouchedInTheNextTwoStepsIsNoGhost) {
 
 // ---- What counts as a response of an engine.
 
-CContactEvent MakeEvent(float speed, float setback, float impulse) {
-  CContactEvent event;
-  event.m_fSpeed = speed;
-  event.m_fSetback = setback;
-  event.m_fImpulse = impulse;
-  return event;
-}
-
 TEST(EngineResponse, IsWhatChangesTheVelocityOrThePlaceOfABall) {
-  EXPECT_TRUE(IsResponse(MakeEvent(1, 0, 0)));
-  EXPECT_TRUE(IsResponse(MakeEvent(0, 1, 0)));
-  EXPECT_TRUE(IsResponse(MakeEvent(0, 0, 1)));
-  EXPECT_FALSE(IsResponse(MakeEvent(0, 0, 0)));
-  CContactEvent sensor = MakeEvent(1, 0, 1);
-  sensor.m_bIsSensor = true;
-  EXPECT_FALSE(IsResponse(sensor));
+  CContactEvent nothing;
+  nothing.m_fSpeed = nothing.m_fSetback = nothing.m_fImpulse = 0;
+  EXPECT_FALSE(IsResponse(nothing));
+  for (float CContactEvent::*pChange :
+       {&CContactEvent::m_fSpeed, &CContactEvent::m_fSetback, &CContactEvent::m_fImpulse}) {
+    CContactEvent event = nothing;
+    event.*pChange = 1;
+    EXPECT_TRUE(IsResponse(event));
+    event.m_bIsSensor = true;
+    EXPECT_FALSE(IsResponse(event));
+  }
 }
 
-// A ball that lies is carried in every step, and bounces in none.
 TEST(EngineResponse, ABallThatLiesIsCarriedAndDoesNotBounce) {
   for (const CBackend& backend : GetBackends()) {
     CWorldDesc desc;
@@ -350,9 +341,7 @@ TEST(EngineResponse, ABallThatLiesIsCarriedAndDoesNotBounce) {
 // pile on native.
 TEST(EngineResponse, BallsThatAreHeldHaveBeenAnswered) {
   const auto count = [](const char* pScene, std::string_view engine) {
-    std::vector<CEngine> engines = GetEngines();
-    std::erase_if(engines, [&](const CEngine& e) { return e.m_sName != engine; });
-    const CImpactTrialResult result = Judge(LoadBundled(pScene), 2000, 100000, 1, engines);
+    const CImpactTrialResult result = Judge(LoadBundled(pScene), 2000, 100000, 1, OnlyEngine(engine));
     EXPECT_GE(result.m_stdContacts.size(), 2000u);
     return std::count_if(result.m_stdContacts.begin(), result.m_stdContacts.end(),
                          [](const CContact& c) { return c.m_stdEngines[0].m_eOutcome == eOutcome::Missed; });

@@ -23,14 +23,8 @@ CScene AtWall(double normal, double along, float e = 1.0f) {
   return scene;
 }
 
-CImpactTrialResult JudgeTrials(const CScene& scene, std::size_t contacts = g_nRestartContacts) {
-  return Judge(scene, contacts, 2 * contacts, 1);
-}
-
-double AsDouble(float x) { return static_cast<double>(x); }
-
 // The rest of the step after the impact, as a share.
-double Rest(const CContact& c) { return 1.0 - AsDouble(c.m_fTime); }
+double Rest(const CContact& c) { return 1.0 - Wide(c.m_fTime); }
 
 // Too close to where the answer changes for float to tell.
 bool IsClose(double x, double edge) { return std::abs(x - edge) < 1e-4; }
@@ -43,7 +37,7 @@ TEST(ImpactTrialTest, HeadOnFiguresOfNativeFollowFromThePhase) {
        {std::pair(0.7, 1.0f), {1.5, 1.0f}, {1.5, 0.5f}, {1.8, 1.0f}, {2.0, 0.5f}, {4.0, 1.0f}}) {
     SCOPED_TRACE(length);
     std::map<eOutcome, std::size_t> seen;
-    const CImpactTrialResult result = JudgeTrials(AtWall(length, 0, e));
+    const CImpactTrialResult result = Judge(AtWall(length, 0, e), g_nRestartContacts);
     ASSERT_EQ(result.m_stdContacts.size(), g_nRestartContacts);
     for (const CContact& contact : result.m_stdContacts) {
       // Where the centre ends, in radii behind the wall: native sees it between -1 and 1, and takes the side.
@@ -60,7 +54,7 @@ TEST(ImpactTrialTest, HeadOnFiguresOfNativeFollowFromThePhase) {
         EXPECT_NEAR(c.m_fPenetration, 0.0, g_fRounding);
       }
       if (expected == eOutcome::Correct) {
-        EXPECT_NEAR(c.m_fPositionError, AsDouble(e) * length * Rest(contact), 3 * g_fRounding);
+        EXPECT_NEAR(c.m_fPositionError, Wide(e) * length * Rest(contact), 3 * g_fRounding);
         EXPECT_EQ(c.m_fDirectionError, 0.0f);
         EXPECT_NEAR(c.m_fSpeedError, 0.0, 2.4e-7);
         EXPECT_NEAR(c.m_fEnergyError, 0.0, 4.8e-7);
@@ -85,7 +79,7 @@ TEST(ImpactTrialTest, HeadOnFiguresOfNativeFollowFromThePhase) {
 // At a slant native looks straight at the wall from where the ball is at the end of the step, and so is off
 // by what the ball has flown along the wall since the impact.
 TEST(ImpactTrialTest, ContactsAreDescribedAndTheSetbackErrorOfNativeAtASlantIsAlongTheWall) {
-  const CImpactTrialResult result = JudgeTrials(AtWall(0.9, 1.2));
+  const CImpactTrialResult result = Judge(AtWall(0.9, 1.2), g_nRestartContacts);
   ASSERT_EQ(result.m_stdContacts.size(), g_nRestartContacts);
   EXPECT_EQ(result.m_nTrials, g_nRestartContacts); // one impact in each
   for (std::size_t i = 0; i < g_nRestartContacts; ++i) {
@@ -116,7 +110,7 @@ TEST(ImpactTrialTest, ContactsAreDescribedAndTheSetbackErrorOfNativeAtASlantIsAl
     ASSERT_TRUE(b.m_bDetected);
     EXPECT_LE(std::abs(b.m_fSetbackErrorNormal), 0.101f);
     EXPECT_LE(b.m_fSetbackError, 0.101f * 1.5f / 0.9f);
-    EXPECT_NEAR(contact.m_fDifference, AsDouble(c.m_fSetbackError), 0.17);
+    EXPECT_NEAR(contact.m_fDifference, Wide(c.m_fSetbackError), 0.17);
   }
 }
 
@@ -127,11 +121,11 @@ TEST(ImpactTrialTest, Box2DAnswersTwoBallsAStepLate) {
   const float v = static_cast<float>(0.3 * g_fRadius / g_fStep), r = static_cast<float>(g_fRadius);
   AddBall(scene, {{-0.5f, 0}, r, {v, 0}, 2.0f});
   AddBall(scene, {{0.5f, 0}, r, {-v, 0}, 1.0f});
-  const CImpactTrialResult result = JudgeTrials(scene);
+  const CImpactTrialResult result = Judge(scene, g_nRestartContacts);
   ASSERT_EQ(result.m_stdContacts.size(), g_nRestartContacts);
   for (const CContact& contact : result.m_stdContacts) {
     EXPECT_EQ(contact.m_ePair, ePair::Ball);
-    EXPECT_NEAR(contact.m_fApproach, 2 * AsDouble(v), 1e-5);
+    EXPECT_NEAR(contact.m_fApproach, 2 * Wide(v), 1e-5);
     const auto &native = contact.m_stdEngines[g_nApproximate], &box2d = contact.m_stdEngines[g_nBox2D];
     if (!IsClose(Rest(contact), 0)) {
       EXPECT_EQ(native.m_eOutcome, eOutcome::Correct);
@@ -155,22 +149,22 @@ TEST(ImpactTrialTest, EnergyOfAPairIsOfBoth) {
   AddBall(scene, {{-0.5f, 0}, r, {v, 0}, 3.0f, 0.5f});
   AddBall(scene, {{0.5f, 0.1f}, r, {-v, 0}, 1.0f});
   bool differs = false;
-  for (const CContact& contact : JudgeTrials(scene).m_stdContacts) {
+  for (const CContact& contact : Judge(scene, g_nRestartContacts).m_stdContacts) {
     const CEngineContact& c = contact.m_stdEngines[g_nApproximate];
     EXPECT_EQ(contact.m_fElasticity, 0.5f);
     if (!c.m_bCompared) continue;
     // The normal of native is off here, so what goes where differs. With d = the angle between the normals,
     // each response takes (1 - e^2)/2 of the reduced mass times the approach along its own normal squared.
-    const double approach = AsDouble(contact.m_fApproach), all = 0.5 * 4.0 * AsDouble(v) * AsDouble(v);
-    const double incidence = AsDouble(contact.m_fIncidence), d = AsDouble(c.m_fNormalError);
+    const double approach = Wide(contact.m_fApproach), all = 0.5 * 4.0 * Wide(v) * Wide(v);
+    const double incidence = Wide(contact.m_fIncidence), d = Wide(c.m_fNormalError);
     const double loss = 0.5 * 0.75 * 0.75; // reduced mass 3/4
     const double exact = all - loss * approach * approach;
     const auto engine = [&](double angle) {
       const double along = approach / std::cos(incidence) * std::cos(angle);
       return (all - loss * along * along) / exact - 1.0;
     };
-    const double nearer = std::min(std::abs(engine(incidence + d) - AsDouble(c.m_fEnergyError)),
-                                   std::abs(engine(incidence - d) - AsDouble(c.m_fEnergyError)));
+    const double nearer = std::min(std::abs(engine(incidence + d) - Wide(c.m_fEnergyError)),
+                                   std::abs(engine(incidence - d) - Wide(c.m_fEnergyError)));
     EXPECT_NEAR(nearer, 0.0, 2e-5);
     differs |= std::abs(c.m_fEnergyError - c.m_fSpeedError) > 1e-3f;
   }
@@ -180,7 +174,7 @@ TEST(ImpactTrialTest, EnergyOfAPairIsOfBoth) {
 TEST(ImpactTrialTest, EveryPairHasItsName) {
   const auto first = [](const CAnyShapeDesc& shape, const Vector2& from, const Vector2& v) {
     CScene scene = MakeScene(5, 2, {shape}, {CDynamicCircleDesc(from, static_cast<float>(g_fRadius), v)});
-    const CImpactTrialResult result = JudgeTrials(scene, 1);
+    const CImpactTrialResult result = Judge(scene, 1);
     return result.m_stdContacts.empty() ? std::string("none") : GetName(result.m_stdContacts[0].m_ePair);
   };
   const CLineSegDesc segment({-1, 0}, {1, 0});
@@ -206,10 +200,6 @@ CDynamicCircleDesc Flying(const Vector2& p, float radii) {
   return {p, g_fBallRadius, {radii * g_fBallRadius * 60, 0}};
 }
 
-CImpactTrialResult Evaluate(const CScene& scene, std::size_t contacts = g_nJudgeContacts) {
-  return Judge(scene, contacts, 4 * contacts, 11);
-}
-
 // Head-on at 6 radii a step: tunneled 1 - 1/6, missed 1 - 2/6. The floor, which answers in every step, is no
 // answer to the wall or the point. A point has no side that could be wrong; a ball that got into a ring
 // unseen is turned back by its far side a step later, with the right normal.
@@ -222,7 +212,7 @@ TEST(ImpactEvaluatorTest, AnotherResponseIsNoAnswerToWhatWasMissed) {
                    MakeScene(3, 0.1f, {floor, CPointDesc({0, 0.8f * g_fBallRadius})}, {rolling}, {0, -10}),
                inRing = MakeScene(3, 0.12f, {CCircleDesc({0, 0}, 0.35f)}, {Flying({-1.2f, 0}, 6)});
   for (const CScene* pScene : {&behindWall, &behindPoint, &inRing}) {
-    const CImpactTrialResult result = Evaluate(*pScene);
+    const CImpactTrialResult result = Judge(*pScene, g_nJudgeContacts);
     ASSERT_EQ(result.m_stdContacts.size(), g_nJudgeContacts);
     const CTotals native = MakeTotals(result.m_stdContacts, g_nApproximate);
     if (pScene != &behindPoint) {
@@ -243,7 +233,7 @@ TEST(ImpactEvaluatorTest, AResponseIsLateForTwoStepsAndMissingThen) {
     CScene scene = MakeScene(3, 0.2f, {CLineSegDesc({0, 0}, {2, 0})});
     const Vector2 v(0.1f / (steps * dt), -0.3f), impact(-0.1f, std::sqrt(r * r - 0.01f));
     AddBall(scene, {impact - 3.3f * dt * v, r, v});
-    const CImpactTrialResult result = Evaluate(scene, 50);
+    const CImpactTrialResult result = Judge(scene, 50);
     ASSERT_EQ(result.m_stdContacts.size(), 50u);
     for (const CContact& contact : result.m_stdContacts) {
       EXPECT_EQ(contact.m_ePair, ePair::SegmentEnd);
@@ -258,7 +248,7 @@ TEST(ImpactEvaluatorTest, ABallThatIsTooSlowHasANegativeError) {
   CScene scene =
       MakeScene(30, 1, {CLineSegDesc({10, -20}, {10, 20})}, {CDynamicCircleDesc({0, 0}, 0.5f, {240, 0})});
   std::size_t compared = 0;
-  for (const CContact& contact : Evaluate(scene, 100).m_stdContacts) {
+  for (const CContact& contact : Judge(scene, 100).m_stdContacts) {
     const CEngineContact& c = contact.m_stdEngines[g_nBox2D];
     if (!c.m_bCompared) continue;
     ++compared;
@@ -273,7 +263,7 @@ TEST(ImpactEvaluatorTest, APointBallIsJudgedInFiniteTime) {
   AddShape(scene, Sided(CLineSegDesc({-1, 0}, {1, 0.3f}), eSides::Front));
   AddShape(scene, CLineSegDesc({-2, 1}, {2, 1.1f}));
   AddBall(scene, {{0.1f, -1}, 0, {1, 6}});
-  EXPECT_EQ(Evaluate(scene, 20).m_stdContacts.size(), 20u);
+  EXPECT_EQ(Judge(scene, 20).m_stdContacts.size(), 20u);
 }
 
 } // namespace

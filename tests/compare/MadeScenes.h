@@ -37,9 +37,9 @@ inline CScene MakeScene(float halfWidth, float duration, const std::vector<CAnyS
 }
 
 /// To judge so many impacts of at most so many random trials.
-inline CImpactTrialOptions MakeImpactOptions(std::size_t contacts, std::uint64_t mostTrials,
-                                             std::uint64_t seed = 5) {
-  CImpactTrialOptions options;
+template <class TOptions = CImpactTrialOptions>
+TOptions MakeOptions(std::size_t contacts, std::uint64_t mostTrials, std::uint64_t seed = 5) {
+  TOptions options;
   options.m_nSeed = seed;
   options.m_nContacts = contacts;
   options.m_nMostTrials = mostTrials;
@@ -47,7 +47,12 @@ inline CImpactTrialOptions MakeImpactOptions(std::size_t contacts, std::uint64_t
 }
 inline CImpactTrialResult Judge(const CScene& scene, std::size_t contacts, std::uint64_t mostTrials,
                                 std::uint64_t seed = 5, const std::vector<CEngine>& engines = GetEngines()) {
-  return RunImpactTrials(scene, engines, MakeImpactOptions(contacts, mostTrials, seed));
+  return RunImpactTrials(scene, engines, MakeOptions(contacts, mostTrials, seed));
+}
+
+/// The same with at most 20 trials for each impact.
+inline CImpactTrialResult Judge(const CScene& scene, std::size_t contacts) {
+  return Judge(scene, contacts, 20 * contacts);
 }
 
 /// One that comes with the tool.
@@ -70,6 +75,13 @@ inline CSceneDesc ToDesc(const CScene& scene) {
 inline bool Holds(std::size_t hits, std::size_t n, double rate) {
   const CInterval i = Wilson(hits, n, 3.3);
   return i.m_fLow <= rate && rate <= i.m_fHigh;
+}
+
+/// The engine of this name, alone.
+inline std::vector<CEngine> OnlyEngine(std::string_view name) {
+  std::vector<CEngine> engines = GetEngines();
+  std::erase_if(engines, [&](const CEngine& e) { return e.m_sName != name; });
+  return engines;
 }
 
 inline constexpr std::size_t g_nNative = 0, g_nApproximate = 1, g_nBox2D = 2,

@@ -67,12 +67,7 @@ TEST(FailAboveTest, LimitsAreParsedAndWhatIsNoneIsRefused) {
 // Each metric with what native-approximate and box2d have of it in the sample. At a value that one of them
 // has it is not above, just below it is: so the value is this one.
 TEST(FailAboveTest, EveryMetricIsTheRightOne) {
-  CRunReport report = MakeSampleReport();
-  for (const std::size_t e : {Tests::g_nTuned, Tests::g_nNative}) {
-    report.m_stdEngines.erase(report.m_stdEngines.begin() + static_cast<std::ptrdiff_t>(e));
-    auto& engines = report.m_stdScenes[0].m_stdEngines;
-    engines.erase(engines.begin() + static_cast<std::ptrdiff_t>(e));
-  }
+  CRunReport report = MakeSampleReport({Tests::g_nApproximate, Tests::g_nBox2D});
   for (CEngineReport& engine : report.m_stdScenes[0].m_stdEngines) {
     engine.m_cLongRun.m_fFreePathError = 0.01;
     engine.m_cLongRun.m_fAngularMomentumDrift = -0.02;

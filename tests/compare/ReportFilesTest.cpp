@@ -65,22 +65,14 @@ TEST(ReplayJsonTest, HoldsShapesAndTracks) {
   ASSERT_EQ(s.at("radii").size(), 1u);
   EXPECT_FLOAT_EQ(s.at("radii")[0].get<float>(), 0.1f);
 
-  const auto& shapes = s.at("shapes");
-  ASSERT_EQ(shapes.size(), 6u);
-  EXPECT_EQ(shapes[0],
-            json::parse(
-                R"({"type":"segment","points":[[-1,0],[1,0]],"sensor":false,"turns":true,"center":[0,0]})"));
-  EXPECT_EQ(shapes[1].at("type"), "point");
-  EXPECT_EQ(shapes[1].at("points"), json::parse("[[-1,0]]"));
-  EXPECT_EQ(shapes[3].at("type"), "arc");
-  EXPECT_EQ(shapes[3].at("sensor"), true);
-  EXPECT_EQ(shapes[3].at("turns"), false);
-  EXPECT_FALSE(shapes[3].contains("center"));
-  // From 5 counterclockwise to 1 + 2 pi.
-  EXPECT_EQ(shapes[3].at("angles"), json({5, 7.28319}));
-  EXPECT_EQ(shapes[4].at("type"), "circle");
-  EXPECT_EQ(shapes[4].at("radius"), 0.5);
-  EXPECT_EQ(shapes[5].at("angles"), json({0, 6.28319})); // the full circle
+  // The arc goes from 5 counterclockwise to 1 + 2 pi.
+  EXPECT_EQ(s.at("shapes"), json::parse(R"([
+    {"type": "segment", "points": [[-1, 0], [1, 0]], "sensor": false, "turns": true, "center": [0, 0]},
+    {"type": "point", "points": [[-1, 0]], "sensor": false, "turns": true, "center": [0, 0]},
+    {"type": "point", "points": [[1, 0]], "sensor": false, "turns": true, "center": [0, 0]},
+    {"type": "arc", "points": [[1, 2]], "radius": 3, "angles": [5, 7.28319], "sensor": true, "turns": false},
+    {"type": "circle", "points": [[-1, 0]], "radius": 0.5, "sensor": false, "turns": false},
+    {"type": "arc", "points": [[0, 0]], "radius": 1, "angles": [0, 6.28319], "sensor": false, "turns": false}])"));
 
   const auto& clip = s.at("clips").at(0);
   EXPECT_EQ(clip.at("title"), "Worst contact of native");

@@ -56,14 +56,9 @@ TEST(RunJsonTest, TheSampleFitsTheSchema) {
 
 // One engine alone, and two profiles of one.
 TEST(RunJsonTest, WithoutTwoBackendsNothingIsApart) {
-  for (const auto& [first, last] : {std::pair(0, 1), std::pair(3, 4)}) {
-    CRunReport report = MakeSampleReport();
-    const auto keep = [first = first, last = last](auto& engines) {
-      engines = {engines.begin() + first, engines.begin() + last};
-    };
-    keep(report.m_stdEngines);
-    keep(report.m_stdScenes[0].m_stdEngines);
-    const json doc = json::parse(MakeJson(report));
+  using CNumbers = std::vector<std::size_t>;
+  for (const CNumbers& engines : {CNumbers{Tests::g_nNative}, {Tests::g_nBox2D, Tests::g_nTuned}}) {
+    const json doc = json::parse(MakeJson(MakeSampleReport(engines)));
     EXPECT_EQ(FindFault(doc), "");
     EXPECT_TRUE(doc.at("/scenes/0/apart"_json_pointer).is_null());
   }

@@ -63,7 +63,7 @@ TEST(RunTest, EverythingIsMeasuredOnEachScene) {
 TEST(RunTest, TheProgressOfWhatIsMeasuredMayEndIt) {
   const CScene scene = LoadBundled("head_on_wall");
   std::vector<double> shares;
-  CImpactTrialOptions trials = MakeImpactOptions(20, 100);
+  CImpactTrialOptions trials = MakeOptions(20, 100);
   trials.m_stdProgress = [&](double share) { shares.push_back(share); };
   const CImpactTrialResult result = RunImpactTrials(scene, GetEngines(), trials);
   EXPECT_EQ(result.m_nTrials, shares.size());
@@ -72,8 +72,7 @@ TEST(RunTest, TheProgressOfWhatIsMeasuredMayEndIt) {
   EXPECT_EQ(Judge(scene, 0, 100).m_nTrials, 0u);
   struct CStop {};
   const auto stop = [](double) { throw CStop(); };
-  CEffectOptions effects;
-  effects.m_nContacts = 10, effects.m_nMostTrials = 100;
+  auto effects = MakeOptions<CEffectOptions>(10, 100, 1);
   trials.m_stdProgress = effects.m_stdProgress = stop;
   EXPECT_THROW(RunImpactTrials(scene, GetEngines(), trials), CStop);
   EXPECT_THROW(MeasureEffects(scene, GetEngines(), effects), CStop);

@@ -97,6 +97,18 @@ inline CEffectWorld MakeSampleWorld(double ns, std::optional<double> instruction
   return world;
 }
 
+/// A setting that takes `ns` for a second of a ball and loses `tunneled` of its contacts.
+inline CSetting MakeSetting(const CEngine& engine, double ns, std::optional<double> error,
+                            std::size_t contacts, std::size_t tunneled) {
+  CSetting setting;
+  setting.m_cEngine = engine;
+  setting.m_cNsPerBallSecond = {ns, {ns, ns}};
+  setting.m_fDirectionErrorP95 = error;
+  setting.m_nContacts = contacts;
+  setting.m_nTunneled = tunneled;
+  return setting;
+}
+
 /// Native on a scene that calls for Kinematics in a quarter of the substeps, Events and Continuous:
 /// kinematics cost half, continuous a tenth and what is lost without it, Events nothing, what does not run a
 /// fifth.
@@ -129,13 +141,9 @@ inline CSceneReport MakeSampleScene() {
   report.m_stdEngines = {MakeSampleEngine(12, 70.0, 0.0002), MakeSampleEngine(203, 50.0, 0.04),
                          MakeSampleEngine(6, 500.0, 0.02), MakeSampleEngine(0, 800.0, 2e-6)};
   const auto setting = [](const CEngine& engine, std::optional<double> error) {
-    CSetting made;
-    made.m_cEngine = engine;
-    made.m_cNsPerBallSecond = {3000.0, {2900.0, 3100.0}};
-    made.m_fDirectionErrorP95 = error;
-    made.m_nContacts = 100;
+    CSetting made = MakeSetting(engine, 3000.0, error, 100, 20);
+    made.m_cNsPerBallSecond.m_cInterval = {2900.0, 3100.0};
     made.m_nMissed = 10;
-    made.m_nTunneled = 20;
     return made;
   };
   const std::vector<CEngine> engines = GetEngines();
@@ -162,14 +170,23 @@ inline CSceneReport MakeSampleScene() {
   return report;
 }
 
-/// The sample scene alone.
-inline CRunReport MakeSampleReport() {
+/// The sample scene alone, with these engines.
+inline CRunReport MakeSampleReport(const std::vector<std::size_t>& engines = {0, 1, 2, 3}) {
   CRunReport report;
   report.m_sCommand = "shapes-compare run";
   report.m_nSeed = 5;
   report.m_nContacts = 1000;
   report.m_stdEngines = GetEngines();
   report.m_stdScenes = {MakeSampleScene()};
+  const auto keep = [&](auto& all) {
+    const auto whole = all;
+    all.clear();
+    for (const std::size_t e : engines)
+      all.push_back(whole[e]);
+  };
+  keep(report.m_stdEngines);
+  keep(report.m_stdScenes[0].m_stdEngines);
+  keep(report.m_stdScenes[0].m_cImpactTrials.m_stdContacts[0].m_stdEngines);
   return report;
 }
 

@@ -12,23 +12,6 @@ using Tests::g_nApproximate, Tests::g_nBox2D, Tests::g_nNative, Tests::g_nTuned;
 std::string Use(const CRunReport& report) { return MakeVerdict(report, report.m_stdScenes[0]).at(0); }
 std::string Does(const CRunReport& report) { return MakeVerdict(report, report.m_stdScenes[0]).at(1); }
 
-// The sample with these engines only.
-CRunReport Of(std::initializer_list<std::size_t> numbers) {
-  const CRunReport all = MakeSampleReport();
-  CRunReport report = all;
-  report.m_stdEngines.clear();
-  CSceneReport& scene = report.m_stdScenes[0];
-  scene.m_stdEngines.clear();
-  CContact& contact = scene.m_cImpactTrials.m_stdContacts[0];
-  contact.m_stdEngines.clear();
-  for (const std::size_t e : numbers) {
-    report.m_stdEngines.push_back(all.m_stdEngines[e]);
-    scene.m_stdEngines.push_back(all.m_stdScenes[0].m_stdEngines[e]);
-    contact.m_stdEngines.push_back(all.m_stdScenes[0].m_cImpactTrials.m_stdContacts[0].m_stdEngines[e]);
-  }
-  return report;
-}
-
 TEST(VerdictTest, SaysWhatToTakeAndWhatAFasterOneWouldLose) {
   CRunReport report = MakeSampleReport();
   EXPECT_EQ(Use(report), "Use tuned Box2D: better than Box2D here and 0.62 times as fast; native-approximate "
@@ -38,7 +21,7 @@ TEST(VerdictTest, SaysWhatToTakeAndWhatAFasterOneWouldLose) {
 
 // 12 and 6 of 1,000 cannot be told apart, but 12 are more than good allows, and 6 too.
 TEST(VerdictTest, TheFastestOfTheBestGradeIsTaken) {
-  CRunReport report = Of({g_nNative, g_nApproximate, g_nBox2D});
+  CRunReport report = MakeSampleReport({g_nNative, g_nApproximate, g_nBox2D});
   auto& engines = report.m_stdScenes[0].m_stdEngines;
   EXPECT_EQ(Use(report).substr(0, 12), "Use Box2D: n");
   engines[g_nNative] = MakeSampleEngine(0, 70.0, 0.0002);
@@ -62,7 +45,7 @@ TEST(VerdictTest, TheFastestOfTheBestGradeIsTaken) {
 }
 
 TEST(VerdictTest, WorseBouncesAreAReasonToo) {
-  CRunReport report = Of({g_nNative, g_nApproximate, g_nBox2D});
+  CRunReport report = MakeSampleReport({g_nNative, g_nApproximate, g_nBox2D});
   auto& engines = report.m_stdScenes[0].m_stdEngines;
   for (const std::size_t e : {g_nNative, g_nApproximate})
     engines[e] = MakeSampleEngine(0, 50.0 + 10.0 * static_cast<double>(e), 0.1);
@@ -74,18 +57,18 @@ TEST(VerdictTest, WorseBouncesAreAReasonToo) {
 }
 
 TEST(VerdictTest, OneEngineAloneIsNotCompared) {
-  const CRunReport report = Of({g_nBox2D});
+  const CRunReport report = MakeSampleReport({g_nBox2D});
   EXPECT_EQ(Use(report), "Box2D is alone here.");
   EXPECT_EQ(Does(report),
             "It loses 1 in 170, and 95% of its bounces are within 1.1 degrees of the exact direction.");
   // Without Box2D the one that loses least is the measure.
-  CRunReport two = Of({g_nNative, g_nApproximate});
+  CRunReport two = MakeSampleReport({g_nNative, g_nApproximate});
   two.m_stdScenes[0].m_stdEngines[0] = MakeSampleEngine(0, 70.0, 0.0002);
   EXPECT_EQ(Use(two), "Use native; native-approximate is 1.4 times as fast as native but loses 1 in 4.9.");
 }
 
 TEST(VerdictTest, TellsOfWhatElseIsWrongAndOnlyThen) {
-  CRunReport report = Of({g_nNative, g_nBox2D});
+  CRunReport report = MakeSampleReport({g_nNative, g_nBox2D});
   CSceneReport& scene = report.m_stdScenes[0];
   for (CEngineReport& engine : scene.m_stdEngines) {
     engine.m_nGhosts = 0;
@@ -182,14 +165,14 @@ TEST(OverallTest, TimesAreGeometricMeansAndCountsAreSums) {
 }
 
 TEST(OverallTest, TheResultBeginsWithTheEngineToTake) {
-  CRunReport report = Of({g_nNative, g_nApproximate, g_nBox2D});
+  CRunReport report = MakeSampleReport({g_nNative, g_nApproximate, g_nBox2D});
   report.m_stdScenes[0].m_stdEngines[g_nNative] = MakeSampleEngine(1, 70.0, 0.0002);
   const std::string result = MakeResult(report, MakeOverall(report));
   EXPECT_EQ(result,
             "Take native: 7.1 times as fast as Box2D. It loses 1 of 1,000 impacts (Box2D 6), and 95% "
             "of its bounces are within 0.001 degrees of the exact direction; native-approximate is 1.4 times "
             "as fast as native but loses 1 in 4.9.");
-  CRunReport alone = Of({g_nNative, g_nApproximate});
+  CRunReport alone = MakeSampleReport({g_nNative, g_nApproximate});
   EXPECT_EQ(MakeResult(alone, MakeOverall(alone))
                 .rfind("Take native: it loses 12 of 1,000 impacts, and 95% of its bounces are within ", 0),
             0u)

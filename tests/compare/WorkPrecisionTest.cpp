@@ -8,18 +8,6 @@
 namespace Shapes::Compare::Tests {
 namespace {
 
-CSetting MakeSetting(const std::string& engine, unsigned substeps, double ns, std::optional<double> error,
-                     std::size_t contacts, std::size_t tunneled) {
-  CSetting setting;
-  setting.m_cEngine = {engine, nullptr};
-  setting.m_cEngine.m_nSubsteps = substeps;
-  setting.m_cNsPerBallSecond = {ns, {ns, ns}};
-  setting.m_fDirectionErrorP95 = error;
-  setting.m_nContacts = contacts;
-  setting.m_nTunneled = tunneled;
-  return setting;
-}
-
 TEST(WorkPrecision, TheLadderHasEachSettingOnceAndBeginsWithTheEnginesAsTheyCome) {
   std::set<std::string> labels;
   for (const CEngine& engine : GetParameterSweep()) {
@@ -37,10 +25,10 @@ TEST(WorkPrecision, TheLadderHasEachSettingOnceAndBeginsWithTheEnginesAsTheyCome
 
 TEST(WorkPrecision, TheFrontIsWhatNothingBeats) {
   std::vector<CSetting> settings{
-      MakeSetting("native", 1, 100, .5, 100, 50), MakeSetting("native", 2, 200, .1, 100, 0),
-      MakeSetting("box2d", 1, 300, .2, 100, 0),   MakeSetting("box2d", 2, 400, .05, 100, 1),
-      MakeSetting("box2d", 4, 150, {}, 0, 0),     MakeSetting("native", 4, 200, .1, 100, 0),
-      MakeSetting("exact", 1, 10, 0., 100, 0)}; // no engine to choose: it beats nobody
+      MakeSetting({"native", nullptr}, 100, .5, 100, 50), MakeSetting({"native", nullptr}, 200, .1, 100, 0),
+      MakeSetting({"box2d", nullptr}, 300, .2, 100, 0),   MakeSetting({"box2d", nullptr}, 400, .05, 100, 1),
+      MakeSetting({"box2d", nullptr}, 150, {}, 0, 0),     MakeSetting({"native", nullptr}, 200, .1, 100, 0),
+      MakeSetting({"exact", nullptr}, 10, 0., 100, 0)}; // no engine to choose: it beats nobody
   MarkFronts(settings);
   const bool byError[] = {true, true, false, true, false, true, false};
   const bool byMisses[] = {true, true, false, false, false, true, false};
@@ -51,11 +39,11 @@ TEST(WorkPrecision, TheFrontIsWhatNothingBeats) {
 }
 
 TEST(WorkPrecision, AnswersAreTheCheapestOfEachEngine) {
-  std::vector<CSetting> settings{MakeSetting("native-approximate", 1, 1000, .5, 1000, 500),
-                                 MakeSetting("native-approximate", 8, 8000, .009, 1000, 0),
-                                 MakeSetting("box2d", 1, 40000, .002, 5000, 0),
-                                 MakeSetting("box2d", 2, 60000, .0005, 500, 0),
-                                 MakeSetting("exact", 1, 10, 0., 1000, 0)};
+  std::vector<CSetting> settings{MakeSetting({"native-approximate", nullptr}, 1000, .5, 1000, 500),
+                                 MakeSetting({"native-approximate", nullptr}, 8000, .009, 1000, 0),
+                                 MakeSetting({"box2d", nullptr}, 40000, .002, 5000, 0),
+                                 MakeSetting({"box2d", nullptr}, 60000, .0005, 500, 0),
+                                 MakeSetting({"exact", nullptr}, 10, 0., 1000, 0)};
   settings[2].m_nConfirmationContacts = 95000;
   settings[1].m_nConfirmationContacts = 99000;
   settings[1].m_nConfirmationTunneled = 1; // lost in the proof
@@ -71,17 +59,17 @@ TEST(WorkPrecision, AnswersAreTheCheapestOfEachEngine) {
   EXPECT_EQ(answers[2].m_sDemand, "None lost in 100,000 impacts");
   EXPECT_EQ(answers[2].m_stdChoices, (CNumbers{2}));
   EXPECT_FALSE(answers[2].m_nClosest);
-  const auto none = MakeRecommendations({MakeSetting("native", 1, 1000, .5, 1000, 500)}, 10)[0];
+  const auto none = MakeRecommendations({MakeSetting({"native", nullptr}, 1000, .5, 1000, 500)}, 10)[0];
   EXPECT_TRUE(none.m_stdChoices.empty());
   EXPECT_EQ(none.m_nClosest, 0u);
   // Small errors alone do not make a setting good that loses every second ball.
-  EXPECT_TRUE(
-      MakeRecommendations({MakeSetting("native", 1, 1000, 1e-6, 1000, 500)}, 10)[1].m_stdChoices.empty());
+  EXPECT_TRUE(MakeRecommendations({MakeSetting({"native", nullptr}, 1000, 1e-6, 1000, 500)}, 10)[1]
+                  .m_stdChoices.empty());
 }
 
 TEST(WorkPrecision, TheWorldByDefaultComesFirstWhereNoneIsFasterThanCanBeTold) {
-  std::vector<CSetting> settings{MakeSetting("native", 1, 2050, .001, 1000, 0),
-                                 MakeSetting("native-approximate", 1, 2000, .001, 1000, 0)};
+  std::vector<CSetting> settings{MakeSetting({"native", nullptr}, 2050, .001, 1000, 0),
+                                 MakeSetting({"native-approximate", nullptr}, 2000, .001, 1000, 0)};
   const auto first = [&] { return MakeRecommendations(settings, 1000)[0].m_stdChoices.at(0); };
   EXPECT_EQ(first(), 1u); // the control: intervals without width
   settings[0].m_cNsPerBallSecond.m_cInterval = {1990, 2100};
@@ -94,9 +82,7 @@ TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
   std::vector<CEngine> ladder = GetEngines();
   ladder.push_back(ladder[g_nApproximate]);
   ladder.back().m_nSubsteps = 8;
-  CParameterSweepOptions options;
-  options.m_nContacts = 300;
-  options.m_nMostTrials = 6000;
+  auto options = MakeOptions<CParameterSweepOptions>(300, 6000, 1);
   options.m_nConfirmation = 1000;
   options.m_nBallSteps = 2000;
   options.m_nRepeats = 7;

@@ -55,24 +55,18 @@ inline CWorkPrecision MakeWork() {
     for (const unsigned substeps : {1u, 2u, 4u, 8u}) {
       const double n = substeps, column = static_cast<double>(e),
                    ns = 3000 * (1 + 7 * column) * (0.3 + 0.7 * n);
-      CSetting setting;
-      setting.m_cEngine = GetEngines()[e];
-      setting.m_cEngine.m_nSubsteps = substeps;
-      setting.m_cNsPerBallSecond = {ns, {0.96 * ns, 1.05 * ns}};
-      setting.m_fDirectionErrorP95 = 0.4 / n / std::pow(5, column);
-      setting.m_nContacts = 5000;
-      setting.m_nTunneled = substeps == 8 ? 0 : static_cast<std::size_t>(1000 / n / (1 + column));
-      setting.m_nMissed = setting.m_nTunneled / 2;
+      CEngine engine = GetEngines()[e];
+      engine.m_nSubsteps = substeps;
+      const std::size_t lost = substeps == 8 ? 0 : static_cast<std::size_t>(1000 / n / (1 + column));
+      CSetting setting = MakeSetting(engine, ns, 0.4 / n / std::pow(5, column), 5000, lost);
+      setting.m_cNsPerBallSecond.m_cInterval = {0.96 * ns, 1.05 * ns};
+      setting.m_nMissed = lost / 2;
       if (substeps == 8) setting.m_nConfirmationContacts = 95000;
       setting.m_bFrontByError = setting.m_bFrontByMisses = e < 2;
       work.m_stdSettings.push_back(setting);
     }
-  CSetting exact;
-  exact.m_cEngine = {g_sExact, nullptr};
-  exact.m_cNsPerBallSecond = {200000, {190000, 210000}};
-  exact.m_fDirectionErrorP95 = 0.0;
-  exact.m_nContacts = 5000;
-  work.m_stdSettings.push_back(exact);
+  work.m_stdSettings.push_back(MakeSetting({g_sExact, nullptr}, 200000, 0.0, 5000, 0));
+  work.m_stdSettings.back().m_cNsPerBallSecond.m_cInterval = {190000, 210000};
   work.m_stdRecommendations = {
       {"Bounces within 0.6 degrees (.01 rad), fewer than 1 in 100 lost", {3, 11}, {"native-approximate"}, {}},
       {"Bounces within 0.06 degrees (.001 rad), fewer than 1 in 1,000 lost", {}, {"native", "box2d"}, 11},
