@@ -6,19 +6,6 @@
 namespace Shapes::Compare::Tests {
 namespace {
 
-TEST(Reference, AnEventTellsOfItsImpact) {
-  CExact reference = Make({Wall({-10, 0}, {10, 0}, 2)}, {CDynamicCircleDesc({0, 1}, .5f, {3, -4})});
-  const CEvents events = Carry(reference, 0.25);
-  ASSERT_EQ(events.size(), 1u);
-  EXPECT_NEAR(events[0].m_fTime, 0.125, 1e-15);
-  EXPECT_EQ(events[0].m_ePart, ePart::Front);
-  EXPECT_EQ(events[0].m_vVelBefore, CVec2d(3, -4));
-  EXPECT_NEAR((events[0].m_vVelAfter - CVec2d(3, 8)).norm(), 0, 1e-15 * 5);
-  EXPECT_EQ(events[0].m_vVelAfter, reference.GetBall(0).m_vVel);
-  EXPECT_NEAR((events[0].m_vCenter - CVec2d(.375, .5)).norm(), 0, 1e-15);
-  EXPECT_NEAR((events[0].m_vPOI - CVec2d(.375, 0)).norm(), 0, 1e-15);
-}
-
 TEST(Reference, BallsMeetAsOftenAndLeaveAsTheyShould) {
   const auto expect = [](const char* pName, const CShapes& shapes, const CBalls& balls, double seconds,
                          std::size_t hits, const std::vector<CVec2d>& velocities, double tolerance = 0) {
@@ -68,27 +55,6 @@ TEST(Reference, BallsMeetAsOftenAndLeaveAsTheyShould) {
              {ball({.1f, static_cast<float>(side)}, {0, static_cast<float>(-side)}, .25f)}, 2,
              passes ? 0u : 1u, {{0, passes ? -side : side}});
     }
-}
-
-TEST(Reference, FrameOfTheSurface) { // whatever the place: v_n' = V + e (V - v_n), the tangential part kept
-  int hits = 0;
-  ForEachCase(58, 500, [&](CRandom& random, int) {
-    const Vector2 p = random.InSquare(1.5f), v = random.InSquare(20);
-    const float e = random.Uniform(0, 2), revs = random.Uniform(-10, 10);
-    CExact reference = Make({Turning(Wall({0, 0}, {1, 0}, e), revs)}, {CDynamicCircleDesc(p, .1f, v)});
-    for (const CExactEvent<double>& event : Carry(reference, 1.0 / 60)) {
-      ++hits;
-      const CVec2d& n = event.m_vNorm;
-      const double vn = event.m_vVelBefore.dot(n), V = event.m_vSurface.dot(n);
-      EXPECT_NEAR(event.m_vVelAfter.dot(n), V + static_cast<double>(e) * (V - vn), 1e-12 * 200);
-      EXPECT_NEAR(Cross(event.m_vVelAfter, n), Cross(event.m_vVelBefore, n), 1e-12 * 200);
-    }
-    const double turned =
-        std::remainder(reference.GetOrientation(0) - 2 * std::numbers::pi * static_cast<double>(revs) / 60,
-                       2 * std::numbers::pi);
-    EXPECT_NEAR(turned, 0, 1e-14);
-  });
-  EXPECT_GT(hits, 20);
 }
 
 TEST(Reference, ASpeedBeyondDoublesIsRefused) {
