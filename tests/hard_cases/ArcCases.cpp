@@ -21,7 +21,7 @@ CHardCase ArcCase(const CShot& shot, const std::string& name, const std::string&
                   const std::function<double()>& naive) {
   const CExpect late = Off(0.0125, "as if t = .9125: the way after the impact is lost");
   return Named(ShotCase(shot, MeetDisc(shot.m_stdBalls[0], 1.0f)), name, input, right,
-               {{eColumn::Approximate, late}, {eColumn::Box2D, shipped}}, control, naive);
+               {{Approximate, late}, {Box2D, shipped}}, control, naive);
 }
 
 // Met if the angle is between the ends, which is no test for a sector that contains 0.
@@ -47,7 +47,7 @@ CHardCase EqualAngles() {
 // Largest distance from 0 of what becomes of a tiny negative angle.
 double ErrorOfTinyAngle(eColumn column) {
   const CPointDesc point = Turning(CPointDesc({1.0f, 0.0f}));
-  if (column == eColumn::Reference) {
+  if (column == Reference) {
     Compare::CReference<double> reference(std::vector<CAnyShapeDesc>{point}, {}, Vector2::Zero());
     reference.SetOrientation(0, -1e-17);
     return std::abs(reference.GetOrientation(0));
@@ -67,7 +67,7 @@ CHardCase ShortArc() {
                         Off(0.01, "as if t = .910: a point to it, which stops a ball .015 deep"),
                         "chords of 1 degree: int(span / step) is none",
                         [] { return static_cast<int>(1e-7 / g_fDegree) > 0 ? 0.0 : g_fNever; });
-  c.m_cBound = {1e-7, 8.0 * g_fFloatEps, "1e-7 of t, n and v'; engines 8 roundings"};
+  c.m_cBound = {1e-7, 8.0 * g_fUlp, "1e-7 of t, n and v'; engines 8 roundings"};
   return c;
 }
 
@@ -88,13 +88,13 @@ CHardCase Slit() {
   // The rounded angles are not alike: end 1 is met first.
   CHardCase c = ShotCase(shot, MeetEnd(shot.m_stdBalls[0], a1));
   c.m_cBound = {1e-6, 1e-6, "1e-6 of t, n and v'"};
-  return Named(
-      c, "ArcWithASlitThatIsTooNarrow", "arc R = 1 from 1e-6 to 2 pi - 1e-6, a slit of 2e-6; the same ball",
-      "meets the ends: t = .9, thrown back",
-      {{eColumn::Approximate, Missed("flies through the slit: ends are open where no point guards them")},
-       {eColumn::Box2D, Off(3.6e-5, "v' off by .00004 radians: its skin")}},
-      "the circle's root counts where the centre is in the sector: never",
-      [=] { return BetweenAngles(Wide(a0), Wide(a1), std::atan2(0.0, 1.1)); });
+  return Named(c, "ArcWithASlitThatIsTooNarrow",
+               "arc R = 1 from 1e-6 to 2 pi - 1e-6, a slit of 2e-6; the same ball",
+               "meets the ends: t = .9, thrown back",
+               {{Approximate, Missed("flies through the slit: ends are open where no point guards them")},
+                {Box2D, Off(3.6e-5, "v' off by .00004 radians: its skin")}},
+               "the circle's root counts where the centre is in the sector: never",
+               [=] { return BetweenAngles(Wide(a0), Wide(a1), std::atan2(0.0, 1.1)); });
 }
 
 CHardCase ThroughTheOpening() {
@@ -106,8 +106,8 @@ CHardCase ThroughTheOpening() {
       ShotCase(shot, MeetRing(shot.m_stdBalls[0], 1.0f)), "BallThroughTheOpeningOfAnArc",
       "arc R = 1 from 45 to 315 degrees; ball r = .1 at (3, 0), v = (-1, 0); one step of 3.925, on Box2D two",
       "enters and meets the far side from inside: t = 3.9, n = (1, 0)",
-      {{eColumn::Approximate, Off(0.0125, "as if t = 3.9125: the way after the impact is lost")},
-       {eColumn::Box2D, Off(0.146, "v' off by .15 radians: it bounces off a chord")}},
+      {{Approximate, Off(0.0125, "as if t = 3.9125: the way after the impact is lost")},
+       {Box2D, Off(0.146, "v' off by .15 radians: it bounces off a chord")}},
       "the first root of the full circle: t = 1.9", [] { return 3.9 - 1.9; });
 }
 
@@ -119,8 +119,8 @@ CHardCase AtTheTopOfAShortArc() {
       ShotCase(shot, MeetDisc(shot.m_stdBalls[0], 1.0f)), "BallAtTheTopOfAShortArc",
       "the same arc; ball r = .1 at (0, 1.5), v = (0, -1); one step of .41, so it is .01 too deep at most",
       "t = .4, n = (0, 1)",
-      {{eColumn::Approximate, Off(0.005, "as if t = .405: the way after the impact is lost")},
-       {eColumn::Box2D, Off(2e-5, "as if t = .40002: it meets a corner of its chords")}},
+      {{Approximate, Off(0.005, "as if t = .405: the way after the impact is lost")},
+       {Box2D, Off(2e-5, "as if t = .40002: it meets a corner of its chords")}},
       "box of the ends: the ball is .005 above it at the end", [] {
         const double low = 1.5 - 0.41 - 0.1, top = std::sin(80.0 * g_fDegree);
         return low <= top ? 0.0 : g_fNever;
@@ -150,7 +150,7 @@ std::vector<CHardCase> ArcCases() {
               "BallTooLargeInsideAFullArc",
               "full arc R = 1, ball r = 1.5 inside at (.25, 0), v = (.5, 0), (-.5, 0) and 0; one step of .25",
               "it cannot touch the inside: ignored, it flies on", g_cTwoUlps,
-              {{eColumn::Box2D, Off(2.6, "thrown out through the arc, by 2.6 units in the step")}},
+              {{Box2D, Off(2.6, "thrown out through the arc, by 2.6 units in the step")}},
               [](eColumn column) {
                 return WorstOf({0.5f, -0.5f, 0.0f}, [=](float v) {
                   const CShot shot{{CArcDesc({0.0f, 0.0f}, 1.0f, 0.0f, 0.0f)},
@@ -166,8 +166,7 @@ std::vector<CHardCase> ArcCases() {
               }),
           Case(
               "BoxOfAnArcAcrossItsTop", "arc R = 1 from 80 to 100 degrees: its box", "up to y = 1",
-              {g_fFloatEps, g_fFloatEps, "1 rounding of float"},
-              {{eColumn::Reference, NotAsked("keeps its boxes to itself")}},
+              {g_fUlp, g_fUlp, "1 rounding of float"}, {{Reference, NotAsked("keeps its boxes to itself")}},
               [](eColumn column) {
                 const auto pWorld = MakeWorld(column);
                 const CShapeId arc = pWorld->Add(CArcDesc({0.0f, 0.0f}, 1.0f, Degrees(80.0), Degrees(100.0)));

@@ -18,7 +18,7 @@ constexpr float g_fStep = 0.25f;
 
 // Largest error of the normal, of the velocity after, and of the setback, which is to be r.
 double ErrorOnTheSpot(eColumn column, const COnTheSpot& c) {
-  const bool approximate = column == eColumn::Approximate;
+  const bool approximate = column == Approximate;
   CShot shot{
       {c.m_cShape},
       {CDynamicCircleDesc(approximate ? Vector2(-g_fStep * c.m_vVel) : Vector2::Zero(), g_fRadius, c.m_vVel)},
@@ -27,7 +27,7 @@ double ErrorOnTheSpot(eColumn column, const COnTheSpot& c) {
   // The reference leaves what overlaps where it is, and tells how deep it is; worlds put it back.
   const double flown = approximate ? 0.0 : Wide(g_fStep);
   const double setback =
-      column == eColumn::Reference ? seen.m_fSetback : (seen.m_vPos - flown * c.m_vAfter).dot(c.m_vNorm);
+      column == Reference ? seen.m_fSetback : (seen.m_vPos - flown * c.m_vAfter).dot(c.m_vNorm);
   return std::max({Distance(seen.m_vNorm, c.m_vNorm), Distance(seen.m_vVel, c.m_vAfter),
                    std::abs(setback - Wide(g_fRadius))});
 }
@@ -41,7 +41,7 @@ CHardCase OnTheSpot(const std::string& name, const std::string& input, const std
                     const COnTheSpot& onTheSpot, const CExpect& shipped, const CExpect& tuned,
                     const std::string& control) {
   return Case(
-      name, input, right, g_cTwoUlps, {{eColumn::Box2D, shipped}, {eColumn::Tuned, tuned}},
+      name, input, right, g_cTwoUlps, {{Box2D, shipped}, {Tuned, tuned}},
       [=](eColumn column) { return ErrorOnTheSpot(column, onTheSpot); }, control, NoDirection);
 }
 
@@ -57,9 +57,9 @@ CHardCase InTheMiddle() {
       "CentreInTheMiddleOfAFullArc",
       "ball r = .5 in the middle of a full arc R = 2: at rest, and with v = (1, 0); one step of 1.75",
       "at rest no contact; else the gap is 1.5: t = 1.5, n = (-1, 0), v' = (-1, 0)",
-      {1e-12, 8.0 * 1.5 * g_fFloatEps, "1e-12 of t, n and v'; engines 8 roundings"},
-      {{eColumn::Approximate, Off(0.125, "as if t = 1.625: the way after the impact is lost")},
-       {eColumn::Box2D, Off(0.12, "v' off by .12 radians: it bounces off a chord")}},
+      {1e-12, 8.0 * 1.5 * g_fUlp, "1e-12 of t, n and v'; engines 8 roundings"},
+      {{Approximate, Off(0.125, "as if t = 1.625: the way after the impact is lost")},
+       {Box2D, Off(0.12, "v' off by .12 radians: it bounces off a chord")}},
       [=](eColumn column) {
         return Worst(ErrorOfFlight(Shoot(column, rest), rest), ErrorOf(Shoot(column, flight), answer));
       },
@@ -106,7 +106,7 @@ std::vector<CHardCase> CoincidentCases() {
               "BallInTheMiddleOfAFullArcOfItsOwnSize",
               "ball r = 1 in the middle of a full arc R = 1: at rest, and with v = (1, 0); one step of .25",
               "it has no room inside, so it has no inner contact: flies on", g_cTwoUlps,
-              {{eColumn::Box2D, Off(8.6, "thrown out through the arc, with 8.6 times its speed")}},
+              {{Box2D, Off(8.6, "thrown out through the arc, with 8.6 times its speed")}},
               [](eColumn column) {
                 return WorstOf({0.0f, 1.0f}, [=](float v) {
                   const CShot shot = InFullArc(1.0f, 1.0f, {v, 0.0f}, 0.25f);
@@ -117,9 +117,9 @@ std::vector<CHardCase> CoincidentCases() {
           Case("TwoBallsAtOnePlace",
                "two balls r = .5 of m = 1 and 3, both at rest at (0, 0); one step of 1/60",
                "apart by .75 and .25 along one line; the centre of mass stays, v' = 0", g_cTwoUlps,
-               {{eColumn::Box2D, Off(0.75, "they stay on each other for good")},
-                {eColumn::Tuned, Off(0.64, "apart by .11 and .04, right after some steps")},
-                {eColumn::Reference, NotAsked("leaves what overlaps where it is")}},
+               {{Box2D, Off(0.75, "they stay on each other for good")},
+                {Tuned, Off(0.64, "apart by .11 and .04, right after some steps")},
+                {Reference, NotAsked("leaves what overlaps where it is")}},
                ErrorOfParting, "n = p1 - p0 over its length: 0 / 0", NoDirection)};
 }
 

@@ -14,7 +14,7 @@ constexpr float g_fShotRadius = 0.1f, g_fShotWay = 0.15f;
 
 double ShareThatGetsThrough(eColumn column) {
   Tests::CRandom random(g_nFastSeed);
-  const int shots = IsNative(column) || column == eColumn::Reference ? g_nShots : g_nShots / 10;
+  const int shots = IsNative(column) || column == Reference ? g_nShots : g_nShots / 10;
   int through = 0;
   for (int i = 0; i < shots; ++i) {
     const double angle = 2.0 * std::numbers::pi * random.Unit(), phase = random.Unit();
@@ -147,59 +147,56 @@ std::vector<CHardCase> FastCases() {
            "r = .1, head on at a segment at any angle, 1.5 radii a step, any phase: share of 100,000 shots "
            "that get through",
            "0", g_cBits,
-           {{eColumn::Approximate,
+           {{Approximate,
              Deviates(1.0 / 3.0 - 0.0045, 1.0 / 3.0 + 0.0045,
                       ".333 get through: it looks at the end of the step only, and loses 1 - r / (v dt)")}},
            ShareThatGetsThrough, "overlap at the end of the step: loses 1 - r / (v dt) = 1/3",
            ShareThatAnOverlapTestLoses),
-      Case("BounceInTheMiddleOfAStep", "r = .1 at (0, .13), v = (0, -6), 1/60 s, onto a segment on y = 0",
-           "at (0, .17), v = (0, 6)", g_cEightRoundings,
-           {{eColumn::Approximate,
-             Deviates(0.0699, 0.0701,
-                      ".07 short: set back onto the surface, it loses the way after the impact")},
-            {eColumn::Box2D, Deviates(0.00008, 0.0003, ".00016 off: its skin")}},
-           DeepBounce, "setback to the surface: at .10 instead of .17",
-           [] {
-             const double r = 0.1, y = 0.13 - 6.0 / 60.0, setback = r - y;
-             return std::abs(0.17 - (y + setback));
-           }),
+      Case(
+          "BounceInTheMiddleOfAStep", "r = .1 at (0, .13), v = (0, -6), 1/60 s, onto a segment on y = 0",
+          "at (0, .17), v = (0, 6)", g_cEightRoundings,
+          {{Approximate, Deviates(0.0699, 0.0701,
+                                  ".07 short: set back onto the surface, it loses the way after the impact")},
+           {Box2D, Deviates(0.00008, 0.0003, ".00016 off: its skin")}},
+          DeepBounce, "setback to the surface: at .10 instead of .17",
+          [] {
+            const double r = 0.1, y = 0.13 - 6.0 / 60.0, setback = r - y;
+            return std::abs(0.17 - (y + setback));
+          }),
       Case(
           "PointPassedAtHalfARadius",
           "r = .1, passing a point at an offset of .05, a radius a step, 2,000 phases: median error of the "
           "way after it, in radians",
           "the mirror image at the true impact", g_cEightRoundings,
-          {{eColumn::Approximate, Deviates(0.80, 0.86, ".83: the normal is that of the end of the step")},
-           {eColumn::Box2D,
+          {{Approximate, Deviates(0.80, 0.86, ".83: the normal is that of the end of the step")},
+           {Box2D,
             Deviates(0.105, 0.42, ".21: it stops the ball up to .015 deep, and takes the normal there")}},
           [](eColumn column) { return PassAPoint(column).m_fMedian; },
           "closest point at the end of the step: median .83 rad",
           [] { return PassAPointNaively().m_fMedian; }),
       Case(
           "PointPassedWithoutATurn", "The same: the share that is not turned at all", "0", g_cBits,
-          {{eColumn::Approximate,
-            Deviates(0.12, 0.15, ".134: at the end of the step they are past it, or leaving")}},
+          {{Approximate, Deviates(0.12, 0.15, ".134: at the end of the step they are past it, or leaving")}},
           [](eColumn column) { return PassAPoint(column).m_fThrough; },
           "closest point at the end of the step: 13% pass", [] { return PassAPointNaively().m_fThrough; }),
       RestingInside("RestingInsideACircle",
                     "r = .1 at rest, 3 from the centre of a circle of radius 5, for 1 s: how far it moves",
                     "0: the circle is a ring, and is not touched", CCircleDesc({0, 0}, 5.0f),
-                    {{eColumn::Box2D, solid}, {eColumn::Tuned, solid}},
-                    "a disk, d < R + r: pushed out by 2.1"),
+                    {{Box2D, solid}, {Tuned, solid}}, "a disk, d < R + r: pushed out by 2.1"),
       RestingInside("RestingInsideABowl", "The same inside of a full-circle arc", "0",
                     CArcDesc({0, 0}, 5.0f, 0.0f, 0.0f), {},
                     "the arc as a disk, d < R + r: pushed out by 2.1"),
       Case("LeavingAnOverlap", "r = .1 overlaps a segment by .02, v = (1, .5) off it",
            "v bit for bit; pushed along the normal at most, by .02 at most", g_cBits,
-           {{eColumn::Box2D, Deviates(0.0023, 0.0092, "v kept, but pushed .0046 too far: by its skin")}},
+           {{Box2D, Deviates(0.0023, 0.0092, "v kept, but pushed .0046 too far: by its skin")}},
            LeavesAnOverlap, "v - 2 (v.n) n whenever they overlap: sent back in",
            [] { return Distance(Mirrored(Wide(g_vLeaving), Vector2d(0.0, 1.0)), Wide(g_vLeaving)); }),
       Case("AMillionUnitsASecond",
            "r = .1 at (0, 1), v = (0, -1e6), 1/60 s, onto a segment on y = 0: place and velocity, relative",
            "hits after 9e-7 s, and is at y = 16,666 at the end", Roundings(8),
-           {{eColumn::Approximate, Deviates(1.9, 2.1, "goes through: it is at y = -16,666")},
-            {eColumn::Box2D, Deviates(0.9999, 1.0, "slowed down to 120, by at most 2 units a step; counted")},
-            {eColumn::Tuned,
-             Deviates(0.99, 1.0, "slowed down to 7,600, by at most 256 x .5 units a step; counted")}},
+           {{Approximate, Deviates(1.9, 2.1, "goes through: it is at y = -16,666")},
+            {Box2D, Deviates(0.9999, 1.0, "slowed down to 120, by at most 2 units a step; counted")},
+            {Tuned, Deviates(0.99, 1.0, "slowed down to 7,600, by at most 256 x .5 units a step; counted")}},
            Million, "overlap at the end of the step: goes through",
            [] { return std::abs(1.0 - 1e6 / 60.0) < 0.1 ? 0.0 : g_fNever; })};
 }

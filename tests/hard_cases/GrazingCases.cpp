@@ -10,7 +10,7 @@ namespace {
 CShot Past(eColumn column, float y, double exactly) {
   CShot shot{{CPointDesc({0.0f, 0.0f})}, {CDynamicCircleDesc({-10.0f, y}, 1.0f, {1.0f, 0.0f})}, 10.5f};
   shot.m_nBox2DSteps = 7;
-  if (column == eColumn::Reference) shot.m_vExactPos = Vector2d(-10.0, exactly);
+  if (column == Reference) shot.m_vExactPos = Vector2d(-10.0, exactly);
   return shot;
 }
 
@@ -33,14 +33,14 @@ CHardCase JustTouching() {
       "BallThatJustTouchesAPoint",
       "point (0, 0); ball r = 1 at (-10, 1 - 1e-12), in float (-10, 1 - 6e-8), v = (1, 0)",
       "t = 9.99999858578644 (float: 9.99965473), turned by 2.8e-6 (6.9e-4) radians",
-      {2e-9, 8.0 * 10.0 * g_fFloatEps,
+      {2e-9, 8.0 * 10.0 * g_fUlp,
        "t, n and v' within 2e-9, a rounding of 10 over the slope sqrt(2e-12); engines 8 roundings of 10"},
-      {{eColumn::Approximate, Missed("flies past: at the end of the step it is beyond")},
-       {eColumn::Box2D, Missed("flies past: it stops a ball only where it is .015 deep")},
-       {eColumn::Tuned, Missed("flies past: so slight an overlap does not stop Box2D")}},
+      {{Approximate, Missed("flies past: at the end of the step it is beyond")},
+       {Box2D, Missed("flies past: it stops a ball only where it is .015 deep")},
+       {Tuned, Missed("flies past: so slight an overlap does not stop Box2D")}},
       [=](eColumn column) {
         CSeen seen = Shoot(column, Past(column, yFloat, y));
-        if (column == eColumn::Reference) return ErrorOf(seen, PastAt50Digits(y));
+        if (column == Reference) return ErrorOf(seen, PastAt50Digits(y));
         // Where it was met tells the time better than so small a change of velocity.
         if (std::isfinite(seen.m_fTime)) seen.m_fTime = seen.m_fContactTime;
         return ErrorOf(seen, PastAt50Digits(Wide(yFloat)));
@@ -56,7 +56,7 @@ CHardCase JustMissing() {
   const float yFloat = 1.0f + 0x1p-23f;
   return Case(
       "BallThatJustMissesAPoint", "the same at (-10, 1 + 1e-12), in float (-10, 1 + 1.2e-7)", "flies past",
-      {1e-12, 8.0 * g_fFloatEps, "1e-12 of p and v; engines 8 roundings"}, {},
+      {1e-12, 8.0 * g_fUlp, "1e-12 of p and v; engines 8 roundings"}, {},
       [=](eColumn column) {
         const CShot shot = Past(column, yFloat, 1.0 + 1e-12);
         return ErrorOfFlight(Shoot(column, shot), shot);
@@ -99,10 +99,9 @@ CHardCase OnAParabola() {
   return Case(
       "BallOnAParabolaMeetsAPoint",
       "point (0, 0); ball r = .3 at (-1, .5), v = (3, 0), gravity (0, -9.8); 60 steps a second",
-      "t = .254193423748269", {1e-12, 8.0 * g_fFloatEps, "1e-12 of t; engines 8 roundings"},
-      {{eColumn::Approximate,
-        Off(0.0047, ".0047 early: met at the end of the step, and v changes once in a step")},
-       {eColumn::Box2D, Off(0.00066, ".0007 late: v changes once in a step, and it stops a ball .015 deep")}},
+      "t = .254193423748269", {1e-12, 8.0 * g_fUlp, "1e-12 of t; engines 8 roundings"},
+      {{Approximate, Off(0.0047, ".0047 early: met at the end of the step, and v changes once in a step")},
+       {Box2D, Off(0.00066, ".0007 late: v changes once in a step, and it stops a ball .015 deep")}},
       [=](eColumn column) {
         return Worst(0.0, std::abs(Shoot(column, shot).m_fContactTime - static_cast<double>(right)));
       },
@@ -122,8 +121,8 @@ CHardCase TwoThatFall() {
       ShotCase(shot, answer), "TwoBallsThatFallTogether",
       "balls r = .25 at (-2, .3), v = (4, 0), and at (0, 0) at rest, gravity (0, -9.8); 27 steps of 1/60",
       "gravity cancels: t = .4, n = (-.8, .6), relative v' = (-1.12, 3.84)",
-      {{eColumn::Approximate, Off(0.70, "v' off by .18 radians: n is that at the end of the step")},
-       {eColumn::Box2D,
+      {{Approximate, Off(0.70, "v' off by .18 radians: n is that at the end of the step")},
+       {Box2D,
         Off(0.70, "v' off by .18 radians: it does not sweep balls, n is that at the end of the step")}},
       "only the first one falls in the equation: t = .55", [=] {
         const CDynamicCircleDesc first({-2.0f, 0.3f}, 0.5f, {4.0f, 0.0f});
@@ -139,7 +138,7 @@ std::vector<CHardCase> GrazingCases() {
       Case("BallThatSlidesAlongASegment",
            "segment (-1, 0)-(200, 0); ball r = .1 at (0, .1), v = (1, 0), no gravity; 10,000 steps of 1/60",
            "y and v keep their bits", {1e-12, 1e-12, "1e-12 of y and v, less than a rounding of float"},
-           {{eColumn::Box2D, Off(0.005, "lifted by .005: its skin")}}, ErrorOfSliding,
+           {{Box2D, Off(0.005, "lifted by .005: its skin")}}, ErrorOfSliding,
            "normal by its angle, cos(pi / 2) = -4.4e-8 in float: v is off by 8.7e-8",
            [] {
              const Vector2 n(std::cos(g_fPi / 2.0f), std::sin(g_fPi / 2.0f));

@@ -3,35 +3,11 @@
 
 namespace Shapes::HardCases {
 
-const char* GetName(eColumn column) {
-  constexpr std::array names{"approximate", "native", "box2d", "tuned", "reference"};
-  return names.at(static_cast<std::size_t>(column));
-}
-
-CExpect Right() { return {CExpect::eKind::Right, 0.0, 0.0, "right"}; }
-CExpect RightWithin(double bound, const std::string& derivation) {
-  return {CExpect::eKind::Right, 0.0, bound, "right: " + derivation};
-}
-CExpect Deviates(double least, double most, const std::string& figureAndReason) {
-  return {CExpect::eKind::Deviates, least, most, figureAndReason};
-}
-CExpect Off(double figure, const std::string& figureAndReason) {
-  return Deviates(0.5 * figure, 2.0 * figure, figureAndReason);
-}
-CExpect Missed(const std::string& reason) { return Deviates(g_fNever, g_fNever, reason); }
-CExpect Refused(const std::string& words) { return {CExpect::eKind::Refused, 0.0, 0.0, words}; }
-CExpect NotAsked(const std::string& why) { return {CExpect::eKind::NotAsked, 0.0, 0.0, why}; }
-
 CExpectations RefusedByAll(const std::string& words) {
   CExpectations all;
   for (std::size_t i = 0; i < g_nColumns; ++i)
     all.emplace_back(static_cast<eColumn>(i), Refused(words));
   return all;
-}
-
-CBound Roundings(int n, int size) {
-  return {n * size * 0x1p-53, n * size * 0x1p-24,
-          std::to_string(n) + " roundings of " + std::to_string(size)};
 }
 
 CHardCase Named(CHardCase c, const std::string& name, const std::string& input, const std::string& right,
@@ -57,20 +33,13 @@ CHardCase Case(const std::string& name, const std::string& input, const std::str
 }
 
 std::unique_ptr<CWorld> MakeWorld(eColumn column, const Vector2& gravity, float dt) {
-  if (column == eColumn::Reference) throw std::logic_error("the reference is no world");
+  if (column == Reference) throw std::logic_error("the reference is no world");
   CWorldDesc desc;
   desc.m_vGravity = gravity;
   desc.m_fTimeStep = dt;
-  desc.m_cEffects = column == eColumn::Approximate ? g_cApproximate : g_cContinuous;
-  if (column == eColumn::Tuned) desc.m_cBox2D.m_eProfile = eProfile::Tuned;
+  desc.m_cEffects = column == Approximate ? g_cApproximate : g_cContinuous;
+  if (column == Tuned) desc.m_cBox2D.m_eProfile = eProfile::Tuned;
   return GetBackend(IsNative(column) ? eBackend::Native : eBackend::Box2D)->MakeWorld(desc);
-}
-
-double Worst(double a, double b) { return std::isnan(a) || std::isnan(b) ? g_fNever : std::max(a, b); }
-
-double Distance(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  const double d = (a - b).norm();
-  return std::isfinite(d) ? d : g_fNever;
 }
 
 std::vector<CHardCase> AllCases() {

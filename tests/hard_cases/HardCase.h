@@ -10,10 +10,14 @@ namespace Shapes::HardCases {
 /// The engines. Approximate is the approximate mode of native, Native its continuous one; Box2D is as it
 /// ships, Tuned its tuned profile; Reference is the exact reference in double.
 enum class eColumn { Approximate, Native, Box2D, Tuned, Reference, Size };
+using enum eColumn;
 inline constexpr std::size_t g_nColumns = static_cast<std::size_t>(eColumn::Size);
 /// "approximate", "native", "box2d", "tuned", "reference".
-const char* GetName(eColumn column);
-inline bool IsNative(eColumn column) { return column == eColumn::Approximate || column == eColumn::Native; }
+inline const char* GetName(eColumn column) {
+  constexpr std::array names{"approximate", "native", "box2d", "tuned", "reference"};
+  return names.at(static_cast<std::size_t>(column));
+}
+inline bool IsNative(eColumn column) { return column == Approximate || column == Native; }
 
 /// The error of an event that did not happen.
 inline constexpr double g_fNever = std::numeric_limits<double>::infinity();
@@ -34,16 +38,22 @@ struct CExpect {
   std::string m_sText;
 };
 
-CExpect Right();
+inline CExpect Right() { return {CExpect::eKind::Right, 0.0, 0.0, "right"}; }
 /// A bound of its own, wider than that of the case: `derivation` says why it has to be.
-CExpect RightWithin(double bound, const std::string& derivation);
-CExpect Deviates(double least, double most, const std::string& figureAndReason);
+inline CExpect RightWithin(double bound, const std::string& derivation) {
+  return {CExpect::eKind::Right, 0.0, bound, "right: " + derivation};
+}
+inline CExpect Deviates(double least, double most, const std::string& figureAndReason) {
+  return {CExpect::eKind::Deviates, least, most, figureAndReason};
+}
 /// A deviation by this figure: held to between half of it and twice of it.
-CExpect Off(double figure, const std::string& figureAndReason);
+inline CExpect Off(double figure, const std::string& figureAndReason) {
+  return Deviates(0.5 * figure, 2.0 * figure, figureAndReason);
+}
 /// A case that is not met at all.
-CExpect Missed(const std::string& reason);
-CExpect Refused(const std::string& words);
-CExpect NotAsked(const std::string& why);
+inline CExpect Missed(const std::string& reason) { return Deviates(g_fNever, g_fNever, reason); }
+inline CExpect Refused(const std::string& words) { return {CExpect::eKind::Refused, 0.0, 0.0, words}; }
+inline CExpect NotAsked(const std::string& why) { return {CExpect::eKind::NotAsked, 0.0, 0.0, why}; }
 
 /// Of the engines that are not just right.
 using CExpectations = std::vector<std::pair<eColumn, CExpect>>;
@@ -59,7 +69,10 @@ inline const CBound g_cBits{0.0, 0.0, "bit for bit"};
 inline const CBound g_cEightRoundings{1e-12, 0x1p-21, "1e-12; engines 8 roundings of 1"};
 inline const CBound g_cTwoUlps{1e-12, 0x1p-22, "1e-12; engines 2 ulps of 1"};
 /// n roundings of a number of this size, in double and in float.
-CBound Roundings(int n, int size = 1);
+inline CBound Roundings(int n, int size = 1) {
+  return {n * size * 0x1p-53, n * size * 0x1p-24,
+          std::to_string(n) + " roundings of " + std::to_string(size)};
+}
 
 struct CHardCase {
   std::string m_sName;  ///< CamelCase, unique: the name of its tests.
@@ -110,7 +123,7 @@ std::vector<CHardCase> LongRunCases();
 std::unique_ptr<CWorld> MakeWorld(eColumn column, const Vector2& gravity = Vector2::Zero(), float dt = g_fDt);
 
 /// The larger one; g_fNever where either is not a number.
-double Worst(double a, double b);
+inline double Worst(double a, double b) { return std::isnan(a) || std::isnan(b) ? g_fNever : std::max(a, b); }
 /// The worst of f(0) .. f(n - 1).
 template <class F>
 double WorstOf(int n, const F& f) {
@@ -125,7 +138,10 @@ double WorstOf(std::initializer_list<T> values, const F& f) {
   return WorstOf(static_cast<int>(values.size()), [&](int i) { return f(values.begin()[i]); });
 }
 /// Of two points or vectors; g_fNever if either is not finite.
-double Distance(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
+inline double Distance(const Vector2d& a, const Vector2d& b) {
+  const double d = (a - b).norm();
+  return std::isfinite(d) ? d : g_fNever;
+}
 
 /// The text of docs/hard_cases.md: the cases in which an engine deviates, and counts of the others.
 std::string MakeTable(const std::vector<CHardCase>& cases);

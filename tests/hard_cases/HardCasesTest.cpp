@@ -15,7 +15,7 @@ TEST_P(CEveryColumn, IsWithinItsBoundOrDeviatesAsExpected) {
   const CHardCase& hard = std::get<0>(GetParam());
   const eColumn column = std::get<1>(GetParam());
   const CExpect& expect = hard.m_stdExpect[static_cast<std::size_t>(column)];
-  const double bound = column == eColumn::Reference ? hard.m_cBound.m_fExact : hard.m_cBound.m_fFloat;
+  const double bound = column == Reference ? hard.m_cBound.m_fExact : hard.m_cBound.m_fFloat;
   if (expect.m_eKind == CExpect::eKind::Refused) {
     const std::string refusal = MessageOf<std::invalid_argument>([&] { hard.m_fnError(column); });
     EXPECT_NE(refusal, "") << "not refused";

@@ -49,7 +49,7 @@ CHardCase End(bool guarded) {
               : "Segment (0, 0)-(1, 0), r = .5 at (-.3, 2), v = (0, -1), 2 s",
       guarded ? "the same" : "hits the end at 1.6 s, n = (-.6, .8), v' = (-.96, .28)",
       {1e-12, 120 * 2 * g_fFloatRounding, "1e-12; engines a rounding of 2 for each of 120 steps"},
-      {{eColumn::Approximate, approximate}}, [=](eColumn column) { return NakedEnd(column, guarded); },
+      {{Approximate, approximate}}, [=](eColumn column) { return NakedEnd(column, guarded); },
       guarded ? "segments before points, each on its own: the same miss, without the point"
               : "the foot of the perpendicular is not on the segment: no hit",
       [] { return Distance(Vector2d(0.0, -1.0), Vector2d(-0.96, 0.28)); });
@@ -100,7 +100,7 @@ CHardCase IntoTheSectorOfAnArc(bool guarded) {
               : "Quarter of a circle, R = 1; r = .2 comes from below its end at (1, 0), .05 and .15 off the "
                 "arc to either side, v = (0, 1), 1/60 s: how much farther it gets in a step than it flies",
       guarded ? "0" : "0: it bounces off the end", g_cEightRoundings,
-      {{eColumn::Approximate, guarded ? Right() : Deviates(0.067, 0.15, ".134 at once: its ends are open")}},
+      {{Approximate, guarded ? Right() : Deviates(0.067, 0.15, ".134 at once: its ends are open")}},
       [=](eColumn column) { return IntoTheSector(column, guarded); },
       "set back from the arc as soon as the centre is in its sector: .15 at once", [] { return 0.2 - 0.05; });
 }
@@ -109,25 +109,25 @@ CHardCase IntoTheSectorOfAnArc(bool guarded) {
 
 std::vector<CHardCase> JointCases() {
   return {
-      Case("CollinearJoint",
-           "Two collinear segments that join, at any angle; r = .1 at 6 units/s comes down near the joint at "
-           "3 to 20 degrees, 2,000 times: worst way after it, in radians",
-           "the mirror image", {1e-12, 16 * g_fFloatRounding, "1e-12; engines 16 roundings of 1"},
-           {{eColumn::Box2D,
-             Deviates(0.5, 1.6, "1.0: it bounces off the joint itself, which is inside of the floor")}},
-           CollinearJoint, "a guard point on the joint: kicks",
-           [] {
-             // The point is met first by whoever overlaps it at the end of the step.
-             const Vector2d v(std::cos(0.1), -std::sin(0.1)), p(-0.04, 0.09);
-             return AngleBetween(Mirrored(v, p.normalized()), Mirrored(v, {0.0, 1.0}));
-           }),
+      Case(
+          "CollinearJoint",
+          "Two collinear segments that join, at any angle; r = .1 at 6 units/s comes down near the joint at "
+          "3 to 20 degrees, 2,000 times: worst way after it, in radians",
+          "the mirror image", {1e-12, 16 * g_fFloatRounding, "1e-12; engines 16 roundings of 1"},
+          {{Box2D, Deviates(0.5, 1.6, "1.0: it bounces off the joint itself, which is inside of the floor")}},
+          CollinearJoint, "a guard point on the joint: kicks",
+          [] {
+            // The point is met first by whoever overlaps it at the end of the step.
+            const Vector2d v(std::cos(0.1), -std::sin(0.1)), p(-0.04, 0.09);
+            return AngleBetween(Mirrored(v, p.normalized()), Mirrored(v, {0.0, 1.0}));
+          }),
       End(false),
       End(true),
       Case("VertexAndGuard",
            "A guard point on the end of a segment; r = .1 straight onto it, from 33 directions of the half "
            "circle away from the segment: contacts more than one",
            "one contact, v' = -v", g_cBits,
-           {{eColumn::Box2D, Deviates(0.5, 1.5, "1 more: both are told; v' is right")}}, Vertex,
+           {{Box2D, Deviates(0.5, 1.5, "1 more: both are told; v' is right")}}, Vertex,
            "each shape reflects what overlaps it, approaching or not: twice, v' = v",
            [] {
              const Vector2d v(0.0, -6.0), up(0.0, 1.0);

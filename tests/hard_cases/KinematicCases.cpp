@@ -57,7 +57,7 @@ CHardCase KickOf(const std::string& name, const CKick& kick, const std::string& 
                  const CExpect& shipped, const CExpect& tuned) {
   return Case(
       name, input + "; the mirror image too", right, g_cEightRoundings,
-      {{eColumn::Approximate, approximate}, {eColumn::Box2D, shipped}, {eColumn::Tuned, tuned}},
+      {{Approximate, approximate}, {Box2D, shipped}, {Tuned, tuned}},
       [=](eColumn column) { return Worst(Kick(column, kick, 1.0), Kick(column, kick, -1.0)); },
       "reflected as if static, then e (V - vn) on top: " + naive, [=] { return NaiveKick(kick); });
 }
@@ -179,7 +179,7 @@ std::vector<CHardCase> KinematicCases() {
       Case("StandingStillIsStatic",
            "A kinematic segment with a rotation speed of 0, and a static one: r = .1 bouncing and sliding on "
            "it for 2 s, e = .8: largest difference of places and velocities",
-           "0", g_cBits, {{eColumn::Box2D, elsewhere}, {eColumn::Tuned, elsewhere}}, StandsStill,
+           "0", g_cBits, {{Box2D, elsewhere}, {Tuned, elsewhere}}, StandsStill,
            "e (V - v) on top of the static response: vn = -1, V = 0, e = 1 gives 2 instead of 1",
            [] {
              return NaiveKick({0.0, -1.0, 1.0f});
@@ -201,10 +201,9 @@ std::vector<CHardCase> KinematicCases() {
            "A hand of length 1 turns 60 times a second, at 60 steps a second; r = .1 at rest, .5 from the "
            "centre, at eleven places around it: velocity and place after a step, relative to the speed",
            "hit within the turn, by 2 V = 369", g_cEightRoundings,
-           {{eColumn::Approximate, Deviates(0.99, 1.01, "missed: it looks at the end of the step only")},
-            {eColumn::Box2D,
-             Deviates(0.99, 1.01, "missed at some places: it turns by pi/2 a step at most; counted")},
-            {eColumn::Tuned, Deviates(0.0006, 0.0025, ".0012: a quarter of its slop")}},
+           {{Approximate, Deviates(0.99, 1.01, "missed: it looks at the end of the step only")},
+            {Box2D, Deviates(0.99, 1.01, "missed at some places: it turns by pi/2 a step at most; counted")},
+            {Tuned, Deviates(0.0006, 0.0025, ".0012: a quarter of its slop")}},
            OneTurnAStep, "angle at the end of the step: the same as before, nothing has moved",
            [] {
              const double turn = 2.0 * std::numbers::pi;

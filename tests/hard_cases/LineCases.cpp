@@ -36,10 +36,10 @@ CHardCase ClosestPoint(const std::string& name, const std::string& input, const 
   const Vector2d foot = FootAt50Digits(p0, p1, q.cast<CFifty>()).cast<double>();
   const Vector2d met = MetAt50Digits(p0, p1, ball).cast<double>();
   return Case(
-      name, input, right, bound, {{eColumn::Box2D, Off(0.005, "off by .005: its skin")}},
+      name, input, right, bound, {{Box2D, Off(0.005, "off by .005: its skin")}},
       [=](eColumn column) {
         const double error = Distance(Shoot(column, shot).m_vPOI, met);
-        if (column != eColumn::Approximate) return error;
+        if (column != Approximate) return error;
         const CLineSegDesc desc(p0, p1);
         return std::max({error, Distance(Wide(CLineSeg(desc).ClosestPt(q)), foot),
                          Distance(Wide(CLine(p0, desc.GetGradient()).ClosestPt(q)), foot)});
@@ -57,8 +57,8 @@ CHardCase NoCrossing(const std::string& name, const std::string& input, const st
   const CExpect none = NotAsked("no engine crosses lines");
   return Case(
       name, input, "no point: (Inf, Inf), which nothing in the library uses", g_cBits,
-      {{eColumn::Native, none}, {eColumn::Box2D, none}, {eColumn::Tuned, none}, {eColumn::Reference, none}},
-      [=](eColumn) { return error(); }, control, naive);
+      {{Native, none}, {Box2D, none}, {Tuned, none}, {Reference, none}}, [=](eColumn) { return error(); },
+      control, naive);
 }
 
 CHardCase OfEqualGradient() {
@@ -102,8 +102,8 @@ CHardCase BetweenVerticalSegments() {
             "segments (-1, -1)-(-1, 1) and (1, 1)-(1, -1); ball r = .5 at (0, 0), v = (1, 0) and (-1, 0); "
             "one step of .75",
             "t = .5, back where it came from",
-            {{eColumn::Approximate, Off(0.125, "as if t = .625: the way after the impact is lost")},
-             {eColumn::Box2D, Off(0.00031, "as if t = .5003: its skin")}},
+            {{Approximate, Off(0.125, "as if t = .625: the way after the impact is lost")},
+             {Box2D, Off(0.00031, "as if t = .5003: its skin")}},
             "side by y - (m x + b): Inf - Inf", [] {
               const double m = g_fNever, x = 1.0, b = 1.0 - m * x;
               return 0.0 - (m * x + b);
@@ -121,17 +121,17 @@ CHardCase BetweenVerticalSegments() {
 std::vector<CHardCase> LineCases() {
   return {ClosestPoint("ClosestPointOfAHorizontalSegment",
                        "segment (0, 0)-(1, 0), q = (.5, .5); met by a ball r = .25 from q", "(.5, 0)",
-                       {4.0 * g_fEps, 4.0 * g_fFloatEps, "4 roundings"}, {0.0f, 0.0f}, {1.0f, 0.0f},
+                       {8.0 * g_fDoubleRounding, 4.0 * g_fUlp, "4 roundings"}, {0.0f, 0.0f}, {1.0f, 0.0f},
                        CDynamicCircleDesc({0.5f, 0.5f}, 0.25f, {0.0f, -1.0f}), 0.375f,
                        "crossing with the line of gradient -1 / 0: NaN"),
-          ClosestPoint("ClosestPointOfANearlyVerticalSegment",
-                       "segment (500, 0)-(500.001, 600), q = (510, 300); met by a ball r = 9.5 from q, v = "
-                       "(-10, 0)",
-                       "(500.0005, 300.0000167)",
-                       {8.0 * 1000.0 * g_fEps, 1e-3, "8 roundings of 1000: 1.8e-12; engines 1e-3"},
-                       {500.0f, 0.0f}, {500.001f, 600.0f},
-                       CDynamicCircleDesc({510.0f, 300.0f}, 9.5f, {-10.0f, 0.0f}), 0.1f,
-                       "crossing with the line of gradient -1/m: (500.0005, 288), off by 12"),
+          ClosestPoint(
+              "ClosestPointOfANearlyVerticalSegment",
+              "segment (500, 0)-(500.001, 600), q = (510, 300); met by a ball r = 9.5 from q, v = "
+              "(-10, 0)",
+              "(500.0005, 300.0000167)",
+              {16.0 * 1000.0 * g_fDoubleRounding, 1e-3, "8 roundings of 1000: 1.8e-12; engines 1e-3"},
+              {500.0f, 0.0f}, {500.001f, 600.0f}, CDynamicCircleDesc({510.0f, 300.0f}, 9.5f, {-10.0f, 0.0f}),
+              0.1f, "crossing with the line of gradient -1/m: (500.0005, 288), off by 12"),
           OfEqualGradient(), OfVerticalLines(), BetweenVerticalSegments()};
 }
 

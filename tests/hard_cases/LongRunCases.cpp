@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t g_nLongRunSeed = 20240613;
 
 /// Impacts of a run: a million in the approximate mode, a tenth of that elsewhere.
-int GetCount(eColumn column) { return column == eColumn::Approximate ? 1000000 : 100000; }
+int GetCount(eColumn column) { return column == Approximate ? 1000000 : 100000; }
 
 // ---- Speed.
 
@@ -60,7 +60,7 @@ double MomentumDrift(eColumn column) {
     // In the reference, too, where floats are.
     stepped.SetPos(0, Wide((-r * u).cast<float>()));
     stepped.SetPos(1, Wide(((r + gap) * u).cast<float>()));
-    stepped.Step(column == eColumn::Box2D ? 2 : 1); // it answers two balls a step late
+    stepped.Step(column == Box2D ? 2 : 1); // it answers two balls a step late
     impacts += stepped.GetVel(0) != w0;
     return (momentum() - before).norm();
   });

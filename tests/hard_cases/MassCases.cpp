@@ -38,7 +38,7 @@ CHardCase AtAWall(const std::string& name, const std::string& e, float eWall, fl
                   const std::string& naively) {
   return Case(
       name, "v = (3, -4) onto a floor, e = " + e + "; also turned by 45, 90, .. degrees", says,
-      {32 * g_fDoubleRounding, 32 * g_fFloatRounding, "32 roundings of 1: 4 of 8"}, {},
+      Roundings(4, 8), {},
       [=](eColumn column) {
         return WorstOf(8, [=](int i) {
           const double angle = i * std::numbers::pi / 4.0;
@@ -59,8 +59,8 @@ constexpr int g_nGains = 20;
 
 /// Each impact in a world of its own, whose step is so short that it has room for just this one.
 double Gains(eColumn column) {
-  const bool exact = column == eColumn::Reference,
-             isTuned = column == eColumn::Tuned; // its world is larger inside
+  const bool exact = column == Reference,
+             isTuned = column == Tuned; // its world is larger inside
   const double most = exact || IsNative(column) ? g_fMaxSpeed : g_fMaxBox2DSpeed / (isTuned ? 4.0 : 1.0);
   double right = 1.0, worst = 0.0;
   Vector2 v(0.0f, -1.0f);
@@ -95,7 +95,7 @@ std::vector<CHardCase> MassCases() {
           }),
       Case(
           "HeavyBallsSwap", "m = 1e30 each, v = 1 meets v = -.5", "they swap velocities", Roundings(8),
-          {{eColumn::Box2D, refused}, {eColumn::Tuned, refused}},
+          {{Box2D, refused}, {Tuned, refused}},
           [](eColumn column) { return WorstPairError(column, 1e30f, 1.0f, 1e30f, -0.5f); },
           "impulse (1 + e) m M / (m + M) in float: infinite",
           [] {

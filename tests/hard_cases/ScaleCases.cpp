@@ -47,8 +47,7 @@ CHardCase FarArc(const std::string& name, const std::string& input, const std::s
                  const CBound& bound, float x, float r, const CExpect& approximate, const CExpect& shipped,
                  const CExpect& tuned) {
   return Case(
-      name, input, right, bound,
-      {{eColumn::Approximate, approximate}, {eColumn::Box2D, shipped}, {eColumn::Tuned, tuned}},
+      name, input, right, bound, {{Approximate, approximate}, {Box2D, shipped}, {Tuned, tuned}},
       [=](eColumn column) { return Far(column, x, r); },
       "quadratic equation in float, in absolute coordinates", [=] { return NaiveFar(x); });
 }
@@ -61,12 +60,10 @@ std::vector<CHardCase> ScaleCases() {
       Case("ABallOf1eMinus23",
            "r = 1e-23 at (0, 2.5 r), v = (0, -120 r), 2 steps of 1/60 s, onto a point at the origin: place "
            "in r, velocity relative",
-           "bounces: at (0, 3.5 r)",
-           {32 * g_fDoubleRounding, 32 * g_fFloatRounding, "32 roundings of 1: 8 of 4"},
-           {{eColumn::Approximate, Deviates(0.45, 0.55, ".5 r short: set back")},
-            {eColumn::Box2D, Deviates(4.9, 5.1, "goes through: r is far below its slop of .005")},
-            {eColumn::Tuned,
-             Deviates(5.4, 5.6, "goes through a step later: r is far below its slop of .005")}},
+           "bounces: at (0, 3.5 r)", Roundings(8, 4),
+           {{Approximate, Deviates(0.45, 0.55, ".5 r short: set back")},
+            {Box2D, Deviates(4.9, 5.1, "goes through: r is far below its slop of .005")},
+            {Tuned, Deviates(5.4, 5.6, "goes through a step later: r is far below its slop of .005")}},
            Tiny, "d^2 < r^2 in float, at d = r / 2: r^2 is 0, a miss",
            [] {
              const volatile float d = g_fTiny / 2.0f;

@@ -42,7 +42,7 @@ CHardCase CornerOf(const std::string& name, const std::string& input, int reflec
   const double opening = std::numbers::pi / reflections;
   return Case(
       name, input, "v' = -v, after " + std::to_string(reflections) + " reflections", bound,
-      {{eColumn::Approximate, approximate}, {eColumn::Box2D, shipped}},
+      {{Approximate, approximate}, {Box2D, shipped}},
       [=](eColumn column) { return WorstCorner(column, opening); }, control,
       [=] { return NaiveCorner(opening); });
 }
@@ -77,7 +77,7 @@ double NaiveCradle(int count, int moving) {
 CHardCase CradleOf(const std::string& name, const std::string& input, const std::string& right, int count,
                    int moving, double shipped, const std::string& figure) {
   return Case(
-      name, input, right, g_cEightRoundings, {{eColumn::Box2D, Deviates(0.5 * shipped, 1.0, figure)}},
+      name, input, right, g_cEightRoundings, {{Box2D, Deviates(0.5 * shipped, 1.0, figure)}},
       [=](eColumn column) {
         return Worst(Cradle(column, count, moving, false), Cradle(column, count, moving, true));
       },
@@ -128,7 +128,7 @@ CHardCase FiveOnALine(const std::string& name, const std::string& input,
                       const CExpect& tuned) {
   return Case(
       name, input, "10 impacts, n (n - 1) / 2, and the speeds in the other order",
-      {1e-14, 1e-5, "none; speeds 1e-14, engines 1e-5"}, {{eColumn::Box2D, shipped}, {eColumn::Tuned, tuned}},
+      {1e-14, 1e-5, "none; speeds 1e-14, engines 1e-5"}, {{Box2D, shipped}, {Tuned, tuned}},
       [=](eColumn column) { return OnALine(column, places); },
       "whoever overlaps at the end of a step swaps, approaching or not",
       [=] { return NaiveOnALine(places); });
@@ -172,7 +172,7 @@ double Rest(eColumn column, float e) {
   const float r = 0.1f;
   CStepped stepped(column, {CLineSegDesc({-1, 0}, {1, 0}, e)}, {CDynamicCircleDesc({0, r}, r)}, g_fDt,
                    {0.0f, -9.8f});
-  return WorstOf(column == eColumn::Approximate ? 1000000 : 200000, [&](int) {
+  return WorstOf(column == Approximate ? 1000000 : 200000, [&](int) {
     stepped.Step();
     return Distance(stepped.GetPos(), {0.0, r});
   });
@@ -197,8 +197,7 @@ CHardCase RestOf(const std::string& name, const std::string& e, float elasticity
       name,
       "r = .1 at rest on a segment, g = 9.8, e = " + e +
           ", a million steps in the approximate mode, 200,000 elsewhere: largest way from its place",
-      "0", {1e-6, 1e-6, "1e-6"}, {{eColumn::Box2D, shipped}},
-      [=](eColumn column) { return Rest(column, elasticity); },
+      "0", {1e-6, 1e-6, "1e-6"}, {{Box2D, shipped}}, [=](eColumn column) { return Rest(column, elasticity); },
       "mirrored where it is below the floor, not set back: sinks in", [=] { return NaiveRest(elasticity); });
 }
 

@@ -6,7 +6,7 @@ namespace Shapes::HardCases {
 CStepped::CStepped(eColumn column, const std::vector<CAnyShapeDesc>& shapes,
                    const std::vector<CDynamicCircleDesc>& balls, float dt, const Vector2& gravity)
     : m_fTimeStep(dt), m_nShapes(shapes.size()) {
-  if (column == eColumn::Reference) {
+  if (column == Reference) {
     m_cReference.emplace(shapes, balls, gravity);
     return;
   }
@@ -58,15 +58,6 @@ std::vector<CImpact> CStepped::GetImpacts() const {
   return impacts;
 }
 
-double OffBy(const CStepped& stepped, const Vector2d& p, const Vector2d& v, std::size_t ball) {
-  return Worst(Distance(stepped.GetPos(ball), p), Distance(stepped.GetVel(ball), v) / v.norm());
-}
-
-Vector2 Turned(double x, double y, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {static_cast<float>(c * x - s * y), static_cast<float>(s * x + c * y)};
-}
-
 namespace {
 
 void SetTimes(CSeen& seen, const CShot& shot) {
@@ -99,7 +90,7 @@ CAnswer MeetCircle(const CDynamicCircleDesc& ball, const CFifty& reach, int side
 } // namespace
 
 CSeen Shoot(eColumn column, const CShot& shot) {
-  const bool exact = column == eColumn::Reference, asNative = IsNative(column) || shot.m_nBox2DSteps == 0;
+  const bool exact = column == Reference, asNative = IsNative(column) || shot.m_nBox2DSteps == 0;
   const unsigned steps = exact ? 1 : asNative ? shot.m_nSteps : shot.m_nBox2DSteps;
   CStepped stepped(column, shot.m_stdShapes, shot.m_stdBalls, shot.m_fSeconds / static_cast<float>(steps),
                    shot.m_vGravity);
@@ -163,7 +154,8 @@ CHardCase ShotCase(const CShot& shot, const CAnswer& answer) {
   CHardCase c;
   const double size = std::max(
       {1.0, static_cast<double>(answer.m_fTime), static_cast<double>(answer.m_vVel.cwiseAbs().maxCoeff())});
-  c.m_cBound = {8.0 * g_fEps * size, 8.0 * g_fFloatEps * size, "t, n and v' within 8 roundings"};
+  c.m_cBound = {16.0 * g_fDoubleRounding * size, 16.0 * g_fFloatRounding * size,
+                "t, n and v' within 8 roundings"};
   c.m_fnError = [shot, answer](eColumn column) { return ErrorOf(Shoot(column, shot), answer); };
   return c;
 }

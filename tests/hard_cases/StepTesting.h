@@ -41,7 +41,7 @@ public:
   std::vector<CImpact> GetImpacts() const;
   /// nullptr for the reference.
   const CWorld* GetWorld() const { return m_pWorld.get(); }
-  /// Only of eColumn::Reference.
+  /// Only of Reference.
   const Compare::CReference<double>& GetReference() const { return *m_cReference; }
   CShapeId GetShapeId(std::size_t shape) const { return m_stdIds[shape]; }
 
@@ -58,14 +58,15 @@ private:
 inline const CLineSegDesc g_cFloor({-1.0f, 0.0f}, {1.0f, 0.0f});
 
 /// Off by how much a ball is: in place, or in velocity relative to the speed that it should have.
-double OffBy(const CStepped& stepped, const Vector2d& p, const Vector2d& v, std::size_t ball = 0);
+inline double OffBy(const CStepped& stepped, const Vector2d& p, const Vector2d& v, std::size_t ball = 0) {
+  return Worst(Distance(stepped.GetPos(ball), p), Distance(stepped.GetVel(ball), v) / v.norm());
+}
 
 /// (x, y) turned by `angle` radians, rounded to float.
-Vector2 Turned(double x, double y, double angle);
-
-/// Roundings: of the reference, and of the engines.
-inline constexpr double g_fEps = 0x1p-52;
-inline constexpr double g_fFloatEps = 0x1p-23;
+inline Vector2 Turned(double x, double y, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {static_cast<float>(c * x - s * y), static_cast<float>(s * x + c * y)};
+}
 
 struct CShot {
   std::vector<CAnyShapeDesc> m_stdShapes;

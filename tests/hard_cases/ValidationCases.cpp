@@ -35,7 +35,7 @@ double Refusal(eColumn column, const std::function<void(CWorld&)>& add) {
 }
 
 double BallRefusal(eColumn column, const CBall& ball) {
-  if (column == eColumn::Reference) {
+  if (column == Reference) {
     CStepped(column, {CPointDesc({0.0f, 0.0f})}, {ball});
     return g_fNever;
   }
@@ -51,7 +51,7 @@ CHardCase RefusedBall(const std::string& name, const std::string& input, const C
       name, input, "refused; of all else no bit changes", g_cBits, RefusedByAll(words),
       [ball, set](eColumn column) {
         try {
-          if (set && column != eColumn::Reference) return Refusal(column, set);
+          if (set && column != Reference) return Refusal(column, set);
         } catch (const std::invalid_argument&) {
         }
         return BallRefusal(column, ball);
@@ -68,8 +68,8 @@ CHardCase NoRadius() {
   return Named(ShotCase(shot, MeetFloor(ball)), "BallWithoutRadiusMeetsASegment",
                "ball r = 0 at (0, 1), v = (0, -1); segment (-1, 0)-(1, 0); one step of 1.25",
                "t = 1, v' = (0, 1)",
-               {{eColumn::Approximate, Missed("missed: a radius of 0 overlaps nothing")},
-                {eColumn::Box2D, Off(0.005, "as if t = .995: its skin")}},
+               {{Approximate, Missed("missed: a radius of 0 overlaps nothing")},
+                {Box2D, Off(0.005, "as if t = .995: its skin")}},
                "d < r with r = 0 never holds: missed", [] {
                  for (int i = 0; i <= 1000; ++i) // times up to 2, the right one among them
                    if (std::abs(1.0 - i * 0.002) < 0.0) return 0.0;
@@ -84,8 +84,8 @@ CHardCase PointLike(const CAnyShapeDesc& shape, float x, float y, const std::str
   const CShot shot{{shape}, {CBall({x, y + 2.0f}, 0.5f, {0.0f, -1.0f})}, 1.75f};
   return Named(ShotCase(shot, MeetFloor(CBall({x, 2.0f}, 0.5f, {0.0f, -1.0f}))), name,
                input + ", v = (0, -1); one step of 1.75", "acts as a point: t = 1.5, v' = (0, 1)",
-               {{eColumn::Approximate, Off(0.125, "as if t = 1.625: the way after the impact is lost")},
-                {eColumn::Box2D, Off(0.01, "as if t = 1.510: it stops a ball .015 deep")}},
+               {{Approximate, Off(0.125, "as if t = 1.625: the way after the impact is lost")},
+                {Box2D, Off(0.01, "as if t = 1.510: it stops a ball .015 deep")}},
                control, naive);
 }
 
@@ -101,9 +101,7 @@ std::vector<CHardCase> ValidationCases() {
                 const double x = g_fNan, d = std::hypot(x, 0.0);
                 return d >= 1.0 ? 0.0 : x / d;
               },
-              [](CWorld& world) {
-                world.SetPos(world.GetBallIds()[0], {g_fNan, 0.0f});
-              }),
+              [](CWorld& world) { world.SetPos(world.GetBallIds()[0], Vector2(g_fNan, 0.0f)); }),
           RefusedBall(
               "BallOfInfiniteVelocity", "v = (Inf, 0); added, or set",
               CBall({-3.0f, 0.0f}, 1.0f, {g_fInf, 0.0f}), "m_vVel is (inf, 0)", "v - 2 (v.n) n: Inf - Inf",
@@ -111,9 +109,7 @@ std::vector<CHardCase> ValidationCases() {
                 const double v = g_fNever, n = -1.0;
                 return v - 2.0 * (v * n) * n;
               },
-              [](CWorld& world) {
-                world.SetVel(world.GetBallIds()[0], {g_fInf, 0.0f});
-              }),
+              [](CWorld& world) { world.SetVel(world.GetBallIds()[0], Vector2(g_fInf, 0.0f)); }),
           RefusedBall("BallOfNegativeRadius", "ball of r = -1", CBall(above, -1.0f),
                       "m_fRadius is -1: expected a number from 0",
                       "d < r never holds: the ball is met by nothing",
