@@ -53,10 +53,7 @@ constexpr float g_fHalf = 12.0f;
 std::unique_ptr<CWorld> MakeField(const CEffectChoice& choice, float gravity, unsigned threads) {
   CRandom random(18);
   auto pWorld = MakeNative(WithoutPairs(choice), gravity, g_fDt, 2, threads);
-  for (const float s : {-g_fHalf, g_fHalf}) {
-    pWorld->Add(CLineSegDesc({-g_fHalf, s}, {g_fHalf, s}));
-    pWorld->Add(CLineSegDesc({s, -g_fHalf}, {s, g_fHalf}));
-  }
+  AddBox(*pWorld, g_fHalf);
   for (std::uint32_t i = 0; i < 160; ++i) {
     const Vector2 p = random.InSquare(g_fHalf - 1);
     WithAnyShape(random, i % 3 + 1, p, 0.7f, [&](auto shape) {

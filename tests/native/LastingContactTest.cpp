@@ -268,11 +268,9 @@ TEST(LastingContact, AClosedBoxThatTurnsKeepsWhatIsInIt) {
                      << revsPerSecond << " rev/s, gravity " << gravity << ", seed " << seed);
         CRandom random(seed);
         const auto pWorld = MakeNative(g_cAutomatic, gravity);
-        const Vector2 a(-2, -2), b(2, -2), c(2, 2), d(-2, 2);
-        const float e = 0.3f;
-        pWorld->AddCompound(std::vector<CAnyShapeDesc>{CLineSegDesc(a, b, e), CLineSegDesc(b, c, e),
-                                                       CLineSegDesc(c, d, e), CLineSegDesc(d, a, e)},
-                            {0, 0}, revsPerSecond);
+        const auto walls = Walls({-2, -2}, {2, 2}, 0.3f);
+        const std::vector<CAnyShapeDesc> box(walls.begin(), walls.end());
+        pWorld->AddCompound(box, {0, 0}, revsPerSecond);
         for (int i = 0; i < 5; ++i) {
           const Vector2 v = random.InSquare(1);
           const float y = random.Uniform(-0.5f, 0.5f);

@@ -18,15 +18,15 @@ inline std::unique_ptr<CWorld> MakeNative(const CEffectChoice& effects, float gr
   return GetBackend(eBackend::Native)->MakeWorld(desc);
 }
 
-/// The walls of a closed polygon.
-inline void AddRoom(CWorld& world, std::span<const Vector2> corners, float e = 1) {
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    world.Add(CLineSegDesc(corners[i], corners[(i + 1) % corners.size()], e));
+/// Segments from each place to the next one.
+inline void AddPath(CWorld& world, std::initializer_list<Vector2> path) {
+  for (auto p = path.begin(); p + 1 != path.end(); ++p)
+    world.Add(CLineSegDesc(p[0], p[1]));
 }
 
 inline void AddBox(CWorld& world, const Vector2& low, const Vector2& high, float e = 1) {
-  const Vector2 corners[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
-  AddRoom(world, corners, e);
+  for (const CLineSegDesc& wall : Walls(low, high, e))
+    world.Add(wall);
 }
 /// About the origin.
 inline void AddBox(CWorld& world, float half, float e = 1) { AddBox(world, {-half, -half}, {half, half}, e); }
@@ -70,6 +70,14 @@ inline std::vector<CShapeId> Halted(const CWorld& world) {
 /// Per mass, above the floor on which a ball of radius r lies.
 inline double EnergyOf(const CWorld& world, CShapeId ball, double g, double r) {
   return 0.5 * Wide(world.GetVel(ball)).squaredNorm() + g * (Wide(world.GetPos(ball).y()) - r);
+}
+
+/// Of all balls together, above this height.
+inline double GetEnergy(const CWorld& world, double g, double height = 0.0) {
+  double sum = 0.0;
+  for (const CShapeId ball : world.GetBallIds())
+    sum += Wide(world.GetMass(ball)) * EnergyOf(world, ball, g, height);
+  return sum;
 }
 
 } // namespace Shapes

@@ -82,10 +82,8 @@ TEST(Pile, HeavyBallsDoNotPressOthersIntoEachOther) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     CRandom random(seed);
     const auto pWorld = MakeNative(g_cAutomatic, 10);
-    for (const float side : {-1.0f, 1.0f}) {
-      pWorld->Add(CLineSegDesc({0, 0}, {side * 16, 16}));
-      pWorld->Add(CLineSegDesc({side * 16, 16}, {side * 16, 50}));
-    }
+    for (const float side : {-1.0f, 1.0f})
+      AddPath(*pWorld, {{0, 0}, {side * 16, 16}, {side * 16, 50}});
     for (int i = 0; i < 200; ++i) {
       const Vector2 p(0.44f * static_cast<float>(i % 28) - 6, 9.5f + 0.44f * static_cast<float>(i / 28));
       const float radius = 0.2f * std::pow(10.0f, -random.Uniform(0, 1));
@@ -138,16 +136,10 @@ TEST(Pile, APileGainsNoEnergy) {
   const std::uint64_t piles = 10;
   for (std::uint64_t seed = 0; seed < piles; ++seed) {
     CPile pile(g_cAutomatic, 50, seed % 2 == 1, 0.5f, seed);
-    const auto getEnergy = [&] {
-      double energy = 0.0;
-      for (const CShapeId ball : pile.m_pWorld->GetBallIds())
-        energy += EnergyOf(*pile.m_pWorld, ball, 10, 0.2);
-      return energy;
-    };
-    const double first = getEnergy();
+    const double first = GetEnergy(*pile.m_pWorld, 10, 0.2);
     double last = first, most = 0.0;
     InEachStep(*pile.m_pWorld, 600, [&](int) {
-      const double before = std::exchange(last, getEnergy());
+      const double before = std::exchange(last, GetEnergy(*pile.m_pWorld, 10, 0.2));
       most = std::max(most, (last - before) / first);
     });
     EXPECT_LT(most, 6e-4) << "seed " << seed;
@@ -163,12 +155,10 @@ TEST(Pile, BallsFlowThroughANeck) {
     CRandom random(seed);
     const auto pWorld = MakeNative(g_cAutomatic, 10);
     for (const float side : {-1.0f, 1.0f}) {
-      const Vector2 path[] = {
-          {side * 9.5f, 57}, {side * 9.5f, 28}, {side * 0.8f, 19}, {side * 9.5f, 9}, {side * 9.5f, 0}};
-      for (std::size_t i = 0; i + 1 < std::size(path); ++i)
-        pWorld->Add(CLineSegDesc(path[i], path[i + 1]));
+      const float wide = side * 9.5f, neck = side * 0.8f;
+      AddPath(*pWorld, {{wide, 57}, {wide, 28}, {neck, 19}, {wide, 9}, {wide, 0}});
     }
-    pWorld->Add(CLineSegDesc({-9.5f, 0}, {9.5f, 0}));
+    AddPath(*pWorld, {{-9.5f, 0}, {9.5f, 0}});
     for (int i = 0; i < 300; ++i) {
       const auto column = static_cast<float>(i % 34), row = static_cast<float>(i / 34);
       const Vector2 p(0.44f * (column - 16.5f) + random.Uniform(-0.01f, 0.01f), 28.2f + 0.44f * row);

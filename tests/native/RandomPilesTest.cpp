@@ -40,10 +40,6 @@ struct CRandomPile {
     AddBalls(random, balls, e);
   }
 
-  void AddPath(std::initializer_list<Vector2> path) {
-    for (auto p = path.begin(); p + 1 != path.end(); ++p)
-      m_pWorld->Add(CLineSegDesc(p[0], p[1]));
-  }
   void AddWalls() {
     const float w = m_fHalf;
     m_fHeight = 5 * w;
@@ -51,12 +47,13 @@ struct CRandomPile {
     for (const float side : {-1.0f, 1.0f}) {
       const Vector2 top(side * w, m_fHeight), lid(0, m_fHeight), low(side * w, 0);
       switch (m_eRoom) {
-      case eRoom::V: AddPath({lid, top, {side * w, 2 * w}, {0, 0}}); break;
-      case eRoom::Bowl: AddPath({lid, top, {side * w, w}}); break;
+      case eRoom::V: AddPath(*m_pWorld, {lid, top, {side * w, 2 * w}, {0, 0}}); break;
+      case eRoom::Bowl: AddPath(*m_pWorld, {lid, top, {side * w, w}}); break;
       case eRoom::Hourglass:
-        AddPath({lid, top, {side * w, 3 * w}, {side * g_fNeck, 2 * w}, {side * w, w}, low, {0, 0}});
+        AddPath(*m_pWorld,
+                {lid, top, {side * w, 3 * w}, {side * g_fNeck, 2 * w}, {side * w, w}, low, {0, 0}});
         break;
-      default: AddPath({lid, top, low, {0, 0}});
+      default: AddPath(*m_pWorld, {lid, top, low, {0, 0}});
       }
     }
     if (m_eRoom == eRoom::Paddle) m_nPaddle = m_pWorld->Add(Turning(CLineSegDesc({0, 0.05f}, {0, 0.8f * w})));
@@ -97,12 +94,6 @@ struct CRandomPile {
     default: return true;
     }
   }
-  double GetEnergy() const {
-    double sum = 0.0;
-    for (const CShapeId ball : m_pWorld->GetBallIds())
-      sum += Wide(m_pWorld->GetMass(ball)) * EnergyOf(*m_pWorld, ball, Wide(g_fGravity), 0.0);
-    return sum;
-  }
 };
 
 struct CResult {
@@ -112,11 +103,11 @@ struct CResult {
 
 CResult PlayPile(CRandomPile& pile) {
   CResult result;
-  const double first = pile.GetEnergy();
+  const double first = GetEnergy(*pile.m_pWorld, g_fGravity);
   double last = first;
   for (int step = 0; step < g_nSteps; ++step) {
     pile.Step(step);
-    const double before = std::exchange(last, pile.GetEnergy());
+    const double before = std::exchange(last, GetEnergy(*pile.m_pWorld, g_fGravity));
     // The paddle gives energy, until the overlaps that it has pressed balls into are undone.
     if (pile.m_eRoom != eRoom::Paddle || step > 360)
       result.m_fGain = std::max(result.m_fGain, (last - before) / first);

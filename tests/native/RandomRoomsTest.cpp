@@ -79,12 +79,7 @@ struct CRandomRoom {
     return depth;
   }
   /// Above the deepest place of the room.
-  double GetEnergy() const {
-    double sum = 0.0;
-    for (const CShapeId ball : m_pWorld->GetBallIds())
-      sum += Wide(m_pWorld->GetMass(ball)) * EnergyOf(*m_pWorld, ball, m_fGravity, -m_fSize);
-    return sum;
-  }
+  double GetEnergy() const { return Shapes::GetEnergy(*m_pWorld, m_fGravity, -m_fSize); }
   double GetMass() const {
     double sum = 0.0;
     for (const CShapeId ball : m_pWorld->GetBallIds())
