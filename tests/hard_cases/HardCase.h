@@ -75,7 +75,7 @@ inline CBound Roundings(int n, int size = 1) {
 }
 
 struct CHardCase {
-  std::string m_sName;  ///< CamelCase, unique: the name of its tests.
+  std::string m_sName;  ///< CamelCase: the name of its tests. GoogleTest ends where one is there twice.
   std::string m_sInput; ///< In words and numbers, for the table. r is a ball's radius, v its velocity.
   std::string m_sRight; ///< The right answer.
   CBound m_cBound;

@@ -58,12 +58,6 @@ TEST_P(CEveryControl, TheNaiveWayFails) {
 INSTANTIATE_TEST_SUITE_P(HardCases, CEveryControl, testing::ValuesIn(AllCases()),
                          [](const auto& test) { return test.param.m_sName; });
 
-TEST(HardCasesTest, NamesAreUnique) {
-  std::set<std::string> names;
-  for (const CHardCase& hard : AllCases())
-    EXPECT_TRUE(names.insert(hard.m_sName).second) << hard.m_sName;
-}
-
 // SHAPES_WRITE_TABLE=1 writes the file instead.
 TEST(HardCasesTest, DocumentIsMadeOfTheCases) {
   const std::string path = SHAPES_SOURCE_DIR "/docs/hard_cases.md", table = MakeTable(AllCases());
