@@ -121,9 +121,8 @@ void TryDetect(const CShape& shape, const CBall& ball) {
   for (int i = 0; i < 3; ++i) {
     const CWithoutTraps onPurpose;
     CBall nowhere = ball;
-    (i == 0   ? nowhere.m_vPos.x()
-     : i == 1 ? nowhere.m_vPos.y()
-              : nowhere.m_fRadius) = std::numeric_limits<float>::quiet_NaN();
+    float* const numbers[] = {&nowhere.m_vPos.x(), &nowhere.m_vPos.y(), &nowhere.m_fRadius};
+    *numbers[i] = g_fNan;
     Require(!Collide(shape, nowhere, hit), "a place or a radius that is no number meets nothing", i);
   }
   if (!Collide(shape, ball, hit)) return;

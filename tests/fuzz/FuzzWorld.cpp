@@ -176,10 +176,8 @@ private:
     desc.m_bIsSensor = (flags & 7) == 7;
     if ((flags & 16) != 0) desc.m_fElasticity = m_cBytes.Number();
     if ((flags & 8) == 0) return desc;
-    desc.m_eMotionType = eMotion::Kinematic;
-    desc.m_fRotSpeed = m_cBytes.Number();
-    desc.m_vRotCenter = m_cBytes.Vector();
-    return desc;
+    const float revsPerSecond = m_cBytes.Number();
+    return Turning(desc, revsPerSecond, m_cBytes.Vector());
   }
   eSides Sides() { return m_cBytes.OneOf({eSides::Both, eSides::Front, eSides::Back}); }
 
