@@ -91,13 +91,18 @@ void Check(std::uint64_t seed, const Vector2& centre, const std::function<float(
   }
 }
 
-TEST(DiscGrid, FindsEveryOverlapOfEqualBalls) {
-  Check(251, {0.0f, 0.0f}, [](CRandom&) { return 0.5f; });
-}
-
-TEST(DiscGrid, FindsEveryOverlapOfMixedSizes) {
-  Check(252, {0.0f, 0.0f}, [](CRandom& random) { return random.Scale(-20, 20); });
-  Check(253, {0.0f, 0.0f}, [](CRandom& random) { return random.Below(20) ? random.Scale(-20, -15) : 1e6f; });
+TEST(DiscGrid, FindsEveryOverlap) {
+  const Vector2 origin(0.0f, 0.0f);
+  const auto anySize = [](CRandom& random) { return random.Scale(-20, 20); };
+  Check(251, origin, [](CRandom&) { return 0.5f; });
+  Check(252, origin, anySize);
+  // A few large ones among small ones.
+  Check(253, origin, [](CRandom& random) { return random.Below(20) ? random.Scale(-20, -15) : 1e6f; });
+  for (const float far : {1e4f, 1e7f, 1e12f, 1e18f})
+    Check(256, {far, -far}, anySize);
+  Check(257, {-1e15f, 1e15f}, [](CRandom&) { return 1e9f; });
+  Check(258, origin, [](CRandom& random) { return random.Scale(-140, -130); }); // denormal
+  Check(259, origin, [](CRandom& random) { return random.Scale(50, 58); });
 }
 
 TEST(DiscGrid, FindsEveryOverlapOfBallsWithoutExtent) {
@@ -105,17 +110,6 @@ TEST(DiscGrid, FindsEveryOverlapOfBallsWithoutExtent) {
   const bool mustOverlap = false;
   Check(
       255, {0.0f, 0.0f}, [](CRandom&) { return 0.0f; }, mustOverlap);
-}
-
-TEST(DiscGrid, FindsEveryOverlapFarOut) {
-  for (const float far : {1e4f, 1e7f, 1e12f, 1e18f})
-    Check(256, {far, -far}, [](CRandom& random) { return random.Scale(-20, 20); });
-  Check(257, {-1e15f, 1e15f}, [](CRandom&) { return 1e9f; });
-}
-
-TEST(DiscGrid, FindsEveryOverlapOfTinyAndHugeBalls) {
-  Check(258, {0.0f, 0.0f}, [](CRandom& random) { return random.Scale(-140, -130); });
-  Check(259, {0.0f, 0.0f}, [](CRandom& random) { return random.Scale(50, 58); });
 }
 
 TEST(DiscGrid, CircleOfAnyRadiusIsAnswered) {
