@@ -23,14 +23,5 @@ TEST(Holds, ASqueezedBallGoesIntoABallSoonerThanIntoAShape) {
   }
 }
 
-// As between the walls of a slot that is all but as wide as the ball.
-TEST(Holds, WallsThatAreAllButParallelStopABall) {
-  const double sine = 1e-3, cosine = std::sqrt(1.0 - sine * sine);
-  CHolds holds;
-  holds.Add(Of(false, {cosine, sine}, 0));
-  holds.Add(Of(false, {-cosine, sine}, 0));
-  EXPECT_LT(holds.ConstrainVel({0, -1}).norm(), 1e-12);
-}
-
 } // namespace
 } // namespace Shapes::Native
