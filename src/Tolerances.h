@@ -119,7 +119,7 @@ inline constexpr std::size_t g_nManyContacts = 8;
 /// without that 8 of 40 piles on a floor that is a thousandth too narrow for a row of 21 balls keep overlaps
 /// of .004 for ever. Were steeper ones lifted, too, piles of masses 1:1000 in a V would not come to rest.
 inline constexpr double g_fSqueezedDepth = 0.25;
-inline constexpr double g_fLevel = 0.1;
+inline constexpr double g_fLevel = 0.02;
 inline constexpr double g_fLift = 0.25;
 /// Most rounds of the solver of resting contacts, and the change of a velocity in one, as a share of what is
 /// slow, after which it has come to an end. A tower of 100 needs 300 until it presses with its weight, 50
