@@ -59,8 +59,7 @@ TEST(Pile, APileComesToRestAndLosesNone) {
         ExpectRest(balls, isV, e, 100 + static_cast<std::uint64_t>(balls));
     ExpectRest(120, isV, 0.0f, 220); // others come to rest last
   }
-  // Jammed balls that kept the speed at which they were halted would be halted again in the next step: 2,488
-  // times instead of 1,733.
+  // Jammed balls are halted again and again unless they are solved together in the next substep.
   std::uint64_t halted = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed)
     ExpectRest(50, true, 0.0f, seed, &halted);

@@ -40,8 +40,8 @@ namespace Shapes::Native {
 /// - A ball that has had g_nMaxImpacts impacts, g_nCrowded in a pile, or has found more than g_nMostBallsSeen
 ///   others in all searches, is halted: for the rest of the substep it stays where it is, which is a place
 ///   that it can be at, or goes along with the moving shape that it has met last. It keeps its velocity,
-///   under gravity none into the shapes that it touches, in a pile no more of it than what is slow, and none
-///   at all if it has got nowhere in the substep; others bounce off it as off a wall.
+///   under gravity none into the shapes that it touches, and none at all if it has got nowhere in the
+///   substep; others bounce off it as off a wall.
 class CContinuous {
 public:
   /// Begins to move the balls by dt seconds, and counts what is done. Threads share balls that do not meet

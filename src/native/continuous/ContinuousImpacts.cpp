@@ -341,9 +341,6 @@ void CContinuous::EndMotion(CMoving& ball) {
   }
   // Where shapes turn, they could get past a ball that is halted.
   const bool isCrowded = ball.m_bIsInPile && ball.m_nImpacts == g_nCrowded && !m_pShapes->HasKinematic();
-  // It is jammed: with a speed that it cannot have it would be hit as often in the next substep, and so on.
-  // Two that are no faster than this rest on each other.
-  if (isCrowded) CapSpeed(ball.m_vVel, static_cast<float>(0.5 * m_cResting.GetSlow()));
   if (isCrowded || ball.m_nImpacts == g_nMaxImpacts || ball.m_nBallsSeen > g_nMostBallsSeen) Halt(ball);
 }
 
