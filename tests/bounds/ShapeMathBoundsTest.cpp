@@ -125,7 +125,8 @@ TEST(RotationBounds, Rotate) {
       arcs("CKinematicArc::Rotate", g_nRotationBoundsTrials);
   CBroken naive("Rotate in eight parts");
   ForEachCase(1501, g_nRotationBoundsTrials, [&](CRandom& random, int i) {
-    const auto [size, center, p] = AnyPlaces(random);
+    const auto [size, other, p] = AnyPlaces(random);
+    const Vector2 center = other; // clang does not let a lambda capture a binding
     const Vector2 q = p + AnyWay(random, size);
     const float angle = i % 2 ? AnyAngle(random) : random.SignedScale(0, 29);
     const auto see = [&](CWorst& worst, const Vector2& is, const Vector2& was) {
