@@ -130,7 +130,7 @@ void ExpectRest(CRandomPile& pile) {
 TEST(RandomPiles, LoseNoBallGainNoEnergyAndComeToRest) {
   const std::uint64_t piles = HowMany("SHAPES_PILES", 15);
   // A step of the first five once gave up to 1.2e-2, the others slept with overlaps of up to .0058.
-  std::vector<std::uint64_t> seeds = {356, 867, 1168, 1422, 1559, 26, 281, 1526, 1241, 2516};
+  std::vector<std::uint64_t> seeds = {356, 867, 1168, 1422, 1559, 26, 281, 1526, 1361, 3446};
   for (std::uint64_t seed = 0; seed < piles; ++seed)
     seeds.push_back(seed);
   for (const std::uint64_t seed : seeds) {
