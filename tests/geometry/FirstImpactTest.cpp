@@ -11,7 +11,7 @@ using Compare::Tests::real;
 
 constexpr double g_fEps = std::numeric_limits<double>::epsilon();
 
-/// What one of the sweeps has found, and its published bound: of the gap at the time of impact.
+/// The answer of one of the sweeps, and its published bound: of the gap at the time of impact.
 struct CFound {
   const char* m_sSweep;
   bool m_bMet;

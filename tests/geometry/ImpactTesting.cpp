@@ -134,7 +134,7 @@ CTrial ClearTrial(CRandom& random, eShape type, eSides sides, bool turns, bool f
       motion.m_vVel *= Between(random, 0.0, 8.0);
     }
     if (falls) motion.m_vAcc = inSquare(turns ? 200.0 : 10.0);
-    // What turns about its own centre is no trial of a turn.
+    // A shape that turns about its own centre is no trial of a turn.
     const bool stays = turns && trial.m_cShape.m_vRotCenter == trial.m_cShape.m_vCenter;
     if (!stays && MakeOracle(trial.m_cShape, motion).Gap(0) > 1e-6L) return trial;
   }

@@ -8,10 +8,6 @@ namespace {
 
 using CDisc = CNearDiscs::CDisc;
 
-bool Overlap(const CDisc& a, const CDisc& b) {
-  return Length(b.m_vCenter - a.m_vCenter) < a.m_fRadius + b.m_fRadius;
-}
-
 // Each is asked for its list at times, moves by less than the slack, or goes elsewhere.
 TEST(NearDiscs, FindEachOnceThatOverlapsNow) {
   constexpr float slack = 0.1f;
@@ -40,7 +36,7 @@ TEST(NearDiscs, FindEachOnceThatOverlapsNow) {
       EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << "twice";
       EXPECT_FALSE(std::binary_search(found.begin(), found.end(), k)) << "itself";
       for (std::uint32_t j = 0; j < n; ++j)
-        if (j != k && Overlap(now[j], now[k])) expected.push_back(j);
+        if (j != k && now[j].Overlaps(now[k])) expected.push_back(j);
       EXPECT_TRUE(std::includes(found.begin(), found.end(), expected.begin(), expected.end()));
       overlaps += expected.size();
     }

@@ -29,9 +29,12 @@ public:
     }
     /// Whether they do, as far as kernels do not err.
     bool Overlaps(const CDisc& other) const {
+      // In double, where no square overflows.
+      const double x = static_cast<double>(other.m_vCenter.x()) - static_cast<double>(m_vCenter.x());
+      const double y = static_cast<double>(other.m_vCenter.y()) - static_cast<double>(m_vCenter.y());
       const double reach =
           g_fRounded * (static_cast<double>(m_fRadius) + static_cast<double>(other.m_fRadius));
-      return (m_vCenter.cast<double>() - other.m_vCenter.cast<double>()).squaredNorm() <= reach * reach;
+      return x * x + y * y <= reach * reach;
     }
   };
   /// Takes in these discs instead of those before; the index is the name of a disc from then on.
@@ -95,13 +98,9 @@ template <class F>
 bool CDiscGrid::FindNear(const Vector2& p, float r, const F& f) const {
   const auto px = static_cast<double>(p.x()), py = static_cast<double>(p.y()), pr = static_cast<double>(r);
   const CEntry* const pEntries = m_stdEntries.data();
-  // In double, where no square overflows.
+  const CDisc asked{p, r};
   const auto visit = [=, &f](std::size_t k) {
-    const CDisc& disc = pEntries[k].m_cDisc;
-    const double x = static_cast<double>(disc.m_vCenter.x()) - px;
-    const double y = static_cast<double>(disc.m_vCenter.y()) - py;
-    const double reach = g_fRounded * (pr + static_cast<double>(disc.m_fRadius));
-    return x * x + y * y <= reach * reach && f(pEntries[k].m_nIndex);
+    return asked.Overlaps(pEntries[k].m_cDisc) && f(pEntries[k].m_nIndex);
   };
   const auto visitRange = [&visit](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e)

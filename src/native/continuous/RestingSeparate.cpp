@@ -34,33 +34,32 @@ double CRestingContacts::GetSmallerRadius(const CContact& c, const std::vector<C
 bool CRestingContacts::IsJammed(const CContact& c, const std::vector<CMoving>& balls) const {
   FailIf(!c.m_bIsBall);
   const double overlap = -c.m_fGap / GetSmallerRadius(c, balls);
+  FailIf(!(overlap > g_fSleepOverlap));
   const double slow = g_fSleepSpeed * Norm(m_vGravity) * m_fStep;
   const auto isAtRest = [&](std::uint32_t i) {
     return balls[i].m_bHasPressed && Norm(balls[i].m_vVel) <= slow;
   };
   const bool isLevel = std::abs(c.m_vNorm.dot(m_vUp)) < g_fLevel;
-  const bool isStill = isLevel && isAtRest(c.m_nBall) && isAtRest(c.m_nOther);
-  return overlap > (isStill ? g_fSleepOverlap : g_fSqueezedDepth);
+  return overlap > g_fSqueezedDepth || (isLevel && isAtRest(c.m_nBall) && isAtRest(c.m_nOther));
 }
 
 void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   m_stdLifts.assign(balls.size(), 0.0);
   Order(balls);
   FindKnown();
+  double least = std::numeric_limits<double>::infinity(); // overlap that may stay
+  bool any = false;
+  for (const CContact& c : m_stdContacts) {
+    const double stays = g_fSeparateError * GetSmallerRadius(c, balls);
+    least = std::min(least, stays);
+    any |= c.m_fGap < -stays;
+  }
+  if (!any) return;
   for (const CContact& c : m_stdContacts)
     if (c.m_fImpulse > 0.0) {
       balls[c.m_nBall].m_bHasPressed = true;
       if (c.m_bIsBall) balls[c.m_nOther].m_bHasPressed = true;
     }
-  const auto smaller = [&balls](const CContact& c) { return GetSmallerRadius(c, balls); };
-  double least = std::numeric_limits<double>::infinity(); // overlap that may stay
-  bool any = false;
-  for (const CContact& c : m_stdContacts) {
-    const double stays = g_fSeparateError * smaller(c);
-    least = std::min(least, stays);
-    any |= c.m_fGap < -stays;
-  }
-  if (!any) return;
 
   m_stdSolved.assign(balls.size(), g_nNobody);
   m_cSolver.Begin();
@@ -95,7 +94,7 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
     } else {
       c.m_fGap += c.m_vNorm.dot(getWay(c.m_nBall));
     }
-    if (!(c.m_fGap < -g_fSleepOverlap * smaller(c))) continue;
+    if (!(c.m_fGap < -g_fSleepOverlap * GetSmallerRadius(c, balls))) continue;
     balls[c.m_nBall].m_bIsPressed = true;
     if (c.m_bIsBall) balls[c.m_nOther].m_bIsPressed = true;
   }
