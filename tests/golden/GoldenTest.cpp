@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cinttypes>
 #include <cmath>
@@ -87,6 +88,11 @@ TEST_P(GoldenTest, EveryBitIsTheSame) {
                 golden.m_sScene, approximate, continuous);
   EXPECT_TRUE(approximate == golden.m_nApproximate && continuous == golden.m_nContinuous)
       << line.data() << " is what came out";
+}
+
+TEST(GoldenHashTest, EverySceneHasItsHashes) {
+  for (const CScene& scene : LoadScenes(SHAPES_SCENES_DIR))
+    EXPECT_TRUE(std::ranges::count(g_stdGolden, scene.m_sName, &CGolden::m_sScene)) << scene.m_sName;
 }
 
 // The controls: other bits, or bits in another order, give another number.
