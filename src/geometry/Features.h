@@ -44,9 +44,12 @@ struct CDisk {
   Vector2d m_vCenter;
   double m_fRadius;
 
+  double GetGap(const CBallAt& ball) const {
+    return Norm(ball.m_vPos - m_vCenter) - (m_fRadius + ball.m_fRadius);
+  }
   CSpot At(const CBallAt& ball) const {
-    const Vector2d d = ball.m_vPos - m_vCenter, n = Away(d, ball);
-    return {Norm(d) - (m_fRadius + ball.m_fRadius), n, m_vCenter + m_fRadius * n, m_fRadius};
+    const Vector2d n = Away(ball.m_vPos - m_vCenter, ball);
+    return {GetGap(ball), n, m_vCenter + m_fRadius * n, m_fRadius};
   }
 };
 
@@ -55,11 +58,14 @@ struct CRing {
   Vector2d m_vCenter;
   double m_fRadius;
 
+  double GetGap(const CBallAt& ball) const {
+    return m_fRadius - ball.m_fRadius - Norm(ball.m_vPos - m_vCenter);
+  }
   CSpot At(const CBallAt& ball) const {
     const Vector2d d = ball.m_vPos - m_vCenter, out = Away(d, ball);
     // Right in the middle it is met where it goes.
     const Vector2d n = d.isZero(0.0) ? out : Vector2d(-out);
-    return {m_fRadius - ball.m_fRadius - Norm(d), n, m_vCenter - m_fRadius * n, -m_fRadius};
+    return {GetGap(ball), n, m_vCenter - m_fRadius * n, -m_fRadius};
   }
 };
 
@@ -67,9 +73,10 @@ struct CRing {
 struct CHalfPlane {
   Vector2d m_vPt, m_vNorm;
 
+  double GetGap(const CBallAt& ball) const { return m_vNorm.dot(ball.m_vPos - m_vPt) - ball.m_fRadius; }
   CSpot At(const CBallAt& ball) const {
     const double s = m_vNorm.dot(ball.m_vPos - m_vPt);
-    return {s - ball.m_fRadius, m_vNorm, ball.m_vPos - s * m_vNorm};
+    return {GetGap(ball), m_vNorm, ball.m_vPos - s * m_vNorm};
   }
 };
 
@@ -88,11 +95,20 @@ struct CSegment {
     return s > 0.0 || (s == 0.0 && !(m_vFront.dot(ball.m_vVel) > 0.0));
   }
 
+  // The end that the ball is closest to; none where it is closest to a face.
+  const Vector2d* GetEnd(const CBallAt& ball) const {
+    if (!(Along().dot(ball.m_vPos - m_vPt0) > 0.0)) return &m_vPt0;
+    if (!(Along().dot(ball.m_vPos - m_vPt1) < 0.0)) return &m_vPt1;
+    return nullptr;
+  }
+
+  double GetGap(const CBallAt& ball) const {
+    if (const Vector2d* pEnd = GetEnd(ball)) return CDisk{*pEnd, 0.0}.GetGap(ball);
+    return std::abs(m_vFront.dot(ball.m_vPos - m_vPt0)) - ball.m_fRadius;
+  }
   CSpot At(const CBallAt& ball) const {
-    const Vector2d from0 = ball.m_vPos - m_vPt0;
-    if (!(Along().dot(from0) > 0.0)) return CDisk{m_vPt0, 0.0}.At(ball);
-    if (!(Along().dot(ball.m_vPos - m_vPt1) < 0.0)) return CDisk{m_vPt1, 0.0}.At(ball);
-    const double s = m_vFront.dot(from0);
+    if (const Vector2d* pEnd = GetEnd(ball)) return CDisk{*pEnd, 0.0}.At(ball);
+    const double s = m_vFront.dot(ball.m_vPos - m_vPt0);
     const Vector2d n = IsInFront(ball) ? m_vFront : Vector2d(-m_vFront);
     return {std::abs(s) - ball.m_fRadius, n, ball.m_vPos - s * m_vFront};
   }

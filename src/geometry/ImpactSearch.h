@@ -24,7 +24,7 @@ public:
   template <class TFeature, class F>
   eSweep TimeOfImpact(const TFeature& feature, double deepest, const F& counts, double& t) const {
     const CBallAt ball = m_cMotion.At(0.0);
-    const double gap = feature.At(ball).m_fGap;
+    const double gap = feature.GetGap(ball);
     if (!(gap < t && gap >= -deepest && counts(ball.m_vPos))) return eSweep::None;
     t = gap;
     return eSweep::Impact;
