@@ -51,6 +51,18 @@ TEST(LastingContact, ABallComesToRestWhenItsBouncesEnd) {
   }
 }
 
+// Balls that rest on something do not gain energy, unless something gives it.
+TEST(LastingContact, ABumperSendsTwoBallsThatSlideTogetherBackTwiceAsFast) {
+  const auto pWorld = MakeFloor();
+  pWorld->Add(CLineSegDesc({0, -1}, {0, 1}, 2));
+  for (const float x : {1.0f, 1.4f})
+    pWorld->Add(CDynamicCircleDesc({x, 0.2f}, 0.2f, {-1, 0}));
+  for (int step = 0; step < 90; ++step)
+    pWorld->Step();
+  for (const CShapeId ball : pWorld->GetBallIds())
+    EXPECT_NEAR(pWorld->GetVel(ball).x(), 2, 1e-5);
+}
+
 // However slow, however many substeps and wherever: what touches and approaches is answered.
 TEST(LastingContact, ASlowBallBounces) {
   for (const unsigned substeps : {1u, 64u, 4096u})

@@ -27,6 +27,7 @@ void CContinuous::Begin(CBallArrays& balls, CStaticBroadPhase& shapes, bool pair
   m_bCapsSpeeds = CanExceedMaxSpeed(gravity * dt);
   m_fSagitta = CMotion{Vector2d::Zero(), Vector2d::Zero(), 0.0, m_fStep, m_vGravity}.GetSagitta();
   m_fSleepSpeed = static_cast<float>(g_fSleepSpeed * Norm(m_vGravity) * m_fStep);
+  m_cEnergy.Begin(m_vGravity);
   m_stdContacts.clear();
   m_stdTimes.clear();
   m_stdPathVertices.clear();

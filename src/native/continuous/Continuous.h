@@ -10,6 +10,7 @@
 
 #include "../broadphase/NearDiscs.h"
 #include "../broadphase/StaticBroadPhase.h"
+#include "PileEnergy.h"
 #include "RestingContacts.h"
 
 namespace Shapes::Native {
@@ -128,6 +129,9 @@ private:
     return {ball.m_vPos, Vector2d::Zero(), ball.m_fRadius, 0.0};
   }
   CMotion GetFreeMotion(std::size_t i) const;
+  std::uint32_t GetIndex(const CMoving& ball) const {
+    return static_cast<std::uint32_t>(&ball - m_stdBalls.data());
+  }
   static CDiscGrid::CDisc GetDisc(const CMotion& motion, double sagitta);
   void MoveDisc(std::uint32_t i);
   // How far a ball may leave the disc by which it was found near others: they were looked for twice as far.
@@ -228,6 +232,7 @@ private:
   std::vector<CTouching> m_stdTouching;
   std::vector<CFarness> m_stdDeep;
   CRestingContacts m_cResting;
+  CPileEnergy m_cEnergy;
   std::vector<std::uint32_t> m_stdHit, m_stdPassing;
   std::vector<std::uint32_t> m_stdWoken;
   std::vector<float> m_stdLeastCalm; // of each pile

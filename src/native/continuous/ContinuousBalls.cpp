@@ -103,6 +103,7 @@ void CContinuous::TakeSolid(std::uint32_t k) {
   m_stdIndexOf[k] = static_cast<std::uint32_t>(m_stdBalls.size());
   Take(m_stdSolid[k], m_cNearDiscs.Get(k));
   m_stdBalls.back().m_nSolid = k;
+  if (!m_cEnergy.IsEmpty()) m_cEnergy.Add(m_stdBalls.back());
 }
 
 void CContinuous::Take(std::size_t i, const CDiscGrid::CDisc& disc) {
@@ -270,12 +271,13 @@ void CContinuous::PutBalls() {
 
 void CContinuous::PutTaken() {
   for (CMoving& ball : m_stdBalls)
-    if (ball.m_bIsMoved) {
-      Advance(ball, m_fStep - ball.m_fTime);
+    if (ball.m_bIsMoved) Advance(ball, m_fStep - ball.m_fTime);
+  m_cEnergy.Keep(m_stdBalls);
+  for (const CMoving& ball : m_stdBalls)
+    if (ball.m_bIsMoved)
       Put(ball.m_vPos, ball.m_vVel, ball.m_nBall);
-    } else if (!ball.m_bIsAsleep) {
+    else if (!ball.m_bIsAsleep)
       MoveFreely(ball.m_nBall);
-    }
   if (IsFalling()) FallAsleep();
 }
 

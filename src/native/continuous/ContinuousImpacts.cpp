@@ -225,6 +225,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   m_pStats->m_nSpeedsCapped += CapSpeed(ball.m_vVel);
   ball.m_nLastOrder = order;
   if (m_pShapes->GetGeometry(order).IsMoving()) ball.m_nLastMoving = order;
+  ball.m_bIsDriven |= e > 1.0;
   Report(entry.m_cId, ball, impact.m_vPOI, n, approach, ImpulseOf(ball.m_fMass, stays ? 0.0 : e, approach));
   EndMotion(ball);
 }
@@ -280,6 +281,8 @@ void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, doub
     if (isAnswered(*pBall)) TakeBack(*pBall);
   const double approach = ApproachSpeed(GetMotion(ball).m_vVel, GetMotion(other).m_vVel, n);
   const double e = isSlow ? 0.0 : ball.m_fElasticity * other.m_fElasticity;
+  m_cEnergy.Join(GetIndex(ball), GetIndex(other));
+  ball.m_bIsDriven |= e > 1.0;
   double mass = ReducedMass(ball.m_fMass, other.m_fMass);
   if (ball.m_bIsHalted || other.m_bIsHalted) mass = ball.m_bIsHalted ? other.m_fMass : ball.m_fMass;
   if (other.m_bIsHalted)
@@ -346,7 +349,7 @@ void CContinuous::EndMotion(CMoving& ball) {
 
 // It keeps no velocity into the shapes that it touches, and none at all if it has got nowhere.
 void CContinuous::StopAtTouching(CMoving& ball) {
-  FindShapes(static_cast<std::uint32_t>(&ball - m_stdBalls.data()));
+  FindShapes(GetIndex(ball));
   CHolds touching;
   for (const std::uint32_t order : m_stdShapesFound) {
     CImpact impact;

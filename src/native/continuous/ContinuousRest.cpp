@@ -58,6 +58,11 @@ void CContinuous::FindRestingContacts() {
 }
 
 void CContinuous::SolveRestingContacts() {
+  const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
+  for (const CMoving& ball : m_stdBalls)
+    m_cEnergy.Add(ball);
+  for (std::uint32_t i = 0; i < n; ++i)
+    m_cEnergy.Join(i, m_cResting.GetPile(i));
   m_cResting.Solve(m_stdBalls);
   m_cResting.ForEach(
       [this](std::uint32_t i, std::uint32_t other, bool isBall, const Vector2d& norm, double impulse) {
@@ -65,7 +70,7 @@ void CContinuous::SolveRestingContacts() {
         Report(isBall ? m_pBalls->m_stdId[m_stdBalls[other].m_nBall] : m_pShapes->Get(other).m_cId, ball,
                ball.m_vPos - ball.m_fRadius * norm, norm, 0.0, ImpulseOf(1.0, 0.0, impulse));
       });
-  for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
+  for (std::uint32_t i = 0; i < n; ++i) {
     if (!m_stdBalls[i].m_bIsInPile) continue;
     m_stdBalls[i].m_fHoldTime = GetHoldTime(m_stdBalls[i]);
     MoveDisc(i);
@@ -120,6 +125,7 @@ CHold CContinuous::MakeHold(const CMoving& ball, std::uint32_t order, const CImp
 
 void CContinuous::Hold(CMoving& ball, const CHold& hold) {
   ball.m_cHolds.Add(hold);
+  ball.m_bIsDriven |= m_pShapes->GetGeometry(hold.m_nOther).IsMoving();
   ball.m_vVel += (hold.m_fSpeed - hold.m_vNorm.dot(ball.m_vVel)) * hold.m_vNorm;
   ball.m_vVel = ball.m_cHolds.ConstrainVel(ball.m_vVel);
   ball.m_vAcc = ball.m_cHolds.ConstrainAcc(ball.m_vFall);
@@ -340,9 +346,8 @@ void CContinuous::Rest(CMoving& ball, CMoving& other, const Vector2d& n) {
   StopTogether(upper, lower, up);
   const double along = Cross(up, upper.m_vVel - lower.m_vVel), R = upper.m_fRadius + lower.m_fRadius;
   const double bend = R > 0.0 ? along * along / R : 0.0;
-  upper.m_cHolds.Add({static_cast<std::uint32_t>(&lower - m_stdBalls.data()), true, up, up.dot(lower.m_vVel),
-                      up.dot(lower.m_vAcc) - bend, std::numeric_limits<double>::infinity(),
-                      lower.m_nVersion});
+  upper.m_cHolds.Add({GetIndex(lower), true, up, up.dot(lower.m_vVel), up.dot(lower.m_vAcc) - bend,
+                      std::numeric_limits<double>::infinity(), lower.m_nVersion});
   upper.m_vVel = upper.m_cHolds.ConstrainVel(upper.m_vVel);
   upper.m_vAcc = upper.m_cHolds.ConstrainAcc(upper.m_vFall);
   for (CMoving* pBall : {&ball, &other})

@@ -62,6 +62,7 @@ struct CMoving {
   bool m_bIsMoved = false;                 // by anything but its velocity and gravity
   bool m_bIsNearBall = false;              // touches one, or could in this substep
   bool m_bIsInPile = false;                // rests on other balls, or they on it
+  bool m_bIsDriven = false;                // gets energy: of what moves, or by an elasticity above 1
   bool m_bWasSqueezed = false;             // in the last substep: CRestingContacts
   bool m_bHasPressed = false;              // likewise, on what it still touches, or that on it
   bool m_bIsPressed = false;               // overlaps more than one that falls asleep may

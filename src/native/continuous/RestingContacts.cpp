@@ -19,7 +19,7 @@ void CRestingContacts::Begin(const Vector2d& gravity, double dt) {
   m_fSlow = g_fRestingSteps * Norm(gravity) * dt;
   m_stdContacts.clear();
   m_stdFirst.clear();
-  m_stdRoot.clear();
+  m_cPiles.Reset(0);
   m_stdEnergies.clear();
   m_stdKnown.swap(m_stdNear);
   m_stdNear.clear();
@@ -97,13 +97,6 @@ double CRestingContacts::GetSpeed(const CContact& c, const std::vector<CMoving>&
   return c.m_vNorm.dot(v) - c.m_fSpeed;
 }
 
-// The lowest index of its pile, with the way to it made shorter.
-std::uint32_t CRestingContacts::FindRoot(std::uint32_t ball) {
-  while (m_stdRoot[ball] != ball)
-    ball = m_stdRoot[ball] = m_stdRoot[m_stdRoot[ball]];
-  return ball;
-}
-
 // Those that were within reach in the last substep, too, with their impulses.
 void CRestingContacts::FindKnown() {
   for (std::uint32_t k = 0; k < m_stdContacts.size(); ++k)
@@ -128,19 +121,15 @@ void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
     const double speed = std::abs(GetSpeed(c, balls));
     return !((isSqueezed || speed <= m_fSlow) && c.m_fGap <= GetReach(speed, isSqueezed));
   });
-  m_stdRoot.resize(balls.size());
-  std::iota(m_stdRoot.begin(), m_stdRoot.end(), 0u);
-  for (const CContact& c : m_stdContacts) {
-    if (!c.m_bIsBall) continue;
-    const std::uint32_t a = FindRoot(c.m_nBall), b = FindRoot(c.m_nOther);
-    m_stdRoot[std::max(a, b)] = std::min(a, b);
-  }
+  m_cPiles.Reset(balls.size());
+  for (const CContact& c : m_stdContacts)
+    if (c.m_bIsBall) m_cPiles.Join(c.m_nBall, c.m_nOther);
   m_stdIsHeld.assign(balls.size(), false);
   for (const CContact& c : m_stdContacts)
-    if (!c.m_bIsBall) m_stdIsHeld[FindRoot(c.m_nBall)] = true;
-  std::erase_if(m_stdContacts, [&](const CContact& c) { return !m_stdIsHeld[FindRoot(c.m_nBall)]; });
+    if (!c.m_bIsBall) m_stdIsHeld[m_cPiles.Find(c.m_nBall)] = true;
+  std::erase_if(m_stdContacts, [&](const CContact& c) { return !m_stdIsHeld[m_cPiles.Find(c.m_nBall)]; });
   for (CContact& c : m_stdContacts)
-    c.m_fKey = static_cast<double>(FindRoot(c.m_nBall));
+    c.m_fKey = static_cast<double>(m_cPiles.Find(c.m_nBall));
   Sort();
   for (const CContact& c : m_stdContacts) {
     balls[c.m_nBall].m_bIsInPile = true;
@@ -154,7 +143,7 @@ void CRestingContacts::Remember(const std::vector<CMoving>& balls, std::size_t s
   for (std::uint32_t i = 0; i < balls.size(); ++i) {
     const CMoving& ball = balls[i];
     // One that was taken late has no pile.
-    const bool isMoved = i < m_stdEnergies.size() && m_stdEnergies[FindRoot(i)].m_bIsMoved;
+    const bool isMoved = i < m_stdEnergies.size() && m_stdEnergies[m_cPiles.Find(i)].m_bIsMoved;
     const bool isHit = ball.m_bIsNearBall && ball.m_nImpacts >= g_nSqueezed;
     // One that flies far may be hit as often.
     const bool isFast = Norm(ball.m_vVel) * m_fStep > ball.m_fRadius;
@@ -177,8 +166,8 @@ void CRestingContacts::Solve(std::vector<CMoving>& balls) {
     ball.m_vGiven = -ball.m_vVel / m_fStep;
   });
   for (std::size_t begin = 0, end = 0; begin < m_stdContacts.size(); begin = end) {
-    const std::uint32_t root = FindRoot(m_stdContacts[begin].m_nBall);
-    while (end < m_stdContacts.size() && FindRoot(m_stdContacts[end].m_nBall) == root)
+    const std::uint32_t root = m_cPiles.Find(m_stdContacts[begin].m_nBall);
+    while (end < m_stdContacts.size() && m_cPiles.Find(m_stdContacts[end].m_nBall) == root)
       ++end;
     SolvePile(std::span(m_stdContacts).subspan(begin, end - begin), balls);
   }
@@ -207,12 +196,13 @@ void CRestingContacts::SolvePile(std::span<CContact> pile, std::vector<CMoving>&
     surface = std::max(surface, std::abs(c.m_fSpeed));
   }
   m_cSolver.Solve(m_fSlow, surface);
-  m_stdEnergies[FindRoot(pile[0].m_nBall)].m_bIsMoved = surface > 0.0;
+  m_stdEnergies[m_cPiles.Find(pile[0].m_nBall)].m_bIsMoved = surface > 0.0;
 
   const auto put = [&](std::uint32_t i) {
     balls[i].m_vVel = m_cSolver.GetVel(m_stdSolved[i]);
     balls[i].m_vFall = balls[i].m_vAcc = Vector2d::Zero(); // gravity has been there
     balls[i].m_bIsMoved = true;
+    balls[i].m_bIsDriven |= surface > 0.0;
   };
   for (std::size_t k = 0; k < pile.size(); ++k) {
     CContact& c = pile[k];

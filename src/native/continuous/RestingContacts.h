@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ContactSolver.h"
+#include "Groups.h"
 #include "Moving.h"
 
 namespace Shapes::Native {
@@ -42,7 +43,7 @@ public:
   void Add(std::uint32_t ball, std::uint32_t other, bool isBall, const CImpact& impact, double gap);
   bool IsEmpty() const { return m_stdContacts.empty(); }
   /// The ball by which its pile is known, itself if it is in none.
-  std::uint32_t GetPile(std::uint32_t ball) { return ball < m_stdRoot.size() ? FindRoot(ball) : ball; }
+  std::uint32_t GetPile(std::uint32_t ball) { return ball < m_cPiles.Size() ? m_cPiles.Find(ball) : ball; }
   /// Forgets the impulses of the last substep, so that the next one does not depend on what was before.
   void Forget() {
     m_stdKnown.clear();
@@ -111,7 +112,6 @@ private:
   void Sort();
   // By which it is known in the next substep, too, whichever of two balls is the upper one.
   static std::uint64_t GetPair(const CContact& c, const std::vector<CMoving>& balls);
-  std::uint32_t FindRoot(std::uint32_t ball);
   double GetSpeed(const CContact& c, const std::vector<CMoving>& balls) const;
   void Order(std::vector<CMoving>& balls);
   static double GetSmallerRadius(const CContact& c, const std::vector<CMoving>& balls);
@@ -122,7 +122,7 @@ private:
   template <class F>
   void ForEachInPile(std::vector<CMoving>& balls, const F& f) {
     for (std::uint32_t i = 0; i < balls.size(); ++i)
-      if (balls[i].m_bIsInPile) f(balls[i], m_stdEnergies[FindRoot(i)], m_stdLifts[i]);
+      if (balls[i].m_bIsInPile) f(balls[i], m_stdEnergies[m_cPiles.Find(i)], m_stdLifts[i]);
   }
   void SolvePile(std::span<CContact> pile, std::vector<CMoving>& balls);
 
@@ -153,12 +153,12 @@ private:
   std::vector<std::pair<double, std::uint32_t>> m_stdOrder; // keys, and which contact has each
   CContactSolver m_cSolver;
   std::vector<std::uint32_t> m_stdSolved;     // of each ball: its index there
-  std::vector<std::uint32_t> m_stdRoot;       // another ball of the same pile, or itself
-  std::vector<bool> m_stdIsHeld;              // of each root: whether its pile lies on a shape
+  CGroups m_cPiles;                           // of balls
+  std::vector<bool> m_stdIsHeld;              // of each pile, by its ball: whether it lies on a shape
   std::vector<std::uint32_t> m_stdNeighbours; // of each ball on balls, ball by ball
   std::vector<std::uint32_t> m_stdFirst;      // of each ball among them, and where the last one's end
   std::vector<double> m_stdLifts;             // the work of lifting each ball as they were moved apart
-  std::vector<CEnergy> m_stdEnergies;         // of each root
+  std::vector<CEnergy> m_stdEnergies;         // of each pile, by its ball
   std::vector<bool> m_stdIsSqueezed;          // in the last substep, by the index in the arrays
   std::vector<CKnown> m_stdKnown, m_stdNear;  // pairs of the last substep and of this one, in order
 };

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "PileEnergy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Shapes::Native {
+namespace {
+
+double GetKinetic(const CMoving& ball) { return 0.5 * ball.m_fMass * ball.m_vVel.squaredNorm(); }
+
+} // namespace
+
+void CPileEnergy::Add(const CMoving& ball) {
+  m_stdBegin.push_back({ball.m_vPos, GetKinetic(ball)});
+  m_cGroups.Add();
+}
+
+void CPileEnergy::Keep(std::vector<CMoving>& balls) {
+  if (IsEmpty()) return;
+  m_stdGroups.assign(balls.size(), {});
+  for (std::uint32_t i = 0; i < balls.size(); ++i) {
+    const CMoving& ball = balls[i];
+    CGroup& group = m_stdGroups[m_cGroups.Find(i)];
+    group.m_bHasPile |= ball.m_bIsInPile;
+    group.m_bIsDriven |= ball.m_bIsDriven || ball.m_nLastMoving != g_nNobody;
+    group.m_fKinetic += GetKinetic(ball);
+    const double fall = ball.m_fMass * m_vGravity.dot(ball.m_vPos - m_stdBegin[i].m_vPos);
+    group.m_fMost += m_stdBegin[i].m_fKinetic + fall;
+  }
+  for (std::uint32_t i = 0; i < balls.size(); ++i) {
+    const CGroup& group = m_stdGroups[m_cGroups.Find(i)];
+    const double most = std::max(0.0, group.m_fMost);
+    if (group.m_bHasPile && !group.m_bIsDriven && group.m_fKinetic > most)
+      balls[i].m_vVel *= std::sqrt(most / group.m_fKinetic);
+  }
+}
+
+} // namespace Shapes::Native
