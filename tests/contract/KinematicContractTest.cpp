@@ -255,13 +255,11 @@ TEST_P(CMovingWallContract, ASensorThatMovesSeesABallThatRests) {
     const auto pWorld = Make();
     const CShapeId sensor = pWorld->Add(Sensor(Wall({speed, 0})));
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0.75f, 0}, 0.1f));
-    std::vector<CSensorEvent> events;
-    for (int i = 0; i < 120; ++i) {
+    const auto events = Told(*pWorld, 120, &CWorld::GetSensorEvents, [&] {
       pWorld->Step();
-      events.insert(events.end(), pWorld->GetSensorEvents().begin(), pWorld->GetSensorEvents().end());
       for (const CContactEvent& event : pWorld->GetContacts())
         EXPECT_NEAR(event.m_vPOI.x(), 0.75f, 0.1f + 1e-4f);
-    }
+    });
     EXPECT_EQ(events, (std::vector<CSensorEvent>{{sensor, ball, true}, {sensor, ball, false}}));
     EXPECT_EQ(pWorld->GetVel(ball), Vector2(0, 0));
   }

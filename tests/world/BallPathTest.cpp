@@ -11,16 +11,12 @@
 namespace Shapes {
 namespace {
 
-// A circle is a disk.
 double DistanceByShape(const CShape& shape, const Vector2d& p) {
-  const Vector2 q = p.cast<float>();
-  if (shape.GetShapeType() != eShape::Circle) return Wide(DistanceFrom(shape, q));
-  return Wide(Length(shape.GetPos() - q) - static_cast<const CCircle&>(shape).GetRadius());
+  return Wide(SensedDistanceFrom(shape, p.cast<float>()));
 }
 
 std::unique_ptr<CShape> RandomShape(CRandom& random, int trial) {
-  const Vector2 p = random.InSquare(2);
-  return MakeAnyShape(random, static_cast<std::uint32_t>(trial), p, 2);
+  return MakeAnyShape(random, static_cast<std::uint32_t>(trial), random.InSquare(2), 2);
 }
 
 std::vector<CPathVertex> RandomWay(CRandom& random, int bends) {
