@@ -220,7 +220,7 @@ std::uint64_t Play(Fuzz::CWorldTrial<CBorders>& trial, CBorders& borders, eProfi
   CWorldDesc desc;
   do {
     desc = borders.World(profile);
-  } while (!trial.Make(eBackend::Box2D, desc));
+  } while (!trial.Make(*GetBackend(eBackend::Box2D), desc));
   borders.Inside(desc);
   const auto add = [&] {
     const unsigned what = borders.Below(8);

@@ -107,7 +107,7 @@ void FuzzWorld(std::span<const std::uint8_t> bytes) {
   CByteSource source(bytes);
   CWorldTrial trial(source);
   const auto [backend, desc] = source.World();
-  if (!trial.Make(backend, desc)) return;
+  if (!trial.Make(*GetBackend(backend), desc)) return;
   while (!source.IsEmpty() && !IsLong(trial))
     if (const unsigned operation = source.Below(g_nOperations);
         operation > 5 || trial.CountShapes() < g_nMostShapes)

@@ -7,6 +7,7 @@
 
 #include <Shapes/Shapes.h>
 
+#include <algorithm>
 #include <iterator>
 #include <memory>
 #include <set>
@@ -74,10 +75,10 @@ public:
   explicit CWorldTrial(TSource& source) : m_cSource(source) {}
 
   /// Whether the engine takes the description.
-  bool Make(eBackend backend, const CWorldDesc& desc) {
-    return Try([&] { m_pWorld = GetBackend(backend)->MakeWorld(desc); });
+  bool Make(const CBackend& backend, const CWorldDesc& desc) {
+    return Try([&] { m_pWorld = backend.MakeWorld(desc); });
   }
-  const CWorld& GetWorld() const { return *m_pWorld; }
+  CWorld& GetWorld() const { return *m_pWorld; }
   std::size_t CountShapes() const { return m_stdIds.size(); } // that were ever added
   int GetSteps() const { return m_nSteps; }
 
@@ -115,14 +116,27 @@ public:
     for (const CShapeId id : m_stdIds)
       Require(!m_pWorld->Contains(id) || m_pWorld->GetPos(id).allFinite(), "a shape has a finite place",
               id.m_nValue);
+    for (const CTouchEvent& e : m_pWorld->GetTouchEvents())
+      m_nSolidBegins += Keep(m_cNow.m_stdSolid, e);
+    CPairs begun;
     for (const CSensorEvent& e : m_pWorld->GetSensorEvents()) {
-      const auto pair = std::pair(e.m_cBall, e.m_cShape);
-      const bool changes = e.m_bBegin ? m_stdTouching.insert(pair).second : m_stdTouching.erase(pair) == 1;
-      Require(changes, "every touch begins and ends once", e.m_cBall.m_nValue, e.m_cShape.m_nValue);
+      const bool isBegin = Keep(m_cNow.m_stdSensed, e);
+      m_nBegins += isBegin;
+      m_nCrossed += !isBegin && begun.contains({e.m_cBall, e.m_cShape});
+      if (isBegin) begun.emplace(e.m_cBall, e.m_cShape);
     }
+    begun.insert(m_cNow.m_stdSensed.begin(), m_cNow.m_stdSensed.end());
+    RequireContactsOf(begun);
   }
 
-  std::uint64_t m_nAccepted = 0, m_nRefused = 0; ///< Calls.
+  using CPairs = std::set<std::pair<CShapeId, CShapeId>>; ///< Ball, shape.
+  /// What touches sensors: touches that have begun and not ended.
+  const CPairs& GetSensed() const { return m_cNow.m_stdSensed; }
+  const CPairs& GetTouching() const { return m_cNow.m_stdSolid; }
+
+  std::uint64_t m_nAccepted = 0, m_nRefused = 0;                   ///< Calls.
+  std::uint64_t m_nBegins = 0, m_nCrossed = 0, m_nSolidBegins = 0; ///< Touches; those that end in their step.
+  std::uint64_t m_nLoads = 0;
 
 private:
   // A refusal is a std::invalid_argument, and has changed nothing.
@@ -138,6 +152,31 @@ private:
       ++m_nRefused;
       return false;
     }
+  }
+
+  // Whether it is a begin.
+  template <class TEvent>
+  static bool Keep(CPairs& pairs, const TEvent& e) {
+    const std::pair pair(e.m_cBall, e.m_cShape);
+    const bool changes = e.m_bBegin ? pairs.insert(pair).second : pairs.erase(pair) == 1;
+    Require(changes, "every touch begins and ends once", e.m_cBall.m_nValue, e.m_cShape.m_nValue);
+    return e.m_bBegin;
+  }
+
+  // The contacts of sensors are those that touch, or touched in this step: each pair that does has one of
+  // each substep.
+  void RequireContactsOf(const CPairs& touching) const {
+    const bool isCut = m_pWorld->GetDesc().m_nSubsteps > 1;
+    CPairs contacts;
+    for (const CContactEvent& c : m_pWorld->GetContacts()) {
+      if (!c.m_bIsSensor) continue;
+      const bool isNew = contacts.emplace(c.m_cBall, c.m_cShape).second;
+      Require(isNew || isCut, "a pair has one contact", c.m_cBall.m_nValue, c.m_cShape.m_nValue);
+      Require(m_pWorld->GetSensor(c.m_cBall) || m_pWorld->GetSensor(c.m_cShape), "one of them is a sensor");
+      Require(m_pWorld->GetCanCollide(c.m_cBall) && m_pWorld->GetCanCollide(c.m_cShape), "both can collide");
+    }
+    Require(std::includes(contacts.begin(), contacts.end(), touching.begin(), touching.end()),
+            "what touches a sensor has a contact");
   }
 
   void Change(unsigned operation, CShapeId id) {
@@ -204,7 +243,7 @@ private:
   void SaveAndGoOn() {
     m_cSaved = m_pWorld->SaveState();
     m_bHasSaved = true;
-    m_stdSavedTouching = m_stdTouching;
+    m_cSavedTouches = m_cNow;
     if (!m_cSource.Flag()) return;
     std::vector<CPicture> pictures[2];
     const unsigned steps = 1u + m_cSource.Below(4);
@@ -226,7 +265,8 @@ private:
       return;
     }
     m_pWorld->LoadState(m_cSaved);
-    m_stdTouching = m_stdSavedTouching;
+    m_cNow = m_cSavedTouches;
+    ++m_nLoads;
   }
 
   TSource& m_cSource;
@@ -234,7 +274,9 @@ private:
   bool m_bHasSaved = false;
   int m_nSteps = 0;
   std::vector<CShapeId> m_stdIds; // of all that was ever added
-  std::set<std::pair<CShapeId, CShapeId>> m_stdTouching, m_stdSavedTouching;
+  struct {
+    CPairs m_stdSensed, m_stdSolid;
+  } m_cNow, m_cSavedTouches;
   CSavedState m_cSaved;
 };
 
