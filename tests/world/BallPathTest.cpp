@@ -15,10 +15,6 @@ double DistanceByShape(const CShape& shape, const Vector2d& p) {
   return Wide(SensedDistanceFrom(shape, p.cast<float>()));
 }
 
-std::unique_ptr<CShape> RandomShape(CRandom& random, int trial) {
-  return MakeAnyShape(random, static_cast<std::uint32_t>(trial), random.InSquare(2), 2);
-}
-
 std::vector<CPathVertex> RandomWay(CRandom& random, int bends) {
   std::vector<CPathVertex> way{{0.0, Wide(random.InSquare(3))}};
   for (int i = 1; i <= bends; ++i)
@@ -32,7 +28,7 @@ TEST(BallPathTest, TheClosestApproachIsThatOfManyPlaces) {
   constexpr double rounding = 1e-5; // of DistanceByShape: 8 ulp of 10
   int crossed = 0;
   ForEachCase(11, 4000, [&](CRandom& random, int trial) {
-    const auto pShape = RandomShape(random, trial);
+    const auto pShape = MakeAnyShape(random, static_cast<std::uint32_t>(trial), random.InSquare(2), 2);
     const auto way = RandomWay(random, trial % 3);
     const CZone::CApproach near = CZone(*pShape).Approach(way);
     const double parts = static_cast<double>(way.size() - 1);
@@ -54,7 +50,7 @@ TEST(BallPathTest, TheClosestApproachIsThatOfManyPlaces) {
 TEST(BallPathTest, ATouchHasItsPointOnTheShapeAndItsNormalToTheBall) {
   int touched = 0, atEnd = 0;
   ForEachCase(12, 4000, [&](CRandom& random, int trial) {
-    const auto pShape = RandomShape(random, trial);
+    const auto pShape = MakeAnyShape(random, static_cast<std::uint32_t>(trial), random.InSquare(2), 2);
     const auto way = RandomWay(random, trial % 2);
     const double r = random.Uniform(0.05f, 0.5f);
     const CZone zone(*pShape);
