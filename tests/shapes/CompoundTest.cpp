@@ -18,7 +18,7 @@ protected:
   CCompoundShape m_cCompound;
 };
 
-// Bit for bit, and says so itself.
+// Bit for bit. Its own orientation, speed and centre are those of its shapes.
 TEST_F(Compound, DoesToEachShapeWhatTheShapeDoesAlone) {
   std::vector<std::unique_ptr<CShape>> alone;
   for (const CShape* pShape : m_cCompound.GetShapes())
