@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Descriptions of shapes in one expression.
+// Descriptions of shapes and worlds in one expression.
 #pragma once
+
+#include "Numbers.h"
 
 #include <Shapes/Shapes.h>
 
@@ -53,6 +55,19 @@ inline std::array<CLineSegDesc, 4> Walls(const Vector2& low, const Vector2& high
 
 inline CCircleDesc MakeZone(const Vector2& p = Vector2::Zero(), float r = 1) {
   return Sensor(CCircleDesc(p, r));
+}
+
+/// The description of a world.
+inline CWorldDesc Described(const Vector2& gravity, float dt = g_fDt, unsigned substeps = 1,
+                            const CEffectChoice& choice = g_cAutomatic,
+                            eProfile profile = eProfile::Shipped) {
+  CWorldDesc desc;
+  desc.m_vGravity = gravity;
+  desc.m_fTimeStep = dt;
+  desc.m_nSubsteps = substeps;
+  desc.m_cEffects = choice;
+  desc.m_cBox2D.m_eProfile = profile;
+  return desc;
 }
 
 } // namespace Shapes

@@ -41,4 +41,10 @@ inline float DistanceFrom(const CShape& shape, const Vector2& p) {
   }
 }
 
+/// The same to a sensor, as which a circle is a disk: negative in it.
+inline float SensedDistanceFrom(const CShape& shape, const Vector2& p) {
+  if (shape.GetShapeType() != eShape::Circle) return DistanceFrom(shape, p);
+  return Length(p - shape.GetPos()) - static_cast<const CCircle&>(shape).GetRadius();
+}
+
 } // namespace Shapes

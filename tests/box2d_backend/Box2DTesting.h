@@ -15,12 +15,8 @@ namespace Shapes::Tests {
 inline std::unique_ptr<CWorld> MakeBox2D(eProfile profile, const Vector2& gravity = Vector2::Zero(),
                                          float dt = g_fDt, const CEffectChoice& choice = g_cAutomatic,
                                          float unit = 1.0f) {
-  CWorldDesc desc;
-  desc.m_cBox2D.m_eProfile = profile;
+  CWorldDesc desc = Described(gravity, dt, 1, choice, profile);
   desc.m_cBox2D.m_fLengthUnit = unit;
-  desc.m_vGravity = gravity;
-  desc.m_fTimeStep = dt;
-  desc.m_cEffects = choice;
   return GetBackend(eBackend::Box2D)->MakeWorld(desc);
 }
 

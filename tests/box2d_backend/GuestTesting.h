@@ -8,10 +8,8 @@ namespace Shapes::Tests {
 
 inline std::unique_ptr<CBox2DWorld> MakeGuest(b2World& game, eProfile e = eProfile::Shipped,
                                               float unit = 1.0f, const CEffectChoice& choice = g_cAutomatic) {
-  CWorldDesc desc;
-  desc.m_cBox2D.m_eProfile = e;
+  CWorldDesc desc = Described({0, 0}, g_fDt, 1, choice, e);
   desc.m_cBox2D.m_fLengthUnit = unit;
-  desc.m_cEffects = choice;
   return MakeWorld(game, desc);
 }
 

@@ -4,7 +4,7 @@
 #include "Box2DTesting.h"
 #include "box2d_backend/world/Tuning.h"
 #include "contract/Backends.h"
-#include "fuzz/Fuzz.h"
+#include "fuzz/WorldTrial.h"
 #include "traps/Traps.h"
 
 #include <csignal>
@@ -17,6 +17,9 @@ namespace {
 class CBorders {
 public:
   explicit CBorders(Tests::CRandom& random) : m_cRandom(random) {}
+
+  unsigned Below(unsigned n) { return m_cRandom.Below(n); }
+  bool Flag() { return m_cRandom.Coin(); }
 
   CWorldDesc World(eProfile profile) {
     CWorldDesc desc;
@@ -97,10 +100,12 @@ public:
     return desc;
   }
 
-  CAnyShapeDesc Shape() {
+  /// A point, a segment, a circle, an arc, or a ball.
+  CAnyShapeDesc Shape(unsigned what) {
+    if (what == 4) return Ball();
     const Vector2 p = Pos();
     const float e = Elasticity();
-    switch (m_cRandom.Below(4)) {
+    switch (what) {
     case 0: return Moving(CPointDesc(p, e));
     case 1: return Moving(LineSeg(p, Pos(), e));
     case 2: return Moving(CCircleDesc(p, Length(), e));
@@ -109,7 +114,7 @@ public:
   }
 
   /// Segments and arcs that share ends, or nearly so.
-  std::vector<CAnyShapeDesc> Chain() {
+  std::vector<CAnyShapeDesc> Parts() {
     std::vector<CAnyShapeDesc> chain;
     Vector2 p = Pos();
     const float e = Elasticity();
@@ -210,119 +215,38 @@ void TellSeed(int) {
   std::fprintf(stderr, "aborted in the world of seed %d\n", static_cast<int>(g_nSeed)); // is not buffered
 }
 
-/// A random world and what is done to it.
-class CTrial {
-public:
-  CTrial(eProfile profile, std::uint64_t seed) : m_cRandom(seed), m_cBorders(m_cRandom) {
-    CWorldDesc desc;
-    do {
-      desc = m_cBorders.World(profile);
-      Try([&] { m_pWorld = GetBackend(eBackend::Box2D)->MakeWorld(desc); });
-    } while (!m_pWorld);
-    m_cBorders.Inside(desc);
+/// A random world, what is done to it, and how many contacts there are.
+std::uint64_t Play(Fuzz::CWorldTrial<CBorders>& trial, CBorders& borders, eProfile profile) {
+  CWorldDesc desc;
+  do {
+    desc = borders.World(profile);
+  } while (!trial.Make(*GetBackend(eBackend::Box2D), desc));
+  borders.Inside(desc);
+  const auto add = [&] {
+    const unsigned what = borders.Below(8);
+    if (what > 1) return trial.Do(what < 5 ? borders.Below(4) : 4); // a shape, or a ball
+    if (what == 1) return trial.Do(5);                              // a compound
+    for (const CAnyShapeDesc& part : borders.Parts())
+      trial.Add(part);
+  };
+  const unsigned n = 2 + borders.Below(10), rounds = 1 + borders.Below(4);
+  for (unsigned i = 0; i < n; ++i)
+    add();
+  std::uint64_t contacts = 0;
+  const auto step = [&] {
+    trial.Step();
+    contacts += trial.GetWorld().GetContacts().size();
+  };
+  // A tuned world parts the steps of what is fast.
+  for (unsigned i = 0; i < rounds && trial.GetWorld().GetStats().m_nEngineSteps < 300; ++i) {
+    for (unsigned steps = 1 + borders.Below(3); steps > 0; --steps)
+      step();
+    for (unsigned changes = borders.Below(4); changes > 0; --changes)
+      borders.Below(4) == 0 ? add() : trial.Do(10 + borders.Below(Fuzz::g_nOperations - 10));
   }
-
-  void Run() {
-    const std::uint32_t n = 2 + m_cRandom.Below(10), rounds = 1 + m_cRandom.Below(4);
-    for (std::uint32_t i = 0; i < n; ++i)
-      Add();
-    // A tuned world parts the steps of what is fast.
-    for (std::uint32_t i = 0; i < rounds && m_pWorld->GetStats().m_nEngineSteps < 300; ++i) {
-      for (std::uint32_t steps = 1 + m_cRandom.Below(3); steps > 0; --steps)
-        m_pWorld->Step(), ExpectFinite();
-      for (std::uint32_t changes = m_cRandom.Below(4); changes > 0; --changes)
-        m_cRandom.Below(4) == 0 ? Add() : Try([&] { Change(); });
-    }
-    m_pWorld->Step();
-    ExpectFinite();
-  }
-
-  std::uint64_t m_nAccepted = 0, m_nRefused = 0, m_nContacts = 0;
-
-private:
-  // A refused call changes nothing, and nothing but std::invalid_argument is thrown.
-  template <class F>
-  void Try(const F& f) {
-    const std::vector<Vector2> before = Positions();
-    try {
-      f();
-      ++m_nAccepted;
-    } catch (const std::invalid_argument&) {
-      ++m_nRefused;
-      EXPECT_EQ(Positions(), before);
-    }
-  }
-
-  std::vector<Vector2> Positions() const {
-    std::vector<Vector2> all;
-    if (!m_pWorld) return all;
-    for (const CShapeId id : m_stdIds)
-      all.push_back(m_pWorld->GetPos(id));
-    for (const auto& views : {m_pWorld->GetBallPositions(), m_pWorld->GetBallVelocities()})
-      all.insert(all.end(), views.begin(), views.end());
-    return all;
-  }
-
-  void ExpectFinite() {
-    for (const Vector2& v : Positions())
-      EXPECT_TRUE(v.allFinite()) << v.transpose();
-    EXPECT_NO_THROW(Fuzz::RequireSound(*m_pWorld));
-    m_nContacts += m_pWorld->GetContacts().size();
-  }
-
-  void Add() {
-    const auto add = [&](const CAnyShapeDesc& desc) {
-      Try([&] { m_stdIds.push_back(m_pWorld->Add(desc)); });
-    };
-    const std::uint32_t what = m_cRandom.Below(8);
-    if (what == 0) {
-      const auto chain = m_cBorders.Chain();
-      const Vector2 center = m_cBorders.Pos();
-      const float speed = m_cBorders.RotSpeed();
-      Try([&] {
-        std::ranges::copy(m_pWorld->AddCompound(chain, center, speed), std::back_inserter(m_stdIds));
-      });
-    } else if (what == 1) {
-      for (const CAnyShapeDesc& desc : m_cBorders.Chain())
-        add(desc);
-    } else {
-      add(what < 5 ? m_cBorders.Shape() : m_cBorders.Ball());
-    }
-    // Thousands of chords that all touch one ball take Box2D seconds a step.
-    for (; m_pWorld->GetStats().m_nArcPieces > 30; m_stdIds.pop_back())
-      m_pWorld->Remove(m_stdIds.back());
-  }
-
-  void Change() {
-    if (m_stdIds.empty()) return;
-    const std::uint32_t i = m_cRandom.Below(static_cast<std::uint32_t>(m_stdIds.size()));
-    const CShapeId id = m_stdIds[i];
-    switch (m_cRandom.Below(16)) {
-    case 0: m_stdIds.erase(m_stdIds.begin() + i), m_pWorld->Remove(id); break;
-    case 1:
-    case 2: m_pWorld->SetPos(id, m_cBorders.Pos()); break;
-    case 3:
-    case 4: m_pWorld->SetVel(id, m_cBorders.Vel()); break;
-    case 5: m_pWorld->SetOrientation(id, m_cBorders.Angle()); break;
-    case 6: m_pWorld->SetRotSpeed(id, m_cBorders.RotSpeed()); break;
-    case 7: m_pWorld->SetRotCenter(id, m_cBorders.Pos()); break;
-    case 8: m_pWorld->SetElasticity(id, m_cBorders.Elasticity()); break;
-    case 9: m_pWorld->SetSensor(id, m_cRandom.Coin()); break;
-    case 10: m_pWorld->SetCanCollide(id, m_cRandom.Coin()); break;
-    case 11: m_pWorld->Reset(id); break;
-    case 12: m_pWorld->SetGravity(m_cBorders.Gravity()); break;
-    case 13: m_cSaved = m_pWorld->SaveState(), m_stdSavedIds = m_stdIds; break;
-    case 14: m_pWorld->LoadState(m_cSaved), m_stdIds = m_stdSavedIds; break;
-    default: m_pWorld->SetUserPtr(id, this); break;
-    }
-  }
-
-  Tests::CRandom m_cRandom;
-  CBorders m_cBorders;
-  std::unique_ptr<CWorld> m_pWorld;
-  std::vector<CShapeId> m_stdIds, m_stdSavedIds;
-  CSavedState m_cSaved;
-};
+  step();
+  return contacts;
+}
 
 class CNoAssertRandom : public Tests::CEveryProfile {
   // At the limits Box2D's own numbers may be infinite, but not its results.
@@ -337,11 +261,12 @@ TEST_P(CNoAssertRandom, WorldsAtTheBordersNeitherAbortNorLoseTheirNumbers) {
   for (std::uint64_t seed = 1; seed <= n && !HasFailure(); ++seed) {
     g_nSeed = static_cast<std::sig_atomic_t>(seed);
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    CTrial trial(GetParam(), seed);
-    trial.Run();
+    Tests::CRandom random(seed);
+    CBorders borders(random);
+    Fuzz::CWorldTrial trial(borders);
+    EXPECT_NO_THROW(contacts += Play(trial, borders, GetParam()));
     accepted += trial.m_nAccepted;
     refused += trial.m_nRefused;
-    contacts += trial.m_nContacts;
   }
   std::signal(SIGABRT, previous);
   // The borders are met from both sides, and the worlds are not empty.
@@ -352,7 +277,7 @@ TEST_P(CNoAssertRandom, WorldsAtTheBordersNeitherAbortNorLoseTheirNumbers) {
 
 // The shapes of a game, one pair at a time: there is no world that would refuse what is too far for Box2D.
 TEST(NoAssertRandomPair, ContactsAtTheBordersHaveNumbers) {
-  std::uint64_t contacts = 0;
+  std::map<std::string_view, int> contacts; // of each engine
   for (std::uint64_t seed = 1; seed <= 600 && !testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Tests::CRandom random(seed);
@@ -363,30 +288,32 @@ TEST(NoAssertRandomPair, ContactsAtTheBordersHaveNumbers) {
     CGameClock::Set(1.0f / 60.0f, random.Coin() ? 0.0f : -10.0f);
     const auto pWorld = GetBackend(eBackend::Native)->MakeWorld(CWorldDesc());
     try {
-      const auto pShape = pWorld->GetShape(pWorld->Add(borders.Shape())).Clone();
-      CDynamicCircle ball(borders.Ball());
+      const CShape& shape = pWorld->GetShape(pWorld->Add(borders.Shape(random.Below(4))));
+      const CDynamicCircle ball(borders.Ball());
       // Thousands of chords that turn, each swept in dozens of parts, take half a minute.
-      const bool isHuge = pShape->GetAABB().GetWidth() > 1e4f;
-      if (isHuge && pShape->GetShapeType() == eShape::Arc && pShape->GetRotating()) continue;
-      for (int i = 0; i < 3; ++i) {
-        pShape->move();
-        ball.move();
-        CContactDesc c(pShape.get(), &ball);
-        if (!GetBackend(eBackend::Box2D)->CollisionDetected(c)) continue;
-        ++contacts;
-        EXPECT_TRUE(c.m_vPOI.allFinite()) << c.m_vPOI.transpose();
-        EXPECT_NEAR(c.m_vNorm.norm(), 1.0f, 1e-5f) << c.m_vNorm.transpose();
-        for (const float f : {c.m_fSetback, c.m_fSpeed})
-          EXPECT_TRUE(std::isfinite(f)) << f;
-        ball.CollisionResponse(c);
-        for (const Vector2& v : {ball.GetPos(), ball.GetVel()})
-          EXPECT_TRUE(v.allFinite()) << v.transpose();
+      const bool isHuge = shape.GetAABB().GetWidth() > 1e4f;
+      if (isHuge && shape.GetShapeType() == eShape::Arc && shape.GetRotating()) continue;
+      for (const CBackend& backend : GetBackends()) {
+        const auto pMet = shape.Clone();
+        CDynamicCircle struck(ball);
+        for (int i = 0; i < 3; ++i) {
+          pMet->move();
+          struck.move();
+          CContactDesc c(pMet.get(), &struck);
+          if (!backend.CollisionDetected(c)) continue;
+          ++contacts[backend.GetName()];
+          EXPECT_NO_THROW(Fuzz::RequireSoundContact(c));
+          struck.CollisionResponse(c);
+          for (const Vector2& v : {struck.GetPos(), struck.GetVel()})
+            EXPECT_TRUE(v.allFinite()) << v.transpose();
+        }
       }
     } catch (const std::invalid_argument&) { // one of them is beyond the borders
     }
   }
   CGameClock::Set(1.0f / 60.0f, 0.0f);
-  EXPECT_GT(contacts, 200u);
+  EXPECT_GT(contacts["box2d"], 200);
+  EXPECT_GT(contacts["native"], 100);
 }
 
 } // namespace

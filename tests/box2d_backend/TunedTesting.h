@@ -28,11 +28,7 @@ inline CTuning Without(bool CTuning::*pSwitch) {
 /// A world whose listener counts contacts if events are forced.
 inline std::unique_ptr<CWorld> MakeBox2D(const CTuning& tuning, const Vector2& gravity = Vector2::Zero(),
                                          float dt = g_fDt, const CEffects& forced = {}) {
-  CWorldDesc desc;
-  desc.m_vGravity = gravity;
-  desc.m_fTimeStep = dt;
-  desc.m_cEffects.m_cForced = forced;
-  return Box2D::MakeWorld(desc, tuning);
+  return Box2D::MakeWorld(Described(gravity, dt, 1, {forced, {}}), tuning);
 }
 
 /// In [-most, most].

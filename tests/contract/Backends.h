@@ -22,18 +22,6 @@ inline std::string BackendName(const testing::TestParamInfo<const CBackend*>& in
 /// The name of the parameter for GoogleTest.
 inline void PrintTo(const CBackend* pBackend, std::ostream* pOut) { *pOut << pBackend->GetName(); }
 
-inline CWorldDesc Described(const Vector2& gravity, float dt = g_fDt, unsigned substeps = 1,
-                            const CEffectChoice& choice = g_cAutomatic,
-                            eProfile profile = eProfile::Shipped) {
-  CWorldDesc desc;
-  desc.m_vGravity = gravity;
-  desc.m_fTimeStep = dt;
-  desc.m_nSubsteps = substeps;
-  desc.m_cEffects = choice;
-  desc.m_cBox2D.m_eProfile = profile;
-  return desc;
-}
-
 class CEveryBackend : public testing::TestWithParam<const CBackend*> {
 protected:
   const CBackend& Backend() const { return *GetParam(); }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Filters: who meets whom, as solid ones and as sensors; the same on every engine, in every mode.
+// Filters, and other switches: what meets what, as solid ones and as sensors; the same on every engine, in
+// every mode.
 #include "Backends.h"
 
 namespace Shapes {
@@ -37,24 +38,19 @@ protected:
 };
 SHAPES_ON_EVERY_BACKEND(CFilterContract);
 
-TEST_P(CFilterContract, ShapesAndBallsMeetByIt) {
+TEST_P(CFilterContract, ABallMeetsShapesAndBallsByIt) {
   InEveryMode([&](CFilter first, CFilter second, bool meet, const CEffectChoice& choice, eProfile profile) {
-    const auto pWorld = Make(choice, profile);
-    pWorld->Add(Filtered(CLineSegDesc({1, -1}, {1, 1}), first));
-    const CShapeId ball = pWorld->Add(Filtered(CDynamicCircleDesc({0, 0}, 0.1f, {2, 0}), second));
-    Steps(*pWorld, 60);
-    EXPECT_EQ(pWorld->GetVel(ball).x() < 0, meet);
-    EXPECT_EQ(pWorld->GetFilter(ball), second);
-  });
-}
-
-TEST_P(CFilterContract, BallsMeetEachOtherByIt) {
-  InEveryMode([&](CFilter first, CFilter second, bool meet, const CEffectChoice& choice, eProfile profile) {
-    const auto pWorld = Make(choice, profile);
-    pWorld->Add(Filtered(CDynamicCircleDesc({0, 0}, 0.1f, {2, 0}), first));
-    const CShapeId hit = pWorld->Add(Filtered(CDynamicCircleDesc({1, 0}, 0.1f), second));
-    Steps(*pWorld, 60);
-    EXPECT_EQ(pWorld->GetVel(hit).x() > 1, meet);
+    for (const bool isWall : {true, false}) {
+      const auto pWorld = Make(choice, profile);
+      const CShapeId ball = pWorld->Add(Filtered(CDynamicCircleDesc({0, 0}, 0.1f, {2, 0}), first));
+      if (isWall)
+        pWorld->Add(Filtered(CLineSegDesc({1, -1}, {1, 1}), second));
+      else
+        pWorld->Add(Filtered(CDynamicCircleDesc({1, 0}, 0.1f), second));
+      Steps(*pWorld, 60);
+      EXPECT_EQ(pWorld->GetVel(ball).x() < 1, meet);
+      EXPECT_EQ(pWorld->GetFilter(ball), first);
+    }
   });
 }
 
@@ -71,26 +67,44 @@ TEST_P(CFilterContract, SensorsDetectByIt) {
   });
 }
 
+enum class eSwitch { Filter, CanCollide, Sensor };
+
+// Lets a ball or a floor meet nothing, or the other one again.
+void SetMeets(CWorld& world, CShapeId id, eSwitch by, bool meets) {
+  switch (by) {
+  case eSwitch::Filter: return world.SetFilter(id, meets ? g_cAll : CFilter{4, 4});
+  case eSwitch::CanCollide: return world.SetCanCollide(id, meets);
+  case eSwitch::Sensor: return world.SetSensor(id, !meets);
+  }
+}
+bool GetMeets(const CWorld& world, CShapeId id) {
+  return world.GetFilter(id) == g_cAll && world.GetCanCollide(id) && !world.GetSensor(id);
+}
+
 // A ball that lies on a floor falls through it from the moment on when it does not meet it any more.
 TEST_P(CFilterContract, AChangeTakesEffectInTheNextStep) {
-  for (const CEffectChoice& choice : g_stdChoices)
-    for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned})
-      for (const bool ofBall : {false, true}) {
-        const auto pWorld = Make(choice, profile, {0, -10});
-        const CShapeId floor = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
-        const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f, {0, 0}, 1, 0));
-        Steps(*pWorld, 60);
-        EXPECT_GT(pWorld->GetPos(ball).y(), 0.05f);
-        pWorld->SetFilter(ofBall ? ball : floor, {4, 4});
-        const CSavedState saved = pWorld->SaveState();
-        Steps(*pWorld, 30);
-        EXPECT_LT(pWorld->GetPos(ball).y(), -0.5f);
-        pWorld->LoadState(saved);
-        EXPECT_EQ(pWorld->GetFilter(ofBall ? ball : floor), (CFilter{4, 4}));
-        pWorld->SetFilter(ofBall ? ball : floor, {});
-        Steps(*pWorld, 30);
-        EXPECT_GT(pWorld->GetPos(ball).y(), 0.05f);
-      }
+  for (const eSwitch by : {eSwitch::Filter, eSwitch::CanCollide, eSwitch::Sensor})
+    for (const CEffectChoice& choice : g_stdChoices)
+      for (const eProfile profile : {eProfile::Shipped, eProfile::Tuned})
+        for (const bool ofBall : {false, true}) {
+          SCOPED_TRACE(static_cast<int>(by));
+          const auto pWorld = Make(choice, profile, {0, -10});
+          const CShapeId floor = pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+          const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f, {0, 0}, 1, 0));
+          const CShapeId changed = ofBall ? ball : floor;
+          Steps(*pWorld, 60);
+          EXPECT_GT(pWorld->GetPos(ball).y(), 0.05f);
+          SetMeets(*pWorld, changed, by, false);
+          const CSavedState saved = pWorld->SaveState();
+          Steps(*pWorld, 30);
+          EXPECT_LT(pWorld->GetPos(ball).y(), -0.5f);
+          pWorld->LoadState(saved);
+          EXPECT_FALSE(GetMeets(*pWorld, changed));
+          SetMeets(*pWorld, changed, by, true);
+          EXPECT_TRUE(GetMeets(*pWorld, changed));
+          Steps(*pWorld, 30);
+          EXPECT_GT(pWorld->GetPos(ball).y(), 0.05f);
+        }
 }
 
 // In a pile of two kinds that do not meet, each kind lies as if the other one were not there.

@@ -14,6 +14,11 @@ protected:
 };
 SHAPES_ON_EVERY_BACKEND(CSensorContract);
 
+// Whether a sensor that is seen at the end of steps only would see this step's touch: the control.
+bool IsTouchedAtTheEnd(const CWorld& world) {
+  return !world.GetSensorEvents().empty() && world.GetSensorEvents().back().m_bBegin;
+}
+
 TEST_P(CSensorContract, ABallIsSeenAtTenDiametersAStep) {
   // Everything is about .05 large and at the origin, the ball goes 1 unit a step, from each of 1000 phases.
   constexpr float r = 0.05f, v = 20 * r / g_fExactDt;
@@ -39,20 +44,17 @@ TEST_P(CSensorContract, ABallIsSeenAtTenDiametersAStep) {
     for (int k = 0; k < phases; ++k) {
       pWorld->SetPos(ball, {-3.0f - static_cast<float>(k) / phases, 0});
       pWorld->SetVel(ball, {v, 0});
-      std::vector<CSensorEvent> events;
       std::size_t contacts = 0;
-      for (int step = 0; step < steps; ++step) {
+      const auto events = Told(*pWorld, steps, &CWorld::GetSensorEvents, [&] {
         pWorld->Step();
-        events.insert(events.end(), pWorld->GetSensorEvents().begin(), pWorld->GetSensorEvents().end());
         for (const CContactEvent& contact : pWorld->GetContacts()) {
           ++contacts;
           EXPECT_TRUE(contact.m_bIsSensor);
           EXPECT_LE(contact.m_vPOI.norm(), 0.2f);
           EXPECT_NEAR(contact.m_vNorm.norm(), 1, 1e-5f);
         }
-        // The touches that a look at the end of the step only would see: the control.
-        if (!events.empty() && events.back().m_bBegin) ++atTheEnd;
-      }
+        atTheEnd += IsTouchedAtTheEnd(*pWorld);
+      });
       ASSERT_EQ(events, (std::vector<CSensorEvent>{{second, first, true}, {second, first, false}})) << k;
       ASSERT_GE(contacts, 1u);
       ASSERT_EQ(pWorld->GetVel(ball), Vector2(v, 0)); // no response
@@ -73,18 +75,16 @@ TEST_P(CSensorContract, ABallAtRestIsSeenByASensorThatTurnsOverIt) {
         pWorld->Add(Sensor(Turning(CLineSegDesc({0, 0}, {1, 0}), 1.4f / g_fTwoPi / g_fExactDt)));
     const float angle = 1.0f + 2.0f * static_cast<float>(k) / phases;
     const CShapeId ball = pWorld->Add(CDynamicCircleDesc(0.9f * AngleToVector(angle), 0.05f));
-    std::vector<CSensorEvent> events;
-    for (int step = 0; step < 3; ++step) {
+    const auto events = Told(*pWorld, 3, &CWorld::GetSensorEvents, [&] {
       pWorld->Step();
-      events.insert(events.end(), pWorld->GetSensorEvents().begin(), pWorld->GetSensorEvents().end());
-      if (!events.empty() && events.back().m_bBegin) ++atTheEnd;
+      atTheEnd += IsTouchedAtTheEnd(*pWorld);
       for (const CContactEvent& contact : pWorld->GetContacts()) {
         if (pWorld->GetSensorEvents().size() != 2) continue; // it is over it at the end, or was at first
         EXPECT_NEAR((contact.m_vPOI - pWorld->GetPos(ball)).norm(), 0, 0.05f * g_fRotatedPathError * 1.1f);
         EXPECT_NEAR(contact.m_vNorm.dot(perp(AngleToVector(angle))), 1, 1e-2f); // from where it came
         EXPECT_NEAR(contact.m_fSpeed, 1.4f / g_fExactDt * 0.9f, 0.5f);
       }
-    }
+    });
     ASSERT_EQ(events, (std::vector<CSensorEvent>{{bar, ball, true}, {bar, ball, false}})) << k;
     // Stopped, it is where it is, whatever its last turn was.
     pWorld->SetRotSpeed(bar, 0);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Begin and end of what sensors see and of solid contacts: every begin has its end, whatever happens to the
 // world.
+#include "../fuzz/WorldTrial.h"
 #include "Backends.h"
 
 namespace Shapes {
 namespace {
-
-using CPairs = std::set<std::pair<CShapeId, CShapeId>>; // ball, shape
 
 class CSensorEventContract : public CEveryBackend {
 protected:
@@ -128,203 +127,111 @@ TEST_P(CSensorEventContract, TheEndOfWhatIsGoneComesBeforeWhatTheStepBrings) {
   EXPECT_EQ(told[2], (CSensorEvent{b, ball, true}));
 }
 
-// A world to which anything may happen between two steps, and what was told of it.
-class CRandomGame {
+// Shapes and balls in a square, and balls that move by up to one unit a step.
+class CGameSource {
 public:
-  CRandomGame(CWorld& world, std::uint64_t seed) : m_cWorld(world), m_cRandom(seed) {}
+  explicit CGameSource(std::uint64_t seed) : m_cRandom(seed) {}
 
-  /// A saved state has to know this.
-  struct CAccount {
-    std::vector<CShapeId> m_stdIds;
-    CPairs m_stdTouching, m_stdSolid; // begun and not ended: of sensors, and of solid contacts
-  };
-  std::size_t m_nBegins = 0, m_nCrossed = 0, m_nLoads = 0, m_nSolidBegins = 0;
-  CAccount m_cNow;
+  unsigned Below(unsigned n) { return m_cRandom.Below(n); }
+  bool Flag() { return m_cRandom.Coin(); }
+  Vector2 Pos() { return m_cRandom.InSquare(3); }
+  Vector2 Vel() { return m_cRandom.InSquare(60); }
+  Vector2 Gravity() { return {0, m_cRandom.Coin() ? -10.0f : 0.0f}; }
+  float Angle() { return m_cRandom.Uniform(0, 6); }
+  float RotSpeed() { return m_cRandom.Uniform(-4, 4); }
+  float Elasticity() { return m_cRandom.Coin() ? 1.0f : 0.5f; }
 
-  void Act() {
-    const CShapeId id = AnyId();
-    switch (m_cRandom.Below(12)) {
-    case 0:
-    case 1: AddBall(); break;
-    case 2:
-    case 3: AddShape(); break;
-    case 4:
-      if (m_cNow.m_stdIds.size() > 10) Remove(id);
-      break;
-    case 5:
-      if (Has(id)) m_cWorld.SetSensor(id, !m_cWorld.GetSensor(id));
-      break;
-    case 6:
-      if (Has(id)) m_cWorld.SetCanCollide(id, !m_cWorld.GetCanCollide(id));
-      break;
-    case 7:
-      if (Has(id)) m_cWorld.SetPos(id, m_cRandom.InSquare(3));
-      break;
-    case 8:
-      if (m_cRandom.Below(4) == 0) Save();
-      break;
-    case 9:
-      if (m_cRandom.Below(4) == 0) Load();
-      break;
-    default:
-      if (Has(id) && m_cWorld.GetMotionType(id) == eMotion::Dynamic) m_cWorld.SetVel(id, Velocity());
-    }
+  CAnyShapeDesc Shape(unsigned what) {
+    if (what < 4)
+      return WithAnyShape(m_cRandom, what, Pos(), 1, [this](const auto& desc) { return Dressed(desc); });
+    CDynamicCircleDesc ball{Pos(), m_cRandom.Uniform(0.05f, 0.3f)};
+    ball.m_vVel = Vel();
+    ball.m_bIsSensor = m_cRandom.Below(4) == 0;
+    ball.m_fElasticity = Elasticity();
+    return ball;
   }
-
-  /// Puts back what flew away.
-  void KeepIn() {
-    for (const CShapeId id :
-         std::vector<CShapeId>(m_cWorld.GetBallIds().begin(), m_cWorld.GetBallIds().end()))
-      if (m_cWorld.GetPos(id).cwiseAbs().maxCoeff() > 4) m_cWorld.SetPos(id, m_cRandom.InSquare(3));
-  }
-
-  /// Steps, and keeps account. Every begin is of a pair that does not touch, every end of one that does.
-  void Step() {
-    m_cWorld.Step();
-    CPairs begun;
-    for (const CSensorEvent& event : m_cWorld.GetSensorEvents()) {
-      const std::pair pair(event.m_cBall, event.m_cShape);
-      if (event.m_bBegin) {
-        ASSERT_TRUE(m_cNow.m_stdTouching.insert(pair).second);
-        ASSERT_TRUE(begun.insert(pair).second);
-        ++m_nBegins;
-      } else {
-        ASSERT_EQ(m_cNow.m_stdTouching.erase(pair), 1u);
-        m_nCrossed += begun.contains(pair);
-      }
-    }
-    for (const CTouchEvent& event : m_cWorld.GetTouchEvents()) {
-      const std::pair pair(event.m_cBall, event.m_cShape);
-      ASSERT_TRUE(event.m_bBegin ? m_cNow.m_stdSolid.insert(pair).second
-                                 : m_cNow.m_stdSolid.erase(pair) == 1);
-      m_nSolidBegins += event.m_bBegin;
-    }
-    // The contacts are those that touch or touched: a pair that goes on touching has one.
-    CPairs contacts;
-    for (const CContactEvent& contact : m_cWorld.GetContacts())
-      if (contact.m_bIsSensor) {
-        ASSERT_TRUE(contacts.emplace(contact.m_cBall, contact.m_cShape).second);
-        ASSERT_TRUE(m_cWorld.GetSensor(contact.m_cBall) || m_cWorld.GetSensor(contact.m_cShape));
-        ASSERT_TRUE(m_cWorld.GetCanCollide(contact.m_cBall) && m_cWorld.GetCanCollide(contact.m_cShape));
-      }
-    for (const auto& pair : m_cNow.m_stdTouching)
-      ASSERT_TRUE(contacts.contains(pair));
-    for (const auto& pair : begun)
-      ASSERT_TRUE(contacts.contains(pair));
-    LookAtAllPairs();
-  }
-
-  void RemoveAll() {
-    for (const CShapeId id : std::vector<CShapeId>(m_cNow.m_stdIds))
-      if (Has(id)) m_cWorld.Remove(id);
-  }
+  std::vector<CAnyShapeDesc> Parts() { return {Shape(Below(4)), Shape(Below(4))}; }
 
 private:
-  // A touch that has begun and not ended is one that lasts.
-  void LookAtAllPairs() {
-    for (const CShapeId ball : m_cWorld.GetBallIds())
-      for (const CShapeId id : m_cNow.m_stdIds) {
-        if (!Has(id) || id == ball) continue;
-        const bool isBall = m_cWorld.GetMotionType(id) == eMotion::Dynamic;
-        if (isBall && id < ball) continue;
-        const bool on = m_cWorld.GetCanCollide(ball) && m_cWorld.GetCanCollide(id) &&
-                        (m_cWorld.GetSensor(ball) || m_cWorld.GetSensor(id));
-        const Vector2& p = m_cWorld.GetPos(ball);
-        // A circle is a disk for sensors, an arc a curve; ends belong to what they end.
-        const bool isDisk =
-            !isBall && m_cWorld.GetShapeType(id) == eShape::Circle &&
-            Length(p - m_cWorld.GetPos(id)) < static_cast<const CCircle&>(m_cWorld.GetShape(id)).GetRadius();
-        const float d = GetDistance(m_cWorld, id, p), gap = (isDisk ? -d : d) - m_cWorld.GetRadius(ball);
-        if (on && std::abs(gap) < 1e-5f) continue; // rounding decides: some ulp of coordinates up to 5
-        ASSERT_EQ(m_cNow.m_stdTouching.contains({ball, id}), on && gap < 0) << "gap " << gap;
-      }
-  }
-
-  bool Has(CShapeId id) const { return m_cWorld.Contains(id); }
-  CShapeId AnyId() {
-    return m_cNow.m_stdIds.empty()
-               ? CShapeId{}
-               : m_cNow.m_stdIds[m_cRandom.Below(static_cast<std::uint32_t>(m_cNow.m_stdIds.size()))];
-  }
-  Vector2 Velocity() { return m_cRandom.InSquare(60); } // up to 1 unit a step
-  void AddBall() {
-    if (m_cWorld.GetBallIds().size() >= 12) return;
-    CDynamicCircleDesc desc{m_cRandom.InSquare(3), m_cRandom.Uniform(0.05f, 0.3f)};
-    desc.m_vVel = Velocity();
-    desc.m_bIsSensor = m_cRandom.Below(4) == 0;
-    desc.m_fElasticity = m_cRandom.Coin() ? 1.0f : 0.5f;
-    m_cNow.m_stdIds.push_back(m_cWorld.Add(desc));
-  }
   template <class TDesc>
-  void Dress(TDesc desc) {
+  CAnyShapeDesc Dressed(TDesc desc) {
     desc.m_bIsSensor = m_cRandom.Coin();
     // The open side of a sensor is seen like the solid one.
     if constexpr (requires { desc.m_eSides; }) {
       if (m_cRandom.Coin()) desc.m_eSides = m_cRandom.Coin() ? eSides::Front : eSides::Back;
     }
-    if (m_cRandom.Below(3) == 0) {
-      desc.m_eMotionType = eMotion::Kinematic;
-      desc.m_vRotCenter = desc.m_vPos;
-      desc.m_fRotSpeed = m_cRandom.Uniform(-4, 4);
-    }
-    m_cNow.m_stdIds.push_back(m_cWorld.Add(desc));
-  }
-  void AddShape() {
-    if (m_cNow.m_stdIds.size() > 40) return;
-    const Vector2 p = m_cRandom.InSquare(3);
-    const std::uint32_t kind = m_cRandom.Below(4);
-    WithAnyShape(m_cRandom, kind, p, 1, [this](const auto& desc) { Dress(desc); });
-  }
-  void Remove(CShapeId id) {
-    if (Has(id)) m_cWorld.Remove(id);
-    m_cNow.m_stdIds.erase(std::find(m_cNow.m_stdIds.begin(), m_cNow.m_stdIds.end(), id));
-  }
-  void Save() {
-    m_cSaved = m_cWorld.SaveState();
-    m_cThen = m_cNow;
-    m_bSaved = true;
-  }
-  void Load() {
-    if (!m_bSaved) return;
-    m_cWorld.LoadState(m_cSaved);
-    m_cNow = m_cThen; // what began and was not told to have ended then
-    ++m_nLoads;
+    return m_cRandom.Below(3) == 0 ? Turning(desc, RotSpeed(), desc.m_vPos) : desc;
   }
 
-  CWorld& m_cWorld;
   CRandom m_cRandom;
-  CAccount m_cThen;
-  CSavedState m_cSaved;
-  bool m_bSaved = false;
 };
+using CRandomGame = Fuzz::CWorldTrial<CGameSource>;
+
+std::vector<CShapeId> AllIds(const CWorld& world) {
+  std::vector<CShapeId> ids(world.GetShapeIds());
+  ids.insert(ids.end(), world.GetBallIds().begin(), world.GetBallIds().end());
+  return ids;
+}
+
+// A touch that has begun and not ended is one that lasts.
+void ExpectSensed(const CRandomGame& game) {
+  const CWorld& world = game.GetWorld();
+  const std::vector<CShapeId> ids = AllIds(world);
+  for (const CShapeId ball : world.GetBallIds())
+    for (const CShapeId id : ids) {
+      const bool isBall = world.GetMotionType(id) == eMotion::Dynamic;
+      if (isBall && id <= ball) continue;
+      const bool on = world.GetCanCollide(ball) && world.GetCanCollide(id) &&
+                      (world.GetSensor(ball) || world.GetSensor(id));
+      const Vector2& p = world.GetPos(ball);
+      // An arc is a curve; ends belong to what they end.
+      const float d = isBall ? GetDistance(world, id, p) : SensedDistanceFrom(world.GetShape(id), p),
+                  gap = d - world.GetRadius(ball);
+      if (on && std::abs(gap) < 1e-5f) continue; // rounding decides: some ulp of coordinates up to 5
+      ASSERT_EQ(game.GetSensed().contains({ball, id}), on && gap < 0) << "gap " << gap;
+    }
+}
 
 TEST_P(CSensorEventContract, EveryBeginHasItsEndWhateverHappens) {
+  // Those that put something there, that turn something on or off, and that save and load.
+  constexpr unsigned operations[] = {0, 1, 2, 3, 4, 4, 4, 5, 10, 11, 13, 14, 15, 15, 15, 20, 20, 21, 21};
   std::size_t open = 0;
   for (const CMode& mode : g_stdModes)
     for (std::uint64_t seed = 1; seed <= (mode.m_eProfile == eProfile::Shipped ? 4 : 2); ++seed) {
       SCOPED_TRACE(testing::Message() << mode.m_sName << ", seed " << seed);
       CEffectChoice choice = mode.m_cEffects;
       choice.m_cForced.Set(eEffect::Touches);
+      CGameSource source(seed);
+      CRandomGame game(source);
       // Every other game is on a floor.
-      const auto pWorld = Make(choice, mode.m_eProfile, {0, seed % 2 == 0 ? -10.0f : 0.0f});
-      pWorld->Add(CLineSegDesc({-5, -3.5f}, {5, -3.5f}));
-      CRandomGame game(*pWorld, seed);
+      game.Make(Backend(), Described({0, seed % 2 == 0 ? -10.0f : 0.0f}, g_fDt, 1, choice, mode.m_eProfile));
+      CWorld& world = game.GetWorld();
+      world.Add(CLineSegDesc({-5, -3.5f}, {5, -3.5f}));
       for (int step = 0; step < 400; ++step) {
         SCOPED_TRACE(testing::Message() << "step " << step);
-        game.Act();
-        game.Act();
-        game.KeepIn();
-        ASSERT_NO_FATAL_FAILURE(game.Step());
+        for (int i = 0; i < 2; ++i) {
+          const unsigned operation = operations[source.Below(std::size(operations))];
+          const std::size_t there = operation == 4 ? world.GetBallIds().size() : world.GetShapeIds().size();
+          const bool isRoom = operation > 5 || there < (operation == 4 ? 12 : 24);
+          if (isRoom) {
+            ASSERT_NO_THROW(game.Do(operation));
+          }
+        }
+        for (const CShapeId id : AllIds(world)) // puts back what flew away
+          if (world.GetPos(id).cwiseAbs().maxCoeff() > 4) world.SetPos(id, source.Pos());
+        ASSERT_NO_THROW(game.Step());
+        ASSERT_NO_FATAL_FAILURE(ExpectSensed(game));
       }
       EXPECT_GT(game.m_nBegins, 200u); // a game in which little happens would show little
       EXPECT_GT(game.m_nCrossed, 20u);
       EXPECT_GT(game.m_nSolidBegins, 50u);
       EXPECT_GT(game.m_nLoads, 0u);
-      open += game.m_cNow.m_stdTouching.size();
-      game.RemoveAll();
-      ASSERT_NO_FATAL_FAILURE(game.Step());
-      EXPECT_TRUE(game.m_cNow.m_stdTouching.empty() && game.m_cNow.m_stdSolid.empty());
-      EXPECT_TRUE(pWorld->GetContacts().empty());
+      open += game.GetSensed().size();
+      for (const CShapeId id : AllIds(world))
+        world.Remove(id);
+      ASSERT_NO_THROW(game.Step());
+      EXPECT_TRUE(game.GetSensed().empty() && game.GetTouching().empty());
+      EXPECT_TRUE(world.GetContacts().empty());
     }
   EXPECT_GT(open, 5u); // some did touch when everything was removed
 }

@@ -39,6 +39,15 @@ void FuzzWorld(std::span<const std::uint8_t> bytes);
 /// Within some roundings: what a unit vector in float has to be.
 inline bool IsUnit(const Vector2& n) { return std::abs(n.cast<double>().norm() - 1.0) <= 1e-6; }
 
+/// Checks that hold for every contact of an engine.
+template <class TContact>
+void RequireSoundContact(const TContact& c) {
+  Require(c.m_vPOI.allFinite(), "a contact has a finite POI", c.m_vPOI.transpose());
+  Require(IsUnit(c.m_vNorm), "the normal of a contact is a unit vector", c.m_vNorm.transpose());
+  Require(std::isfinite(c.m_fSetback) && c.m_fSetback >= 0.0f, "a setback is at least 0", c.m_fSetback);
+  Require(std::isfinite(c.m_fSpeed) && c.m_fSpeed >= 0.0f, "an approach speed is at least 0", c.m_fSpeed);
+}
+
 /// Checks that hold for every world after every step.
 inline void RequireSound(const CWorld& world) {
   for (const Vector2& p : world.GetBallPositions())
@@ -46,12 +55,7 @@ inline void RequireSound(const CWorld& world) {
   for (const Vector2& v : world.GetBallVelocities())
     Require(v.allFinite(), "a ball has a finite velocity", v.transpose());
   for (const CContactEvent& event : world.GetContacts()) {
-    Require(event.m_vPOI.allFinite(), "a contact has a finite POI", event.m_vPOI.transpose());
-    Require(IsUnit(event.m_vNorm), "the normal of a contact is a unit vector", event.m_vNorm.transpose());
-    Require(std::isfinite(event.m_fSetback) && event.m_fSetback >= 0.0f, "a setback is at least 0",
-            event.m_fSetback);
-    Require(std::isfinite(event.m_fSpeed) && event.m_fSpeed >= 0.0f, "an approach speed is at least 0",
-            event.m_fSpeed);
+    RequireSoundContact(event);
     Require(world.Contains(event.m_cBall) && world.Contains(event.m_cShape),
             "a contact is of what is in the world", event.m_cBall.m_nValue, event.m_cShape.m_nValue);
   }

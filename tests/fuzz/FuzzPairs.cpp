@@ -267,11 +267,7 @@ void TryBox2D(CShape& shape, CDynamicCircle& ball) {
   if (shape.GetShapeType() == eShape::Arc && static_cast<const CArc&>(shape).GetRadius() > 100.0f) return;
   CContactDesc c(&shape, &ball);
   if (!pBox2D->CollisionDetected(c)) return;
-  Require(c.m_vPOI.allFinite() && IsUnit(c.m_vNorm), "Box2D's POI and normal have numbers",
-          c.m_vPOI.transpose(), c.m_vNorm.transpose());
-  Require(std::isfinite(c.m_fSetback) && c.m_fSetback >= 0.0f && std::isfinite(c.m_fSpeed) &&
-              c.m_fSpeed >= 0.0f,
-          "Box2D's setback and speed are numbers", c.m_fSetback, c.m_fSpeed);
+  RequireSoundContact(c);
   ball.CollisionResponse(c);
   Require(ball.GetPos().allFinite() && ball.GetVel().allFinite(), "a response leaves numbers",
           ball.GetPos().transpose(), ball.GetVel().transpose());

@@ -34,17 +34,14 @@ CHardCase Case(const std::string& name, const std::string& input, const std::str
 
 std::unique_ptr<CWorld> MakeWorld(eColumn column, const Vector2& gravity, float dt) {
   if (column == Reference) throw std::logic_error("the reference is no world");
-  CWorldDesc desc;
-  desc.m_vGravity = gravity;
-  desc.m_fTimeStep = dt;
-  desc.m_cEffects = column == Approximate ? g_cApproximate : g_cContinuous;
-  if (column == Tuned) desc.m_cBox2D.m_eProfile = eProfile::Tuned;
+  const CWorldDesc desc = Described(gravity, dt, 1, column == Approximate ? g_cApproximate : g_cContinuous,
+                                    column == Tuned ? eProfile::Tuned : eProfile::Shipped);
   return GetBackend(IsNative(column) ? eBackend::Native : eBackend::Box2D)->MakeWorld(desc);
 }
 
 std::vector<CHardCase> AllCases() {
   const std::pair<const char*, std::vector<CHardCase>> groups[] = {
-      {"Inputs that are no numbers, or of no extent", ValidationCases()},
+      {"Balls and shapes of no extent", NoExtentCases()},
       {"Centres that coincide", CoincidentCases()},
       {"Lines in float", LineCases()},
       {"Arcs", ArcCases()},

@@ -106,7 +106,7 @@ inline void PrintTo(const CHardCase& c, std::ostream* pOut) { *pOut << c.m_sName
 
 /// All of them, in the order of the table. Each group has a file.
 std::vector<CHardCase> AllCases();
-std::vector<CHardCase> ValidationCases();
+std::vector<CHardCase> NoExtentCases();
 std::vector<CHardCase> CoincidentCases();
 std::vector<CHardCase> LineCases();
 std::vector<CHardCase> ArcCases();

@@ -9,11 +9,7 @@ namespace Shapes {
 /// @param gravity  downward
 inline std::unique_ptr<CWorld> MakeNative(const CEffectChoice& effects, float gravity = 0, float dt = g_fDt,
                                           unsigned substeps = 1, unsigned threads = 1) {
-  CWorldDesc desc;
-  desc.m_vGravity = {0, -gravity};
-  desc.m_fTimeStep = dt;
-  desc.m_nSubsteps = substeps;
-  desc.m_cEffects = effects;
+  CWorldDesc desc = Described({0, -gravity}, dt, substeps, effects);
   desc.m_nThreads = threads;
   return GetBackend(eBackend::Native)->MakeWorld(desc);
 }

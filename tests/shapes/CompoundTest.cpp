@@ -18,58 +18,39 @@ protected:
   CCompoundShape m_cCompound;
 };
 
-TEST_F(Compound, TurnsAllShapesAboutOneCentre) {
-  for (int i = 0; i < 2; ++i) { // from the poses at construction: the same twice
-    m_cCompound.Rotate({1.0f, 0.0f}, g_fPi / 2);
-    EXPECT_LE((m_cPoint.GetPos() - Vector2(1.0f, 0.0f)).norm(), 8 * g_fUlp);
-    EXPECT_NEAR(m_cSeg.GetAABB().GetTopLeft().y(), 2.0f, 16 * g_fUlp); // upright: either end may be the first
-    EXPECT_NEAR(m_cSeg.GetAABB().GetWidth(), 0.0f, 16 * g_fUlp);
-    EXPECT_LE((m_cCircle.GetPos() - Vector2(1.0f, 1.0f)).norm(), 8 * g_fUlp);
-    EXPECT_LE((m_cArc.GetEndPt0() - Vector2(1.0f, 2.0f)).norm(), 16 * g_fUlp);
-    EXPECT_EQ(m_cCompound.GetOrientation(), m_cSeg.GetOrientation());
-    EXPECT_NEAR(m_cCompound.GetOrientation(), g_fPi / 2, g_fUlp);
-  }
-}
-
-TEST_F(Compound, ResetPutsAllBack) {
-  m_cCompound.Rotate({5.0f, 2.0f}, 1.3f);
-  m_cCompound.Reset();
-  EXPECT_EQ(m_cCompound.GetOrientation(), 0.0f);
-  EXPECT_EQ(m_cPoint.GetPos(), Vector2(1.0f, 0.0f));
-  EXPECT_EQ(m_cSeg.GetEndPt1(), Vector2(3.0f, 0.0f));
-  EXPECT_EQ(m_cCircle.GetPos(), Vector2(2.0f, 0.0f));
-  EXPECT_EQ(m_cArc.GetPos(), Vector2(2.0f, 0.0f));
-  EXPECT_EQ(m_cArc.GetEndPt0(), Vector2(3.0f, 0.0f));
-}
-
-TEST_F(Compound, SpeedAndCentreGoToEveryShape) {
-  m_cCompound.SetRotSpeed(0.25f);
-  m_cCompound.SetRotCenter({1.0f, 0.0f});
-  EXPECT_EQ(m_cCompound.GetRotSpeed(), 0.25f);
-  EXPECT_EQ(m_cCompound.GetRotCenter(), Vector2(1.0f, 0.0f));
-  for (const CShape* pShape : m_cCompound.GetShapes()) {
-    EXPECT_EQ(pShape->GetRotSpeed(), 0.25f);
-    EXPECT_EQ(pShape->GetRotCenter(), Vector2(1.0f, 0.0f));
-    EXPECT_TRUE(pShape->GetRotating());
-  }
-}
-
-TEST_F(Compound, MoveTurnsAllByOneStepAndKeepsThemTogether) {
-  m_cCompound.SetRotSpeed(0.25f);
-  m_cCompound.SetRotCenter({1.0f, 0.0f});
-  for (int i = 0; i < 60; ++i) { // a second, a quarter turn
-    m_cCompound.move();
-    EXPECT_EQ(m_cCompound.GetOrientation(), m_cSeg.GetOrientation());
-    EXPECT_EQ(m_cCompound.GetOrientation(), m_cCircle.GetOrientation());
-  }
-  EXPECT_NEAR(m_cCompound.GetOrientation(), g_fPi / 2, 60 * g_fUlp); // one rounding a step
-  EXPECT_LE((m_cCircle.GetPos() - Vector2(1.0f, 1.0f)).norm(), 60 * g_fUlp + 8 * g_fUlp);
-}
-
-TEST_F(Compound, SetOrientationTurnsAboutItsCentre) {
-  m_cCompound.SetRotCenter({1.0f, 0.0f});
-  m_cCompound.SetOrientation(g_fPi);
-  EXPECT_LE((m_cCircle.GetPos() - Vector2(0.0f, 0.0f)).norm(), 8 * g_fUlp);
+// Bit for bit. Its own orientation, speed and centre are those of its shapes.
+TEST_F(Compound, DoesToEachShapeWhatTheShapeDoesAlone) {
+  std::vector<std::unique_ptr<CShape>> alone;
+  for (const CShape* pShape : m_cCompound.GetShapes())
+    alone.push_back(pShape->Clone());
+  const auto expectSame = [&](const char* what, const auto& act) {
+    SCOPED_TRACE(what);
+    act(m_cCompound);
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+      CShape &part = *m_cCompound.GetShapes()[i], &same = *alone[i];
+      act(same);
+      EXPECT_EQ(part.GetPos(), same.GetPos());
+      EXPECT_EQ(part.GetAABB().GetTopLeft(), same.GetAABB().GetTopLeft());
+      EXPECT_EQ(part.GetAABB().GetBottomRt(), same.GetAABB().GetBottomRt());
+      EXPECT_EQ(part.GetVel(), same.GetVel());
+      EXPECT_EQ(part.GetOrientation(), same.GetOrientation());
+      EXPECT_EQ(m_cCompound.GetOrientation(), same.GetOrientation());
+      EXPECT_EQ(m_cCompound.GetRotSpeed(), same.GetRotSpeed());
+      EXPECT_EQ(m_cCompound.GetRotCenter(), same.GetRotCenter());
+    }
+  };
+  expectSame("Rotate", [](auto& shape) { shape.Rotate({1.0f, 0.0f}, g_fPi / 2); });
+  expectSame("Rotate again", [](auto& shape) { shape.Rotate({5.0f, 2.0f}, 1.3f); });
+  expectSame("SetRotCenter", [](auto& shape) { shape.SetRotCenter({1.0f, 0.0f}); });
+  expectSame("SetOrientation", [](auto& shape) { shape.SetOrientation(g_fPi); });
+  expectSame("SetRotSpeed", [](auto& shape) { shape.SetRotSpeed(0.25f); });
+  for (int i = 0; i < 60; ++i)
+    expectSame("move", [](auto& shape) { shape.move(); });
+  expectSame("SetVel", [](auto& shape) { shape.SetVel({0.5f, -3.0f}); });
+  for (int i = 0; i < 60; ++i)
+    expectSame("move along", [](auto& shape) { shape.move(); });
+  EXPECT_NEAR(m_cCompound.GetRotCenter().x(), 1.5f, 1e-5f);
+  expectSame("Reset", [](auto& shape) { shape.Reset(); });
 }
 
 TEST_F(Compound, AShapeThatIsAddedLaterJoinsThePose) {

@@ -52,15 +52,5 @@ TEST(DynamicCircle, SetPosForgetsWhereItWas) {
   EXPECT_EQ(ball.GetPos(), Vector2(5.0f, 6.0f));
 }
 
-TEST(CollisionResponse, OfAnotherBallsContactIsRefused) {
-  CLineSeg floor(CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f}));
-  CDynamicCircle ball = Ball({0.0f, 0.05f}, 0.1f), other = Ball({0.0f, 0.05f}, 0.1f);
-  CContactDesc c(&floor, &ball);
-  ASSERT_TRUE(GetBackend(eBackend::Native)->CollisionDetected(c));
-  EXPECT_THROW(other.CollisionResponse(c), std::invalid_argument);
-  EXPECT_THROW(ball.CollisionResponse(CContactDesc(nullptr, &ball)), std::invalid_argument);
-  EXPECT_EQ(other.GetPos(), Vector2(0.0f, 0.05f));
-}
-
 } // namespace
 } // namespace Shapes

@@ -10,28 +10,37 @@ namespace {
 
 struct CKind {
   const char* m_sName;
-  std::unique_ptr<CShape> m_pShape;
+  CAnyShapeDesc m_cDesc;
+  eShape m_eType;
+  const std::type_info& m_cClass;
 };
 
-std::vector<CKind> AllKinds() {
-  CPointDesc point({1.0f, 2.0f});
-  CLineSegDesc seg({0.0f, 1.0f}, {2.0f, 3.0f});
-  CCircleDesc circle({1.0f, 2.0f}, 0.5f);
-  CArcDesc arc({1.0f, 2.0f}, 0.5f, 0.25f, 2.0f);
-  for (CShapeDesc* pDesc : std::initializer_list<CShapeDesc*>{&point, &seg, &circle, &arc}) {
-    pDesc->m_fRotSpeed = 0.5f;
-    pDesc->m_vRotCenter = {1.0f, 0.0f};
-  }
-  std::vector<CKind> kinds;
-  kinds.push_back({"kinematic_point", std::make_unique<CKinematicPoint>(point)});
-  kinds.push_back({"kinematic_segment", std::make_unique<CKinematicLineSeg>(seg)});
-  kinds.push_back({"kinematic_circle", std::make_unique<CKinematicCircle>(circle)});
-  kinds.push_back({"kinematic_arc", std::make_unique<CKinematicArc>(arc)});
-  kinds.push_back({"point", std::make_unique<CPoint>(point)});
-  kinds.push_back({"segment", std::make_unique<CLineSeg>(seg)});
-  kinds.push_back({"circle", std::make_unique<CCircle>(circle)});
-  kinds.push_back({"arc", std::make_unique<CArc>(arc)});
-  kinds.push_back({"ball", std::make_unique<CDynamicCircle>(CDynamicCircleDesc({1.0f, 2.0f}, 0.5f))});
+// Half a revolution a second about (1, 0), as far as it is kinematic.
+template <class TDesc>
+TDesc Turned(TDesc desc, eMotion motion) {
+  desc = Turning(desc, 0.5f, {1.0f, 0.0f});
+  desc.m_eMotionType = motion;
+  return desc;
+}
+
+const std::vector<CKind>& AllKinds() {
+  const CPointDesc point({1.0f, 2.0f}, 0.75f);
+  const CLineSegDesc seg({0.0f, 1.0f}, {2.0f, 3.0f}, 0.75f);
+  const CCircleDesc circle({1.0f, 2.0f}, 0.5f, 0.75f);
+  const CArcDesc arc({1.0f, 2.0f}, 0.5f, 0.25f, 2.0f, 0.75f);
+  const CDynamicCircleDesc ball({1.0f, 2.0f}, 0.5f, {0.0f, 0.0f}, 1.0f, 0.75f);
+  using enum eShape;
+  constexpr eMotion moves = eMotion::Kinematic, rests = eMotion::Static;
+  static const std::vector<CKind> kinds{
+      {"kinematic_point", Turned(point, moves), Point, typeid(CKinematicPoint)},
+      {"kinematic_segment", Turned(seg, moves), LineSeg, typeid(CKinematicLineSeg)},
+      {"kinematic_circle", Turned(circle, moves), Circle, typeid(CKinematicCircle)},
+      {"kinematic_arc", Turned(arc, moves), Arc, typeid(CKinematicArc)},
+      {"point", Turned(point, rests), Point, typeid(CPoint)},
+      {"segment", Turned(seg, rests), LineSeg, typeid(CLineSeg)},
+      {"circle", Turned(circle, rests), Circle, typeid(CCircle)},
+      {"arc", Turned(arc, rests), Arc, typeid(CArc)},
+      {"ball", ball, Circle, typeid(CDynamicCircle)}};
   return kinds;
 }
 
@@ -40,15 +49,23 @@ std::string NameOf(const testing::TestParamInfo<std::size_t>& test) { return All
 class Shape : public testing::TestWithParam<std::size_t> {
 protected:
   bool IsKinematic() const { return m_pShape->GetMotionType() == eMotion::Kinematic; }
-  std::unique_ptr<CShape> m_pShape = std::move(AllKinds()[GetParam()].m_pShape);
+  const CKind& m_cKind = AllKinds()[GetParam()];
+  std::unique_ptr<CShape> m_pShape = MakeShape(m_cKind.m_cDesc);
 };
 INSTANTIATE_TEST_SUITE_P(, Shape, testing::Range<std::size_t>(0, 9), NameOf);
 class KinematicShape : public Shape {};
 INSTANTIATE_TEST_SUITE_P(, KinematicShape, testing::Range<std::size_t>(0, 4), NameOf);
 
-TEST_P(Shape, HasTheDefaultsOfTheDescriptor) {
+TEST_P(Shape, HasTheClassOfItsTypeAndMotionAndWhatItsDescriptorSays) {
+  const CShape& shape = *m_pShape;
+  const CShapeDesc& desc =
+      std::visit([](const CShapeDesc& d) -> const CShapeDesc& { return d; }, m_cKind.m_cDesc);
+  EXPECT_EQ(typeid(shape), m_cKind.m_cClass);
+  EXPECT_EQ(shape.GetShapeType(), m_cKind.m_eType);
+  EXPECT_EQ(desc.m_eShapeType, m_cKind.m_eType);
+  EXPECT_EQ(shape.GetMotionType(), desc.m_eMotionType);
   EXPECT_EQ(m_pShape->GetPos(), Vector2(1.0f, 2.0f));
-  EXPECT_EQ(m_pShape->GetElasticity(), 1.0f);
+  EXPECT_EQ(m_pShape->GetElasticity(), 0.75f);
   EXPECT_FALSE(m_pShape->GetSensor());
   EXPECT_TRUE(m_pShape->GetCanCollide());
   EXPECT_EQ(m_pShape->GetUserPtr(), nullptr);
@@ -248,38 +265,6 @@ TEST_P(Shape, APoseThatIsSetIsExact) {
   m_pShape->Reset();
   EXPECT_EQ(m_pShape->GetPos(), Vector2(1.0f, 2.0f));
   EXPECT_NE(m_pShape->GetRotCenter(), center);
-}
-
-const std::type_info& ClassOf(const CShape& shape) { return typeid(shape); }
-
-TEST(MakeShapeTest, TheClassIsThatOfTypeAndMotionAndTheRestThatOfTheDescriptor) {
-  const auto expect = [](CAnyShapeDesc any, eShape type, const std::type_info& still,
-                         const std::type_info& kinematic) {
-    const CShapeDesc& desc = std::visit([](CShapeDesc& d) -> CShapeDesc& { return d; }, any);
-    const auto pStill = MakeShape(any);
-    EXPECT_EQ(ClassOf(*pStill), still);
-    EXPECT_EQ(desc.m_eShapeType, type);
-    EXPECT_EQ(pStill->GetShapeType(), type);
-    EXPECT_EQ(pStill->GetMotionType(), eMotion::Static);
-    EXPECT_EQ(pStill->GetPos(), desc.m_vPos);
-    EXPECT_EQ(pStill->GetElasticity(), 0.5f);
-    std::visit([](CShapeDesc& d) { d.m_eMotionType = eMotion::Kinematic; }, any);
-    const auto pKinematic = MakeShape(any);
-    EXPECT_EQ(ClassOf(*pKinematic), kinematic);
-    EXPECT_EQ(pKinematic->GetMotionType(), eMotion::Kinematic);
-    EXPECT_EQ(pStill->GetAABB().GetTopLeft(), pKinematic->GetAABB().GetTopLeft());
-    std::visit([](CShapeDesc& d) { d.m_eMotionType = eMotion::Dynamic; }, any);
-    EXPECT_THROW(MakeShape(any), std::invalid_argument);
-  };
-  expect(CPointDesc({2, 3}, 0.5f), eShape::Point, typeid(CPoint), typeid(CKinematicPoint));
-  expect(CLineSegDesc({0, 1}, {2, 3}, 0.5f), eShape::LineSeg, typeid(CLineSeg), typeid(CKinematicLineSeg));
-  expect(CCircleDesc({1, 2}, 3, 0.5f), eShape::Circle, typeid(CCircle), typeid(CKinematicCircle));
-  expect(CArcDesc({1, 2}, 3, 0.25f, 2, 0.5f), eShape::Arc, typeid(CArc), typeid(CKinematicArc));
-  const CPointDesc empty;
-  EXPECT_EQ(empty.m_vPos, Vector2::Zero());
-  EXPECT_EQ(empty.m_fElasticity, 1.0f);
-  const auto pBall = MakeShape(CDynamicCircleDesc({1.0f, 2.0f}, 0.5f));
-  EXPECT_EQ(ClassOf(*pBall), typeid(CDynamicCircle));
 }
 
 } // namespace

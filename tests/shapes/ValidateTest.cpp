@@ -103,6 +103,22 @@ TEST(Validate, SegmentEnds) {
   }
 }
 
+TEST(Validate, SidesAndMotion) {
+  ExpectAllRefused(
+      "m_eSides", "77", []<class TDesc>(TDesc & desc) requires requires { desc.m_eSides; } {
+        desc.m_eSides = static_cast<eSides>(77);
+      });
+  const auto refuse = [](auto desc, eMotion motion, const char* value) {
+    desc.m_eMotionType = motion;
+    ExpectRefused("m_eMotionType", value, [&] { MakeShape(desc); });
+  };
+  refuse(CPointDesc(), eMotion::Dynamic, "neither");
+  refuse(CLineSegDesc(), eMotion::Dynamic, "neither");
+  refuse(CCircleDesc(), eMotion::Dynamic, "neither");
+  refuse(CArcDesc(), eMotion::Dynamic, "neither");
+  refuse(CDynamicCircleDesc(), eMotion::Static, "not Dynamic");
+}
+
 TEST(Validate, VelocityAndMass) {
   const auto ball = [](const Vector2& v, float m) {
     CDynamicCircle shape(CDynamicCircleDesc(Vector2(0.0f, 0.0f), 1.0f, v, m));

@@ -11,16 +11,8 @@
 namespace Shapes {
 namespace {
 
-// A circle is a disk.
 double DistanceByShape(const CShape& shape, const Vector2d& p) {
-  const Vector2 q = p.cast<float>();
-  if (shape.GetShapeType() != eShape::Circle) return Wide(DistanceFrom(shape, q));
-  return Wide(Length(shape.GetPos() - q) - static_cast<const CCircle&>(shape).GetRadius());
-}
-
-std::unique_ptr<CShape> RandomShape(CRandom& random, int trial) {
-  const Vector2 p = random.InSquare(2);
-  return MakeAnyShape(random, static_cast<std::uint32_t>(trial), p, 2);
+  return Wide(SensedDistanceFrom(shape, p.cast<float>()));
 }
 
 std::vector<CPathVertex> RandomWay(CRandom& random, int bends) {
@@ -36,7 +28,7 @@ TEST(BallPathTest, TheClosestApproachIsThatOfManyPlaces) {
   constexpr double rounding = 1e-5; // of DistanceByShape: 8 ulp of 10
   int crossed = 0;
   ForEachCase(11, 4000, [&](CRandom& random, int trial) {
-    const auto pShape = RandomShape(random, trial);
+    const auto pShape = MakeAnyShape(random, static_cast<std::uint32_t>(trial), random.InSquare(2), 2);
     const auto way = RandomWay(random, trial % 3);
     const CZone::CApproach near = CZone(*pShape).Approach(way);
     const double parts = static_cast<double>(way.size() - 1);
@@ -58,7 +50,7 @@ TEST(BallPathTest, TheClosestApproachIsThatOfManyPlaces) {
 TEST(BallPathTest, ATouchHasItsPointOnTheShapeAndItsNormalToTheBall) {
   int touched = 0, atEnd = 0;
   ForEachCase(12, 4000, [&](CRandom& random, int trial) {
-    const auto pShape = RandomShape(random, trial);
+    const auto pShape = MakeAnyShape(random, static_cast<std::uint32_t>(trial), random.InSquare(2), 2);
     const auto way = RandomWay(random, trial % 2);
     const double r = random.Uniform(0.05f, 0.5f);
     const CZone zone(*pShape);

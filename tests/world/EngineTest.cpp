@@ -47,28 +47,23 @@ private:
   }
 };
 
-CWorldDesc MakeDesc(unsigned substeps) {
-  CWorldDesc desc;
-  desc.m_fTimeStep = 0.25f;
-  desc.m_nSubsteps = substeps;
-  return desc;
-}
-
 /// A world on it.
 class CToldWorld {
 public:
-  explicit CToldWorld(const CWorldDesc& desc = MakeDesc(1)) : CToldWorld(MakeCore(desc)) {}
+  explicit CToldWorld(unsigned substeps = 1)
+      : m_cWorld(std::make_unique<CWorldCore>(Described({0, 0}, 0.25f, substeps), CWorldLimits(), CEffects(),
+                                              [this](CWorldCore& core) { return MakeEngine(core); })) {}
 
   CWorld* operator->() { return &m_cWorld; }
   CToldEngine& Engine() { return *m_pEngine; }
   /// The calls since the last time.
   CEngineCalls Calls() { return std::exchange(m_pEngine->m_stdCalls, {}); }
   void SetSubstep(std::function<void()> f) { m_pEngine->m_stdSubstep = std::move(f); }
-  void AddPathVertex(std::size_t ball, const Vector2& p, float t) { m_cCore.AddPathVertex(ball, p, t); }
+  void AddPathVertex(std::size_t ball, const Vector2& p, float t) { m_pCore->AddPathVertex(ball, p, t); }
 
   /// Ball i goes over these places to its next position, at these shares of the substep.
   void Go(std::size_t i, const std::vector<std::pair<float, Vector2>>& vertices, const Vector2& to) {
-    CBallArrays& b = m_cCore.GetState().m_cBalls;
+    CBallArrays& b = m_pCore->GetState().m_cBalls;
     b.m_stdPrevPos[i] = b.m_stdPos[i];
     for (const auto& [t, p] : vertices)
       AddPathVertex(i, p, t);
@@ -81,75 +76,63 @@ public:
   }
 
 private:
-  struct CMade {
-    std::unique_ptr<CWorldCore> m_pCore;
-    CToldEngine* m_pEngine = nullptr;
-  };
-  static CMade MakeCore(const CWorldDesc& desc) {
-    CMade made;
-    made.m_pCore = std::make_unique<CWorldCore>(desc, CWorldLimits(), CEffects(), [&](CWorldCore&) {
-      auto pEngine = std::make_unique<CToldEngine>();
-      made.m_pEngine = pEngine.get();
-      return pEngine;
-    });
-    return made;
+  std::unique_ptr<CEngine> MakeEngine(CWorldCore& core) {
+    auto pEngine = std::make_unique<CToldEngine>();
+    m_pCore = &core;
+    m_pEngine = pEngine.get();
+    return pEngine;
   }
-  explicit CToldWorld(CMade made)
-      : m_cCore(*made.m_pCore), m_pEngine(made.m_pEngine), m_cWorld(std::move(made.m_pCore)) {}
 
-  CWorldCore& m_cCore;
-  CToldEngine* m_pEngine;
-  CWorld m_cWorld;
+  CWorldCore* m_pCore = nullptr;
+  CToldEngine* m_pEngine = nullptr;
+  CWorld m_cWorld; // which makes the engine
 };
 
 TEST(EngineOrder, EachChangeIsReportedOnceAfterTheAccess) {
-  CToldWorld world(MakeDesc(2));
-  world->Add(CPointDesc({0, 1}));
-  EXPECT_EQ(world.Calls(), (CEngineCalls{"change", "Added 1"}));
-  const CShapeId ball = world->Add(CDynamicCircleDesc({0, 0}, 1));
-  EXPECT_EQ(world.Calls(), (CEngineCalls{"change", "Added 2"}));
-  world->SetPos(ball, {3, 4});
-  EXPECT_EQ(world.Calls(), (CEngineCalls{"change", "Changed pose 2"}));
-  world->SetVel(ball, {1, 0});
-  EXPECT_EQ(world.Calls(), (CEngineCalls{"change", "Changed motion 2"}));
-  world->SetElasticity(ball, 0.5f);
-  EXPECT_EQ(world.Calls(), (CEngineCalls{"change", "Changed properties 2"}));
-  world->SetSensor(ball, true);
-  EXPECT_EQ(world.Calls(), (CEngineCalls{"change", "Changed sensor 2"}));
-  world->Remove(ball);
-  EXPECT_EQ(world.Calls(), (CEngineCalls{"change", "Removed 2"}));
+  CToldWorld world(2);
+  const CShapeId ball{2};
+  const std::pair<const char*, std::function<void()>> changes[] = {
+      {"Added 1", [&] { world->Add(CPointDesc(Vector2(0, 1))); }},
+      {"Added 2", [&] { world->Add(CDynamicCircleDesc(Vector2(0, 0), 1)); }},
+      {"Changed pose 2", [&] { world->SetPos(ball, Vector2(3, 4)); }},
+      {"Changed motion 2", [&] { world->SetVel(ball, Vector2(1, 0)); }},
+      {"Changed properties 2", [&] { world->SetElasticity(ball, 0.5f); }},
+      {"Changed sensor 2", [&] { world->SetSensor(ball, true); }},
+      {"Removed 2", [&] { world->Remove(ball); }}};
+  for (const auto& [pReported, change] : changes) {
+    change();
+    EXPECT_EQ(world.Calls(), (CEngineCalls{"change", pReported}));
+  }
   EXPECT_THROW(world->SetVel(ball, {1, 0}), std::invalid_argument);
   EXPECT_EQ(world.Calls(), (CEngineCalls{"change"}));
 }
 
 TEST(EngineOrder, PlansBeforeTheFirstSubstepAndOnlyWhereEffectsChange) {
-  CToldWorld world(MakeDesc(2));
+  CToldWorld world(2);
+  const auto callsOfAStep = [&] {
+    world.Calls();
+    world->Step();
+    return world.Calls();
+  };
+  const CEngineCalls planned{"step", "Plan", "Substep", "Substep"}, asBefore{"step", "Substep", "Substep"};
   world->SetGravity({0, -8});
   const CShapeId ball = world->Add(CDynamicCircleDesc({0, 0}, 1));
-  world.Calls();
-  world->Step();
-  EXPECT_EQ(world.Calls(), (CEngineCalls{"step", "Plan", "Substep", "Substep"}));
+  EXPECT_EQ(callsOfAStep(), planned);
   EXPECT_EQ(world.Engine().m_cPlanned, CEffects{eEffect::Gravity});
   EXPECT_EQ(world.Engine().m_fSubstep, 0.125f);
   world->SetVel(ball, {1, 0});
   world->SetPos(ball, {1, 0});
   world->SetElasticity(ball, 0.5f);
   world->SetUserPtr(ball, &world);
-  world.Calls();
-  world->Step();
-  EXPECT_EQ(world.Calls(), (CEngineCalls{"step", "Substep", "Substep"}));
+  EXPECT_EQ(callsOfAStep(), asBefore);
   world->Add(CPointDesc({0, 9}));
-  world.Calls();
-  world->Step();
-  EXPECT_EQ(world.Calls(), (CEngineCalls{"step", "Plan", "Substep", "Substep"})); // Events
+  EXPECT_EQ(callsOfAStep(), planned); // Events
   world->Add(CPointDesc({0, 19}));
-  world.Calls();
-  world->Step();
-  EXPECT_EQ(world.Calls(), (CEngineCalls{"step", "Substep", "Substep"})); // as before
+  EXPECT_EQ(callsOfAStep(), asBefore);
 }
 
 TEST(EngineOrder, StatesAreSavedAndLoadedAfterTheAccess) {
-  CToldWorld world(MakeDesc(2));
+  CToldWorld world(2);
   world->Add(CDynamicCircleDesc({0, 0}, 1));
   world.Calls();
   const CSavedState state = world->SaveState();
@@ -159,7 +142,7 @@ TEST(EngineOrder, StatesAreSavedAndLoadedAfterTheAccess) {
 }
 
 TEST(EngineOrder, WhatTheEngineRefusesChangesNothing) {
-  CToldWorld world(MakeDesc(2));
+  CToldWorld world(2);
   const CShapeId ball = world->Add(CDynamicCircleDesc({0, 0}, 1));
   world.Engine().m_bRefuses = true;
   world.Calls();
@@ -235,7 +218,7 @@ TEST(SensorsTest, VerticesOfSeveralBallsMayBeReportedInAnyOrder) {
 }
 
 TEST(SensorsTest, EachSubstepReportsItsOwn) {
-  CToldWorld world(MakeDesc(3));
+  CToldWorld world(3);
   const CShapeId zone = world->Add(Sensor(CCircleDesc({0, 0}, 1)));
   const CShapeId ball = world->Add(CDynamicCircleDesc({-4, 0}, 0.25f));
   float x = -4;
