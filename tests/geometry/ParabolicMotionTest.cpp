@@ -80,21 +80,14 @@ TEST(ParabolicMotion, ABallThatIsThrownUpMeetsTheFloorThatItLeft) {
 TEST(ParabolicMotion, TheGapClosesAsItsSecondDerivativeSays) {
   int impacts = 0;
   ForEachCase(29, 1200, [&](CRandom& random, int i) {
-    const CCircle disc(CCircleDesc{random.InSquare(1), random.Uniform(0.1f, 0.5f)});
-    const CLineSeg bar(CLineSegDesc{random.InSquare(1), random.InSquare(1)});
-    CShapeGeometry o = MakeShapeGeometry(i % 2 == 0 ? static_cast<const CShape&>(disc) : bar, 0.0);
-    o.m_vRotCenter = Wide(random.InSquare(1));
-    o.m_fTurnSpeed = o.m_fSpin = static_cast<double>(random.Uniform(-6, 6));
-    o.m_fSize = 4.0;
-    CMotion motion{Wide(random.InSquare(2)), Wide(random.VectorOfLength(0, 4)), 0.1, 1.0,
-                   Wide(random.VectorOfLength(0, 12))};
-    const auto oracle = MakeOracle(o, motion);
+    const CTrial trial = ClearTrial(random, g_eTypes[i % 4], eSides::Both, true, true);
+    const auto oracle = MakeOracle(trial.m_cShape, trial.m_cMotion);
     const auto gap = [&](double t) { return static_cast<double>(oracle.Gap(t)); };
     CImpact impact;
-    if (!(gap(0.0) > 0.0) || Sweep(o, motion, 0.0, impact) != eSweep::Impact) return;
+    if (Sweep(trial.m_cShape, trial.m_cMotion, 0.0, impact) != eSweep::Impact) return;
     const double t = impact.m_fTime, h = 1e-4;
     const double closing = -(gap(t + h) - 2.0 * gap(t) + gap(t - h)) / (h * h);
-    // At an end of the bar the second derivative jumps.
+    // At an end of a shape the second derivative jumps.
     const double later = -(gap(t + 2 * h) - 2.0 * gap(t + h) + gap(t)) / (h * h);
     if (std::abs(later - closing) > 0.01 * (1.0 + std::abs(closing))) return;
     ++impacts;

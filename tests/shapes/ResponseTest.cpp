@@ -10,49 +10,6 @@ namespace {
 
 const Vector2 g_vUp(0.0f, 1.0f);
 
-Vector2 AfterStatic(float e, const Vector2& v0, const Vector2& n = g_vUp) {
-  Vector2 p = Vector2::Zero(), v = v0;
-  RespondStatic(n, 0.0f, e, p, v);
-  return v;
-}
-
-TEST(StaticResponse, MirrorsTheNormalPartTimesTheElasticity) {
-  const auto naive = [](float e, const Vector2& v) { return Vector2(-e * v); }; // the whole velocity flipped
-  EXPECT_EQ(naive(1.0f, {3.0f, -4.0f}), Vector2(-3.0f, 4.0f));
-  EXPECT_EQ(AfterStatic(1.0f, {3.0f, -4.0f}), Vector2(3.0f, 4.0f));
-  EXPECT_EQ(AfterStatic(0.0f, {3.0f, -4.0f}), Vector2(3.0f, 0.0f));
-  EXPECT_EQ(AfterStatic(2.0f, {3.0f, -4.0f}), Vector2(3.0f, 8.0f));
-  EXPECT_EQ(AfterStatic(0.5f * 0.5f, {3.0f, -4.0f}), Vector2(3.0f, 1.0f));
-}
-
-TEST(StaticResponse, LeavesASeparatingBallItsVelocity) {
-  Vector2 p(0.0f, 0.48f), v(1.0f, 2.0f);
-  RespondStatic(g_vUp, 0.02f, 1.0f, p, v);
-  EXPECT_EQ(v, Vector2(1.0f, 2.0f));
-  EXPECT_EQ(p, Vector2(0.0f, 0.48f + 0.02f));
-}
-
-float AfterKinematic(float e, float V, float vn) {
-  Vector2 p = Vector2::Zero(), v(0.0f, vn);
-  RespondKinematic(g_vUp, 0.0f, e, {0.0f, V}, p, v);
-  return v.y();
-}
-
-TEST(KinematicResponse, IsTheStaticOneInTheFrameOfTheSurface) {
-  // First as if at rest, then e times the surface's velocity relative to the ball: before the bounce, or
-  // after.
-  const auto naiveBefore = [](float e, float V, float vn) { return -e * vn + e * (V - vn); };
-  const auto naiveAfter = [](float e, float V, float vn) { return -e * vn + e * (V + e * vn); };
-  EXPECT_EQ(naiveBefore(1.0f, 0.0f, -1.0f), 2.0f);
-  EXPECT_EQ(naiveAfter(1.0f, 0.0f, -1.0f), 0.0f);
-  EXPECT_EQ(AfterKinematic(1.0f, 0.0f, -1.0f), 1.0f); // a surface at rest: as static
-
-  EXPECT_EQ(AfterKinematic(1.0f, 2.0f, -1.0f), 5.0f);
-  EXPECT_EQ(AfterKinematic(1.0f, 2.0f, 1.0f), 3.0f);    // caught up with
-  EXPECT_EQ(AfterKinematic(1.0f, -2.0f, -1.0f), -1.0f); // it runs away faster than the ball comes
-  EXPECT_NEAR(AfterKinematic(0.5f, g_fPi, 0.0f), 4.71238898, 4 * g_fUlp * 4);
-}
-
 TEST(KinematicResponse, OfASurfaceFasterThanAnyBallStaysFinite) {
   // With the largest elasticities. Infinity times the component of n that is 0 would not be a number.
   const float e = g_fMaxElasticity * g_fMaxElasticity;
