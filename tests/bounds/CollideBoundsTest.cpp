@@ -212,7 +212,8 @@ TEST(DetectBounds, CircleArc) {
     const auto& desc = std::get<CArcDesc>(pair.m_cShape);
     const Vector2 &c = desc.m_vPos, &p = pair.m_cBall.m_vPos;
     const float R = desc.m_fRadius, r = pair.m_cBall.m_fRadius;
-    if (desc.GetAngle0() == desc.GetAngle1() || p == c) return;
+    const bool isFull = desc.GetAngle0() == desc.GetAngle1(); // without ends
+    if (p == c) return;
     const CArcOracle exact{Exact(c), R, desc.GetAngle0(),
                            Turn(CFifty(desc.GetAngle1()) - CFifty(desc.GetAngle0()))};
     const CVec e = Exact(p);
@@ -220,8 +221,8 @@ TEST(DetectBounds, CircleArc) {
     const CFifty bound = 2 * g_fUlp * (CFifty(R) + r), angleBound = 10 * g_fUlp * size / R;
     CHit hit;
     const bool got = Meets(pair, hit);
-    const CFifty inside = exact.Inside(e);
-    if (s < g_fUlp * d && r < R && abs(s) < r) { // on the arc: it may count as inside
+    const CFifty inside = isFull ? Pi() : exact.Inside(e);
+    if (!isFull && s < g_fUlp * d && r < R && abs(s) < r) { // on the arc: it may count as inside
       const CFifty lets = LetsGo(exact, e, r, Exact(pair.m_cBall.m_vVel));
       if (lets > -angleBound * (1 + CFifty(R) / r)) {
         if (lets > angleBound * (1 + CFifty(R) / r) && s < -g_fUlp * d) {

@@ -60,8 +60,8 @@ inline CPair AnyPair(auto& random, eKind kind) {
     return pair(other, c + AnyWay(random, gap), r);
   }
   if (kind == eKind::Circle) return pair(CCircleDesc(c, R), c + AnyWay(random, away), r);
-  const float a0 = AnyAngle(random);
-  const CArcDesc arc(c, R, a0, AnyAngle(random));
+  const float a0 = AnyAngle(random), a1 = random.Below(8) == 0 ? a0 : AnyAngle(random);
+  const CArcDesc arc(c, R, a0, a1);
   const float angle = arc.GetAngle0() + AnyShare(random) * CArc(arc).GetSpan();
   return pair(arc, c + away * AngleToVector(angle), r);
 }
