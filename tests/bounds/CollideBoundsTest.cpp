@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The bounds of the kernels of src/native/narrowphase/Collide.h, and of the approach speed.
-#include "Inputs.h"
+#include "Pairs.h"
 #include "Worst.h"
-
-#include "native/narrowphase/Collide.h"
 
 namespace Shapes::Bounds {
 namespace {
@@ -12,20 +10,6 @@ constexpr int g_nDetectBoundsTrials = 10000;
 
 using Native::CBall;
 using Native::CHit;
-
-// A gap between a centre and a shape for a ball of radius r: any, almost touching, or almost none.
-float AnyGap(CRandom& random, float r) {
-  switch (random.Below(4)) {
-  case 0: return r * NearOne(random);
-  case 1: return r * random.Scale(-30, -1);
-  default: return r * random.Uniform(0.0f, 1.3f);
-  }
-}
-
-// A ball that has not moved in this step, of any velocity.
-CBall Resting(CRandom& random, const Vector2& p, float r) {
-  return {p, p, AnyWay(random, AnySize(random)), r};
-}
 
 // The errors of one kernel.
 struct CHitErrors {
@@ -37,17 +21,17 @@ struct CHitErrors {
         m_cSetback(name + ", setback", least),
         m_cBack(name + ", overlap where the setback puts a ball", least) {}
 
-  /// @param bound  of the setback
-  template <class TCollide>
-  void SeeSetback(const CHit& hit, const CFifty& overlap, const CFifty& bound, CBall ball,
-                  const TCollide& collide) {
+  /// @param bound  of the setback  @param sound  whether that may not put the ball into the shape
+  void SeeSetback(CPair pair, const CHit& hit, const CFifty& overlap, const CFifty& bound,
+                  bool sound = true) {
     EXPECT_GE(hit.m_fSetback, 0.0f);
     m_cUnit.See(abs(Norm(Exact(hit.m_vNorm)) - 1), g_fUlp);
     m_cSetback.See(abs(hit.m_fSetback - overlap), bound);
+    CBall& ball = pair.m_cBall;
     ball.m_vPos += hit.m_fSetback * hit.m_vNorm;
     CHit again;
     const CFifty rounding = g_fUlp * (Norm(Exact(ball.m_vPos)) + 3 * CFifty(ball.m_fRadius));
-    m_cBack.See(collide(ball, again) ? again.m_fSetback : 0, bound + rounding);
+    m_cBack.See(sound && Meets(pair, again) ? again.m_fSetback : 0, bound + rounding);
   }
 
   CKept m_cAnswer, m_cPOI, m_cNorm, m_cUnit, m_cSetback, m_cBack;
@@ -62,46 +46,53 @@ TEST(DetectBounds, PointCircle) {
   CHitErrors errors("CollidePointCircle", 5000);
   CBroken naive("Setback from a point by squares");
   ForEachCase(1701, g_nDetectBoundsTrials, [&](CRandom& random, int) {
-    const float r = AnySize(random);
-    const CPoint point(CPointDesc(AnyPlace(random, r)));
-    const float gap = AnyGap(random, r);
-    const Vector2 p = point.GetPos() + AnyWay(random, gap);
-    const CBall ball = Resting(random, p, r);
-    const CVec e = Exact(p) - Exact(point.GetPos());
+    const CPair pair = AnyPair(random, eKind::Point);
+    const Vector2& point = std::get<CPointDesc>(pair.m_cShape).m_vPos;
+    const Vector2& p = pair.m_cBall.m_vPos;
+    const float r = pair.m_cBall.m_fRadius;
+    const CVec e = Exact(p) - Exact(point);
     const CFifty d = Norm(e);
     CHit hit;
-    const bool got = CollidePointCircle(point, ball, hit);
+    const bool got = Meets(pair, hit);
     errors.m_cAnswer.SeeAnswer(!got, -(r - d), g_fUlp * r);
     if (!got || d == 0) return;
-    errors.m_cPOI.See(Exact(hit.m_vPOI), Exact(point.GetPos()), 0);
+    errors.m_cPOI.See(Exact(hit.m_vPOI), Exact(point), 0);
     errors.m_cNorm.See(Exact(hit.m_vNorm), Unit(e), 2 * g_fUlp);
-    errors.SeeSetback(hit, r - d, 2 * g_fUlp * r, ball,
-                      [&](const CBall& b, CHit& h) { return CollidePointCircle(point, b, h); });
-    naive.See(abs(r - NaiveDistance(p, point.GetPos()) - (r - d)), 2 * g_fUlp * r);
+    errors.SeeSetback(pair, hit, r - d, 2 * g_fUlp * r);
+    naive.See(abs(r - NaiveDistance(p, point) - (r - d)), 2 * g_fUlp * r);
   });
+}
+
+// The ball and the other ball, each in the place of the other.
+CPair Swapped(const CPair& pair) {
+  const auto& other = std::get<CDynamicCircleDesc>(pair.m_cShape);
+  const CBall& ball = pair.m_cBall;
+  return {CDynamicCircleDesc(ball.m_vPos, ball.m_fRadius, ball.m_vVel),
+          {other.m_vPos, other.m_vPos, other.m_vVel, other.m_fRadius}};
 }
 
 TEST(DetectBounds, BallBall) {
   CHitErrors errors("CollideBallBall", 5000);
   CBroken naive("Setback of two balls by squares");
-  ForEachCase(1702, g_nDetectBoundsTrials, [&](CRandom& random, int i) {
-    const float r0 = AnySize(random), r1 = i % 3 ? r0 * random.Scale(-8, 8) : r0 * NearOne(random);
-    const CBall other = Resting(random, AnyPlace(random, r0), r0);
-    const float gap = AnyGap(random, r0 + r1);
-    const Vector2 p = other.m_vPos + AnyWay(random, gap);
-    const CBall ball = Resting(random, p, r1);
+  ForEachCase(1702, g_nDetectBoundsTrials, [&](CRandom& random, int) {
+    const CPair pair = AnyPair(random, eKind::Ball);
+    const auto& other = std::get<CDynamicCircleDesc>(pair.m_cShape);
+    const Vector2& p = pair.m_cBall.m_vPos;
+    const float r0 = other.m_fRadius, r1 = pair.m_cBall.m_fRadius;
     const CVec e = Exact(p) - Exact(other.m_vPos);
     const CFifty d = Norm(e), r = CFifty(r0) + CFifty(r1);
-    CHit hit;
-    const bool got = CollideBallBall(other, ball, hit);
+    CHit hit, swapped;
+    const bool got = Meets(pair, hit);
+    ASSERT_EQ(Meets(Swapped(pair), swapped), got);
     errors.m_cAnswer.SeeAnswer(!got, -(r - d), 2 * g_fUlp * r);
-    if (!got || d == 0) return;
+    if (!got) return;
+    ASSERT_TRUE(swapped.m_vNorm == -hit.m_vNorm && swapped.m_fSetback == hit.m_fSetback);
+    if (d == 0) return;
     const CVec n = Unit(e);
     errors.m_cPOI.See(Exact(hit.m_vPOI), Exact(other.m_vPos) + CFifty(r0) * n,
                       3 * g_fUlp * (Norm(Exact(other.m_vPos)) + r0));
     errors.m_cNorm.See(Exact(hit.m_vNorm), n, 2 * g_fUlp);
-    errors.SeeSetback(hit, r - d, 2 * g_fUlp * r, ball,
-                      [&](const CBall& b, CHit& h) { return CollideBallBall(other, b, h); });
+    errors.SeeSetback(pair, hit, r - d, 2 * g_fUlp * r);
     naive.See(abs(r0 + r1 - NaiveDistance(p, other.m_vPos) - (r - d)), 2 * g_fUlp * r);
   });
 }
@@ -109,22 +100,16 @@ TEST(DetectBounds, BallBall) {
 TEST(DetectBounds, LineSegCircle) {
   CHitErrors errors("CollideLineSegCircle", 5000);
   CBroken naive("Setback from a segment by gradients");
-  ForEachCase(1703, 2 * g_nDetectBoundsTrials, [&](CRandom& random, int i) {
-    const auto [size, from, to] = AnyPlaces(random);
-    const float r = size * random.Scale(-10, 2);
-    const CLineSeg seg(CLineSegDesc(from, to));
-    const Vector2 &p0 = seg.GetEndPt0(), &p1 = seg.GetEndPt1();
+  ForEachCase(1703, 2 * g_nDetectBoundsTrials, [&](CRandom& random, int) {
+    const CPair pair = AnyPair(random, eKind::LineSeg);
+    const auto& seg = std::get<CLineSegDesc>(pair.m_cShape);
+    const Vector2 &p0 = seg.GetEndPt0(), &p1 = seg.GetEndPt1(), &p = pair.m_cBall.m_vPos;
+    const float r = pair.m_cBall.m_fRadius;
     if (p0 == p1) return;
-    const float share = i % 3 ? random.Uniform(-0.1f, 1.1f) : random.SignedScale(-24, -10);
-    const float side = random.Coin() ? 1.0f : -1.0f;
-    const float gap = side * AnyGap(random, r);
-    const Vector2 on = i % 2 ? Vector2(p0 + share * (p1 - p0)) : Vector2(p1 - share * (p1 - p0));
-    const Vector2 p = on + gap * seg.GetNormal();
-    const CBall ball = Resting(random, p, r);
     const CVec e0 = Exact(p0), e1 = Exact(p1), e = Exact(p), t = Unit(e1 - e0);
     const CFifty s = Dot(e - e0, Left(t)), d0 = Gap(e, e0), d1 = Gap(e, e1);
     CHit hit;
-    const bool got = CollideLineSegCircle(seg, ball, hit);
+    const bool got = Meets(pair, hit);
     // A ball that meets the segment overlaps it between both ends.
     const CFifty overlap = std::min({CFifty(r - abs(s)), Dot(e - e0, t), CFifty(-Dot(e - e1, t))});
     errors.m_cAnswer.SeeAnswer(!got, -overlap, 3 * g_fUlp * (d0 + d1));
@@ -133,8 +118,7 @@ TEST(DetectBounds, LineSegCircle) {
                       8 * g_fUlp * (Norm(e) + Norm(e0) + Gap(e0, e1)));
     errors.m_cNorm.See(Exact(hit.m_vNorm), s > 0 ? Left(t) : CFifty(-1) * Left(t), 2 * g_fUlp);
     const CFifty bound = 3 * g_fUlp * d0 + g_fUlp * r / 2;
-    errors.SeeSetback(hit, r - abs(s), bound, ball,
-                      [&](const CBall& b, CHit& h) { return CollideLineSegCircle(seg, b, h); });
+    errors.SeeSetback(pair, hit, r - abs(s), bound);
     const float m = (p1.y() - p0.y()) / (p1.x() - p0.x()), b = p0.y() - m * p0.x();
     naive.See(abs(r - std::abs(p.y() - m * p.x() - b) / std::sqrt(1.0f + m * m) - (r - abs(s))), bound);
   });
@@ -179,27 +163,24 @@ TEST(DetectBounds, ApproachSpeed) {
 TEST(DetectBounds, CircleCircle) {
   CHitErrors errors("CollideCircleCircle", 5000);
   CBroken naive("Setback from a ring by d^2 - R^2");
-  ForEachCase(1801, g_nDetectBoundsTrials, [&](CRandom& random, int i) {
-    const float R = AnySize(random), r = R * (i % 3 ? random.Scale(-10, 4) : NearOne(random));
-    const CCircle circle(CCircleDesc(AnyPlace(random, R), R));
-    const float gap = AnyGap(random, r);
-    const Vector2 p = circle.GetPos() + AnyWay(random, random.Coin() ? R + gap : std::abs(R - gap));
-    const CBall ball = Resting(random, p, r);
-    const CVec c = Exact(circle.GetPos()), e = Exact(p) - c;
+  ForEachCase(1801, g_nDetectBoundsTrials, [&](CRandom& random, int) {
+    const CPair pair = AnyPair(random, eKind::Circle);
+    const auto& circle = std::get<CCircleDesc>(pair.m_cShape);
+    const Vector2 v = pair.m_cBall.m_vPos - circle.m_vPos;
+    const float R = circle.m_fRadius, r = pair.m_cBall.m_fRadius;
+    const CVec c = Exact(circle.m_vPos), e = Exact(pair.m_cBall.m_vPos) - c;
     const CFifty d = Norm(e), size = CFifty(R) + CFifty(r);
     const bool fits = r < R;
     const CFifty exactGap = fits && d < R ? CFifty(R - d) : CFifty(d - R);
     CHit hit;
-    const bool got = CollideCircleCircle(circle, ball, hit);
+    const bool got = Meets(pair, hit);
     errors.m_cAnswer.SeeAnswer(!got, -(r - exactGap), 2 * g_fUlp * size);
     if (!got || d == 0) return;
     const CVec n = Unit(e);
     errors.m_cPOI.See(Exact(hit.m_vPOI), c + CFifty(R) * n, 3 * g_fUlp * (Norm(c) + R));
-    errors.SeeSetback(hit, r - exactGap, 2 * g_fUlp * size, ball,
-                      [&](const CBall& b, CHit& h) { return CollideCircleCircle(circle, b, h); });
+    errors.SeeSetback(pair, hit, r - exactGap, 2 * g_fUlp * size);
     if (fits && abs(d - R) <= g_fUlp * d) return; // on the ring: either side
     errors.m_cNorm.See(Exact(hit.m_vNorm), fits && d < R ? CFifty(-1) * n : n, 2 * g_fUlp);
-    const Vector2 v = p - circle.GetPos();
     const float naiveGap = std::abs(v.squaredNorm() - R * R) / (2.0f * R);
     naive.See(abs(r - naiveGap - (r - exactGap)), 2 * g_fUlp * size);
   });
@@ -226,18 +207,12 @@ TEST(DetectBounds, CircleArc) {
   CHitErrors errors("CollideCircleArc", 2000);
   CBroken naive("Answer of an arc by angles from -pi to pi");
   int letGo = 0;
-  ForEachCase(1802, g_nDetectBoundsTrials, [&](CRandom& random, int i) {
-    const float R = AnySize(random), r = R * (i % 3 ? random.Scale(-10, 1) : NearOne(random));
-    const Vector2 c = AnyPlace(random, R);
-    const float a0 = AnyAngle(random);
-    const CArcDesc desc(c, R, a0, AnyAngle(random));
-    const CArc arc(desc);
-    if (arc.IsFullCircle()) return;
-    const float gap = AnyGap(random, r);
-    const float away = random.Coin() ? R + gap : std::abs(R - gap);
-    const float share = i % 2 ? random.Uniform(-0.1f, 1.1f) : random.SignedScale(-24, -10);
-    const Vector2 p = c + away * AngleToVector(desc.GetAngle0() + share * arc.GetSpan());
-    const CBall ball = Resting(random, p, r);
+  ForEachCase(1802, 2 * g_nDetectBoundsTrials, [&](CRandom& random, int) {
+    const CPair pair = AnyPair(random, eKind::Arc);
+    const auto& desc = std::get<CArcDesc>(pair.m_cShape);
+    const Vector2 &c = desc.m_vPos, &p = pair.m_cBall.m_vPos;
+    const float R = desc.m_fRadius, r = pair.m_cBall.m_fRadius;
+    const bool isFull = desc.GetAngle0() == desc.GetAngle1(); // without ends
     if (p == c) return;
     const CArcOracle exact{Exact(c), R, desc.GetAngle0(),
                            Turn(CFifty(desc.GetAngle1()) - CFifty(desc.GetAngle0()))};
@@ -245,10 +220,10 @@ TEST(DetectBounds, CircleArc) {
     const CFifty d = Gap(e, exact.m_vCenter), s = d - R, size = Norm(exact.m_vCenter) + R;
     const CFifty bound = 2 * g_fUlp * (CFifty(R) + r), angleBound = 10 * g_fUlp * size / R;
     CHit hit;
-    const bool got = CollideCircleArc(arc, ball, hit);
-    const CFifty inside = exact.Inside(e);
-    if (s < g_fUlp * d && r < R && abs(s) < r) { // on the arc: it may count as inside
-      const CFifty lets = LetsGo(exact, e, r, Exact(ball.m_vVel));
+    const bool got = Meets(pair, hit);
+    const CFifty inside = isFull ? Pi() : exact.Inside(e);
+    if (!isFull && s < g_fUlp * d && r < R && abs(s) < r) { // on the arc: it may count as inside
+      const CFifty lets = LetsGo(exact, e, r, Exact(pair.m_cBall.m_vVel));
       if (lets > -angleBound * (1 + CFifty(R) / r)) {
         if (lets > angleBound * (1 + CFifty(R) / r) && s < -g_fUlp * d) {
           ++letGo;
@@ -263,17 +238,17 @@ TEST(DetectBounds, CircleArc) {
     errors.m_cAnswer.SeeAnswer(!got, -met, 1);
     const Vector2 v = p - c;
     const float angle = std::atan2(v.y(), v.x());
-    const bool naiveGot = std::abs(v.norm() - R) < r && arc.GetAngle0() <= angle && angle <= arc.GetAngle1();
+    const bool naiveGot =
+        std::abs(v.norm() - R) < r && desc.GetAngle0() <= angle && angle <= desc.GetAngle1();
     naive.SeeAnswer(!naiveGot, -met, 1);
     if (!got) return;
     const CVec n = Unit(e - exact.m_vCenter);
     errors.m_cPOI.See(Exact(hit.m_vPOI), exact.m_vCenter + CFifty(R) * n,
                       3 * g_fUlp * (Norm(exact.m_vCenter) + R));
+    const bool isOn = abs(s) <= g_fUlp * d; // on the arc: either side
     // A ball exactly on an arc into which it does not fit may be set back into it.
-    const bool sound = r < R || abs(s) > g_fUlp * d;
-    errors.SeeSetback(hit, r - abs(s), bound, ball,
-                      [&](const CBall& b, CHit& h) { return sound && CollideCircleArc(arc, b, h); });
-    if (abs(s) <= g_fUlp * d) return; // on the arc: either side
+    errors.SeeSetback(pair, hit, r - abs(s), bound, r < R || !isOn);
+    if (isOn) return;
     errors.m_cNorm.See(Exact(hit.m_vNorm), s < 0 ? CFifty(-1) * n : n, 2 * g_fUlp);
   });
   EXPECT_GT(letGo, 50);

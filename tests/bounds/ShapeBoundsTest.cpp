@@ -23,11 +23,6 @@ CVec Along(float m) { return std::isinf(m) ? CVec{0, 1} : Unit(CVec{1, m}); }
 
 float AnyGradient(CRandom& random) { return random.Below(20) ? random.SignedScale(-60, 60) : g_fInf; }
 
-CLineSegDesc AnySegment(CRandom& random) {
-  const auto [size, p0, p1] = AnyPlaces(random);
-  return CLineSegDesc(p0, p1);
-}
-
 TEST(LineBounds, ClosestPtOfALine) {
   CKept worst("CLine::ClosestPt", g_nLineBoundsTrials);
   CBroken naive("CLine::ClosestPt by gradients");
@@ -113,7 +108,15 @@ TEST(LineBounds, NormalsTangentsAndMidpointsOfSegments) {
     if (length == 0) return;
     const CVec t = Unit(p1 - p0);
     const CLineSeg seg(desc);
-    Vector2 t0, t1;
+    // The left end first, of an upright one the lower one, however they are given.
+    ASSERT_TRUE(p0.x < p1.x || (p0.x == p1.x && p0.y < p1.y));
+    CLineSegDesc swapped;
+    swapped.SetEndPts(desc.GetEndPt1(), desc.GetEndPt0());
+    Vector2 d0, d1, s0, s1, t0, t1;
+    swapped.GetEndPts(d0, d1);
+    seg.GetEndPts(s0, s1);
+    ASSERT_TRUE(d0 == desc.GetEndPt0() && d1 == desc.GetEndPt1() && swapped.m_vPos == desc.m_vPos);
+    ASSERT_TRUE(s0 == d0 && s1 == d1 && seg.GetPos() == desc.m_vPos);
     seg.GetTangents(t0, t1);
     tangent.See(Exact(t0), t, 2 * g_fUlp);
     tangent.See(CFifty(-1) * Exact(t1), t, 2 * g_fUlp);
@@ -255,16 +258,6 @@ TEST(CircleBounds, CommonTangents) {
 
 constexpr int g_nArcBoundsTrials = 5000;
 
-CArcDesc AnyArc(CRandom& random) {
-  const float r = AnySize(random);
-  const Vector2 c = AnyPlace(random, r);
-  const float a0 = AnyAngle(random);
-  // Any span, short ones, about half a turn, and all but a full one.
-  const float half = g_fPi * NearOne(random);
-  const float spans[] = {AnyAngle(random), random.SignedScale(-20, -2), half, -half};
-  return CArcDesc(c, r, a0, a0 + spans[random.Below(4)]);
-}
-
 CArcOracle Exactly(const CArcDesc& desc) {
   const CFifty span = Turn(CFifty(desc.GetAngle1()) - CFifty(desc.GetAngle0()));
   return {Exact(desc.m_vPos), desc.m_fRadius, desc.GetAngle0(), span == 0 ? CFifty(2 * Pi()) : span};
@@ -281,6 +274,12 @@ TEST(ArcBounds, EndsTangentsAndAngles) {
     const CArcOracle exact = Exactly(desc);
     const CArc arc(desc);
     const CFifty end1 = exact.m_fAngle0 + exact.m_fSpan, size = Size(desc), r = exact.m_fRadius;
+    for (const float a : {desc.GetAngle0(), desc.GetAngle1()})
+      ASSERT_TRUE(a >= 0.0f && CFifty(a) < 2 * Pi());
+    Vector2 d0, d1, e0, e1;
+    desc.GetEndPts(d0, d1);
+    arc.GetEndPts(e0, e1);
+    ASSERT_TRUE(d0 == e0 && d1 == e1 && e0 == arc.GetEndPt0() && e1 == arc.GetEndPt1());
     const CVec u0 = AtAngle(exact.m_fAngle0), u1 = AtAngle(end1);
     ends.See(Exact(arc.GetEndPt0()), exact.At(exact.m_fAngle0), 2 * g_fUlp * size);
     ends.See(Exact(arc.GetEndPt1()), exact.At(end1), 2 * g_fUlp * size);
@@ -314,6 +313,13 @@ Vector2 AnyPointFor(CRandom& random, const CArc& arc) {
   }
 }
 
+// From -pi to pi.
+bool InByAngles(const CArc& arc, const Vector2& q) {
+  const Vector2 v = q - arc.GetPos();
+  const float angle = std::atan2(v.y(), v.x());
+  return arc.GetAngle0() <= angle && angle <= arc.GetAngle1();
+}
+
 TEST(ArcBounds, PtInSectorAndClosestPt) {
   CKept sector("CArc::PtInSector", 10000), distance("Distance of CArc::ClosestPt", 10000),
       on("CArc::ClosestPt off the arc", 10000);
@@ -333,20 +339,24 @@ TEST(ArcBounds, PtInSectorAndClosestPt) {
     distance.See(abs(Gap(eq, is) - Gap(eq, best)), bound + far);
     on.See(is, exact.Closest(is), bound);
 
+    naive.SeeAnswer(InByAngles(arc, q), inside, bound / exact.m_fRadius);
     const Vector2 v = q - arc.GetPos();
     const float angle = std::atan2(v.y(), v.x());
-    naive.SeeAnswer(arc.GetAngle0() <= angle && angle <= arc.GetAngle1(), inside, bound / exact.m_fRadius);
     const float clamped = std::min(std::max(angle, arc.GetAngle0()), arc.GetAngle1());
     const CVec naiveIs = Exact(Vector2(arc.GetPos() + arc.GetRadius() * AngleToVector(clamped)));
     naiveClosest.See(abs(Gap(eq, naiveIs) - Gap(eq, best)), bound + far);
   });
 }
 
-// No error at all on this side: what is on an end ray is never outside.
+// No error at all on this side: what is on an end ray is never outside. The float next to pi is larger than
+// pi, and so may be the angle between the rounded ends of half a turn.
 TEST(ArcBounds, EndRaysBelongToTheSector) {
   int lost = 0;
-  ForEachCase(1303, g_nArcBoundsTrials, [&](CRandom& random, int) {
+  ForEachCase(1303, g_nArcBoundsTrials, [&](CRandom& random, int i) {
     CArcDesc desc = AnyArc(random);
+    const float a0 = desc.GetAngle0();
+    const std::pair<float, float> halves[] = {{a0, a0 + g_fPi}, {0.0f, g_fPi}, {g_fPi, 0.0f}};
+    if (i % 5 == 0) desc.SetAngles(halves[i % 3].first, halves[i % 3].second);
     const CArc anywhere(desc);
     ASSERT_TRUE(anywhere.PtInSector(anywhere.GetEndPt0()) && anywhere.PtInSector(anywhere.GetEndPt1()));
     desc.m_vPos = Vector2::Zero(); // there the ray can be followed without rounding
@@ -362,6 +372,26 @@ TEST(ArcBounds, EndRaysBelongToTheSector) {
     }
   });
   EXPECT_GT(lost, 0); // by angles in [0, 2 pi)
+}
+
+// Swapped angles give the complement: what is not in one sector is in the other, and their ends are the same.
+TEST(ArcBounds, AnArcAndItsComplementLeaveNothingOut) {
+  int lost = 0;
+  ForEachCase(1304, 2 * g_nArcBoundsTrials, [&](CRandom& random, int) {
+    const CArcDesc desc = AnyArc(random);
+    const CArc arc(desc), other(CArcDesc(desc.m_vPos, desc.m_fRadius, desc.GetAngle1(), desc.GetAngle0()));
+    if (!other.IsFullCircle()) { // which the complement of a slit may be
+      Vector2 t0, t1, s0, s1;
+      arc.GetTangents(t0, t1);
+      other.GetTangents(s0, s1);
+      ASSERT_TRUE(arc.GetEndPt0() == other.GetEndPt1() && arc.GetEndPt1() == other.GetEndPt0());
+      ASSERT_TRUE(t0 == -s1 && t1 == -s0);
+    }
+    const Vector2 q = AnyPointFor(random, arc);
+    ASSERT_TRUE(arc.PtInSector(q) || other.PtInSector(q));
+    lost += !InByAngles(arc, q) && !InByAngles(other, q);
+  });
+  EXPECT_GT(lost, 0);
 }
 
 constexpr int g_nBoxBoundsTrials = 5000;

@@ -118,52 +118,85 @@ TEST(ShapeMathBounds, AngleToVector) {
 
 constexpr int g_nRotationBoundsTrials = 5000;
 
+// Each from its pose at construction, whatever it has turned before.
 TEST(RotationBounds, Rotate) {
-  CKept points("CKinematicPoint::Rotate", g_nRotationBoundsTrials),
-      circles("CKinematicCircle::Rotate", g_nRotationBoundsTrials),
-      segments("CKinematicLineSeg::Rotate", g_nRotationBoundsTrials),
-      arcs("CKinematicArc::Rotate", g_nRotationBoundsTrials);
+  const int n = g_nRotationBoundsTrials;
+  CKept points("CKinematicPoint::Rotate", n), circles("CKinematicCircle::Rotate", n),
+      segments("CKinematicLineSeg::Rotate", n), arcs("CKinematicArc::Rotate", n),
+      normals("Normal and tangent of a turned segment", n), closest("Closest point of a turned segment", n),
+      angles("Angle 0 of a turned arc", n), sectors("Sector of a turned arc", 4000),
+      boxes("Box of a turned arc", n);
   CBroken naive("Rotate in eight parts");
-  ForEachCase(1501, g_nRotationBoundsTrials, [&](CRandom& random, int i) {
-    const auto [size, other, p] = AnyPlaces(random);
-    const Vector2 center = other; // clang does not let a lambda capture a binding
-    const Vector2 q = p + AnyWay(random, size);
+  int reordered = 0;
+  ForEachCase(1501, n, [&](CRandom& random, int i) {
+    const CPlaces places = AnyPlaces(random);
+    const Vector2 &center = places.m_vPos, &p = places.m_vOther;
+    const float size = places.m_fSize;
+    const Vector2 q = p + AnyWay(random, size), anywhere = p + AnyWay(random, size * random.Scale(-20, 8));
     const float angle = i % 2 ? AnyAngle(random) : random.SignedScale(0, 29);
+    const auto turn = [&](CShape& shape) {
+      shape.Rotate(q, 1.0f);
+      shape.Rotate(center, angle);
+    };
     const auto see = [&](CWorst& worst, const Vector2& is, const Vector2& was) {
       worst.See(Exact(is), Turned(Exact(was), Exact(center), angle),
                 3 * g_fUlp * (Norm(Exact(center)) + Gap(Exact(was), Exact(center))));
     };
     CKinematicPoint point{CPointDesc(p)};
-    point.Rotate(center, angle);
+    turn(point);
     see(points, point.GetPos(), p);
 
     CKinematicCircle circle{CCircleDesc(p, size)};
-    circle.Rotate(center, angle);
+    turn(circle);
     see(circles, circle.GetPos(), p);
 
     const CLineSegDesc desc(p, q);
     CKinematicLineSeg seg(desc);
-    seg.Rotate(center, angle);
-    // Which end comes first may have changed.
-    EXPECT_LE(seg.GetEndPt0().x(), seg.GetEndPt1().x());
+    turn(seg);
+    const Vector2 &end0 = seg.GetEndPt0(), &end1 = seg.GetEndPt1();
+    EXPECT_LE(end0.x(), end1.x());
     const CVec t0 = Turned(Exact(desc.GetEndPt0()), Exact(center), angle);
-    const bool swapped = Gap(Exact(seg.GetEndPt0()), t0) > Gap(Exact(seg.GetEndPt1()), t0);
-    see(segments, swapped ? seg.GetEndPt1() : seg.GetEndPt0(), desc.GetEndPt0());
-    see(segments, swapped ? seg.GetEndPt0() : seg.GetEndPt1(), desc.GetEndPt1());
+    const bool swapped = Gap(Exact(end0), t0) > Gap(Exact(end1), t0);
+    see(segments, swapped ? end1 : end0, desc.GetEndPt0());
+    see(segments, swapped ? end0 : end1, desc.GetEndPt1());
+    // The tangent leads from end to end. The normal turns along, whichever end comes first.
+    Vector2 tangent, back;
+    seg.GetTangents(tangent, back);
+    const CVec e0 = Exact(end0), e1 = Exact(end1), along = Unit(e1 - e0);
+    normals.See(Exact(tangent), along, 2 * g_fUlp);
+    normals.See(Exact(seg.GetNormal()), swapped ? CFifty(-1) * Left(along) : Left(along), 2 * g_fUlp);
+    closest.See(Exact(seg.ClosestPt(anywhere)), ClosestOnSegment(e0, e1, Exact(anywhere)),
+                8 * g_fUlp * (Norm(Exact(anywhere)) + Norm(e0) + Gap(e0, e1)));
+    reordered += swapped;
 
-    const CArcDesc arcDesc(p, size, AnyAngle(random), 1.0f);
+    CArcDesc arcDesc = AnyArc(random);
+    arcDesc.m_vPos = p;
+    arcDesc.m_fRadius = size;
+    const CArc still(arcDesc);
     CKinematicArc arc(arcDesc);
-    const Vector2 end0 = arc.GetEndPt0(), end1 = arc.GetEndPt1();
-    arc.Rotate(center, angle);
+    turn(arc);
     see(arcs, arc.GetPos(), p);
-    see(arcs, arc.GetEndPt0(), end0);
-    see(arcs, arc.GetEndPt1(), end1);
+    see(arcs, arc.GetEndPt0(), still.GetEndPt0());
+    see(arcs, arc.GetEndPt1(), still.GetEndPt1());
+    ASSERT_TRUE(arc.GetSpan() == still.GetSpan() && arc.IsFullCircle() == still.IsFullCircle());
+    ASSERT_TRUE(arc.PtInSector(arc.GetEndPt0()) && arc.PtInSector(arc.GetEndPt1()));
+    const CFifty start = arcDesc.GetAngle0(), off = Turn(arc.GetAngle0() - (start + CFifty(angle)));
+    angles.See(std::min(off, CFifty(2 * Pi() - off)), g_fUlp * (start + Turn(angle)));
+    const CArcOracle exact{Exact(arc.GetPos()), size, start + CFifty(angle), still.GetSpan()};
+    const CFifty reach = Norm(Exact(center)) + Norm(Exact(p)) + 2 * CFifty(size);
+    const Vector2 inWorld = arc.GetPos() + (anywhere - p);
+    if (!arc.IsFullCircle() && inWorld != arc.GetPos())
+      sectors.SeeAnswer(arc.PtInSector(inWorld), exact.Inside(Exact(inWorld)), 16 * g_fUlp * reach / size);
+    const CAabb2D& box = arc.GetAABB();
+    boxes.See(abs(box.GetTopLeft().y() - (exact.m_vCenter.y + exact.Reach(Pi() / 2))), 4 * g_fUlp * reach);
+    boxes.See(abs(box.GetBottomRt().x() - (exact.m_vCenter.x + exact.Reach(0))), 4 * g_fUlp * reach);
 
     Vector2 turned = p;
     for (int k = 0; k < 8; ++k)
       turned = RotatePt(turned, center, angle / 8.0f);
     see(naive, turned, p);
   });
+  EXPECT_GT(reordered, n / 4);
 }
 
 TEST(RotationBounds, GetSurfaceVelocity) {

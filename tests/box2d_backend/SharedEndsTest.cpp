@@ -25,9 +25,6 @@ public:
   CShapeId Arc(const Vector2& c, float r, float a0, float a1) {
     return Add(MakeShape(CArcDesc(c, r, a0, a1)));
   }
-  CShapeId Flipper(const Vector2& p0, const Vector2& p1, const Vector2& center, float revsPerSecond) {
-    return Add(MakeShape(Turning(CLineSegDesc(p0, p1), revsPerSecond, center)));
-  }
   CShape& Get(CShapeId id) { return *m_cState.m_stdShapes[m_cState.FindShape(id)].m_pShape; }
 
   std::map<CShapeId, CSharedEnds> Find() const { return FindSharedEnds(m_cState, g_fTolerance); }
@@ -55,16 +52,19 @@ void ExpectJoint(const CSharedEnd& joint, CShapeId neighbour, const Vector2& tan
   EXPECT_EQ(joint.m_fBend, bend);
 }
 
+/// The shared ends of two shapes: 2 if they join.
+std::size_t CountOf(const CAnyShapeDesc& first, const CAnyShapeDesc& second) {
+  CTable table;
+  table.Add(MakeShape(first));
+  table.Add(MakeShape(second));
+  return table.Count();
+}
+
 TEST(JointsTest, EndsCountAsOneWithinTheTolerance) {
+  const CLineSegDesc first({-2, -2}, {0, 0});
   for (const Vector2& u : {Vector2(1, 0), Vector2(-1, 0), Vector2(0, 1), Vector2(0.6f, -0.8f)}) {
-    const auto count = [&](float gap) {
-      CTable table;
-      table.Segment({-2, -2}, {0, 0});
-      table.Segment(gap * g_fTolerance * u, {2, -2});
-      return table.Count();
-    };
-    EXPECT_EQ(count(0.9f), 2u) << u;
-    EXPECT_EQ(count(1.1f), 0u) << u;
+    EXPECT_EQ(CountOf(first, CLineSegDesc(0.9f * g_fTolerance * u, {2, -2})), 2u) << u;
+    EXPECT_EQ(CountOf(first, CLineSegDesc(1.1f * g_fTolerance * u, {2, -2})), 0u) << u;
   }
 }
 
@@ -92,31 +92,20 @@ TEST(JointsTest, WhereThreeMeetNoneIsJoined) {
 }
 
 TEST(JointsTest, OnlyWhatMovesTogetherIsJoined) {
-  const auto count = [](const Vector2& center, float speed) {
-    CTable table;
-    table.Flipper({-1, 0}, {0, 0}, {0.5f, 0.5f}, 2);
-    table.Flipper({0, 0}, {1, 0}, center, speed);
-    return table.Count();
-  };
-  EXPECT_EQ(count({0.5f, 0.5f}, 2), 2u);
-  EXPECT_EQ(count({0.5f, 0.5f}, -2), 0u);
-  EXPECT_EQ(count({0.5f, 0.4f}, 2), 0u);
-  CTable moving;
-  const CShapeId left = moving.Flipper({-1, 0}, {0, 0}, {0, 0}, 0),
-                 right = moving.Flipper({0, 0}, {1, 0}, {0, 0}, 0);
-  moving.Get(left).SetVel({1, 0});
-  EXPECT_EQ(moving.Count(), 0u);
-  moving.Get(right).SetVel({1, 0});
-  EXPECT_EQ(moving.Count(), 2u);
-  CTable table; // not a static one and one that turns, even if it stands still
-  table.Flipper({-1, 0}, {0, 0}, {0, 0}, 0);
-  table.Segment({0, 0}, {1, 0});
-  EXPECT_EQ(table.Count(), 0u);
+  const CLineSegDesc left({-1, 0}, {0, 0}), right({0, 0}, {1, 0});
+  const CLineSegDesc turning = Turning(left, 2, {0.5f, 0.5f}), moving = Moving(left, {1, 0});
+  EXPECT_EQ(CountOf(turning, Turning(right, 2, {0.5f, 0.5f})), 2u);
+  EXPECT_EQ(CountOf(turning, Turning(right, -2, {0.5f, 0.5f})), 0u);
+  EXPECT_EQ(CountOf(turning, Turning(right, 2, {0.5f, 0.4f})), 0u);
+  EXPECT_EQ(CountOf(moving, Turning(right)), 0u);
+  EXPECT_EQ(CountOf(moving, Moving(right, {1, 0})), 2u);
+  EXPECT_EQ(CountOf(Turning(left), right), 0u); // though it stands still
 }
 
 TEST(JointsTest, TangentsAreThoseOfNow) {
   CTable table;
-  const CShapeId a = table.Flipper({-1, 0}, {0, 0}, {0, 0}, 1), b = table.Flipper({0, 0}, {1, 1}, {0, 0}, 1);
+  const CShapeId a = table.Add(MakeShape(Turning(CLineSegDesc({-1, 0}, {0, 0}), 1))),
+                 b = table.Add(MakeShape(Turning(CLineSegDesc({0, 0}, {1, 1}), 1)));
   for (const CShapeId id : {a, b})
     table.Get(id).SetOrientation(g_fPi); // the ends change places
   ExpectJoint(At(table, a, 0), b, Vector2(-1, -1).normalized(), 0);
@@ -124,26 +113,20 @@ TEST(JointsTest, TangentsAreThoseOfNow) {
 }
 
 TEST(JointsTest, SolidSidesGoOnInSolidSidesAlongTheWay) {
-  const auto count = [](const CAnyShapeDesc& first, const CAnyShapeDesc& second) {
-    CTable table;
-    table.Add(MakeShape(first));
-    table.Add(MakeShape(second));
-    return table.Count();
-  };
   const CLineSegDesc left({-1, 0}, {0, 0}), right({0, 0}, {1, 0}), up({0, 0}, {1, 1}), down({0, 0}, {1, -1});
   for (const eSides first : {eSides::Both, eSides::Front, eSides::Back})
     for (const eSides second : {eSides::Both, eSides::Front, eSides::Back})
-      EXPECT_EQ(count(Sided(left, first), Sided(right, second)), first == second ? 2u : 0u);
+      EXPECT_EQ(CountOf(Sided(left, first), Sided(right, second)), first == second ? 2u : 0u);
   // Two segments that fold back: both fronts are above, but one follows the way and one does not.
-  EXPECT_EQ(count(Sided(up, eSides::Front), Sided(down, eSides::Front)), 0u);
-  EXPECT_EQ(count(Sided(up, eSides::Front), Sided(down, eSides::Back)), 2u);
+  EXPECT_EQ(CountOf(Sided(up, eSides::Front), Sided(down, eSides::Front)), 0u);
+  EXPECT_EQ(CountOf(Sided(up, eSides::Front), Sided(down, eSides::Back)), 2u);
   // A floor whose front is above goes on in the inside of a bowl, or in the outside of a hill.
   const CLineSegDesc floor = Sided(left, eSides::Front);
   const CArcDesc bowl({0, 1}, 1, 1.5f * g_fPi, 0), hill({0, -1}, 1, 0, 0.5f * g_fPi);
-  EXPECT_EQ(count(floor, Sided(bowl, eSides::Back)), 2u);
-  EXPECT_EQ(count(floor, Sided(bowl, eSides::Front)), 0u);
-  EXPECT_EQ(count(floor, Sided(hill, eSides::Front)), 2u);
-  EXPECT_EQ(count(floor, Sided(hill, eSides::Back)), 0u);
+  EXPECT_EQ(CountOf(floor, Sided(bowl, eSides::Back)), 2u);
+  EXPECT_EQ(CountOf(floor, Sided(bowl, eSides::Front)), 0u);
+  EXPECT_EQ(CountOf(floor, Sided(hill, eSides::Front)), 2u);
+  EXPECT_EQ(CountOf(floor, Sided(hill, eSides::Back)), 0u);
 }
 
 TEST(JointsTest, TheBendLeadsAlongTheNeighbour) {

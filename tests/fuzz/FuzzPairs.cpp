@@ -171,6 +171,20 @@ CBall AtEnd(const CBall& ball, const CMotion& motion) {
   return end;
 }
 
+/// Where the kernel finds an overlap above the bound, so does the sweep. The approximate mode, with open
+/// ends, sees a part of the impacts that the sweeps see.
+void RequireSameOverlap(const CHit& hit, bool overlaps, double depth, double bound) {
+  if (!(Wide(hit.m_fSetback) > bound)) return;
+  Require(overlaps, "who is detected overlaps", hit.m_fSetback, hit.m_vNorm.transpose());
+  Require(std::abs(depth - Wide(hit.m_fSetback)) <= bound, "setback and depth agree", hit.m_fSetback, depth,
+          hit.m_vNorm.transpose());
+}
+
+void RequireClear(const CHit& hit, double bound) {
+  Require(Wide(hit.m_fSetback) <= bound, "who meets nothing on the way is clear at its end", hit.m_fSetback,
+          bound);
+}
+
 void TrySweep(const CShape& shape, const CBall& ball, const CMotion& motion) {
   const double turnSpeed = 2.0 * std::numbers::pi * Wide(shape.GetRotSpeed());
   const CShapeGeometry geometry = MakeShapeGeometry(shape, turnSpeed);
@@ -181,7 +195,6 @@ void TrySweep(const CShape& shape, const CBall& ball, const CMotion& motion) {
     RequireImpact(impact, 0.0);
     Require(depth > 0.0 && std::isfinite(depth), "an overlap has a depth", depth);
   }
-  const CImpact overlap = impact;
   const eSweep found = Sweep(geometry, motion, 0.0, impact);
   const double bound =
       SweepBound(geometry.m_fSize, motion, std::abs(geometry.m_fTurnSpeed) * motion.m_fDuration);
@@ -199,20 +212,14 @@ void TrySweep(const CShape& shape, const CBall& ball, const CMotion& motion) {
     RequireTouching(impact, motion, overlaps || isUnfit || extent.m_bOneSided, bound);
   }
 
-  // The approximate mode, with open ends, sees a part of the impacts that the sweeps see.
   if (extent.m_bOneSided) return;
   CHit hit;
   // Right on an arc rounding says on which side the ball is.
-  if (!(isUnfit && out >= -detectBound) && Collide(shape, ball, hit) && Wide(hit.m_fSetback) > detectBound) {
-    Require(overlaps, "who is detected overlaps", hit.m_fSetback, hit.m_vNorm.transpose());
-    Require(std::abs(depth - Wide(hit.m_fSetback)) <= detectBound, "setback and depth agree", hit.m_fSetback,
-            depth, overlap.m_vNorm.transpose());
-  }
+  if (!(isUnfit && out >= -detectBound) && Collide(shape, ball, hit))
+    RequireSameOverlap(hit, overlaps, depth, detectBound);
   const CBall end = AtEnd(ball, motion);
   if (found != eSweep::None || overlaps || isUnfit || turnSpeed != 0.0 || !end.m_vPos.allFinite()) return;
-  if (Collide(shape, end, hit))
-    Require(Wide(hit.m_fSetback) <= Bound(extent, end) + bound,
-            "who meets nothing on the way is clear at its end", hit.m_fSetback, Bound(extent, end) + bound);
+  if (Collide(shape, end, hit)) RequireClear(hit, Bound(extent, end) + bound);
 }
 
 // ---- Two balls -------------------------------------------------------------------------------------------
@@ -229,12 +236,7 @@ void TryBalls(const CBall& other, const CBall& ball, const CMotion& otherMotion,
   if (overlaps) Require(depth > 0.0 && std::isfinite(depth), "an overlap has a depth", depth);
   const double otherWay = Norm(otherMotion.m_vVel) * motion.m_fDuration;
   const double bound = SweepBound(extent.m_fSize + 2.0 * extent.m_fRadius + otherWay, motion, 0.0);
-  const double detectBound = Bound(extent, ball) + bound;
-  if (detected && Wide(hit.m_fSetback) > detectBound) {
-    Require(overlaps, "who is detected overlaps", hit.m_fSetback);
-    Require(std::abs(depth - Wide(hit.m_fSetback)) <= detectBound, "setback and depth agree", hit.m_fSetback,
-            depth);
-  }
+  if (detected) RequireSameOverlap(hit, overlaps, depth, Bound(extent, ball) + bound);
   const eSweep found = ImpactBallBall(otherMotion, motion, impact);
   Require(found != eSweep::OutOfIterations, "two balls are always known");
   Require(ImpactBallBall(motion, otherMotion, swapped) == found, "swapped balls meet where they met");
@@ -252,10 +254,7 @@ void TryBalls(const CBall& other, const CBall& ball, const CMotion& otherMotion,
   const CBall end = AtEnd(ball, motion), otherEnd = AtEnd(other, otherMotion);
   if (overlaps || !end.m_vPos.allFinite() || !otherEnd.m_vPos.allFinite()) return;
   const CExtent endExtent{Largest(Wide(otherEnd.m_vPos)), extent.m_fRadius};
-  if (CollideBallBall(otherEnd, end, hit))
-    Require(Wide(hit.m_fSetback) <= Bound(endExtent, end) + bound,
-            "who meets nothing on the way is clear at its end", hit.m_fSetback,
-            Bound(endExtent, end) + bound);
+  if (CollideBallBall(otherEnd, end, hit)) RequireClear(hit, Bound(endExtent, end) + bound);
 }
 
 // ---- Box2D -----------------------------------------------------------------------------------------------

@@ -63,35 +63,15 @@ Compare::ePart PartOf(const CShapeGeometry& o, const Compare::CHit<double>& hit,
   return hit.m_vNorm.dot(hit.m_vPOI - o.m_vCenter) > 0 ? ePart::Outside : ePart::Inside;
 }
 
-struct CCase {
-  eShape m_eShapeType;
-  bool m_bOneSided;
-  bool m_bTurns;
-  int m_nTrials;
-  bool m_bFalls = false; // under an acceleration of any direction
-};
-
-std::string Name(const CCase& c) {
-  const std::map<eShape, const char*> names{{eShape::Point, "Point"},
-                                            {eShape::LineSeg, "LineSeg"},
-                                            {eShape::Circle, "Circle"},
-                                            {eShape::Arc, "Arc"}};
-  return std::string(names.at(c.m_eShapeType)) + (c.m_bOneSided ? "OneSided" : "") +
-         (c.m_bTurns ? "Turning" : "") + (c.m_bFalls ? "Falling" : "");
-}
-void PrintTo(const CCase& c, std::ostream* pOut) { *pOut << Name(c); }
-
-class CSweepAgainstSearch : public testing::TestWithParam<CCase> {};
+class CSweepAgainstSearch : public testing::TestWithParam<CTrials> {};
 
 // No hit is missed, none is invented, the earliest is found, and POI, normal and part are those of the
 // contact.
 TEST_P(CSweepAgainstSearch, FindsTheSameImpact) {
-  const CCase& c = GetParam();
-  const std::uint64_t seed = 20240 + static_cast<std::uint64_t>(c.m_eShapeType) * 8 + c.m_bOneSided * 2 +
-                             c.m_bTurns + c.m_bFalls * 1000;
+  const CTrials& c = GetParam();
   int hits = 0, misses = 0, ambiguous = 0;
-  ForEachCase(seed, c.m_nTrials, [&](CRandom& random, int) {
-    const eSides sides = !c.m_bOneSided ? eSides::Both : random.Coin() ? eSides::Front : eSides::Back;
+  ForEachCase(c.GetSeed(), c.m_nTrials, [&](CRandom& random, int) {
+    const eSides sides = c.GetSides(random);
     const CTrial trial = ClearTrial(random, c.m_eShapeType, sides, c.m_bTurns, c.m_bFalls);
     const CMotion& motion = trial.m_cMotion;
     const CSweepOracle oracle = MakeOracle(trial.m_cShape, motion);
@@ -135,17 +115,19 @@ TEST_P(CSweepAgainstSearch, FindsTheSameImpact) {
 INSTANTIATE_TEST_SUITE_P(
     , CSweepAgainstSearch,
     testing::Values(
-        CCase{eShape::Point, false, false, 20000}, CCase{eShape::LineSeg, false, false, 20000},
-        CCase{eShape::LineSeg, true, false, 20000}, CCase{eShape::Circle, false, false, 20000},
-        CCase{eShape::Arc, false, false, 40000}, CCase{eShape::Arc, true, false, 40000},
-        CCase{eShape::Point, false, true, 5000}, CCase{eShape::LineSeg, false, true, 10000},
-        CCase{eShape::LineSeg, true, true, 10000}, CCase{eShape::Circle, false, true, 5000},
-        CCase{eShape::Arc, false, true, 10000}, CCase{eShape::Arc, true, true, 10000},
-        CCase{eShape::Point, false, false, 20000, true}, CCase{eShape::LineSeg, false, false, 20000, true},
-        CCase{eShape::LineSeg, true, false, 20000, true}, CCase{eShape::Circle, false, false, 20000, true},
-        CCase{eShape::Arc, false, false, 40000, true}, CCase{eShape::Arc, true, false, 40000, true},
-        CCase{eShape::Point, false, true, 3000, true}, CCase{eShape::LineSeg, true, true, 3000, true},
-        CCase{eShape::Circle, false, true, 3000, true}, CCase{eShape::Arc, false, true, 5000, true}),
+        CTrials{eShape::Point, false, false, 20000}, CTrials{eShape::LineSeg, false, false, 20000},
+        CTrials{eShape::LineSeg, true, false, 20000}, CTrials{eShape::Circle, false, false, 20000},
+        CTrials{eShape::Arc, false, false, 40000}, CTrials{eShape::Arc, true, false, 40000},
+        CTrials{eShape::Point, false, true, 5000}, CTrials{eShape::LineSeg, false, true, 10000},
+        CTrials{eShape::LineSeg, true, true, 10000}, CTrials{eShape::Circle, false, true, 5000},
+        CTrials{eShape::Arc, false, true, 10000}, CTrials{eShape::Arc, true, true, 10000},
+        CTrials{eShape::Point, false, false, 20000, true},
+        CTrials{eShape::LineSeg, false, false, 20000, true},
+        CTrials{eShape::LineSeg, true, false, 20000, true},
+        CTrials{eShape::Circle, false, false, 20000, true}, CTrials{eShape::Arc, false, false, 40000, true},
+        CTrials{eShape::Arc, true, false, 40000, true}, CTrials{eShape::Point, false, true, 3000, true},
+        CTrials{eShape::LineSeg, true, true, 3000, true}, CTrials{eShape::Circle, false, true, 3000, true},
+        CTrials{eShape::Arc, false, true, 5000, true}),
     [](const auto& test) { return Name(test.param); });
 
 TEST(SweepOverlapping, IsMetOnlyIfItApproaches) {

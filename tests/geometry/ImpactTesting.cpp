@@ -140,6 +140,15 @@ CTrial ClearTrial(CRandom& random, eShape type, eSides sides, bool turns, bool f
   }
 }
 
+std::string Name(const CTrials& trials) {
+  const std::map<eShape, const char*> names{{eShape::Point, "Point"},
+                                            {eShape::LineSeg, "LineSeg"},
+                                            {eShape::Circle, "Circle"},
+                                            {eShape::Arc, "Arc"}};
+  return std::string(names.at(trials.m_eShapeType)) + (trials.m_bOneSided ? "OneSided" : "") +
+         (trials.m_bTurns ? "Turning" : "") + (trials.m_bFalls ? "Falling" : "");
+}
+
 double GapBound(const CTrial& trial) {
   const CShapeGeometry& o = trial.m_cShape;
   const CMotion& motion = trial.m_cMotion;
@@ -158,98 +167,5 @@ bool OverlapsInside(const CTrial& trial) {
   return Overlap(o, trial.m_cMotion, 0.0, impact, depth) &&
          impact.m_vNorm.dot(impact.m_vPOI - o.m_vCenter) < 0.0;
 }
-
-namespace {
-
-// The reference tells this much.
-struct CAnswer {
-  bool m_bMet;
-  double m_fTime; // after the end if it is not met
-  Vector2d m_vNorm;
-  bool m_bBegins;
-};
-template <class T>
-CAnswer Ask(const CTrial& trial, double more) {
-  Compare::CHit<T> hit;
-  const bool met = SweepExactly<T>(trial, hit, more);
-  return {met,
-          met ? static_cast<double>(hit.m_fTime) : std::numeric_limits<double>::infinity(),
-          {static_cast<double>(hit.m_vNorm.x()), static_cast<double>(hit.m_vNorm.y())},
-          hit.m_bBegins};
-}
-
-} // namespace
-
-template <class T>
-void ExpectAgrees(eShape type, eSides sides, bool turns, std::uint64_t seed, int trials) {
-  int hits = 0, misses = 0, ambiguous = 0, unanswered = 0;
-  ForEachCase(seed, trials, [&](CRandom& random, int) {
-    const CTrial trial = RandomTrial(random, type, sides, turns);
-    const CMotion& motion = trial.m_cMotion;
-    // A shape that is let go in the beginning is met a bit later or earlier, or by another part.
-    CShapeGeometry whole = trial.m_cShape;
-    whole.m_eSides = eSides::Both;
-    CImpact impact;
-    double depth;
-    const bool covers =
-        motion.m_fRadius >= whole.m_fRadius && (motion.m_vPos - whole.m_vCenter).norm() < whole.m_fRadius;
-    const bool overlaps = Overlap(whole, motion, 0.0, impact, depth) || covers;
-    if (overlaps && (turns || OverlapsInside(trial))) return;
-    const eSweep found = Sweep(trial.m_cShape, motion, 0.0, impact);
-    ASSERT_NE(found, eSweep::OutOfIterations);
-    const bool met = found == eSweep::Impact;
-    CAnswer exact;
-    try {
-      exact = Ask<T>(trial, 0.0);
-    } catch (const std::runtime_error&) { // an arc that turns about its own centre, a slow ball beside it
-      ++unanswered;
-      return;
-    }
-    if (exact.m_bBegins) return; // it was let go at first
-    const double bound = GapBound(trial);
-    const Vector2d surface = met ? impact.m_vSurface : Vector2d(Vector2d::Zero());
-    const double approach = met ? -(motion.m_vVel - surface).dot(impact.m_vNorm) : 0.0;
-    // Away from tangents the gap is linear in the time.
-    const double rounding = 4.0 * 0x1p-52 * motion.m_fDuration;
-    double error = std::abs(impact.m_fTime - exact.m_fTime);
-    if (met != exact.m_bMet || (met && !(error * approach <= bound + rounding * approach))) {
-      const double more = 4.0 * std::max(bound, g_nSweepRoundings * 0x1p-52 * trial.m_cShape.m_fSize);
-      const CAnswer larger = Ask<T>(trial, more), smaller = Ask<T>(trial, -more);
-      const double time = met ? impact.m_fTime : std::numeric_limits<double>::infinity();
-      // One-sided ends let go what overlaps by more than rounding: there the smaller one may be the first.
-      const auto [first, last] = std::minmax({larger.m_fTime, exact.m_fTime, smaller.m_fTime});
-      const double slack = rounding + (sides == eSides::Both || !met ? 0.0 : 2.0 * more / approach);
-      ++ambiguous;
-      ASSERT_TRUE(time >= first - slack && time <= last + slack)
-          << "at " << time << " instead of " << larger.m_fTime << " .. " << exact.m_fTime << " .. "
-          << smaller.m_fTime;
-      return;
-    }
-    ++(met ? hits : misses);
-    if (!met) return;
-    ASSERT_GT(approach, 0.0);
-    ASSERT_NEAR(impact.m_vNorm.norm(), 1.0, 8.0 * 0x1p-52);
-    const Vector2d center = motion.m_vPos + motion.m_vVel * impact.m_fTime;
-    // How far along the shape it is off, by the smallest circle on which that can be.
-    const double least = std::min(motion.m_fRadius, trial.m_cShape.m_fRadius > motion.m_fRadius
-                                                        ? trial.m_cShape.m_fRadius - motion.m_fRadius
-                                                        : motion.m_fRadius);
-    const double turning =
-        std::abs(trial.m_cShape.m_fTurnSpeed) * (trial.m_cShape.m_fSize + motion.m_fRadius);
-    const double speed = (motion.m_vVel - surface).norm() + turning;
-    if (overlaps) return; // perhaps several parts
-    ASSERT_LE((impact.m_vNorm - exact.m_vNorm).norm() * least, 2.0 * (error * speed + bound));
-    ASSERT_LE((center - impact.m_vPOI - motion.m_fRadius * impact.m_vNorm).norm(), 2.0 * bound);
-  });
-  EXPECT_GT(hits, trials / 20);
-  EXPECT_GT(misses, trials / 20);
-  EXPECT_LT(ambiguous, trials / 100);
-  EXPECT_LE(unanswered, trials / 1000);
-  testing::Test::RecordProperty("ambiguous", ambiguous);
-  testing::Test::RecordProperty("hits", hits);
-}
-
-template void ExpectAgrees<double>(eShape, eSides, bool, std::uint64_t, int);
-template void ExpectAgrees<CFifty>(eShape, eSides, bool, std::uint64_t, int);
 
 } // namespace Shapes::Geometry

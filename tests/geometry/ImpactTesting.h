@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parts that the tests of the sweeps share: trials that seek the hard region, and the exact reference as
-// judge.
+// Parts that the tests of the sweeps share: trials, of which some seek the hard region, and what to hold them
+// against: the exact reference, and a search.
 #pragma once
 
 #include "geometry/TimeOfImpact.h"
@@ -32,6 +32,25 @@ CTrial RandomTrial(CRandom& random, eShape type, eSides sides, bool turns = fals
 /// parabola if it `falls`.
 CTrial ClearTrial(CRandom& random, eShape type, eSides sides, bool turns, bool falls = false);
 
+/// So many trials of a kind: the rows of a test.
+struct CTrials {
+  eShape m_eShapeType;
+  bool m_bOneSided; ///< On one side or the other.
+  bool m_bTurns;
+  int m_nTrials;
+  bool m_bFalls = false; ///< Under an acceleration of any direction.
+
+  std::uint64_t GetSeed() const {
+    return 20240 + static_cast<std::uint64_t>(m_eShapeType) * 8 + m_bOneSided * 2 + m_bTurns +
+           m_bFalls * 1000;
+  }
+  eSides GetSides(CRandom& random) const {
+    return !m_bOneSided ? eSides::Both : random.Coin() ? eSides::Front : eSides::Back;
+  }
+};
+std::string Name(const CTrials& trials);
+inline void PrintTo(const CTrials& trials, std::ostream* pOut) { *pOut << Name(trials); }
+
 /// The error bound of Sweep.h as a gap: of the time it is this divided by the approach speed.
 double GapBound(const CTrial& trial);
 
@@ -62,10 +81,5 @@ bool SweepExactly(const CTrial& trial, Compare::CHit<T>& hit, double more = 0.0)
   return Compare::Sweep<T>(ForReference(o).template Cast<T>(), {To<T>(o.m_vRotCenter), T(o.m_fTurnSpeed)},
                            BallOf<T>(trial.m_cMotion, more), T(trial.m_cMotion.m_fDuration), hit);
 }
-
-/// Runs trials against the reference with T. Wherever the answer of a ball that is larger or smaller by the
-/// bound is the same, so is the one of Sweep; and its time is between theirs.
-template <class T>
-void ExpectAgrees(eShape type, eSides sides, bool turns, std::uint64_t seed, int trials);
 
 } // namespace Shapes::Geometry

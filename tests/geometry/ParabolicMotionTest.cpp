@@ -80,59 +80,20 @@ TEST(ParabolicMotion, ABallThatIsThrownUpMeetsTheFloorThatItLeft) {
 TEST(ParabolicMotion, TheGapClosesAsItsSecondDerivativeSays) {
   int impacts = 0;
   ForEachCase(29, 1200, [&](CRandom& random, int i) {
-    const CCircle disc(CCircleDesc{random.InSquare(1), random.Uniform(0.1f, 0.5f)});
-    const CLineSeg bar(CLineSegDesc{random.InSquare(1), random.InSquare(1)});
-    CShapeGeometry o = MakeShapeGeometry(i % 2 == 0 ? static_cast<const CShape&>(disc) : bar, 0.0);
-    o.m_vRotCenter = Wide(random.InSquare(1));
-    o.m_fTurnSpeed = o.m_fSpin = static_cast<double>(random.Uniform(-6, 6));
-    o.m_fSize = 4.0;
-    CMotion motion{Wide(random.InSquare(2)), Wide(random.VectorOfLength(0, 4)), 0.1, 1.0,
-                   Wide(random.VectorOfLength(0, 12))};
-    const auto oracle = MakeOracle(o, motion);
+    const CTrial trial = ClearTrial(random, g_eTypes[i % 4], eSides::Both, true, true);
+    const auto oracle = MakeOracle(trial.m_cShape, trial.m_cMotion);
     const auto gap = [&](double t) { return static_cast<double>(oracle.Gap(t)); };
     CImpact impact;
-    if (!(gap(0.0) > 0.0) || Sweep(o, motion, 0.0, impact) != eSweep::Impact) return;
+    if (Sweep(trial.m_cShape, trial.m_cMotion, 0.0, impact) != eSweep::Impact) return;
     const double t = impact.m_fTime, h = 1e-4;
     const double closing = -(gap(t + h) - 2.0 * gap(t) + gap(t - h)) / (h * h);
-    // At an end of the bar the second derivative jumps.
+    // At an end of a shape the second derivative jumps.
     const double later = -(gap(t + 2 * h) - 2.0 * gap(t + h) + gap(t)) / (h * h);
     if (std::abs(later - closing) > 0.01 * (1.0 + std::abs(closing))) return;
     ++impacts;
     EXPECT_NEAR(impact.m_fClosing, closing, 0.02 * (1.0 + std::abs(closing))) << i;
   });
   EXPECT_GT(impacts, 50);
-}
-
-// Over a gap of a wall and back from behind.
-TEST(ParabolicMotion, TheBackOfASegmentIsMetByABallThatComesRoundItsEnd) {
-  const CShapeGeometry wall = MakeShapeGeometry(CLineSeg(CLineSegDesc({0, -1}, {0, 1})), 0.0);
-  // From the left over the end at y = 1, and pulled back to the left by the acceleration.
-  const CMotion motion{{-1, 2}, {4, -1}, 0.1, 3.0, {-4, 0}};
-  CImpact impact;
-  ASSERT_EQ(Sweep(wall, motion, 0.0, impact), eSweep::Impact);
-  // x = -1 + 4 t - 2 t^2 = .1 on its way back.
-  EXPECT_NEAR(impact.m_fTime, 1.0 + std::sqrt(1.0 - 0.55), 1e-12);
-  EXPECT_NEAR(impact.m_vNorm.x(), 1.0, 1e-12);
-}
-
-// Beside a segment a ball may overlap its line, rise above it, and fall onto the segment: it is met there,
-// not where its way turns round.
-TEST(ParabolicMotion, ABallThatComesFromBesideASegmentMeetsIt) {
-  const CShapeGeometry seg = MakeShapeGeometry(
-      CLineSeg(CLineSegDesc({-2.28963757f, -1.54552758f}, {-1.68087971f, -1.15647197f})), 0.0);
-  const CMotion motion{Vector2d(-2.73316979, -1.70086718), Vector2d(54.3293343, 36.7726173), 0.108155034,
-                       1.0 / 60.0, Vector2d(-165.042816, -409.527039)};
-  CImpact impact;
-  ASSERT_EQ(Sweep(seg, motion, 0.0, impact), eSweep::Impact);
-  EXPECT_NEAR(impact.m_fTime, 0.01337466, 1e-6);
-  EXPECT_NEAR(impact.m_vNorm.y(), 0.842617, 1e-5);
-  // The control: from where it is clear of the line the same part of the way was always met.
-  const double later = 0.007;
-  CMotion rest = motion;
-  rest.m_vPos = motion.PosAt(later), rest.m_vVel = motion.VelAt(later), rest.m_fDuration -= later;
-  CImpact same;
-  ASSERT_EQ(Sweep(seg, rest, 0.0, same), eSweep::Impact);
-  EXPECT_NEAR(same.m_fTime + later, impact.m_fTime, 1e-9);
 }
 
 } // namespace

@@ -146,19 +146,6 @@ TEST(CollideCircleCircle, ABallThatDoesNotFitInsideIsOutside) {
   EXPECT_TRUE(Misses(Circle(2), Ball({0, 0}, 0.5f)));                // one that fits is free
 }
 
-TEST(CollideCircleArc, EqualAnglesAreAFullCircleFromEveryDirection) {
-  const CArc arc = Arc(1, 0, 0);
-  for (int k = 0; k < 360; ++k) {
-    const Vector2 u = AngleToVector(static_cast<float>(k) * g_fPi / 180);
-    EXPECT_TRUE(Misses(arc, Ball(1.11f * u, 0.1f, -u))) << k;
-    for (const float side : {1.0f, -1.0f}) {
-      CHit hit;
-      ASSERT_TRUE(CollideCircleArc(arc, Ball((1 + 0.09f * side) * u, 0.1f, -side * u), hit)) << k;
-      EXPECT_LE((hit.m_vNorm - side * u).norm(), g_fRoundings);
-    }
-  }
-}
-
 TEST(CollideCircleArc, AShortArcIsMetOnItsSideOnly) {
   EXPECT_FALSE(Misses(CArc(CArcDesc({0, 0}, 1, 0, 1e-7f)), Ball({1.09f, 0}, 0.1f, g_vLeft)));
   EXPECT_TRUE(Misses(CArc(CArcDesc({1000, 1000}, 1, 0, 1e-5f)), Ball({998.95f, 1000}, 0.1f, g_vRight)));
@@ -170,25 +157,15 @@ TEST(CollideCircleArc, InsideABallIsFreeUnlessItFitsAndTouches) {
   EXPECT_TRUE(Misses(Arc(1, 0, 0), Ball({0.3f, 0.2f}, 1.5f, g_vRight)));
 }
 
+// The figure in docs/conventions.md. CollideBoundsTest.cpp holds other places and velocities to the same
+// rule.
 TEST(CollideCircleArc, LetsGoOfABallInsideThatLeavesPastAnEnd) {
-  // Quarter from 0 to 90 degrees; the tangent at the right end points up, at the top end to the right.
   const CArc arc = Arc(1, 0, 90);
-  const Vector2 nearRight(0.9f, 0.05f), nearTop(0.05f, 0.9f), middle(0.65f, 0.65f);
-  EXPECT_TRUE(Misses(arc, Ball(nearRight, 0.2f, {1, -2}))); // down, off the arc
-  EXPECT_FALSE(Misses(arc, Ball(nearRight, 0.2f, {1, 2}))); // up, along it
-  EXPECT_TRUE(Misses(arc, Ball(nearTop, 0.2f, {-2, 1})));
-  EXPECT_FALSE(Misses(arc, Ball(nearTop, 0.2f, {2, 1})));
-  // Up to 45 degrees from straight out it comes at the arc; beyond that it leaves.
-  EXPECT_FALSE(Misses(arc, Ball(nearRight, 0.2f, {1, 0})));
-  EXPECT_FALSE(Misses(arc, Ball(nearRight, 0.2f, {2, -1})));
-  EXPECT_FALSE(Misses(arc, Ball(nearTop, 0.2f, {-1, 2})));
-  EXPECT_TRUE(Misses(arc, Ball(nearRight, 0.2f, {1, -1.01f})));
-  EXPECT_TRUE(Misses(arc, Ball(nearTop, 0.2f, {-1.01f, 1})));
-  EXPECT_TRUE(Misses(arc, Ball(nearRight, 0.2f, {-1, -0.1f}))); // inward and off it
-  // Away from the ends the direction does not matter, and outside it never does.
-  EXPECT_FALSE(Misses(arc, Ball(middle, 0.2f, {1, -2})));
-  EXPECT_FALSE(Misses(arc, Ball({1.1f, 0.05f}, 0.2f, {-1, -2})));
-  EXPECT_FALSE(Misses(Arc(1, 0, 0), Ball(nearRight, 0.2f, {1, -2}))); // a full circle has no ends
+  const Vector2 p(0.9f, 0.05f);
+  EXPECT_FALSE(Misses(arc, Ball(p, 0.2f, {1, 2})));     // along the arc
+  EXPECT_FALSE(Misses(arc, Ball(p, 0.2f, {2, -1})));    // off it, but more outward
+  EXPECT_TRUE(Misses(arc, Ball(p, 0.2f, {1, -2})));     // past the end
+  EXPECT_TRUE(Misses(arc, Ball(p, 0.2f, {-1, -0.1f}))); // inward
 }
 
 TEST(CollideCircleArc, LetsGoByTheVelocityRelativeToTheSurface) {
@@ -205,24 +182,6 @@ TEST(CollideCircleArc, ACentreOnTheArcGoesBackToTheSideItCameFrom) {
 TEST(CollideBallBall, CoincidentCentresSeparateAgainstTheirRelativeVelocity) {
   EXPECT_TRUE(Hits(Ball({1, 1}, 0.5f, {3, 0}), Ball({1, 1}, 0.5f, {1, 0}), g_vRight, 1));
   EXPECT_TRUE(Hits(Ball({1, 1}, 0.5f), Ball({1, 1}, 0.5f), g_vUp, 1)); // at rest: a fixed axis
-}
-
-TEST(CollideBallBall, SwappingTheBallsTurnsTheNormalRound) {
-  const auto randomBall = [](CRandom& random) {
-    const Vector2 p = random.InSquare(2);
-    const float r = random.Uniform(0.1f, 1);
-    return Ball(p, r, random.Direction());
-  };
-  CRandom random(231);
-  int hits = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const CBall a = randomBall(random), b = randomBall(random);
-    CHit ab;
-    const bool met = CollideBallBall(a, b, ab);
-    ASSERT_TRUE(met ? Hits(b, a, -ab.m_vNorm, ab.m_fSetback) : testing::AssertionResult(Misses(b, a))) << i;
-    hits += met;
-  }
-  EXPECT_GT(hits, 2000);
 }
 
 } // namespace

@@ -1,37 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The pair kernels of the native engine, and the closest point of a circle.
-#include "Generators.h"
+#include "../bounds/Pairs.h"
+#include "Drawn.h"
 #include "Moved.h"
 #include "Properties.h"
-
-#include "native/narrowphase/Collide.h"
 
 namespace Shapes::Properties {
 namespace {
 
-using Native::CBall;
-using Native::CHit;
-
-struct CPair {
-  CAnyShapeDesc m_cShape;
-  CBall m_cBall;
-};
-
-bool Meets(const CPair& pair, CHit& hit) {
-  return std::visit(
-      [&](const auto& d) {
-        using T = std::decay_t<decltype(d)>;
-        if constexpr (std::is_same_v<T, CPointDesc>) return CollidePointCircle(CPoint(d), pair.m_cBall, hit);
-        if constexpr (std::is_same_v<T, CLineSegDesc>)
-          return CollideLineSegCircle(CLineSeg(d), pair.m_cBall, hit);
-        if constexpr (std::is_same_v<T, CCircleDesc>)
-          return CollideCircleCircle(CCircle(d), pair.m_cBall, hit);
-        if constexpr (std::is_same_v<T, CArcDesc>) return CollideCircleArc(CArc(d), pair.m_cBall, hit);
-        if constexpr (std::is_same_v<T, CDynamicCircleDesc>)
-          return CollideBallBall({d.m_vPos, d.m_vPos, d.m_vVel, d.m_fRadius}, pair.m_cBall, hit);
-      },
-      pair.m_cShape);
-}
+using Bounds::CPair, Bounds::eKind, Bounds::Meets;
+using Native::CBall, Native::CHit;
 
 CPair Moved(const CPair& pair, const CMap& map) {
   const CBall& b = pair.m_cBall;
@@ -39,34 +17,24 @@ CPair Moved(const CPair& pair, const CMap& map) {
           {map.Pt(b.m_vPos), map.Pt(b.m_vPrevPos), map.Way(b.m_vVel), map.m_fScale * b.m_fRadius}};
 }
 
-enum class eKind { Point, LineSeg, Circle, Arc, Ball };
-
-// A gap for a ball of radius r: any, almost touching, almost none.
-float Gap(float r) { return r * *rc::gen::oneOf(Between(0.0f, 1.2f), NearOne(), Small(24, 1)); }
-
-// A shape and a ball that almost touches it, or overlaps.
-CPair Pair(eKind kind) {
-  const auto ball = [](const Vector2& p, float r) { return CBall{p, p, *Way(*AnySize()), r}; };
-  if (kind == eKind::LineSeg) {
-    const CLineSegDesc seg = *Segment();
-    const Vector2 v = seg.GetEndPt1() - seg.GetEndPt0();
-    const float r = *Scale(6) * Length(v), side = *rc::gen::element(1.0f, -1.0f);
-    const float share = *Between(-0.1f, 1.1f), gap = side * Gap(r);
-    return {seg, ball(seg.GetEndPt0() + share * v + gap * seg.GetNormal(), r)};
-  }
-  const CCircleDesc ring = *Ring();
-  const Vector2& c = ring.m_vPos;
-  const float R = ring.m_fRadius, r = R * *rc::gen::oneOf(Scale(8), NearOne());
-  if (kind == eKind::Point) return {CPointDesc(c), ball(c + *Way(Gap(r)), r)};
-  if (kind == eKind::Ball) {
-    const Vector2 v = *Way(*AnySize());
-    return {CDynamicCircleDesc(c, R, v), ball(c + *Way(Gap(R + r)), r)};
-  }
-  const float side = *rc::gen::element(1.0f, -1.0f), away = std::abs(R + side * Gap(r));
-  if (kind == eKind::Circle) return {ring, ball(c + *Way(away), r)};
-  const float a0 = *Angle(), a1 = *Angle(), share = *Between(-0.1f, 1.1f);
-  const CArcDesc arc(c, R, a0, a1);
-  return {arc, ball(c + away * AngleToVector(arc.GetAngle0() + share * CArc(arc).GetSpan()), r)};
+// A pair that RapidCheck tells of if the property fails: with all digits, in hexadecimal.
+CPair DrawPair(eKind kind) {
+  const CPair pair = Bounds::AnyPair(g_cDrawn, kind);
+  const CBall& ball = pair.m_cBall;
+  std::ostringstream text;
+  text << std::hexfloat << "ball at " << ball.m_vPos.transpose() << ", radius " << ball.m_fRadius
+       << ", velocity " << ball.m_vVel.transpose() << "; shape ";
+  const auto tell = [&]<class TDesc>(const TDesc& d) {
+    if constexpr (std::is_same_v<TDesc, CLineSegDesc>)
+      text << d.GetEndPt0().transpose() << " to " << d.GetEndPt1().transpose();
+    else
+      text << "at " << d.m_vPos.transpose();
+    if constexpr (std::is_base_of_v<CCircleDesc, TDesc>) text << ", radius " << d.m_fRadius;
+    if constexpr (std::is_same_v<TDesc, CArcDesc>) text << ", " << d.GetAngle0() << " to " << d.GetAngle1();
+  };
+  std::visit(tell, pair.m_cShape);
+  RC_LOG() << text.str();
+  return pair;
 }
 
 using CMeets = std::function<bool(const CPair&, CHit&)>;
@@ -108,8 +76,8 @@ TEST(KernelProperties, APowerOfTwoScalesTheBits) {
   for (const auto& question : g_stdQuestions)
     ExpectHolds(false, true, 5000, [&](bool epsilon) {
       CMap map;
-      map.m_fScale = std::ldexp(1.0f, *Whole(20));
-      const CPair pair = Pair(question.m_eKind);
+      map.m_fScale = std::ldexp(1.0f, g_cDrawn.Whole(-20, 20));
+      const CPair pair = DrawPair(question.m_eKind);
       RC_PRE(IsPlain(pair));
       // The control does not find what is closer than a millimetre.
       const CMeets meets = [&](const CPair& p, CHit& hit) {
@@ -135,7 +103,7 @@ TEST(KernelProperties, AQuarterTurnAndAMirrorKeepTheBits) {
   for (const auto& question : g_stdQuestions) {
     if (question.m_eKind == eKind::Arc) continue; // whose angles are not exact otherwise
     ExpectHolds(false, true, 5000, [&](bool naive) {
-      const CPair pair = Pair(question.m_eKind);
+      const CPair pair = DrawPair(question.m_eKind);
       CMap turned, mirrored, away;
       turned.m_pTurn = Quarter;
       mirrored.m_pTurn = MirrorY;

@@ -2,7 +2,7 @@
 // A shape or a ball as it is, moved, mirrored or scaled.
 #pragma once
 
-#include "Generators.h"
+#include "../Testing.h"
 
 #include <type_traits>
 

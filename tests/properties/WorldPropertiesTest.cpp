@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The native world, on both of its ways through a substep: from impact to impact, and by what overlaps at the
 // end.
-#include "Generators.h"
+#include "../bounds/Inputs.h"
+#include "Drawn.h"
 #include "Moved.h"
 #include "Properties.h"
 
@@ -52,21 +53,16 @@ CState Moved(CState state, const CMap& map) {
   return state;
 }
 
-Vector2 InSquare(float half) {
-  const float x = *Between(-half, half), y = *Between(-half, half);
-  return {x, y};
-}
-
 // Shapes that can be turned and mirrored bit for bit: no arcs, and segments that fall from left to right if
 // `falling`.
 CAnyShapeDesc AnyShape(const Vector2& p, float size, bool falling) {
-  const float e = *Between(0.5f, 1.0f);
-  switch (*rc::gen::inRange(0, 3)) {
+  const float e = g_cDrawn.Uniform(0.5f, 1.0f);
+  switch (g_cDrawn.Below(3)) {
   case 0: return CPointDesc(p, e);
-  case 1: return CCircleDesc(p, *Between(0.05f, 0.5f) * size, e);
+  case 1: return CCircleDesc(p, g_cDrawn.Uniform(0.05f, 0.5f) * size, e);
   default: {
-    const float x = *Between(0.05f, 0.5f), y = *Between(0.05f, 0.5f);
-    const bool falls = falling || *rc::gen::arbitrary<bool>();
+    const float x = g_cDrawn.Uniform(0.05f, 0.5f), y = g_cDrawn.Uniform(0.05f, 0.5f);
+    const bool falls = falling || g_cDrawn.Coin();
     const Vector2 half = size * Vector2(x, falls ? -y : y);
     return CLineSegDesc(p - half, p + half, e);
   }
@@ -76,23 +72,23 @@ CAnyShapeDesc AnyShape(const Vector2& p, float size, bool falling) {
 // Balls and shapes of about 1 in a square of 8, in each other's way.
 CScene Crowd(bool falling) {
   CScene scene;
-  for (int k = *rc::gen::inRange(1, 8); k > 0; --k)
-    scene.m_stdShapes.push_back(AnyShape(InSquare(4.0f), 3.0f, falling));
-  for (int k = *rc::gen::inRange(1, 6); k > 0; --k) {
-    const Vector2 p = InSquare(4.0f), v = *Way(*Scale(4));
-    const float r = *Between(0.05f, 0.5f), m = *Scale(3);
-    scene.m_stdBalls.emplace_back(p, r, v, m, *Between(0.5f, 1.0f));
+  for (std::uint32_t k = 1 + g_cDrawn.Below(7); k > 0; --k)
+    scene.m_stdShapes.push_back(AnyShape(g_cDrawn.InSquare(4.0f), 3.0f, falling));
+  for (std::uint32_t k = 1 + g_cDrawn.Below(5); k > 0; --k) {
+    const Vector2 p = g_cDrawn.InSquare(4.0f), v = Bounds::AnyWay(g_cDrawn, g_cDrawn.Scale(-4, 4));
+    const float r = g_cDrawn.Uniform(0.05f, 0.5f), m = g_cDrawn.Scale(-3, 3);
+    scene.m_stdBalls.emplace_back(p, r, v, m, g_cDrawn.Uniform(0.5f, 1.0f));
   }
-  scene.m_vGravity = *rc::gen::arbitrary<bool>() ? Vector2(Vector2::Zero()) : *Way(9.81f);
+  scene.m_vGravity = g_cDrawn.Coin() ? Vector2(Vector2::Zero()) : Bounds::AnyWay(g_cDrawn, 9.81f);
   return scene;
 }
 
 // One shape in four moves, and turns if it `turns`.
 CScene Driven(CScene scene, bool turns) {
   for (CAnyShapeDesc& shape : scene.m_stdShapes) {
-    if (*rc::gen::inRange(0, 4) > 0) continue;
-    const float speed = turns ? *Between(-2.0f, 2.0f) : 0.0f;
-    const Vector2 center = InSquare(4.0f), v = InSquare(2.0f);
+    if (g_cDrawn.Below(4) > 0) continue;
+    const float speed = turns ? g_cDrawn.Uniform(-2.0f, 2.0f) : 0.0f;
+    const Vector2 center = g_cDrawn.InSquare(4.0f), v = g_cDrawn.InSquare(2.0f);
     std::visit(
         [&](auto& d) {
           d = Turning(d, speed, center);
@@ -106,10 +102,11 @@ CScene Driven(CScene scene, bool turns) {
 // With arcs, and shapes that turn.
 CScene TurningCrowd() {
   CScene scene = Crowd(false);
-  for (int k = *rc::gen::inRange(0, 3); k > 0; --k) {
-    const Vector2 p = InSquare(4.0f);
+  for (std::uint32_t k = g_cDrawn.Below(3); k > 0; --k) {
+    const Vector2 p = g_cDrawn.InSquare(4.0f);
     // No ends that are next to an axis: a power of two is not exact for denormals.
-    const float r = *Between(0.3f, 2.0f), a0 = *Between(0.1f, 6.2f), a1 = *Between(0.1f, 6.2f);
+    const float r = g_cDrawn.Uniform(0.3f, 2.0f), a0 = g_cDrawn.Uniform(0.1f, 6.2f),
+                a1 = g_cDrawn.Uniform(0.1f, 6.2f);
     scene.m_stdShapes.emplace_back(CArcDesc(p, r, a0, a1));
   }
   return Driven(scene, true);
@@ -130,7 +127,7 @@ TEST_P(WorldProperties, APowerOfTwoScalesTheBits) {
   ExpectHolds(false, true, 4000, [](bool pushed) {
     const CScene scene = TurningCrowd();
     CMap map;
-    map.m_fScale = std::ldexp(1.0f, *Whole(20));
+    map.m_fScale = std::ldexp(1.0f, g_cDrawn.Whole(-20, 20));
     const CScene scaled = Moved(scene, map);
     RC_ASSERT(Play(pushed ? Pushed(scaled) : scaled, GetParam()) ==
               Moved(Play(pushed ? Pushed(scene) : scene, GetParam()), map));
@@ -157,7 +154,7 @@ TEST_P(WorldProperties, AQuarterTurnAndAMirrorKeepTheBits) {
 TEST_P(WorldProperties, AMoveMovesTheGame) {
   ExpectHolds(false, true, 4000, [](bool slanted) {
     const auto grid = [](int most, float unit) {
-      const int x = *Whole(most), y = *Whole(most);
+      const int x = g_cDrawn.Whole(-most, most), y = g_cDrawn.Whole(-most, most);
       return Vector2(unit * Vector2(static_cast<float>(x), static_cast<float>(y)));
     };
     CScene scene;
@@ -189,9 +186,9 @@ CScene Apart(float cell) {
     for (int y = -1; y <= 1; ++y)
       scene.m_stdShapes.push_back(
           AnyShape(cell * Vector2(static_cast<float>(x), static_cast<float>(y)), 2.0f, false));
-  for (int k = *rc::gen::inRange(1, 6); k > 0; --k) {
-    const Vector2 p = InSquare(1.5f * cell), v = *Way(*Scale(4));
-    const float r = *Between(0.05f, 0.5f);
+  for (std::uint32_t k = 1 + g_cDrawn.Below(5); k > 0; --k) {
+    const Vector2 p = g_cDrawn.InSquare(1.5f * cell), v = Bounds::AnyWay(g_cDrawn, g_cDrawn.Scale(-4, 4));
+    const float r = g_cDrawn.Uniform(0.05f, 0.5f);
     scene.m_stdBalls.emplace_back(p, r, v, 1.0f, 0.9f);
   }
   return scene;
@@ -199,7 +196,7 @@ CScene Apart(float cell) {
 
 std::vector<CAnyShapeDesc> Shuffled(std::vector<CAnyShapeDesc> shapes) {
   for (std::size_t k = shapes.size(); k > 1; --k)
-    std::swap(shapes[k - 1], shapes[static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(k)))]);
+    std::swap(shapes[k - 1], shapes[g_cDrawn.Below(static_cast<std::uint32_t>(k))]);
   return shapes;
 }
 
@@ -242,7 +239,7 @@ TEST_P(WorldProperties, TheOrderOfPointsAmongWhatTheyGuardDoesNotMatter) {
       scene.m_stdShapes.clear();
       std::size_t g = 0, o = 0;
       while (g < guards.size() || o < others.size()) {
-        const bool guard = o == others.size() || (g < guards.size() && *rc::gen::arbitrary<bool>());
+        const bool guard = o == others.size() || (g < guards.size() && g_cDrawn.Coin());
         scene.m_stdShapes.push_back(guard ? guards[g++] : others[o++]);
       }
       RC_ASSERT(Play(scene, GetParam()) == state);

@@ -11,13 +11,6 @@ namespace {
 
 CCircle Circle(const Vector2& p, float r) { return CCircle(CCircleDesc(p, r)); }
 
-TEST(Circle, IsWhatItsDescriptorSays) {
-  const CCircle circle = Circle({1.0f, 2.0f}, 3.0f);
-  EXPECT_EQ(circle.GetRadius(), 3.0f);
-  EXPECT_EQ(circle.GetAABB().GetTopLeft(), Vector2(-2.0f, 5.0f));
-  EXPECT_EQ(circle.GetAABB().GetBottomRt(), Vector2(4.0f, -1.0f));
-}
-
 TEST(Circle, PointsOfThePerimeterAreNotInside) {
   const CCircle circle = Circle({0.0f, 0.0f}, 5.0f);
   EXPECT_FALSE(circle.PtInCircle({3.0f, 4.0f}));

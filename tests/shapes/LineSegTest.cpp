@@ -28,30 +28,6 @@ TEST(Line, ParallelLinesHaveNoIntersection) {
   EXPECT_EQ(CLine({1.0f, 0.0f}, 0.0f).Intersect(CLine({1.0f, 3.0f}, -0.0f)), Vector2(g_fInf, g_fInf));
 }
 
-TEST(LineSeg, OfEqualXTheLowerEndIsFirst) {
-  const CLineSegDesc desc({1.0f, 5.0f}, {1.0f, -2.0f});
-  EXPECT_EQ(desc.GetEndPt0(), Vector2(1.0f, -2.0f));
-  EXPECT_EQ(desc.GetEndPt1(), Vector2(1.0f, 5.0f));
-  EXPECT_EQ(desc.GetNormal(), Vector2(-1.0f, 0.0f));
-  EXPECT_EQ(desc.GetGradient(), std::numeric_limits<float>::infinity());
-  Vector2 p0, p1;
-  CLineSeg(desc).GetEndPts(p0, p1);
-  EXPECT_EQ(p0, desc.GetEndPt0());
-  EXPECT_EQ(p1, desc.GetEndPt1());
-}
-
-TEST(LineSeg, DescriptorKeepsEndsAndPositionTogether) {
-  CLineSegDesc desc;
-  desc.SetEndPts({4.0f, 2.0f}, {0.0f, 0.0f});
-  Vector2 p0, p1;
-  desc.GetEndPts(p0, p1);
-  EXPECT_EQ(p0, Vector2(0.0f, 0.0f));
-  EXPECT_EQ(p1, Vector2(4.0f, 2.0f));
-  EXPECT_EQ(desc.m_vPos, Vector2(2.0f, 1.0f));
-  EXPECT_FLOAT_EQ(desc.GetGradient(), 0.5f);
-  EXPECT_LE((desc.GetNormal() - Vector2(-1.0f, 2.0f) / std::sqrt(5.0f)).norm(), 2 * g_fUlp);
-}
-
 TEST(LineSeg, OneWithoutLengthActsAsAPoint) {
   const CLineSeg seg(CLineSegDesc({1.0f, 1.0f}, {1.0f, 1.0f}));
   Vector2 t0, t1;
@@ -81,31 +57,6 @@ TEST(LineSeg, SetPosTakesTheEndsAlong) {
   EXPECT_EQ(seg.GetAABB().GetBottomRt(), Vector2(12.0f, 9.0f));
   const Vector2 closest = seg.ClosestPt({10.0f, 10.0f}); // the line went along
   EXPECT_LE((closest - Vector2(10.0f, 10.0f)).norm(), 8 * g_fUlp * 20);
-}
-
-TEST(KinematicLineSeg, NormalAndClosestPointAreContinuousThroughTheVertical) {
-  CKinematicLineSeg seg(CLineSegDesc({-1.0f, 0.0f}, {1.0f, 0.0f}));
-  const Vector2 q(0.7f, 0.4f);
-  constexpr int n = 20000;
-  constexpr double step = 4 * 3.14159265358979323846 / n;
-  bool flipped = false;
-  seg.Rotate({0.0f, 0.0f}, 0.0f);
-  Vector2 normal = seg.GetNormal(), closest = seg.ClosestPt(q), t0, t1;
-  seg.GetTangents(t0, t1);
-  for (int i = 1; i <= n; ++i) {
-    seg.Rotate({0.0f, 0.0f}, static_cast<float>(i * step));
-    Vector2 s0, s1;
-    seg.GetTangents(s0, s1);
-    flipped |= (s0 - t0).norm() > 1.0f;
-    t0 = s0;
-    EXPECT_LE((seg.GetNormal() - normal).norm(), step + 16 * g_fUlp) << i; // an angle of 12 has ulps of 8
-    // It slides along the segment by at most |q| and with it by at most |q| per radian.
-    EXPECT_LE((seg.ClosestPt(q) - closest).norm(), 2 * step + 16 * g_fUlp) << i;
-    EXPECT_LE(std::abs(seg.GetNormal().dot(s0)), 8 * g_fUlp) << i;
-    normal = seg.GetNormal();
-    closest = seg.ClosestPt(q);
-  }
-  EXPECT_TRUE(flipped); // the order of the ends did change on the way
 }
 
 TEST(LineSeg, HasTheSidesOfItsDescriptor) {

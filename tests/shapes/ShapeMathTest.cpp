@@ -46,14 +46,10 @@ TEST(ShapeMath, PerpTurnsCounterclockwiseAndIsExact) {
   });
 }
 
-TEST(ShapeMath, ZeroHasNoLengthAndTheFallbackAsItsDirection) {
+TEST(ShapeMath, ZeroHasNoLengthNothingAlongItAndTheFallbackAsItsDirection) {
   EXPECT_EQ(Length(Vector2::Zero()), 0.0f);
   EXPECT_EQ(Normalize(Vector2::Zero()), Vector2(0.0f, 1.0f));
   EXPECT_EQ(Normalize(Vector2(-0.0f, 0.0f), {1.0f, 0.0f}), Vector2(1.0f, 0.0f));
-}
-
-TEST(ShapeMath, ParallelComponentIsAlongTheOtherVector) {
-  EXPECT_EQ(ParallelComponent({3.0f, -4.0f}, {0.0f, 2.0f}), Vector2(0.0f, -4.0f));
   EXPECT_EQ(ParallelComponent({3.0f, -4.0f}, Vector2::Zero()), Vector2::Zero());
 }
 
