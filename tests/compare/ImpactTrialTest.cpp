@@ -15,12 +15,9 @@ constexpr double g_fRounding = 8 * 1.2e-7 / g_fRadius;
 
 // A ball that flies `normal` and `along` radii a step at and along the wall x = 0.
 CScene AtWall(double normal, double along, float e = 1.0f) {
-  CScene scene = MakeScene(5, 1, {CLineSegDesc({0, -4}, {0, 4}, e)});
-  const double perStep = g_fRadius / g_fStep;
-  AddBall(scene, {{-1, -0.5f},
-                  static_cast<float>(g_fRadius),
-                  {static_cast<float>(normal * perStep), static_cast<float>(along * perStep)}});
-  return scene;
+  const Vector2d v = g_fRadius / g_fStep * Vector2d(normal, along);
+  return MakeScene(5, 1, {CLineSegDesc({0, -4}, {0, 4}, e)},
+                   {CDynamicCircleDesc({-1, -0.5f}, static_cast<float>(g_fRadius), v.cast<float>())});
 }
 
 // The rest of the step after the impact, as a share.
@@ -226,10 +223,10 @@ TEST(ImpactEvaluatorTest, AResponseIsLateForTwoStepsAndMissingThen) {
   const float r = 0.5f, dt = 1.0f / 60;
   for (const auto& [steps, outcome] :
        {std::pair(1.98f, eOutcome::Late), std::pair(3.0001f, eOutcome::Missed)}) {
-    CScene scene = MakeScene(3, 0.2f, {CLineSegDesc({0, 0}, {2, 0})});
     const Vector2 v(0.1f / (steps * dt), -0.3f), impact(-0.1f, std::sqrt(r * r - 0.01f));
-    AddBall(scene, {impact - 3.3f * dt * v, r, v});
-    const CImpactTrialResult result = Judge(scene, 50);
+    const CImpactTrialResult result = Judge(MakeScene(3, 0.2f, {CLineSegDesc({0, 0}, {2, 0})},
+                                                      {CDynamicCircleDesc(impact - 3.3f * dt * v, r, v)}),
+                                            50);
     ASSERT_EQ(result.m_stdContacts.size(), 50u);
     for (const CContact& contact : result.m_stdContacts) {
       EXPECT_EQ(contact.m_ePair, ePair::SegmentEnd);
