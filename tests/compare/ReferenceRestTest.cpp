@@ -58,15 +58,6 @@ TEST(ReferenceRest, WhatDoesNotCollideIsPassed) {
   }
 }
 
-TEST(ReferenceRest, OverlapIsReportedAndLeavesThePlace) {
-  CExact reference = Make({Wall({-1, 0}, {1, 0})}, {CDynamicCircleDesc({0, .25f}, .5f, {0, -1})});
-  const CEvents events = Carry(reference, 0.125);
-  ASSERT_EQ(events.size(), 1u);
-  EXPECT_TRUE(events[0].m_bOverlapped);
-  EXPECT_EQ(events[0].m_fDepth, .25);
-  EXPECT_EQ(reference.GetBall(0).m_vPos, CVec2d(0, .375));
-}
-
 TEST(ReferenceRest, PlacesAreExactAfterAHit) {
   // A ball without extent stays on its side of a slanted segment for ten thousand hits.
   const CVec2d along = CVec2d(2, .75).normalized(), n = Perp(along);

@@ -86,13 +86,13 @@ inline CPageDocuments ToDocuments(const CRunReport& report) {
   // In words of its own: that of one scene alone says the same as its verdict.
   if (!report.m_stdScenes.empty())
     documents.m_cRun["overall"]["result"] =
-        "Take native: 7.1 times as fast as Box2D. It loses 7 of 30,000 impacts (Box2D 50), and "
+        "Take native: 7.1 times as fast as Box2D. It loses 12 of 1,000 impacts (Box2D 6), and "
         "95% of its bounces are within 0.001 degrees of the exact direction (Box2D 12 degrees); "
-        "native-approximate is faster but loses 1 in 10.";
+        "native-approximate is faster but loses 1 in 4.9.";
   return documents;
 }
 
-/// One full scene of two engines for each name: work precision, heat map, bins, clips.
+/// One full scene for each name.
 inline CPageDocuments MakePageDocuments(const std::vector<std::string>& scenes) {
   return ToDocuments(MakeReport(scenes));
 }
