@@ -1,30 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "Played.h"
 
-#include "Random.h"
-
 namespace Shapes::Tests {
 
 using namespace Compare;
 
-CScene LoadBundled(const std::string& name) {
-  return LoadScene(std::string(SHAPES_SCENES_DIR) + "/" + name + ".json");
-}
-
 CScene MakeBoxOfBalls() {
-  constexpr float half = 7.0f, r = 0.25f;
-  CScene scene;
-  scene.m_sName = "box of balls";
-  scene.m_cBounds = CAabb2D(Vector2(-half, half), Vector2(half, -half));
-  scene.m_fDuration = 10.0f;
+  constexpr float half = 7.0f;
+  CScene scene = Compare::Tests::MakeScene(half, 10.0f);
   for (const float s : {-half, half}) {
-    scene.m_stdShapes.push_back({CLineSegDesc({-half, s}, {half, s}), "", std::nullopt, false});
-    scene.m_stdShapes.push_back({CLineSegDesc({s, -half}, {s, half}), "", std::nullopt, false});
+    Compare::Tests::AddShape(scene, CLineSegDesc({-half, s}, {half, s}));
+    Compare::Tests::AddShape(scene, CLineSegDesc({s, -half}, {s, half}));
   }
   CRandom random(1);
   for (int i = 0; i < 100; ++i) {
     const Vector2 p(1.25f * static_cast<float>(i % 10) - 5.625f, 1.25f * static_cast<float>(i / 10) - 5.625f);
-    scene.m_stdBalls.push_back({CDynamicCircleDesc(p, r, 2.5f * random.Direction()), {0, 0}, 0, 0});
+    Compare::Tests::AddBall(scene, {p, 0.25f, 2.5f * random.Direction()});
   }
   return scene;
 }

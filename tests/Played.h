@@ -3,15 +3,14 @@
 #pragma once
 
 #include "Hash.h"
-#include "scene/Trial.h"
+#include "compare/MadeScenes.h"
 
 #include <string>
 #include <vector>
 
 namespace Shapes::Tests {
 
-/// A scene of compare/scenes by its name.
-Compare::CScene LoadBundled(const std::string& name);
+using Compare::Tests::LoadBundled;
 
 /// A square box, no gravity, with 100 elastic balls that have a tenth of its area. A step is a sixth of the
 /// radius at the mean speed.

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 
 namespace Shapes::Compare::Tests {
@@ -31,6 +32,20 @@ private:
 
 protected:
   const std::filesystem::path& m_cFolder = m_cTemporary.GetPath();
+};
+
+/// A PATH for as long as this is.
+class CPathVariable {
+public:
+  explicit CPathVariable(const std::string& path) : m_sOld(std::getenv("PATH")) {
+    setenv("PATH", path.c_str(), 1);
+  }
+  ~CPathVariable() { setenv("PATH", m_sOld.c_str(), 1); }
+  CPathVariable(const CPathVariable&) = delete;
+  CPathVariable& operator=(const CPathVariable&) = delete;
+
+private:
+  std::string m_sOld;
 };
 
 struct CResult {

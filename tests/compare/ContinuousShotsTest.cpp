@@ -5,18 +5,11 @@
 #include "../../src/Tolerances.h"
 #include "../native/NativeTesting.h"
 #include "ReferenceTesting.h"
-#include "reference/Distance.h"
 
 #include <iostream>
 
 namespace Shapes::Compare {
 namespace {
-
-struct CShot {
-  CShapes m_stdShapes; // the target,
-  CBalls m_stdBalls;   // unless it is the second ball
-  Vector2 m_vGravity = Vector2::Zero();
-};
 
 enum class eTarget { Point, LineSeg, LineSegEnd, Circle, Ring, ArcOutside, ArcInside, ArcEnd, Ball };
 
@@ -61,7 +54,7 @@ CDynamicCircleDesc MakeBall(CRandom& random, const Vector2& poi, const Vector2& 
   return {poi + r * n - v * (part * g_fDt), r, v, random.Scale(-3, 3)};
 }
 
-CShot MakeShot(CRandom& random, const CCase& what) {
+CSceneDesc MakeShot(CRandom& random, const CCase& what) {
   const float r = random.Scale(-4, 0);
   const float ratio = std::exp(random.Uniform(std::log(0.01f), std::log(1e4f)));
   const Vector2 c = random.InSquare(2.0f);
@@ -104,7 +97,7 @@ CShot MakeShot(CRandom& random, const CCase& what) {
     n = RotatePt(u, Vector2::Zero(), random.Uniform(-2.0f, 0.0f)); // seen from before the end
     break;
   }
-  CShot shot;
+  CSceneDesc shot;
   shot.m_stdBalls = {MakeBall(random, poi, n, r, ratio * r)};
   if (isBall) {
     // Both move; the other one is on its way, too.
@@ -129,12 +122,13 @@ CShot MakeShot(CRandom& random, const CCase& what) {
         },
         target);
   if (moves.m_bFalls) {
-    shot.m_vGravity = random.VectorOfLength(0.0f, std::min(10.0f, ratio) * r / (g_fDt * g_fDt));
+    Vector2& g = shot.m_cWorld.m_vGravity;
+    g = random.VectorOfLength(0.0f, std::min(10.0f, ratio) * r / (g_fDt * g_fDt));
     // Two that fall together come to each other as they did; one comes about there, about then.
     const float back = random.Uniform(0.0f, 1.0f) * g_fDt;
     if (!isBall) {
-      ball.m_vVel -= shot.m_vGravity * back;
-      ball.m_vPos += shot.m_vGravity * (0.5f * back * back);
+      ball.m_vVel -= g * back;
+      ball.m_vPos += g * (0.5f * back * back);
     }
   }
   if (!isBall) shot.m_stdShapes = {target};
@@ -164,23 +158,13 @@ protected:
     return size + f.m_fRadius;
   }
 
-  // A ball that overlaps from the beginning is set back: that is no shot.
-  static bool BeginsWithOverlap(const CExact& exact) {
-    const CExactBall<double>& ball = exact.GetBall(0);
-    const double gap =
-        exact.GetBallCount() > 1
-            ? (exact.GetBall(1).m_vPos - ball.m_vPos).norm() - exact.GetBall(1).m_fRadius - ball.m_fRadius
-            : Distance(exact.GetGeometry(0), ball.m_vPos) - ball.m_fRadius;
-    return gap < 0.0;
-  }
-
   static CResult Shoot(const CEffectChoice& choice, int shots, std::uint64_t seed) {
     CRandom random(seed);
     CResult result;
     for (int i = 0; i < shots; ++i) {
-      const CShot shot = MakeShot(random, GetParam());
-      CExact exact = Make(shot.m_stdShapes, shot.m_stdBalls, shot.m_vGravity);
-      if (BeginsWithOverlap(exact)) continue;
+      const CSceneDesc shot = MakeShot(random, GetParam());
+      CExact exact = Make(shot.m_stdShapes, shot.m_stdBalls, shot.m_cWorld.m_vGravity);
+      if (GetGap(exact, 0) < 0) continue; // it would be set back: that is no shot
       CEvents events;
       try {
         exact.Step(g_fDt, events);
@@ -190,11 +174,8 @@ protected:
       }
 
       const auto pWorld = MakeNative(choice);
-      pWorld->SetGravity(shot.m_vGravity);
-      for (const CAnyShapeDesc& shape : shot.m_stdShapes)
-        pWorld->Add(shape);
-      for (const CDynamicCircleDesc& ball : shot.m_stdBalls)
-        pWorld->Add(ball);
+      pWorld->SetGravity(shot.m_cWorld.m_vGravity);
+      shot.AddTo(*pWorld);
       pWorld->Step();
       const auto contacts = pWorld->GetContacts();
       if (events.empty()) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Effects cost time, and change results; the instructions that they take are counted by another program.
 #include "metrics/Effects.h"
+#include "CommandCalls.h"
 #include "MadeScenes.h"
-#include "app/Child.h"
 #include "metrics/Instructions.h"
 
 #include <chrono>
@@ -32,34 +32,6 @@ const CEffectCost& Get(const CEffectCosts& costs, eEffect e) {
 
 std::size_t Lost(const CEffectWorld& world) { return world.m_cTotals.GetTunneled(); }
 
-TEST(EffectsTest, NativeAndBox2DAsItShipsAreMeasuredWithEachEffect) {
-  std::size_t calls = 0;
-  double last = 0.0;
-  CEffectOptions options = MakeEffectOptions();
-  options.m_nBallSteps = 50;
-  options.m_stdProgress = [&](double done) {
-    ++calls;
-    EXPECT_GE(done, 0.0);
-    EXPECT_LE(done, 1.0);
-    last = done;
-  };
-  const CEffectCosts costs = MeasureEffects(LoadBundled("bowl"), GetEngines(), options);
-  ASSERT_EQ(costs.m_stdCosts.size(), 12u);
-  EXPECT_GT(calls, g_nEffectsContacts / 2);
-  EXPECT_GT(last, 0.5);
-  for (std::size_t i = 0; i < 12; ++i) {
-    const CEffectCost& cost = costs.m_stdCosts[i];
-    EXPECT_EQ(cost.m_sEngine, i < 6 ? "native" : "box2d");
-    EXPECT_EQ(cost.m_eEffect, g_stdEffects[i % 6]);
-    EXPECT_FALSE(cost.m_sWhy.empty());
-    EXPECT_GT(cost.m_cWith.m_cCost.m_cNsPerBallStep.m_fMedian, 0.0);
-    EXPECT_GT(cost.m_cWithout.m_cCost.m_cNsPerBallStep.m_fMedian, 0.0);
-    EXPECT_FALSE(cost.m_cWith.m_fInstructions.has_value());
-  }
-  EXPECT_EQ(costs.m_sNotCounted, "only a full run does");
-  EXPECT_TRUE(Measure(LoadBundled("bowl"), "box2d-tuned").m_stdCosts.empty());
-}
-
 TEST(EffectsTest, WhatAsceneCallsForIsKnownWithTheReason) {
   const CEffectCosts costs = Measure(LoadBundled("pinball"));
   for (const eEffect e : {eEffect::Gravity, eEffect::BallPairs, eEffect::Sensors, eEffect::Events})
@@ -77,6 +49,7 @@ TEST(EffectsTest, WhatAsceneCallsForIsKnownWithTheReason) {
     EXPECT_FALSE(Get(none, e).IsCalledFor());
   }
   EXPECT_EQ(Get(none, eEffect::BallPairs).m_sWhy, "1 solid ball");
+  EXPECT_TRUE(Measure(LoadBundled("corner"), "box2d-tuned").m_stdCosts.empty());
 }
 
 TEST(EffectsTest, WhatIsNotCalledForChangesNothingAndWhatIsDoes) {
@@ -128,20 +101,6 @@ CEngine MakeAutomatic(std::size_t e) {
   engine.m_cEffects = g_cAutomatic;
   return engine;
 }
-
-// A PATH for as long as this is.
-class CPathVariable {
-public:
-  explicit CPathVariable(const std::string& path) : m_sOld(std::getenv("PATH")) {
-    setenv("PATH", path.c_str(), 1);
-  }
-  ~CPathVariable() { setenv("PATH", m_sOld.c_str(), 1); }
-  CPathVariable(const CPathVariable&) = delete;
-  CPathVariable& operator=(const CPathVariable&) = delete;
-
-private:
-  std::string m_sOld;
-};
 
 #ifdef SHAPES_SANITIZED
 constexpr bool g_bHasSanitizer = true;

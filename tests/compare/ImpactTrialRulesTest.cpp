@@ -130,11 +130,9 @@ TEST(ImpactTrialRulesTest, ASlowImpactThatIsNotAnsweredIsMissed) {
 // A bar sweeps through a box in which a ball has nowhere to go: nobody can say what happens, so it is said
 // where it was.
 TEST(ImpactTrialRulesTest, WhatTheReferenceGivesUpIsReported) {
-  CScene scene = MakeScene(2, 2);
-  for (const CLineSegDesc& wall : Walls({0, 0}, {0.25f, 0.25f}))
-    AddShape(scene, wall);
-  AddShape(scene, Turning(CLineSegDesc({0, 0}, {1, 0}), 1));
-  AddBall(scene, {{0.12f, 0.13f}, 0.1f, {0.1f, 0}});
+  const auto [floor, right, top, left] = Walls({0, 0}, {0.25f, 0.25f});
+  CScene scene = MakeScene(2, 2, {floor, right, top, left, Turning(CLineSegDesc({0, 0}, {1, 0}), 1)},
+                           {CDynamicCircleDesc({0.12f, 0.13f}, 0.1f, {0.1f, 0})});
   const CImpactTrialResult result = Judge(scene, 100000, 3);
   const CExcluded& aside = result.m_cExcluded;
   EXPECT_EQ(result.m_nTrials, 3u);
@@ -147,10 +145,9 @@ TEST(ImpactTrialRulesTest, WhatTheReferenceGivesUpIsReported) {
 
 // An impact that one engine cannot hold is judged on none.
 TEST(ImpactTrialRulesTest, WhatAnEngineRefusesIsReportedAndNotJudged) {
-  CScene scene = MakeScene(1, 1e-7f);
+  CScene scene = MakeScene(1, 1e-7f, {CLineSegDesc({0, -1}, {0, 1})},
+                           {CDynamicCircleDesc({-0.5f, 0}, 0.1f, {4e9f, 0})}); // Box2D takes 1e9
   scene.m_cWorld.m_fTimeStep = 1e-11f;
-  AddShape(scene, CLineSegDesc({0, -1}, {0, 1}));
-  AddBall(scene, {{-0.5f, 0}, 0.1f, {4e9f, 0}}); // Box2D takes 1e9
   const CImpactTrialResult result = Judge(scene, 10, 5);
   EXPECT_TRUE(result.m_stdContacts.empty());
   EXPECT_EQ(result.m_cExcluded.m_nUndecided, 5u);
@@ -227,15 +224,13 @@ TEST(ImpactTrialRulesTest, ApartIsTheDistanceOfTwoBackends) {
 // A ball that flies to and fro between two walls, 5 millimetres above a floor of `pieces` segments that are
 // joined in a line.
 CScene OverFloor(int pieces, float height) {
-  CScene scene = MakeScene(4, 10);
+  CScene scene = MakeScene(4, 10, {CLineSegDesc({-2, 0.05f}, {-2, 1}), CLineSegDesc({2, 0.05f}, {2, 1})},
+                           {CDynamicCircleDesc({0, height}, 0.1f, {3, 0})});
   const float width = 4.0f / static_cast<float>(pieces);
   for (int i = 0; i < pieces; ++i) {
     const float x = -2.0f + width * static_cast<float>(i);
     AddShape(scene, CLineSegDesc({x, 0}, {x + width, 0}));
   }
-  AddShape(scene, CLineSegDesc({-2, 0.05f}, {-2, 1}));
-  AddShape(scene, CLineSegDesc({2, 0.05f}, {2, 1}));
-  AddBall(scene, {{0, height}, 0.1f, {3, 0}});
   return scene;
 }
 

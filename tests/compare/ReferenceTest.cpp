@@ -85,25 +85,6 @@ TEST(ReferenceGravity, RoundingToFloatsRounds) {
   EXPECT_NE(AsFloats({third, third}).x(), third);
 }
 
-// With gravity over a piece of every kind, and without it in a box.
-TEST(ReferenceGravity, WayDoesNotDependOnTheSteps) {
-  for (const CExact& start :
-       {Make({Wall({-2, -2}, {2, -1.5f}, .8f), Wall({2, -2}, {2, 2}), Wall({-2, -2}, {-2, 2}),
-              CArcDesc({0, -1.5f}, .5f, 0, 3, .9f), CCircleDesc({-1, .5f}, .25f), CPointDesc({1, 0})},
-             {CDynamicCircleDesc({-1, 1.5f}, .125f, {1, 0}),
-              CDynamicCircleDesc({1, 1}, .25f, {-.5f, .25f}, 2)},
-             g_vPull),
-        Make(Box(1),
-             {CDynamicCircleDesc({.1f, .2f}, .2f, {1.4f, 2.2f}), CDynamicCircleDesc({-.5f, 0}, .3f)})}) {
-    CExact one = start, many = start;
-    const std::size_t hits = Carry(one, 1.5).size();
-    EXPECT_GE(hits, 4u);
-    EXPECT_EQ(Carry(many, 1.5 / 1000, 1000).size(), hits);
-    for (std::size_t i = 0; i < 2; ++i)
-      EXPECT_NEAR((one.GetBall(i).m_vPos - many.GetBall(i).m_vPos).norm(), 0, 1e-9);
-  }
-}
-
 // Never in, never out by more than the float that its place was rounded to and the hop that this allows: it
 // falls from one rounding, and bounces no higher. From exact places it rests at once and stays.
 TEST(ReferenceGravity, RestsOnAFloorFromExactAndFromRoundedPlaces) {
@@ -142,21 +123,6 @@ TEST(ReferenceGravity, RestsOnAFloorFromExactAndFromRoundedPlaces) {
           EXPECT_LE(reference.GetBall(0).m_vVel.norm(), 1e-12);
         }
       }
-}
-
-TEST(ReferenceGravity, OnASlopeItAcceleratesBySineAcrossAJointToo) {
-  const CVec2d along(.8, -.6), n(.6, .8);
-  for (const bool joined : {false, true})
-    for (const int steps : {1, 64}) { // whichever way two seconds are cut
-      CExact reference = MakeOne(joined ? CShapes{Wall({0, 0}, {4, -3}, .5f), Wall({4, -3}, {40, -30}, .5f)}
-                                        : CShapes{Wall({0, 0}, {40, -30}, .5f)},
-                                 .25f, 2 * along + .25 * n, {0, 0}, g_vPull);
-      EXPECT_TRUE(Carry(reference, 2.0 / steps, steps).empty() || joined);
-      const CExactBall<double>& ball = reference.GetBall(0);
-      EXPECT_NEAR((ball.m_vVel - 2 * .6 * g_fPull * along).norm(), 0, 1e-13);
-      EXPECT_NEAR((ball.m_vPos - (2 + .5 * .6 * g_fPull * 4) * along - .25 * n).norm(), 0, 1e-12);
-      EXPECT_TRUE(reference.GetSlideCount() == 0 || joined);
-    }
 }
 
 // Over a joint. Fast enough it flies off at the end at once: v^2 > g r. Slower it goes round the end first.

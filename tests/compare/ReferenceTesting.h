@@ -3,6 +3,7 @@
 // to sum up its balls.
 #pragma once
 
+#include "SweepOracle.h"
 #include "Testing.h"
 #include "reference/Reference.h"
 
@@ -42,12 +43,31 @@ inline CExact MakeOne(const CShapes& shapes, float r, const CVec2d& p, const CVe
   return reference;
 }
 
-/// `steps` steps of dt. The time of an event is that since its own step began.
+/// The gap between a ball and what is next to it, a shape or another ball; negative if they overlap.
+inline double GetGap(const CExact& reference, std::size_t ball) {
+  const CExactBall<double>& b = reference.GetBall(ball);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < reference.GetShapeCount(); ++k) {
+    const Tests::CSweepOracle oracle(reference.GetGeometry(k), {}, {b.m_vPos, {0, 0}, b.m_fRadius}, 0);
+    least = std::min(least, static_cast<double>(oracle.Gap(0)));
+  }
+  for (std::size_t j = 0; j < reference.GetBallCount(); ++j)
+    if (j != ball)
+      least = std::min(least, (b.m_vPos - reference.GetBall(j).m_vPos).norm() - b.m_fRadius -
+                                  reference.GetBall(j).m_fRadius);
+  return least;
+}
+
+/// `steps` steps of dt. The time of an event is that since the first of them began.
 template <class T>
 inline CEventsOf<T> Carry(CReference<T>& reference, double dt, int steps = 1) {
   CEventsOf<T> events;
-  for (int i = 0; i < steps; ++i)
+  for (int i = 0; i < steps; ++i) {
+    const std::size_t before = events.size();
     reference.Step(T(dt), events);
+    for (std::size_t k = before; k < events.size(); ++k)
+      events[k].m_fTime += T(i) * T(dt);
+  }
   return events;
 }
 

@@ -167,7 +167,7 @@ TEST(HtmlTest, HoldsTheDocumentsWhateverIsInThem) {
   }
 }
 
-TEST(HtmlTest, EveryPartIsThereAndEndsWhereItShould) {
+TEST(HtmlTest, EveryPartAndColourIsThereAndEndsWhereItShould) {
   const std::string page = MakeHtml("{}", "{}", "{}");
   EXPECT_EQ(Count(page, "{{"), 0u);
   EXPECT_EQ(Count(page, "<script"), Count(page, "</script>"));
@@ -177,11 +177,7 @@ TEST(HtmlTest, EveryPartIsThereAndEndsWhereItShould) {
   EXPECT_TRUE(Says(page, "default-src 'none'"));
   for (const char* pOutside : {"src=\"", "url(", "@import", "<link rel=\"stylesheet\""})
     EXPECT_EQ(Count(page, pOutside), 0u) << pOutside;
-}
-
-// The colours of the page are those of the table of engines, on white and on black.
-TEST(HtmlTest, EveryEngineHasItsColours) {
-  const std::string page = MakeHtml("{}", "{}", "{}");
+  // The colours of the table of engines, on white and on black.
   for (const CEngineRow& row : GetEngineRows())
     for (const char* pColour : {row.m_sColour, row.m_sDark})
       EXPECT_EQ(Count(page, std::string("--") + row.m_sName + ": " + pColour + ";"), 1u) << row.m_sName;

@@ -117,10 +117,7 @@ TEST(TableTest, FitsATerminalWhateverTheFiguresAndNames) {
     engine.m_cCost.m_cNsPerBallStep.m_fMedian = 12345678.0;
     engine.m_nGhosts = 800;
   }
-  for (const CEffectCost& cost : MakeSampleEffects().m_stdCosts) {
-    wild.m_cEffects.m_stdCosts.push_back(cost);
-    wild.m_cEffects.m_stdCosts.back().m_sEngine = g_sBox2D;
-  }
+  wild.m_cEffects = MakeSampleEffects({g_sNative, g_sBox2D});
   for (CEffectCost& cost : wild.m_cEffects.m_stdCosts)
     SetSampleTimes(cost.m_cWithout.m_cCost, 0.02, 1);
   report.m_stdScenes.push_back(wild);
@@ -173,14 +170,14 @@ TEST(EffectTableTest, ShowsWhatEachEffectCosts) {
   CRunReport report = MakeSampleReport();
   EXPECT_TRUE(
       Says(MakeEffectTable(report),
-           "spinner\n native              (+20%)       +50%      (+20%)   (+20%)      ~0        +10%\n"));
+           "spinner\n native               +15%       +450%      (+40%)    (+1%)    -10%        +30%\n"));
   EXPECT_TRUE(Says(MakeTable(report), MakeEffectTable(report))); // which FitsATerminal
-  SetSampleTimes(Get(report, eEffect::Kinematics).m_cWithout.m_cCost, 100.0 / 15, 1);
+  SetSampleTimes(Get(report, eEffect::Kinematics).m_cWithout.m_cCost, 10.0, 1);
   SetSampleTimes(Get(report, eEffect::Gravity).m_cWith.m_cCost, 99.8, 1);
   SetSampleTimes(Get(report, eEffect::Sensors).m_cWith.m_cCost, 98.0, 1);
   EXPECT_TRUE(
       Says(MakeEffectTable(report),
-           "spinner\n native                (~0)        x15      (+20%)    (-2%)      ~0        +10%\n"));
+           "spinner\n native                 ~0         x55      (+40%)    (-2%)    -10%        +30%\n"));
 }
 
 TEST(EffectTableTest, TellsWhatASavingCosts) {

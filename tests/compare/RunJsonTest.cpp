@@ -34,12 +34,46 @@ const json& SchemaJson() {
 // Where a document does not fit the schema; empty if it does.
 std::string FindFault(const json& doc) { return Tests::FindSchemaFaults(SchemaJson(), {doc}).front(); }
 
-TEST(RunJsonTest, ARealRunFitsTheSchema) {
+TEST(RunJsonTest, ARealRunMeasuresEverythingAndFitsTheSchema) {
+  constexpr std::size_t contacts = 40;
+  std::size_t checks = 0;
   CProgress progress(2, false);
-  const json doc = json::parse(MakeJson(RunScenes({LoadBundled("bowl"), LoadBundled("pinball")}, GetEngines(),
-                                                  g_cQuickSizes.ForContacts(40), 3, progress, [] {})));
+  const CRunReport report = RunScenes({LoadBundled("bowl"), LoadBundled("pinball")}, GetEngines(),
+                                      g_cQuickSizes.ForContacts(contacts), 3, progress, [&] { ++checks; });
+  EXPECT_FALSE(report.m_bInterrupted);
+  EXPECT_GT(checks, 100u);
+  ASSERT_EQ(report.m_stdScenes.size(), 2u);
+  for (const CSceneReport& scene : report.m_stdScenes) {
+    SCOPED_TRACE(scene.m_cScene.m_sName);
+    EXPECT_EQ(scene.m_cImpactTrials.m_stdContacts.size(), contacts);
+    EXPECT_GT(scene.m_cDifference.m_nCount, 0u);
+    EXPECT_EQ(scene.m_cWork.m_stdSettings.size(), GetParameterSweep().size() + 1);
+    EXPECT_FALSE(scene.m_cWork.m_stdRecommendations.empty());
+    EXPECT_EQ(scene.m_cHeatMap.m_stdCells.empty(), scene.m_cScene.m_stdBalls.size() != 1);
+    EXPECT_EQ(scene.m_stdClips.size(), 1 + GetEngineRows().size());
+    EXPECT_EQ(scene.m_cEffects.m_sNotCounted, "only a full run does");
+    ASSERT_EQ(scene.m_cEffects.m_stdCosts.size(), 12u);
+    for (std::size_t i = 0; i < 12; ++i) {
+      const CEffectCost& cost = scene.m_cEffects.m_stdCosts[i];
+      EXPECT_EQ(cost.m_sEngine, i < 6 ? "native" : "box2d");
+      EXPECT_EQ(cost.m_eEffect, g_stdEffects[i % 6]);
+      EXPECT_FALSE(cost.m_sWhy.empty());
+      for (const CEffectWorld* pWorld : {&cost.m_cWith, &cost.m_cWithout}) {
+        EXPECT_GT(pWorld->m_cCost.m_cNsPerBallStep.m_fMedian, 0.0);
+        EXPECT_FALSE(pWorld->m_fInstructions.has_value());
+      }
+    }
+    ASSERT_EQ(scene.m_stdEngines.size(), GetEngineRows().size());
+    for (const CEngineReport& engine : scene.m_stdEngines) {
+      EXPECT_EQ(engine.m_cTotals.m_nContacts, contacts);
+      EXPECT_FALSE(engine.m_stdBins.empty());
+      EXPECT_EQ(engine.m_cHistogram.m_stdSetbackError.size(), g_nHistogramBins);
+      EXPECT_GT(engine.m_cCost.m_cNsPerBallStep.m_fMedian, 0.0);
+      EXPECT_EQ(engine.m_cLongRun.m_nBounces > 0, scene.m_cScene.m_sName == "bowl"); // which keeps something
+    }
+  }
+  const json doc = json::parse(MakeJson(report));
   EXPECT_EQ(FindFault(doc), "");
-  ASSERT_EQ(doc.at("scenes").size(), 2u);
   EXPECT_EQ(doc.at("/scenes/1/engines/2/settings/velocity_iterations"_json_pointer), 8);
 }
 
@@ -64,10 +98,15 @@ TEST(RunJsonTest, WithoutTwoBackendsNothingIsApart) {
   }
 }
 
-TEST(RunJsonTest, FiguresAreWhereTheyBelong) {
+TEST(RunJsonTest, FiguresAreWhereTheyBelongAndNullWhereNoneWasMeasured) {
   CRunReport report = MakeSampleReport();
   report.m_stdScenes.push_back(MakeUndecidedScene());
+  report.m_stdScenes[0].m_cWork.m_stdSettings[0].m_fDirectionErrorP95 = {};
+  CEngineReport& wild = report.m_stdScenes[0].m_stdEngines[3];
+  wild.m_cLongRun.m_fEnergyDrift = std::numeric_limits<double>::quiet_NaN();
+  wild.m_cTotals["penetration"].m_fMax = std::numeric_limits<double>::infinity();
   const json doc = json::parse(MakeJson(report));
+  EXPECT_EQ(FindFault(doc), "");
   const auto at = [&](const std::string& path) { return doc.at(json::json_pointer(path)); };
   const std::pair<const char*, const char*> expected[] = {
       {"", R"({"version": 5, "seed": 5, "contacts_per_scene": 1000})"},
@@ -85,14 +124,20 @@ TEST(RunJsonTest, FiguresAreWhereTheyBelong) {
       {"/scenes/0/engines/1/tunneled", R"({"rate": 0.203})"},
       {"/scenes/0/engines/1/settings", R"({"forbidden": ["continuous"]})"},
       {"/scenes/0/engines/2/settings", R"({"profile": "shipped"})"},
-      {"/scenes/0/engines/3", R"({"features": ["kinematics", "continuous"], "grade": "good"})"},
+      {"/scenes/0/engines/3", R"({"features": ["kinematics", "continuous"], "grade": "good",
+          "energy_drift": null})"},
+      {"/scenes/0/engines/3/penetration", R"({"max": null})"},
       {"/scenes/0/engines/3/settings", R"({"forced": [], "profile": "tuned"})"},
-      {"/scenes/0/answers/0", R"({"without": ["native"]})"},
-      {"/scenes/0/answers/0/choices/0", R"({"engine": "box2d"})"},
-      {"/scenes/0/answers/0/choices/1", R"({"ns_ratio": 1.0})"},
-      {"/scenes/0/answers/1/closest", R"({"direction_error_p95": 0.02})"},
-      {"/scenes/0/heat_map/cells/0", R"({"tunneled": [1, 3, 2, 0]})"},
+      {"/scenes/0/answers/0", R"({"without": ["native-approximate"]})"},
+      {"/scenes/0/answers/0/choices/0", R"({"engine": "native", "ns_ratio": 1.0})"},
+      {"/scenes/0/answers/0/choices/1", R"({"engine": "box2d"})"},
+      {"/scenes/0/answers/1/closest", R"({"direction_error_p95": 0.002})"},
+      {"/scenes/0/heat_map/cells/1", R"({"tunneled": [0, 1200, 0, 86]})"},
       {"/scenes/1", R"({"take": null})"},
+      {"/scenes/1/set_aside", R"({"undecided": 40})"},
+      {"/scenes/1/engines/0", R"({"ns_per_contact": null, "energy_drift": null,
+          "tunneled": {"count": 0, "rate": null, "low": 0.0, "high": 1.0},
+          "setback_error": {"count": 0, "median": null, "p95": null, "max": null}})"},
       {"/engines/1", R"({"name": "native-approximate"})"},
       {"/overall", R"({"impacts": 1000, "scenes": 1, "take": "box2d-tuned"})"},
       {"/overall/engines/1", R"({"direction_error_p95": 2.0})"},
@@ -100,13 +145,13 @@ TEST(RunJsonTest, FiguresAreWhereTheyBelong) {
       {"/overall/engines/2", R"({"direction_error_p95": null})"},
       {"/work_precision/0", R"({"direction_error_p95": null})"},
       {"/work_precision/0/tunneled_rate", R"({"rate": 0.2})"},
-      {"/work_precision/2/settings", R"({"profile": "tuned"})"},
-      {"/work_precision/3", R"({"engine": "exact", "settings": {}})"},
-      {"/work_precision/4", R"({"scene": "hopeless"})"},
-      {"/effects/1", R"({"scene": "spinner", "engine": "native", "effect": "kinematics", "runs": 0.25,
-          "why": "3 shapes rotate"})"},
-      {"/effects/1/with", R"({"instructions_per_ball_step": 1000})"},
-      {"/effects/1/without", R"({"instructions_per_ball_step": 700})"},
+      {"/work_precision/12/settings", R"({"profile": "tuned"})"},
+      {"/work_precision/16", R"({"engine": "exact", "settings": {}})"},
+      {"/work_precision/17", R"({"scene": "hopeless"})"},
+      {"/effects/1", R"({"scene": "spinner", "engine": "native", "effect": "kinematics", "runs": 0.35,
+          "why": "it moves 2 radii a substep, </script><b>1 < 2</b>"})"},
+      {"/effects/1/with", R"({"instructions_per_ball_step": 5500})"},
+      {"/effects/1/without", R"({"instructions_per_ball_step": 1000})"},
       {"/effects/2", R"({"effect": "ball_pairs"})"},
       {"/effects/4/without/tunneled", R"({"rate": null})"}, // nobody tells of impacts
       {"/effects/4/with/touches_missed", R"({"rate": null})"},
@@ -118,37 +163,18 @@ TEST(RunJsonTest, FiguresAreWhereTheyBelong) {
     for (const auto& field : fields.items())
       EXPECT_EQ(at(pPath).at(field.key()), field.value()) << pPath << "/" << field.key();
   }
+  EXPECT_EQ(at("/scenes/1/set_aside/first_undecided"), "trial 0, step 2: ball 0 is jammed at (1, 2)");
   EXPECT_EQ(at("/histogram_edges/0"), 1e-6);
   EXPECT_EQ(at("/histogram_edges/24"), 1.0);
   EXPECT_EQ(at("/scenes/0/engines/0/setback_error_histogram/31"), 28);
   EXPECT_NEAR(at("/scenes/0/engines/1/tunneled/low").get<double>(), 0.179, 5e-4);
   EXPECT_NEAR(at("/overall/engines/0/ns_box2d_ratio").get<double>(), 500.0 / 70.0, 0.2);
-  EXPECT_NEAR(at("/effects/1/ns_ratio").get<double>(), 1.5, 1e-9);
+  EXPECT_NEAR(at("/scenes/0/answers/0/choices/1/ns_ratio").get<double>(), 15.0, 1e-9);
+  EXPECT_NEAR(at("/effects/1/ns_ratio").get<double>(), 5.5, 1e-9);
   EXPECT_FALSE(at("/scenes/0/engines/0/settings").contains("profile")); // native has none
   EXPECT_EQ(at("/figures").size(), GetFigures().size());
   for (const auto& figure : at("/figures"))
     EXPECT_TRUE(at("/scenes/0/engines/0").contains(figure.at("key").get<std::string>())) << figure;
-}
-
-TEST(RunJsonTest, WhatWasNotMeasuredOrIsNotFiniteIsNullAndNotZero) {
-  CRunReport report = MakeSampleReport();
-  report.m_stdScenes.insert(report.m_stdScenes.begin(), MakeUndecidedScene());
-  CEngineReport& wild = report.m_stdScenes[1].m_stdEngines[0];
-  wild.m_cLongRun.m_fEnergyDrift = std::numeric_limits<double>::quiet_NaN();
-  wild.m_cTotals["penetration"].m_fMax = std::numeric_limits<double>::infinity();
-  const json doc = json::parse(MakeJson(report));
-  EXPECT_EQ(FindFault(doc), "");
-  EXPECT_TRUE(doc.at("/scenes/1/engines/0/energy_drift"_json_pointer).is_null());
-  EXPECT_TRUE(doc.at("/scenes/1/engines/0/penetration/max"_json_pointer).is_null());
-  const json& scene = doc.at("scenes")[0];
-  EXPECT_EQ(scene.at("set_aside").at("undecided"), 40);
-  EXPECT_EQ(scene.at("set_aside").at("first_undecided"), "trial 0, step 2: ball 0 is jammed at (1, 2)");
-  const json& engine = scene.at("engines")[0];
-  EXPECT_EQ(engine.at("tunneled"), json::parse(R"({"count": 0, "rate": null, "low": 0.0, "high": 1.0})"));
-  EXPECT_EQ(engine.at("setback_error"),
-            json::parse(R"({"count": 0, "median": null, "p95": null, "max": null})"));
-  for (const char* pKey : {"ns_per_contact", "energy_drift"})
-    EXPECT_TRUE(engine.at(pKey).is_null()) << pKey;
 }
 
 // The control: every single field of the document matters to the schema.
@@ -162,31 +188,25 @@ TEST(RunJsonTest, AChangedDocumentIsRefused) {
     changes.push_back(what);
   };
   std::set<std::string> seen; // each kind of object once
-  const std::function<void(const json&, const json::json_pointer&)> visit =
-      [&](const json& value, const json::json_pointer& path) {
-        if (value.is_array())
-          for (std::size_t i = 0; i < value.size(); ++i)
-            visit(value[i], path / i);
-        if (!value.is_object()) return;
-        std::string kind;
-        for (const auto& field : value.items())
-          kind += field.key() + " ";
-        if (!seen.insert(kind).second) return;
-        json bad = good;
-        bad[path]["surplus"] = 1;
-        expectRefused(bad, (path / "surplus").to_string());
-        for (const auto& field : value.items()) {
-          const json::json_pointer here = path / field.key();
-          bad = good;
-          bad[path].erase(field.key());
-          expectRefused(bad, "without " + here.to_string());
-          bad = good;
-          bad[here] = field.value().is_boolean() ? json(1) : json(true);
-          expectRefused(bad, "of another type: " + here.to_string());
-          visit(field.value(), here);
-        }
-      };
-  visit(good, json::json_pointer());
+  Tests::VisitValues(good, [&](const json& value, const json::json_pointer& path) {
+    if (!value.is_object()) return;
+    std::string kind;
+    for (const auto& field : value.items())
+      kind += field.key() + (field.value().is_array() ? "[] " : " ");
+    if (!seen.insert(kind).second) return;
+    json bad = good;
+    bad[path]["surplus"] = 1;
+    expectRefused(bad, (path / "surplus").to_string());
+    for (const auto& field : value.items()) {
+      const json::json_pointer here = path / field.key();
+      bad = good;
+      bad[path].erase(field.key());
+      if (field.key() != "profile") expectRefused(bad, "without " + here.to_string()); // of Box2D only
+      bad = good;
+      bad[here] = field.value().is_boolean() ? json(1) : json(true);
+      expectRefused(bad, "of another type: " + here.to_string());
+    }
+  });
   EXPECT_GT(changes.size(), 200u);
 
   for (const auto& [pPath, value] :
@@ -204,27 +224,12 @@ TEST(RunJsonTest, AChangedDocumentIsRefused) {
     EXPECT_NE(faults[i], "") << changes[i];
 }
 
-void VisitObjects(const json& schema, const std::function<void(const json&)>& visit) {
-  if (schema.is_object() && schema.contains("properties")) visit(schema);
-  if (schema.is_structured())
-    for (const json& part : schema)
-      VisitObjects(part, visit);
-}
-
-TEST(RunJsonTest, TheSchemaAllowsNoOtherFieldAndRequiresEach) {
-  VisitObjects(SchemaJson(), [&](const json& object) {
-    EXPECT_EQ(object.at("additionalProperties"), false);
-    // The settings are those of one engine or the other.
-    const bool isSettings = object.at("properties").contains("substeps");
-    EXPECT_TRUE(isSettings || object.at("required").size() == object.at("properties").size()) << object;
-  });
-}
-
 // The names of fields that have no description, neither of their own nor of the definition that they refer
 // to.
 std::vector<std::string> FindUndescribed(const json& schema) {
   std::vector<std::string> undescribed;
-  VisitObjects(schema, [&](const json& object) {
+  Tests::VisitValues(schema, [&](const json& object, const json::json_pointer&) {
+    if (!object.is_object() || !object.contains("properties")) return;
     for (const auto& field : object.at("properties").items()) {
       const json& value = field.value();
       const std::string reference = value.value("$ref", "");

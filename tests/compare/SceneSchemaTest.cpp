@@ -32,22 +32,17 @@ std::vector<json> MakeChanges(const json& good) {
     changes.push_back(good);
     changes.back()[path] = value;
   };
-  const std::function<void(const json&, const CPath&)> visit = [&](const json& value, const CPath& path) {
+  VisitValues(good, [&](const json& value, const CPath& path) {
     for (const json& other : values)
       change(path, other);
-    if (value.is_object()) {
-      for (const auto& [name, other] : fields)
-        if (!value.contains(name)) change(path / name, other);
-      for (const auto& field : value.items()) {
-        changes.push_back(good);
-        changes.back()[path].erase(field.key());
-        visit(field.value(), path / field.key());
-      }
-    } else if (value.is_array())
-      for (std::size_t i = 0; i < value.size(); ++i)
-        visit(value[i], path / i);
-  };
-  visit(good, CPath());
+    if (!value.is_object()) return;
+    for (const auto& [name, other] : fields)
+      if (!value.contains(name)) change(path / name, other);
+    for (const auto& field : value.items()) {
+      changes.push_back(good);
+      changes.back()[path].erase(field.key());
+    }
+  });
   return changes;
 }
 

@@ -184,28 +184,19 @@ TEST(TotalsTest, DifferencesAreOfThoseThatBothDetected) {
   EXPECT_EQ(s.m_fMax, Rank(values, 1.0));
 }
 
-// Which bin each contact belongs to, said once more.
-std::string LabelOf(const std::string& by, const CContact& c) {
-  if (by == "pair") return GetName(c.m_ePair);
-  const double degrees = static_cast<double>(c.m_fIncidence) * 180 / 3.14159265358979323846;
-  const float r = c.m_fTravel, e = c.m_fElasticity;
-  if (by == "travel")
-    return r < 0.25f  ? "< 0.25 r"
-           : r < 0.5f ? "0.25 - 0.5 r"
-           : r < 1    ? "0.5 - 1 r"
-           : r < 2    ? "1 - 2 r"
-           : r < 4    ? "2 - 4 r"
-                      : ">= 4 r";
-  if (by == "incidence") {
-    const int low = static_cast<int>(degrees / 15) * 15;
-    return std::to_string(low) + " - " + std::to_string(low + 15) + " deg";
-  }
-  return e < 0.25f   ? "< 0.25"
-         : e < 0.5f  ? "0.25 - 0.5"
-         : e < 0.75f ? "0.5 - 0.75"
-         : e < 1     ? "0.75 - 1"
-         : e == 1    ? "1"
-                     : "> 1";
+// Whether a contact belongs to a bin, as its label says.
+bool IsIn(const CBin& bin, const CContact& c) {
+  if (bin.m_sBy == "pair") return bin.m_sLabel == GetName(c.m_ePair);
+  const double value = bin.m_sBy == "travel"      ? Wide(c.m_fTravel)
+                       : bin.m_sBy == "incidence" ? Wide(c.m_fIncidence) * 180 / std::numbers::pi
+                                                  : Wide(c.m_fElasticity);
+  const char* pLabel = bin.m_sLabel.c_str();
+  double low, high;
+  if (std::sscanf(pLabel, "%lf - %lf", &low, &high) == 2) return low <= value && value < high;
+  if (std::sscanf(pLabel, "< %lf", &high) == 1) return value < high;
+  if (std::sscanf(pLabel, ">= %lf", &low) == 1) return value >= low;
+  if (std::sscanf(pLabel, "> %lf", &low) == 1) return value > low;
+  return value == std::stod(bin.m_sLabel);
 }
 
 // Bins without contacts are left out.
@@ -217,20 +208,24 @@ TEST(TotalsTest, EveryContactIsInOneBinOfEachKind) {
   contacts[0].m_fTravel = 1; // an edge belongs to the bin above it
   contacts[0].m_fIncidence = 0;
   std::map<std::string, std::size_t> counts;
-  std::set<std::pair<std::string, std::string>> seen;
+  std::map<std::string, std::string> labels;
   for (const CBin& bin : MakeBins(contacts, 1)) {
     SCOPED_TRACE(bin.m_sBy + " " + bin.m_sLabel);
-    EXPECT_TRUE(seen.insert({bin.m_sBy, bin.m_sLabel}).second);
+    labels[bin.m_sBy] += bin.m_sLabel + ", ";
     counts[bin.m_sBy] += bin.m_cTotals.m_nContacts;
     std::vector<CContact> own;
     for (const CContact& c : contacts)
-      if (LabelOf(bin.m_sBy, c) == bin.m_sLabel) own.push_back(c);
+      if (IsIn(bin, c)) own.push_back(c);
     ASSERT_FALSE(own.empty());
     ExpectTotals(bin.m_cTotals, own, 1);
   }
   EXPECT_EQ(counts, (std::map<std::string, std::size_t>{
                         {"travel", 4000}, {"incidence", 4000}, {"pair", 4000}, {"elasticity", 4000}}));
-  EXPECT_EQ(seen.size(), 6u + 6 + 6 + 6);
+  EXPECT_EQ(labels["travel"], "< 0.25 r, 0.25 - 0.5 r, 0.5 - 1 r, 1 - 2 r, 2 - 4 r, >= 4 r, ");
+  EXPECT_EQ(labels["incidence"],
+            "0 - 15 deg, 15 - 30 deg, 30 - 45 deg, 45 - 60 deg, 60 - 75 deg, 75 - 90 deg, ");
+  EXPECT_EQ(labels["pair"], "point, segment, segment end, circle, arc end, ball, ");
+  EXPECT_EQ(labels["elasticity"], "< 0.25, 0.25 - 0.5, 0.5 - 0.75, 0.75 - 1, 1, > 1, ");
   EXPECT_TRUE(MakeBins({}, 0).empty());
 }
 

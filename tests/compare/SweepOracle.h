@@ -15,26 +15,24 @@ class CSweepOracle {
 public:
   CSweepOracle(const CShapeGeometry<double>& f, const CTurning<double>& turning,
                const CSweptBall<double>& ball, double tMax)
-      : m_cGeometry(f), m_cTurning(turning), m_cBall(ball), m_fTimeMax(tMax) {
+      : m_cGeometry(f.Cast<real>()),
+        m_vCenter(turning.m_vCenter.cast<real>()),
+        m_fTurn(turning.m_fSpeed),
+        m_vPos(ball.m_vPos.cast<real>()),
+        m_vVel(ball.m_vVel.cast<real>()),
+        m_vAcc(ball.m_vAcc.cast<real>()),
+        m_fRadius(ball.m_fRadius),
+        m_fTimeMax(tMax) {
     // The distance is searched relative to the shape: the ball's speed plus that of the frame at the ball.
-    const CVec<double> q = ball.m_vPos - turning.m_vCenter;
-    const real speed = Len(ball.m_vVel.x(), ball.m_vVel.y()) + Len(ball.m_vAcc.x(), ball.m_vAcc.y()) * tMax;
-    m_fSpeed = speed + std::abs(real(turning.m_fSpeed)) * (Len(q.x(), q.y()) + speed * tMax);
+    const real speed = m_vVel.norm() + m_vAcc.norm() * m_fTimeMax;
+    m_fSpeed = speed + std::abs(m_fTurn) * ((m_vPos - m_vCenter).norm() + speed * m_fTimeMax);
   }
 
   /// Gap between ball and shape at time t; negative if they overlap.
-  real Gap(real t) const {
-    real x, y;
-    Place(t, x, y);
-    return Distance(x, y) - real(m_cBall.m_fRadius);
-  }
+  real Gap(real t) const { return Distance(Place(t)) - m_fRadius; }
 
   /// How far the point p of the world is from the shape at time t.
-  real DistanceOf(const CVec<double>& p, real t) const {
-    real x = p.x(), y = p.y();
-    IntoFrame(t, x, y);
-    return Distance(x, y);
-  }
+  real DistanceOf(const CVec<double>& p, real t) const { return Distance(IntoFrame(t, p.cast<real>())); }
 
   /// The first time at which the gap falls to 0 with the centre on a solid side. The time is off by no more
   /// than 1e-17 of tMax (a few roundings of long double).
@@ -56,57 +54,47 @@ public:
   }
 
 private:
-  static real Len(real x, real y) { return std::sqrt(x * x + y * y); }
+  using CPoint = CVec<real>;
 
-  void IntoFrame(real t, real& x, real& y) const {
-    const real cx = m_cTurning.m_vCenter.x(), cy = m_cTurning.m_vCenter.y();
-    const real a = -real(m_cTurning.m_fSpeed) * t, c = std::cos(a), s = std::sin(a);
-    const real dx = x - cx, dy = y - cy;
-    x = cx + c * dx - s * dy;
-    y = cy + s * dx + c * dy;
+  CPoint IntoFrame(real t, const CPoint& p) const {
+    const CPoint d = p - m_vCenter;
+    const real a = -m_fTurn * t, c = std::cos(a), s = std::sin(a);
+    return m_vCenter + CPoint(c * d.x() - s * d.y(), s * d.x() + c * d.y());
   }
 
-  void Place(real t, real& x, real& y) const {
-    x = m_cBall.m_vPos.x() + real(m_cBall.m_vVel.x()) * t + real(m_cBall.m_vAcc.x()) * t * t / 2;
-    y = m_cBall.m_vPos.y() + real(m_cBall.m_vVel.y()) * t + real(m_cBall.m_vAcc.y()) * t * t / 2;
-    IntoFrame(t, x, y);
-  }
+  CPoint Place(real t) const { return IntoFrame(t, m_vPos + m_vVel * t + m_vAcc * (t * t / 2)); }
 
-  real Distance(real x, real y) const {
-    const CShapeGeometry<double>& f = m_cGeometry;
-    const real dx = x - f.m_vCenter.x(), dy = y - f.m_vCenter.y(), d = Len(dx, dy), R = f.m_fRadius;
+  real Distance(const CPoint& p) const {
+    const CShapeGeometry<real>& f = m_cGeometry;
+    const real d = (p - f.m_vCenter).norm(), R = f.m_fRadius;
     switch (f.m_eShapeType) {
     case eShape::LineSeg: {
-      const real ax = f.m_vPt0.x(), ay = f.m_vPt0.y(), ex = f.m_vPt1.x() - ax, ey = f.m_vPt1.y() - ay;
-      const real along = std::clamp(((x - ax) * ex + (y - ay) * ey) / (ex * ex + ey * ey), real(0), real(1));
-      return Len(x - ax - along * ex, y - ay - along * ey);
+      const CPoint all = f.m_vPt1 - f.m_vPt0, from0 = p - f.m_vPt0;
+      return (from0 - std::clamp(from0.dot(all) / all.dot(all), real(0), real(1)) * all).norm();
     }
-    case eShape::Circle: return m_cBall.m_fRadius < f.m_fRadius ? std::abs(d - R) : d - R;
+    case eShape::Circle: return m_fRadius < R ? std::abs(d - R) : d - R;
     case eShape::Arc: {
-      const real a0 = Angle(f.m_vPt0), a = std::atan2(dy, dx);
-      if (f.m_bFull || Ahead(a0, a) <= Ahead(a0, Angle(f.m_vPt1))) return std::abs(d - R);
-      return std::min(Len(x - f.m_vPt0.x(), y - f.m_vPt0.y()), Len(x - f.m_vPt1.x(), y - f.m_vPt1.y()));
+      const real a0 = Angle(f.m_vPt0);
+      if (f.m_bFull || Ahead(a0, Angle(p)) <= Ahead(a0, Angle(f.m_vPt1))) return std::abs(d - R);
+      return std::min((p - f.m_vPt0).norm(), (p - f.m_vPt1).norm());
     }
     default: return d;
     }
   }
 
-  real Angle(const CVec<double>& p) const {
-    return std::atan2(real(p.y()) - m_cGeometry.m_vCenter.y(), real(p.x()) - m_cGeometry.m_vCenter.x());
+  real Angle(const CPoint& p) const {
+    return std::atan2(p.y() - m_cGeometry.m_vCenter.y(), p.x() - m_cGeometry.m_vCenter.x());
   }
   static real Ahead(real from, real to) {
     return to >= from ? to - from : to - from + 2 * std::numbers::pi_v<real>;
   }
 
   bool OnSolidSide(real t) const {
-    const CShapeGeometry<double>& f = m_cGeometry;
+    const CShapeGeometry<real>& f = m_cGeometry;
     if (f.m_eSides == eSides::Both) return true;
-    real x, y;
-    Place(t, x, y);
-    const real front = f.m_eShapeType == eShape::LineSeg
-                           ? (real(f.m_vPt1.x()) - f.m_vPt0.x()) * (y - f.m_vPt0.y()) -
-                                 (real(f.m_vPt1.y()) - f.m_vPt0.y()) * (x - f.m_vPt0.x())
-                           : Len(x - f.m_vCenter.x(), y - f.m_vCenter.y()) - f.m_fRadius;
+    const CPoint p = Place(t), all = f.m_vPt1 - f.m_vPt0, from0 = p - f.m_vPt0;
+    const real front = f.m_eShapeType == eShape::LineSeg ? all.x() * from0.y() - all.y() * from0.x()
+                                                         : (p - f.m_vCenter).norm() - f.m_fRadius;
     return f.m_eSides == eSides::Front ? front > 0 : front < 0;
   }
 
@@ -123,9 +111,11 @@ private:
     return Search(t0, g0, t, g, found) || Search(t, g, t1, g1, found);
   }
 
-  CShapeGeometry<double> m_cGeometry;
-  CTurning<double> m_cTurning;
-  CSweptBall<double> m_cBall;
+  CShapeGeometry<real> m_cGeometry;
+  CPoint m_vCenter; // of the turn
+  real m_fTurn;     // radians per second
+  CPoint m_vPos, m_vVel, m_vAcc;
+  real m_fRadius;
   real m_fTimeMax;
   real m_fSpeed;
 };

@@ -39,10 +39,9 @@ struct CFound {
   CHit<double> m_cHit;
 };
 
-CFound Shoot(const CAnyShapeDesc& desc, const CBalld& ball, double tMax = 10.0,
-             eMeet meet = eMeet::Approaching) {
+CFound Shoot(const CAnyShapeDesc& desc, const CBalld& ball, double tMax) {
   CFound result;
-  result.m_bMet = Sweep(MakeShapeGeometry(desc), ball, tMax, result.m_cHit, meet);
+  result.m_bMet = Sweep(MakeShapeGeometry(desc), ball, tMax, result.m_cHit);
   return result;
 }
 

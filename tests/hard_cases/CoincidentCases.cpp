@@ -26,8 +26,8 @@ double ErrorOnTheSpot(eColumn column, const COnTheSpot& c) {
   const CSeen seen = Shoot(column, shot);
   // The reference leaves what overlaps where it is, and tells how deep it is; worlds put it back.
   const double flown = approximate ? 0.0 : Wide(g_fStep);
-  const double setback =
-      column == Reference ? seen.m_fSetback : (seen.m_vPos - flown * c.m_vAfter).dot(c.m_vNorm);
+  const Vector2d pushed = seen.m_vPos - flown * c.m_vAfter;
+  const double setback = column == Reference ? seen.m_fSetback - pushed.norm() : pushed.dot(c.m_vNorm);
   return std::max({Distance(seen.m_vNorm, c.m_vNorm), Distance(seen.m_vVel, c.m_vAfter),
                    std::abs(setback - Wide(g_fRadius))});
 }

@@ -23,6 +23,16 @@ inline nlohmann::json ReadJsonSource(const std::string& name) {
 /// A scene that has every field there is; fuzzing begins with it, too.
 inline nlohmann::json OneOfEach() { return ReadJsonSource("tests/fuzz/corpus/scene/everything.json"); }
 
+/// Calls f with each value of a document, and its path.
+template <class F>
+void VisitValues(const nlohmann::json& value, const F& f,
+                 const nlohmann::json::json_pointer& path = nlohmann::json::json_pointer()) {
+  f(value, path);
+  if (value.is_structured())
+    for (const auto& part : value.items())
+      VisitValues(part.value(), f, path / part.key());
+}
+
 /// For each document where it breaks the schema and how; empty if it fits.
 /// @throws std::runtime_error if the validator fails
 inline std::vector<std::string> FindSchemaFaults(const nlohmann::json& schema,
