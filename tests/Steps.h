@@ -4,6 +4,8 @@
 
 #include <Shapes/World.h>
 
+#include <gtest/gtest.h>
+
 #include <cstring>
 #include <span>
 #include <vector>
@@ -13,6 +15,16 @@ namespace Shapes {
 inline void Steps(CWorld& world, int n) {
   for (int i = 0; i < n; ++i)
     world.Step();
+}
+
+/// Steps, and checks after each step. The first one that fails is named, and the last.
+template <class F>
+void InEachStep(CWorld& world, int steps, const F& check) {
+  for (int step = 0; step < steps && !testing::Test::HasFailure(); ++step) {
+    SCOPED_TRACE(testing::Message() << "after step " << step);
+    world.Step();
+    check(step);
+  }
 }
 
 /// The contacts, sensor events or touches of n steps, each of which `step` makes.

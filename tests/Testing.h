@@ -2,11 +2,11 @@
 // Nearly every test includes this.
 #pragma once
 
+#include "Balls.h"
 #include "Descs.h"
 #include "EveryShape.h"
 #include "Messages.h"
 #include "Numbers.h"
-#include "Overlap.h"
 #include "Random.h"
 #include "Steps.h"
 #include "geometry/Cases.h"

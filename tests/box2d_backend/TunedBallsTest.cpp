@@ -49,16 +49,10 @@ double GainInABowl(const CTuning& tuning, std::uint64_t seed, std::size_t most) 
                 v = EitherSign<float>(random, 1.5);
     pWorld->Add(CDynamicCircleDesc({x, 0}, 0.1f, {v, 0}));
   }
-  const auto energy = [&] {
-    double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      sum += 0.5 * pWorld->GetBallVelocities()[i].squaredNorm() + g * (pWorld->GetBallPositions()[i].y() + 1);
-    return sum;
-  };
-  const double first = energy();
+  const double first = GetEnergy(*pWorld, g, -1);
   for (std::size_t hits = 0; hits < most; hits += pWorld->GetContacts().size())
     pWorld->Step();
-  return energy() / first - 1;
+  return GetEnergy(*pWorld, g, -1) / first - 1;
 }
 
 // Where a ball meets another one and the bowl in one step, Box2D may do so in the other order than the

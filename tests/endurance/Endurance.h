@@ -67,12 +67,7 @@ public:
     m_fEnergy0 = GetEnergy();
   }
 
-  double GetEnergy() const {
-    double sum = 0.0;
-    for (const Vector2& v : m_cWorld.GetBallVelocities())
-      sum += 0.5 * Wide(v).squaredNorm();
-    return sum;
-  }
+  double GetEnergy() const { return Shapes::GetEnergy(m_cWorld, 0.0); } // of motion; all masses are 1
 
   void Before() {
     m_stdPos.assign(m_cWorld.GetBallPositions().begin(), m_cWorld.GetBallPositions().end());
@@ -87,7 +82,8 @@ public:
       if (contact.m_cShape.m_nValue <= m_nShapes) continue;
       ++figures.m_nPairContacts;
       Meet(contact.m_cShape);
-      const double energy = GetEnergy(contact.m_cBall) + GetEnergy(contact.m_cShape);
+      const double energy =
+          EnergyOf(m_cWorld, contact.m_cBall, 0.0, 0.0) + EnergyOf(m_cWorld, contact.m_cShape, 0.0, 0.0);
       m_fHits += energy * energy;
     }
     for (std::size_t i = 0; i < m_stdPos.size(); ++i) {
@@ -106,7 +102,6 @@ public:
 
 private:
   void Meet(CShapeId ball) { m_stdMet[ball.m_nValue - 1 - m_nShapes] = true; }
-  double GetEnergy(CShapeId ball) const { return 0.5 * Wide(m_cWorld.GetVel(ball)).squaredNorm(); }
 
   // Parabolas keep the energy, semi-implicit steps that plus half of what gravity adds in a step.
   double Kept(const Vector2& p, const Vector2& v) const {
