@@ -2,12 +2,16 @@
 // Shapes of every kind: random ones, and how far a place is from one.
 #pragma once
 
+#include "Descs.h"
 #include "Random.h"
 
 #include <Shapes/Shapes.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace Shapes {
 
@@ -23,6 +27,24 @@ auto WithAnyShape(Tests::CRandom& random, std::uint32_t kind, const Vector2& p, 
   case 2: return f(CCircleDesc(p, r));
   default: return f(CArcDesc(p, r, a0, a1));
   }
+}
+
+/// Shapes of all kinds in a square about the origin: some turn about their places, some are sensors, some
+/// one-sided.
+inline std::vector<CAnyShapeDesc> MakeCrowd(Tests::CRandom& random, std::uint32_t n, float half, float size) {
+  std::vector<CAnyShapeDesc> crowd;
+  for (std::uint32_t kind = 0; kind < n; ++kind) {
+    const Vector2 p = random.InSquare(half);
+    WithAnyShape(random, kind, p, size, [&](auto desc) {
+      desc.m_fElasticity = random.Uniform(0.5f, 1.1f);
+      desc.m_bIsSensor = random.Below(10) == 0;
+      if (random.Below(5) == 0) desc = Turning(desc, random.Uniform(-2, 2), p);
+      if constexpr (requires { desc.m_eSides; })
+        desc.m_eSides = std::array{eSides::Front, eSides::Back, eSides::Both}[std::min(random.Below(6), 2u)];
+      crowd.emplace_back(desc);
+    });
+  }
+  return crowd;
 }
 
 /// Such a shape, static.

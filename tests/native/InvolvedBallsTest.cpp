@@ -59,18 +59,11 @@ TEST(InvolvedBallsTest, AWorldThatGoesOnAndOneThatIsLoadedHaveTheSameBitsWhateve
   for (const bool falls : {true, false}) {
     CRandom random(271);
     auto pWorld = MakeNative(g_cContinuous, falls ? 10.0f : 0.0f);
-    AddBox(*pWorld, {0, 0}, {12, 12});
-    for (int i = 0; i < 60; ++i) {
-      const Vector2 p = Vector2(6, 6) + random.InSquare(5.5f);
-      if (random.Coin()) {
-        pWorld->Add(CCircleDesc(p, random.Uniform(0.05f, 0.4f)));
-      } else {
-        const CLineSegDesc bar(p, p + random.VectorOfLength(0.1f, 1.0f));
-        pWorld->Add(i % 10 == 0 ? Turning(bar, 0.5f, p) : bar);
-      }
-    }
+    AddBox(*pWorld, 6);
+    for (const CAnyShapeDesc& shape : MakeCrowd(random, 60, 5.5f, 0.8f))
+      pWorld->Add(shape);
     for (int i = 0; i < 80; ++i) {
-      const Vector2 p = Vector2(6, 6) + random.InSquare(5.5f), v = random.VectorOfLength(0.0f, 20.0f);
+      const Vector2 p = random.InSquare(5.5f), v = random.VectorOfLength(0.0f, 20.0f);
       const float r = random.Uniform(0.02f, 0.2f);
       pWorld->Add(CDynamicCircleDesc(p, r, v, 1, random.Uniform(0.3f, 1.0f)));
     }

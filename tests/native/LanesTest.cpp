@@ -49,20 +49,13 @@ CEffectChoice WithoutPairs(CEffectChoice choice) {
 
 constexpr float g_fHalf = 12.0f;
 
-// Pegs of all kinds, of which some turn, some move, and one is a sensor, and balls that meet no others.
+// A crowd of pegs, and balls that meet no others.
 std::unique_ptr<CWorld> MakeField(const CEffectChoice& choice, float gravity, unsigned threads) {
   CRandom random(18);
   auto pWorld = MakeNative(WithoutPairs(choice), gravity, g_fDt, 2, threads);
   AddBox(*pWorld, g_fHalf);
-  for (std::uint32_t i = 0; i < 160; ++i) {
-    const Vector2 p = random.InSquare(g_fHalf - 1);
-    WithAnyShape(random, i % 3 + 1, p, 0.7f, [&](auto shape) {
-      shape.m_fElasticity = 0.5f;
-      shape.m_bIsSensor = i % 16 == 5;
-      if (i % 8 == 3) shape = Turning(shape, random.Uniform(-2, 2), shape.m_vPos);
-      pWorld->Add(shape);
-    });
-  }
+  for (const CAnyShapeDesc& peg : MakeCrowd(random, 160, g_fHalf - 1, 0.7f))
+    pWorld->Add(peg);
   for (int i = 0; i < 2600; ++i) {
     const Vector2 p = random.InSquare(g_fHalf - 0.5f), v = random.VectorOfLength(0, 8);
     pWorld->Add(CDynamicCircleDesc(p, random.Uniform(0.03f, 0.1f), v, 1.0f, 0.7f));

@@ -74,23 +74,10 @@ private:
   }
 };
 
-// Hundreds of shapes of all kinds, some turning, some sensors, some one-sided, in a box that is crowded
-// enough for a ball to touch several at once.
-void Fill(CBoth& both, CRandom& random, int shapes, int balls) {
-  for (int i = 0; i < shapes; ++i) {
-    const Vector2 p = random.InSquare(10);
-    const auto add = [&](auto desc) {
-      desc.m_fElasticity = random.Uniform(0.5f, 1.1f);
-      desc.m_bIsSensor = random.Uniform(0, 1) < 0.1f;
-      if (random.Uniform(0, 1) < 0.2f) desc = Turning(desc, random.Uniform(-2, 2), p);
-      if constexpr (requires { desc.m_eSides; }) {
-        const float f = random.Uniform(0, 1);
-        desc.m_eSides = f < 0.15f ? eSides::Front : f < 0.3f ? eSides::Back : eSides::Both;
-      }
-      both.Add(desc);
-    };
-    WithAnyShape(random, static_cast<std::uint32_t>(i), p, 1.5f, add);
-  }
+// A crowd in a ring, dense enough for a ball to touch several shapes at once.
+void Fill(CBoth& both, CRandom& random, std::uint32_t shapes, int balls) {
+  for (const CAnyShapeDesc& shape : MakeCrowd(random, shapes, 10, 1.5f))
+    both.Add(shape);
   both.Add(CArcDesc({0, 0}, 16, 0, 0));
   for (int i = 0; i < balls; ++i) {
     const Vector2 p = random.InSquare(10), v = random.InSquare(8);
