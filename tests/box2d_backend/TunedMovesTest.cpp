@@ -118,35 +118,6 @@ CFastBall Shoot(const CTuning& tuning, const Vector2& v, int steps = 6, bool wal
   return {pWorld->GetPos(ball), pWorld->GetVel(ball), pWorld->GetStats()};
 }
 
-TEST(TunedClampTest, AFastBallBouncesOffAWallAtItsSpeed) {
-  EXPECT_LE((Shoot(g_cTuned, {500, 0}, 6, true).m_vVel - Vector2(-500, 0)).norm(), 500 * 1e-6f);
-  const CFastBall shipped = Shoot(g_cShipped, {500, 0}, 6, true); // the control: slowed, and that is counted
-  EXPECT_LT(shipped.m_vVel.norm(), 121);
-  EXPECT_GE(shipped.m_cStats.m_nMovesClamped, 1u);
-}
-
-/// How many of 200 balls at rest that a spinner of 30 rev/s, half a turn a step, should hit in its second
-/// quarter turn stay at rest, and how many turns are counted as clamped.
-std::pair<int, int> CountMissed(const CTuning& tuning) {
-  int missed = 0, clamped = 0;
-  ForEachCase(46, 200, [&](CRandom& random, int) {
-    auto pWorld = MakeBox2D(tuning);
-    const CShapeId spinner = pWorld->Add(Turning(CLineSegDesc(Vector2(0, 0), Vector2(1, 0)), 30));
-    const Vector2d place = 0.7 * UnitVector(1.8 + random.Unit());
-    const CShapeId ball = pWorld->Add(CDynamicCircleDesc(place.cast<float>(), 0.05f));
-    pWorld->Step();
-    missed += pWorld->GetVel(ball).norm() == 0;
-    EXPECT_NEAR(pWorld->GetOrientation(spinner), g_fPi, 1e-5f);
-    clamped += static_cast<int>(pWorld->GetStats().m_nTurnsClamped);
-  });
-  return {missed, clamped};
-}
-
-TEST(TunedClampTest, AFastSpinnerTurnsByAllOfItsAngle) {
-  EXPECT_EQ(CountMissed(g_cTuned), std::pair(0, 0));
-  EXPECT_EQ(CountMissed(g_cShipped), std::pair(200, 200)); // the control: by less, and that is counted
-}
-
 // Steps are cut for what is fast, as often as it needs.
 
 TEST(TunedClampTest, CutsLetAFastBallBeFast) {
@@ -155,6 +126,7 @@ TEST(TunedClampTest, CutsLetAFastBallBeFast) {
   EXPECT_EQ(fast.m_vVel, v); // bit for bit
   EXPECT_LE((fast.m_vPos - 100 * g_fDt * v).norm(), 1e-3f * 100 * g_fDt * 500);
   EXPECT_EQ(fast.m_cStats.m_nMovesClamped, 0u);
+  EXPECT_LE((Shoot(g_cTuned, {500, 0}, 6, true).m_vVel - Vector2(-500, 0)).norm(), 500 * 1e-6f);
   const CFastBall slowed = Shoot(Without(&CTuning::m_bAdaptiveSubsteps), {500, 0});
   EXPECT_NEAR(slowed.m_vVel.norm(), b2_maxTranslation / g_cTuned.m_fScale / g_fDt, 1e-3f);
   EXPECT_GE(slowed.m_cStats.m_nMovesClamped, 1u); // and it is reported
@@ -176,8 +148,11 @@ TEST(TunedClampTest, CutsAreAsManyAsASpeedNeeds) {
 TEST(TunedClampTest, CutsAreAsManyAsATurnNeeds) {
   const auto count = [](float revsPerSecond, float reach) {
     auto pWorld = MakeBox2D(g_cTuned);
-    pWorld->Add(Turning(CLineSegDesc(Vector2(0, 0), Vector2(reach, 0)), revsPerSecond));
-    Steps(*pWorld, 6);
+    const CShapeId spinner =
+        pWorld->Add(Turning(CLineSegDesc(Vector2(0, 0), Vector2(reach, 0)), revsPerSecond));
+    pWorld->Step();
+    EXPECT_NEAR(pWorld->GetOrientation(spinner), g_fTwoPi * revsPerSecond * g_fDt, 1e-5f); // all of its angle
+    Steps(*pWorld, 5);
     EXPECT_EQ(pWorld->GetStats().m_nTurnsClamped, 0u);
     return pWorld->GetStats().m_nEngineSteps;
   };
