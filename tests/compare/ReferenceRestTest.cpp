@@ -189,6 +189,7 @@ TEST(ReferenceRest, RefusesWhatTheLibraryRefuses) {
   EXPECT_THROW(Make({CPointDesc({nan, 0})}, {}), std::invalid_argument);
   EXPECT_THROW(Make({CCircleDesc({0, 0}, -1)}, {}), std::invalid_argument);
   EXPECT_THROW(Make({CDynamicCircleDesc({0, 0}, 1)}, {}), std::invalid_argument);
+  EXPECT_THROW(Make({}, {CDynamicCircleDesc({0, 0}, 1, {0, 0}, 0)}), std::invalid_argument);
   EXPECT_THROW(Make({}, {}, {nan, 0}), std::invalid_argument);
   CExact reference = Make({CPointDesc({0, 0})}, {CDynamicCircleDesc({3, 0}, 1)});
   CEvents events;
