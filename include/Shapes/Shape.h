@@ -66,7 +66,8 @@ public:
   eMotion GetMotionType() const { return m_eMotionType; }
   /// The smallest box around the shape as it is now. Exact for points and segments; of circles each side is
   /// rounded once, so within half an ulp of the coordinate, either way; of arcs within 4 ulp of |centre| +
-  /// radius.
+  /// radius. The box of an arc whose ends are opposite to each other, within rounding, may reach as far
+  /// beyond them as CArc::PtInSector does: it is within 12 ulp.
   const CAabb2D& GetAABB() const { return m_cAabb; }
 
   const Vector2& GetPos() const { return m_vPos; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a shape to its class: the one place that switches over shape types.
+// From a shape to the class of its type: the one place that casts by it.
 #pragma once
 
 #include <Shapes/Arc.h>
