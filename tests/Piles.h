@@ -22,6 +22,7 @@ struct CPileDesc {
   float m_fHalf = std::max(1.0f, 0.3f * std::sqrt(static_cast<float>(m_nBalls))); // of the width
   float m_fNeck = 0.6f;                                                           // half of the hourglass's
   float m_fPaddleSpeed = 3;
+  int m_nPaddleSteps = 300;
 };
 
 struct CPile : CPileDesc {
@@ -49,17 +50,17 @@ struct CPile : CPileDesc {
     }
   }
   std::ptrdiff_t CountLost() const {
-    return CountBalls(*m_pWorld, [&](const Vector2& p) { return !(GetRoom(p) > 0); });
+    return CountBalls(*m_pWorld, [&](const Vector2& p) { return !(p.allFinite() && GetRoom(p) > 0); });
   }
   double GetEnergy() const { return Shapes::GetEnergy(*m_pWorld, g_fPileGravity); }
 
-  /// The paddle goes to and fro for 300 steps, and then stands where it is.
+  /// The paddle goes to and fro for m_nPaddleSteps, and then stands where it is.
   void Step(int step) {
     if (m_eVessel == eVessel::Paddle) {
       const float x = m_pWorld->GetPos(m_cPaddle).x(), turn = 0.6f * m_fHalf;
       if (step == 0 || x < -turn) m_pWorld->SetVel(m_cPaddle, {m_fPaddleSpeed, 0});
       if (x > turn) m_pWorld->SetVel(m_cPaddle, {-m_fPaddleSpeed, 0});
-      if (step >= 300) m_pWorld->SetVel(m_cPaddle, {0, 0});
+      if (step >= m_nPaddleSteps) m_pWorld->SetVel(m_cPaddle, {0, 0});
     }
     m_pWorld->Step();
   }

@@ -119,8 +119,10 @@ TYPED_TEST(ResponseBounds, OfTwoBalls) {
                  m0 * bound0 + m1 * bound1);
     if (vn >= 0) return;
     // Each from the textbook's ((m1 - e m0) v1 + (1 + e) m0 v0) / (m0 + m1) along n.
+    const int scale = -std::ilogb(m0); // so that it loses digits, not the range
+    const T w0 = std::ldexp(m0, scale), w1 = std::ldexp(m1, scale);
     const T a0 = v0.dot(n), a1 = v1.dot(n);
-    const T b1 = ((m1 - e * m0) * a1 + (T(1) + e) * m0 * a0) / (m0 + m1);
+    const T b1 = ((w1 - e * w0) * a1 + (T(1) + e) * w0 * a0) / (w0 + w1);
     naive.See(Exact(TVec<T>(v1 + (b1 - a1) * n)), e1 - (along * share1) * en, bound1);
   });
 }

@@ -190,6 +190,9 @@ TEST(RotationBounds, Rotate) {
     const CAabb2D& box = arc.GetAABB();
     boxes.See(abs(box.GetTopLeft().y() - (exact.m_vCenter.y + exact.Reach(Pi() / 2))), 4 * g_fUlp * reach);
     boxes.See(abs(box.GetBottomRt().x() - (exact.m_vCenter.x + exact.Reach(0))), 4 * g_fUlp * reach);
+    boxes.See(abs(box.GetTopLeft().x() - (exact.m_vCenter.x - exact.Reach(Pi()))), 4 * g_fUlp * reach);
+    boxes.See(abs(box.GetBottomRt().y() - (exact.m_vCenter.y - exact.Reach(3 * Pi() / 2))),
+              4 * g_fUlp * reach);
 
     Vector2 turned = p;
     for (int k = 0; k < 8; ++k)

@@ -77,7 +77,11 @@ TEST(ReferenceSlide, ChuteGivesTheSpeedOfItsHeight) {
     for (const int steps : {1, 240}) {
       const CVec2d from = CVec2d(-23, -7) + .25 / 17 * CVec2d(8, 15);
       CExact reference = MakeOne(chute, .25f, from, {0, 0}, g_vPull);
-      const std::size_t hits = Carry(reference, 5.0 / steps, steps).size();
+      std::size_t hits = Carry(reference, 2.0 / steps, steps).size(); // still on the first line
+      const CVec2d way = 2 * g_fPull * 8 / 17 * CVec2d(15, -8) / 17;
+      EXPECT_NEAR((reference.GetBall(0).m_vPos - from - way).norm(), 0, 1e-12);
+      EXPECT_EQ(reference.GetSlideCount(), 0u); // a parabola
+      hits += Carry(reference, 3.0 / steps, steps).size();
       const CExactBall<double>& ball = reference.GetBall(0);
       EXPECT_GT(ball.m_vPos.x(), 8);
       EXPECT_LE(hits, 1u);

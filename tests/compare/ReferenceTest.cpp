@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The exact reference on cases with known answers; and under gravity: balls that bounce, come to rest, lie on
-// slopes, in wedges and on each other, and roll off.
+// floors, in wedges and on each other, and roll off.
 #include "ReferenceTesting.h"
 
 namespace Shapes::Compare::Tests {

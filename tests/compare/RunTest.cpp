@@ -27,7 +27,7 @@ TEST(RunTest, SizesShrinkWithTheContactsAndDoNotGrow) {
   EXPECT_EQ(more.m_nConfirmation, g_cFullSizes.m_nConfirmation);
 }
 
-// Of what is not looked at here it is where that is measured.
+// The progress of the other measurements is looked at where those are measured.
 TEST(RunTest, TheProgressOfWhatIsMeasuredMayEndIt) {
   const CScene scene = LoadBundled("head_on_wall");
   std::vector<double> shares;

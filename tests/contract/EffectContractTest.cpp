@@ -175,6 +175,7 @@ TEST_P(CEffectContract, WithoutSensorsNothingIsTold) {
     AddBall(*pWorld, {-2, 0}, {6, 0});
     EXPECT_EQ(Told(*pWorld, 60, &CWorld::GetSensorEvents).empty(), forbidden);
     EXPECT_EQ(pWorld->GetStats().m_nSensorHits > 0, !forbidden); // a contact each
+    EXPECT_EQ(pWorld->GetStats().m_nReported, pWorld->GetStats().m_nSensorHits);
     EXPECT_EQ(pWorld->GetStats().m_nSensorTests > 0, !forbidden);
     EXPECT_EQ(pWorld->GetBallVelocities()[0], Vector2(6, 0)); // a sensor is not solid, watched or not
   }

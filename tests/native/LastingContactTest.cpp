@@ -57,10 +57,33 @@ TEST(LastingContact, ABumperSendsTwoBallsThatSlideTogetherBackTwiceAsFast) {
   pWorld->Add(CLineSegDesc({0, -1}, {0, 1}, 2));
   for (const float x : {1.0f, 1.4f})
     pWorld->Add(CDynamicCircleDesc({x, 0.2f}, 0.2f, {-1, 0}));
-  for (int step = 0; step < 90; ++step)
-    pWorld->Step();
+  Steps(*pWorld, 90);
   for (const CShapeId ball : pWorld->GetBallIds())
     EXPECT_NEAR(pWorld->GetVel(ball).x(), 2, 1e-5);
+}
+
+TEST(LastingContact, ABallThatGivesMoreThanItGetsHitsTwoThatLie) {
+  const auto pWorld = MakeFloor();
+  for (const float x : {1.0f, 1.4f})
+    pWorld->Add(CDynamicCircleDesc({x, 0.2f}, 0.2f));
+  pWorld->Add(CDynamicCircleDesc({0, 0.2f}, 0.2f, {1, 0}, 1, 2));
+  Steps(*pWorld, 60);
+  const auto v = pWorld->GetBallVelocities();
+  EXPECT_NEAR(v[2].x(), -0.5, 1e-5);
+  EXPECT_NEAR(v[0].x(), 0, 1e-5);
+  EXPECT_NEAR(v[1].x(), 1.5, 1e-5);
+}
+
+// It is lifted while it hits what lies on the floor beside the elevator.
+TEST(LastingContact, ABallOnAnElevatorHitsTwoThatLie) {
+  const auto pWorld = MakeNative(g_cAutomatic, 10);
+  pWorld->Add(CLineSegDesc({-0.2f, 0}, {3, 0}));
+  pWorld->Add(Moving(CLineSegDesc({-3, 0}, {-0.3f, 0}), {0, 1}));
+  for (const float x : {-0.095f, 0.305f})
+    pWorld->Add(CDynamicCircleDesc({x, 0.2f}, 0.2f));
+  pWorld->Add(CDynamicCircleDesc({-0.5f, 0.2f}, 0.2f, {1, 1}));
+  pWorld->Step();
+  EXPECT_NEAR(pWorld->GetBallVelocities()[1].x(), 1, 0.02);
 }
 
 // However slow, however many substeps and wherever: what touches and approaches is answered.

@@ -49,7 +49,7 @@ CResult ExpectRest(CPile& pile) {
                                   << static_cast<int>(pile.m_eVessel));
   const CResult result = Play(pile);
   EXPECT_EQ(result.m_nLost, 0);
-  EXPECT_LT(result.m_fGain, 5e-4);
+  EXPECT_LT(result.m_fGain, 3e-4);
   if (pile.m_eVessel != eVessel::Hourglass) ExpectCalm(pile);
   for (int step = 900; step < 1200; ++step)
     pile.Step(step);
@@ -85,8 +85,7 @@ TEST(Pile, APileComesToRestAndLosesNone) {
   EXPECT_LT(gain, 4e-5 * piles); // what lifts balls that have no speed to lose
 }
 
-// 10 to 200 balls of any mixture and elasticity in any vessel. SHAPES_PILES says how many, 15 by default: one
-// of each kind. So it was in 1,000.
+// 10 to 200 balls of any mixture and elasticity in any vessel.
 CPile MakeRandomPile(std::uint64_t seed, const CEffectChoice& effects) {
   CRandom random(seed);
   const int counts[] = {10, 50, 50, 200};
@@ -98,6 +97,7 @@ CPile MakeRandomPile(std::uint64_t seed, const CEffectChoice& effects) {
           random};
 }
 
+// SHAPES_PILES says how many, 15 by default: one of each kind. All of 1,000 pass.
 TEST(RandomPiles, LoseNoBallGainNoEnergyAndComeToRest) {
   const std::uint64_t piles = HowMany("SHAPES_PILES", 15);
   // A step of the first five once gave up to 1.2e-2, the others slept with overlaps of up to .0058.
@@ -118,7 +118,8 @@ TEST(RandomPiles, LoseBallsGainEnergyAndMoveOnInTheApproximateMode) { // the con
     const CResult result = Play(pile);
     worst.m_nLost = std::max(worst.m_nLost, result.m_nLost);
     worst.m_fGain = std::max(worst.m_fGain, result.m_fGain);
-    worst.m_fFastest = std::max(worst.m_fFastest, result.m_fFastest);
+    if (pile.m_eVessel == eVessel::Box || pile.m_eVessel == eVessel::V) // others may move on in the right one
+      worst.m_fFastest = std::max(worst.m_fFastest, result.m_fFastest);
   }
   EXPECT_GT(worst.m_nLost, 0);
   EXPECT_GT(worst.m_fGain, 5e-4);
@@ -215,8 +216,11 @@ TEST(Pile, APaddleThatPushesAPileLosesNone) {
   std::ptrdiff_t control = 0;
   for (const float speed : {0.5f, 3.0f, 20.0f})
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-      const CPileDesc desc{
-          .m_eVessel = eVessel::Paddle, .m_nBalls = 12, .m_fHalf = 2, .m_fPaddleSpeed = speed};
+      const CPileDesc desc{.m_eVessel = eVessel::Paddle,
+                           .m_nBalls = 12,
+                           .m_fHalf = 2,
+                           .m_fPaddleSpeed = speed,
+                           .m_nPaddleSteps = 900};
       CPile pile = MakePile(desc, seed), approximate = MakePile(desc, seed, g_cApproximate);
       EXPECT_EQ(Play(pile).m_nLost, 0) << speed << ", seed " << seed;
       control += Play(approximate).m_nLost;

@@ -66,6 +66,8 @@ TEST_P(Shape, HasTheClassOfItsTypeAndMotionAndWhatItsDescriptorSays) {
   EXPECT_EQ(shape.GetMotionType(), desc.m_eMotionType);
   EXPECT_EQ(m_pShape->GetPos(), Vector2(1.0f, 2.0f));
   EXPECT_EQ(m_pShape->GetElasticity(), 0.75f);
+  EXPECT_EQ(CPointDesc().m_fElasticity, 1.0f);
+  EXPECT_EQ(CPointDesc().m_vPos, Vector2::Zero());
   EXPECT_FALSE(m_pShape->GetSensor());
   EXPECT_TRUE(m_pShape->GetCanCollide());
   EXPECT_EQ(m_pShape->GetUserPtr(), nullptr);

@@ -54,6 +54,10 @@ inline CSceneReport MakePageScene(const std::string& name) {
   report.m_cScene.m_sDescription =
       "Made up: two balls in a box with a bar that turns, </script><b>1 < 2</b> & \"quotes\".";
   report.m_stdEngines[Tests::g_nNative].m_nGhosts = 0;
+  // So that Box2D has a direction too, and its mark and label in the overview.
+  auto& engines = report.m_cImpactTrials.m_stdContacts[0].m_stdEngines;
+  engines[Tests::g_nBox2D] = engines[Tests::g_nApproximate];
+  engines[Tests::g_nBox2D].m_fDirectionError = 0.21f;
   report.m_cEffects = MakeSampleEffects({g_sNative, g_sBox2D});
   for (CEffectCost& cost : report.m_cEffects.m_stdCosts) {
     cost.m_cWithout.m_cCost.m_stdRepeats.assign(11, 100.0);
