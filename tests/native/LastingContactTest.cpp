@@ -63,7 +63,7 @@ TEST(LastingContact, ABumperSendsTwoBallsThatSlideTogetherBackTwiceAsFast) {
 }
 
 TEST(LastingContact, ABallThatGivesMoreThanItGetsHitsTwoThatLie) {
-  const auto pWorld = MakeFloor();
+  const auto pWorld = MakeFloor(g_cAutomatic, 10, 0.25f);
   for (const float x : {1.0f, 1.4f})
     pWorld->Add(CDynamicCircleDesc({x, 0.2f}, 0.2f));
   pWorld->Add(CDynamicCircleDesc({0, 0.2f}, 0.2f, {1, 0}, 1, 2));
@@ -74,15 +74,26 @@ TEST(LastingContact, ABallThatGivesMoreThanItGetsHitsTwoThatLie) {
   EXPECT_NEAR(v[1].x(), 1.5, 1e-5);
 }
 
+TEST(LastingContact, TwoBallsOnAnElevatorGoAlong) {
+  const auto pWorld = MakeNative(g_cAutomatic, 10);
+  pWorld->Add(Moving(CLineSegDesc({-1, 0}, {1, 0}), {0, 1}));
+  for (const float x : {-0.2f, 0.2f})
+    pWorld->Add(CDynamicCircleDesc({x, 0.2f}, 0.2f, {0, 1}));
+  InEachStep(*pWorld, 60, [&](int) {
+    for (const CShapeId ball : pWorld->GetBallIds())
+      EXPECT_NEAR(pWorld->GetVel(ball).y(), 1, 1e-5);
+  });
+}
+
 // It is lifted while it hits what lies on the floor beside the elevator.
 TEST(LastingContact, ABallOnAnElevatorHitsTwoThatLie) {
   const auto pWorld = MakeNative(g_cAutomatic, 10);
   pWorld->Add(CLineSegDesc({-0.2f, 0}, {3, 0}));
-  pWorld->Add(Moving(CLineSegDesc({-3, 0}, {-0.3f, 0}), {0, 1}));
+  pWorld->Add(Moving(CLineSegDesc({-3, -0.1f}, {-0.3f, -0.1f}), {0, 1}));
   for (const float x : {-0.095f, 0.305f})
     pWorld->Add(CDynamicCircleDesc({x, 0.2f}, 0.2f));
-  pWorld->Add(CDynamicCircleDesc({-0.5f, 0.2f}, 0.2f, {1, 1}));
-  pWorld->Step();
+  pWorld->Add(CDynamicCircleDesc({-0.6f, 0.1f}, 0.2f, {1, 1}));
+  Steps(*pWorld, 7); // it hits them in the last one
   EXPECT_NEAR(pWorld->GetBallVelocities()[1].x(), 1, 0.02);
 }
 
