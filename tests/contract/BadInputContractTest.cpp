@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What no shape, ball or world can have is refused before anything is changed, with the field and the value
-// in the message.
+// Values that no shape, ball or world can have are refused before anything is changed, with the field and the
+// value in the message.
 #include "../fuzz/Fuzz.h"
 #include "Backends.h"
 

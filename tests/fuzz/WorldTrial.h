@@ -130,7 +130,7 @@ public:
   }
 
   using CPairs = std::set<std::pair<CShapeId, CShapeId>>; ///< Ball, shape.
-  /// What touches sensors: touches that have begun and not ended.
+  /// Touches of sensors that have begun and not ended.
   const CPairs& GetSensed() const { return m_cNow.m_stdSensed; }
   const CPairs& GetTouching() const { return m_cNow.m_stdSolid; }
 

@@ -66,6 +66,8 @@ struct CMoving {
   bool m_bWasSqueezed = false;             // in the last substep: CRestingContacts
   bool m_bHasPressed = false;              // likewise, on what it still touches, or that on it
   bool m_bIsPressed = false;               // overlaps more than one that falls asleep may
+
+  double GetKinetic() const { return 0.5 * m_fMass * m_vVel.squaredNorm(); } // energy
 };
 
 } // namespace Shapes::Native

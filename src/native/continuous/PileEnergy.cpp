@@ -5,14 +5,9 @@
 #include <cmath>
 
 namespace Shapes::Native {
-namespace {
-
-double GetKinetic(const CMoving& ball) { return 0.5 * ball.m_fMass * ball.m_vVel.squaredNorm(); }
-
-} // namespace
 
 void CPileEnergy::Add(const CMoving& ball) {
-  m_stdBegin.push_back({ball.m_vPos, GetKinetic(ball)});
+  m_stdBegin.push_back({ball.m_vPos, ball.GetKinetic()});
   m_cGroups.Add();
 }
 
@@ -24,7 +19,7 @@ void CPileEnergy::Keep(std::vector<CMoving>& balls) {
     CGroup& group = m_stdGroups[m_cGroups.Find(i)];
     group.m_bHasPile |= ball.m_bIsInPile;
     group.m_bIsDriven |= ball.m_bIsDriven || ball.m_nLastMoving != g_nNobody;
-    group.m_fKinetic += GetKinetic(ball);
+    group.m_fKinetic += ball.GetKinetic();
     const double fall = ball.m_fMass * m_vGravity.dot(ball.m_vPos - m_stdBegin[i].m_vPos);
     group.m_fMost += m_stdBegin[i].m_fKinetic + fall;
   }

@@ -25,7 +25,7 @@ public:
   bool IsEmpty() const { return m_stdBegin.empty(); }
   /// The next ball, with the place and the velocity that it has at the beginning.
   void Add(const CMoving& ball);
-  /// What one of two balls gains the other one may lose. Without effect if there are none.
+  /// Two balls have met: their energies count together. Without effect if there are no balls.
   void Join(std::uint32_t ball, std::uint32_t other) {
     if (!IsEmpty()) m_cGroups.Join(ball, other);
   }

@@ -162,7 +162,7 @@ void CRestingContacts::Solve(std::vector<CMoving>& balls) {
   m_stdSolved.assign(balls.size(), g_nNobody);
   m_stdEnergies.assign(balls.size(), {});
   ForEachInPile(balls, [&](CMoving& ball, CEnergy& pile, double lift) {
-    pile.m_fBefore += 0.5 * ball.m_fMass * ball.m_vVel.squaredNorm() - lift;
+    pile.m_fBefore += ball.GetKinetic() - lift;
     ball.m_vGiven = -ball.m_vVel / m_fStep;
   });
   for (std::size_t begin = 0, end = 0; begin < m_stdContacts.size(); begin = end) {
@@ -172,7 +172,7 @@ void CRestingContacts::Solve(std::vector<CMoving>& balls) {
     SolvePile(std::span(m_stdContacts).subspan(begin, end - begin), balls);
   }
   ForEachInPile(balls, [&](CMoving& ball, CEnergy& pile, double) {
-    pile.m_fKinetic += 0.5 * ball.m_fMass * ball.m_vVel.squaredNorm();
+    pile.m_fKinetic += ball.GetKinetic();
     pile.m_fFall += ball.m_fMass * m_fStep * m_vGravity.dot(ball.m_vVel);
   });
   ForEachInPile(balls, [&](CMoving& ball, CEnergy& pile, double) {
