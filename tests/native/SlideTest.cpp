@@ -72,5 +72,22 @@ TEST(Slide, ABallLeavesABowlAtItsEnd) {
   }
 }
 
+// It goes along with the bowl, which is all that a bowl in even motion changes.
+TEST(Slide, InABowlThatMovesEvenlyABallSlidesAsInOneAtRest) {
+  const Vector2 vel(3, 1), start(0.45f, -0.6f);
+  const auto pResting = MakeNative(g_cAutomatic, 10), pMoving = MakeNative(g_cAutomatic, 10);
+  const auto bowl = Turning(CArcDesc({0, 0}, 1, 0, 0, 0.0f));
+  pResting->Add(bowl);
+  const CShapeId moving = pMoving->Add(bowl);
+  pMoving->SetVel(moving, vel);
+  const CShapeId a = pResting->Add(CDynamicCircleDesc(start, 0.25f, {0, 0}));
+  const CShapeId b = pMoving->Add(CDynamicCircleDesc(start, 0.25f, vel));
+  InEachStep(*pResting, 120, [&](int) {
+    pMoving->Step();
+    const Vector2 inBowl = pMoving->GetPos(b) - pMoving->GetPos(moving);
+    EXPECT_LT((inBowl - pResting->GetPos(a)).norm(), 4 * 4.8e-7f); // roundings of places up to 8 units
+  });
+}
+
 } // namespace
 } // namespace Shapes

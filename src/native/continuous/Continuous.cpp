@@ -104,7 +104,7 @@ void CContinuous::FollowBalls() {
   if (!m_cResting.IsEmpty()) SolveRestingContacts();
   for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     if (m_stdBalls[i].m_bIsAsleep) continue;
-    FindBallImpacts(i);
+    if (m_bPairs) FindBallImpacts(i);
     Queue(i);
   }
 
@@ -181,17 +181,18 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i) {
     const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
     const double rounding = GetRounding(ball, order);
     const double reach = IsFalling() ? rounding : 0.0;
-    CTouching touching{order, 0.0, {}};
+    CImpact impact;
+    double gap;
     if (IsOutOfWay(geometry, GetPlace(ball), 0.0, reach) ||
-        !Near(geometry, GetMotion(ball), 0.0, reach, touching.m_cImpact, touching.m_fGap))
+        !Near(geometry, GetMotion(ball), 0.0, reach, impact, gap))
       continue;
-    const bool isRounding = touching.m_fGap >= -rounding;
+    const bool isRounding = gap >= -rounding;
     if (isRounding && IsFalling()) {
-      m_stdTouching.push_back(touching);
+      m_stdTouching.push_back({order, gap, impact});
       continue;
     }
     if (!isRounding && geometry.m_eSides != eSides::Both) continue;
-    CorrectPosition(i, touching.m_cImpact.m_vNorm, -touching.m_fGap);
+    CorrectPosition(i, impact.m_vNorm, -gap);
     had = true;
     m_stdTouching.clear();
     FindShapes(i);

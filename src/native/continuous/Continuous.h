@@ -105,10 +105,11 @@ private:
   void FindDiscs();
   void FindInvolved();
   bool IsInTheOpen(const CMotion& motion, const CDiscGrid::CDisc& disc);
+  bool PassesAll(const CMotion& motion, const CDiscGrid::CDisc& disc);
   bool IsFar(std::size_t i) const;
   bool MovesNear(const CDiscGrid::CDisc& disc) const;
   void TakeSolid(std::uint32_t k);
-  void Take(std::size_t i, const CDiscGrid::CDisc& disc);
+  void Take(std::size_t i, const CMotion& motion, const CDiscGrid::CDisc& disc);
   void FindBalls(std::uint32_t i);
   void FindAllBalls(std::uint32_t i);
   void FindCrowds();
@@ -167,7 +168,9 @@ private:
   void StopTogether(CMoving& upper, CMoving& lower, const Vector2d& up) const;
   void Rest(CMoving& ball, CMoving& other, const Vector2d& n);
   bool AreAtRest(std::uint32_t i, std::uint32_t j) const;
-  void Settle(CMoving& ball, const CMotion& before);
+  void SettleOnCurve(CMoving& ball, const CHold& curve, const CMotion& before, double time) const;
+  bool SettleOnAll(CMoving& ball) const;
+  void Settle(CMoving& ball, const CMotion& before, double time);
   double GetTimeToEnd(const CMoving& ball, const CHold& hold) const;
   double GetHoldTime(const CMoving& ball) const;
   const CHold* GetCurve(const CMoving& ball) const;

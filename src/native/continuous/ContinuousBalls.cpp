@@ -84,7 +84,11 @@ void CContinuous::FindInvolved() {
 
 // Whether surely no shape touches the ball or is on its way, where this disc is around that.
 bool CContinuous::IsInTheOpen(const CMotion& motion, const CDiscGrid::CDisc& disc) {
-  if (m_pShapes->IsClear(disc.m_vCenter, disc.m_fRadius)) return true;
+  return m_pShapes->IsClear(disc.m_vCenter, disc.m_fRadius) || PassesAll(motion, disc);
+}
+
+// The same, by the shapes near the disc.
+bool CContinuous::PassesAll(const CMotion& motion, const CDiscGrid::CDisc& disc) {
   m_pShapes->FindNear(disc.m_vCenter, disc.m_fRadius, m_stdShapesFound);
   return std::all_of(m_stdShapesFound.begin(), m_stdShapesFound.end(), [&](std::uint32_t order) {
     const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
@@ -101,14 +105,13 @@ bool CContinuous::MovesNear(const CDiscGrid::CDisc& disc) const {
 
 void CContinuous::TakeSolid(std::uint32_t k) {
   m_stdIndexOf[k] = static_cast<std::uint32_t>(m_stdBalls.size());
-  Take(m_stdSolid[k], m_cNearDiscs.Get(k));
+  Take(m_stdSolid[k], GetFreeMotion(m_stdSolid[k]), m_cNearDiscs.Get(k));
   m_stdBalls.back().m_nSolid = k;
   if (!m_cEnergy.IsEmpty()) m_cEnergy.Add(m_stdBalls.back());
 }
 
-void CContinuous::Take(std::size_t i, const CDiscGrid::CDisc& disc) {
+void CContinuous::Take(std::size_t i, const CMotion& motion, const CDiscGrid::CDisc& disc) {
   const CBallArrays& b = *m_pBalls;
-  const CMotion motion = GetFreeMotion(i);
   CMoving& ball = m_stdBalls.emplace_back();
   ball.m_nBall = i;
   ball.m_vPos = motion.m_vPos;
@@ -243,14 +246,16 @@ void CContinuous::MoveAlone(std::size_t i) {
   float& calm = m_pBalls->m_stdCalm[i];
   if (IsAsleep(i) && !MovesNear(disc)) return;
   if (IsAsleep(i)) calm = 0.0f;
-  if (IsInTheOpen(motion, disc)) {
+  // So wide that mostly what a shape that holds it makes of its way is in it, too.
+  const CDiscGrid::CDisc wide{disc.m_vCenter, disc.m_fRadius + static_cast<float>(8.0 * m_fSagitta)};
+  if (PassesAll(motion, wide)) {
     calm = 0.0f;
     return MoveFreely(i, motion);
   }
   m_stdBalls.clear();
-  Take(i, disc);
+  Take(i, motion, disc);
   m_nFoundOf = m_bFilters ? g_nNobody : 0;
-  m_cFoundIn = disc;
+  m_cFoundIn = wide;
   FollowBalls();
   PutTaken();
 }

@@ -174,7 +174,7 @@ void CContinuous::Advance(CMoving& ball, double motion) {
   ball.m_bIsMoved = true;
   ball.m_bIsAsleep = false;
   ++ball.m_nVersion;
-  if (!ball.m_cHolds.IsEmpty() && !ball.m_bIsHalted) Settle(ball, before);
+  if (!ball.m_cHolds.IsEmpty() && !ball.m_bIsHalted) Settle(ball, before, motion);
 }
 
 // A halted ball with the moving shape that it has met last, until something else is in the way of that.

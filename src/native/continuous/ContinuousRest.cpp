@@ -206,16 +206,25 @@ void CContinuous::ReportHold(const CMoving& ball) {
          0.0, ImpulseOf(ball.m_fMass, 0.0, push));
 }
 
-// Onto the surfaces that hold it: the parabola leaves those that curve with the third power of the time.
-void CContinuous::Settle(CMoving& ball, const CMotion& before) {
-  bool isAtRest = true, isMoved = GetCurve(ball) != nullptr;
+// Onto the circle on which its centre moves: the parabola leaves that with the fourth power of the time. The
+// hold is of where this part of the way began.
+void CContinuous::SettleOnCurve(CMoving& ball, const CHold& curve, const CMotion& before, double time) const {
+  const Vector2d& vel = m_pShapes->GetGeometry(curve.m_nOther).m_vVel;
+  const Vector2d middle = before.m_vPos - curve.m_fRadius * curve.m_vNorm + time * vel;
+  const Vector2d n = Unit((ball.m_vPos - middle) / curve.m_fRadius, curve.m_vNorm);
+  ball.m_vPos = middle + curve.m_fRadius * n;
+  ball.m_vVel -= n.dot(ball.m_vVel - vel) * n;
+}
+
+// Onto the surfaces that hold it. Whether it needed that.
+bool CContinuous::SettleOnAll(CMoving& ball) const {
+  bool isMoved = false;
   // Between two of them in turns.
   const int rounds = ball.m_cHolds.Get().size() > 1 ? g_nWedgeRounds : 1;
   for (int round = 0; round < rounds; ++round)
     for (const CHold& hold : ball.m_cHolds.Get()) {
       if (hold.m_bIsBall) continue;
       const CShapeGeometry& geometry = m_pShapes->GetGeometry(hold.m_nOther);
-      isAtRest &= !geometry.IsMoving();
       const bool isFlat = geometry.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius);
       if (isFlat && rounds == 1) continue;
       CImpact impact;
@@ -231,15 +240,32 @@ void CContinuous::Settle(CMoving& ball, const CMotion& before) {
       ball.m_vVel -= n.dot(ball.m_vVel - impact.m_vSurface) * n;
       isMoved = true;
     }
-  if (!isMoved || !isAtRest || ball.m_bIsInPile) return;
-  // Nothing but gravity has done work. A ball that turns round is put back to where its speed is zero.
-  const double square = before.m_vVel.squaredNorm() + 2.0 * m_vGravity.dot(ball.m_vPos - before.m_vPos);
-  const double now = ball.m_vVel.squaredNorm();
-  if (now > 0.0) ball.m_vVel *= std::sqrt(std::max(0.0, square) / now);
-  // Not farther than it has come: where hardly anything pulls it the quotient is of roundings.
-  const double pull = Norm(ball.m_vAcc), way = Norm(ball.m_vPos - before.m_vPos);
+  return isMoved;
+}
+
+// After a part of its way of `time` seconds.
+void CContinuous::Settle(CMoving& ball, const CMotion& before, double time) {
+  const CHold* pCurve = GetCurve(ball);
+  if (pCurve != nullptr)
+    SettleOnCurve(ball, *pCurve, before, time);
+  else if (!SettleOnAll(ball))
+    return;
+  if (ball.m_bIsInPile) return; // balls hold it, too
+  // Where what holds it is at rest, or moves evenly, nothing but gravity has done work in the frame of that.
+  const Vector2d vel = m_pShapes->GetGeometry(ball.m_cHolds.Get()[0].m_nOther).m_vVel;
+  for (const CHold& hold : ball.m_cHolds.Get()) {
+    const CShapeGeometry& geometry = m_pShapes->GetGeometry(hold.m_nOther);
+    if (geometry.m_fTurnSpeed != 0.0 || geometry.m_vVel != vel) return;
+  }
+  const Vector2d u = ball.m_vVel - vel, way = ball.m_vPos - before.m_vPos - time * vel;
+  const double square = (before.m_vVel - vel).squaredNorm() + 2.0 * m_vGravity.dot(way);
+  const double now = u.squaredNorm();
+  if (now > 0.0) ball.m_vVel = vel + std::sqrt(std::max(0.0, square) / now) * u;
+  // A ball that turns round is put back to where its speed is zero. Not farther than it has come: where
+  // hardly anything pulls it the quotient is of roundings.
+  const double pull = Norm(ball.m_vAcc), length = Norm(way);
   if (square < 0.0 && pull > 0.0)
-    ball.m_vPos += std::min(Geometry::Quotient(-0.5 * square, pull, way), way) / pull * ball.m_vAcc;
+    ball.m_vPos += std::min(Geometry::Quotient(-0.5 * square, pull, length), length) / pull * ball.m_vAcc;
 }
 
 namespace {

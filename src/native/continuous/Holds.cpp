@@ -17,23 +17,25 @@ using Geometry::Cross, Geometry::Norm;
 // balls.
 template <class F>
 Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound) {
+  const auto getExcess = [&](const CHold& hold, const Vector2d& p) {
+    const double size = x.cwiseAbs().maxCoeff() + p.cwiseAbs().maxCoeff();
+    const double excess = bound(hold) - hold.m_vNorm.dot(p);
+    return excess <= 16.0 * std::numeric_limits<double>::epsilon() * size ? 0.0 : excess;
+  };
+  if (holds.size() == 1) return x + getExcess(holds[0], x) * holds[0].m_vNorm;
+
   using CRank = std::array<double, 3>; // excess into shapes and into balls, and how far from x
   Vector2d best = x;
   CRank bestRank;
   bestRank.fill(std::numeric_limits<double>::infinity());
   const auto offer = [&](const Vector2d& p) {
-    const double size = x.cwiseAbs().maxCoeff() + p.cwiseAbs().maxCoeff();
     CRank rank{0.0, 0.0, (p - x).squaredNorm()};
-    for (const CHold& hold : holds) {
-      const double excess = bound(hold) - hold.m_vNorm.dot(p);
-      if (excess <= 16.0 * std::numeric_limits<double>::epsilon() * size) continue;
-      rank[hold.m_bIsBall] = std::max(rank[hold.m_bIsBall], excess);
-    }
+    for (const CHold& hold : holds)
+      rank[hold.m_bIsBall] = std::max(rank[hold.m_bIsBall], getExcess(hold, p));
     if (rank < bestRank) best = p, bestRank = rank;
   };
   offer(x);
   if (bestRank[0] == 0.0 && bestRank[1] == 0.0) return x;
-  if (holds.size() == 1) return x + (bound(holds[0]) - holds[0].m_vNorm.dot(x)) * holds[0].m_vNorm;
   for (std::size_t i = 0; i < holds.size(); ++i) {
     const Vector2d& n = holds[i].m_vNorm;
     offer(x + (bound(holds[i]) - n.dot(x)) * n);
