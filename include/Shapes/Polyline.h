@@ -28,11 +28,13 @@ std::vector<CAnyShapeDesc> MakeBox(const Vector2& center, const Vector2& size, f
 
 /// A capsule, or a flipper that tapers: circles about both centres, then the two segments that touch both
 /// from outside (CCircle::Tangents, with the same errors). Add them one by one, or as a compound. It is
-/// hollow: a ball that starts inside stays there, and as a sensor it detects on its parts.
+/// hollow: a ball that starts inside stays there (on Box2D, where the ends are solid, they may push it out),
+/// and as a sensor it detects on its parts.
 /// @param p0, p1  centres of the round ends, farther apart than their radii differ, user units
 /// @param r0, r1  radii of the ends, user units, above 0
 /// @param like    what all have in common; its sides do not count, as balls meet both
-/// @throws std::invalid_argument if a value is not finite or out of range, or if one end contains the other
+/// @throws std::invalid_argument if a value is not finite or out of range, or if one end contains the other,
+/// as where p0 is p1: that is a circle
 std::vector<CAnyShapeDesc> MakeCapsule(const Vector2& p0, float r0, const Vector2& p1, float r1,
                                        const CLineSegDesc& like = {});
 

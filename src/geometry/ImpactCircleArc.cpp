@@ -17,7 +17,7 @@ void ImpactCircleArc(CImpactSearch<TMotion>& search) {
   const double out = Norm(d) == R ? d.dot(ball.m_vVel) : 0.0;
   if (arc.m_eSides != eSides::Back && !(out > 0.0)) search.KeepEarliest(CDisk{c, R}, r, inSector);
   if (arc.m_eSides != eSides::Front && r < R && !(out < 0.0)) search.KeepEarliest(CRing{c, R}, r, inSector);
-  if (arc.m_bFull) return;
+  if (arc.m_bFull || search.HasFace()) return;
 
   const bool oneSided = arc.m_eSides != eSides::Both;
   const double side = arc.m_eSides == eSides::Back ? -1.0 : 1.0;

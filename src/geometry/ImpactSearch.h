@@ -40,6 +40,11 @@ private:
 };
 
 template <class TMotion>
+inline constexpr bool g_bStands = false;
+template <class TMotion>
+inline constexpr bool g_bStands<CStandingMotion<TMotion>> = true;
+
+template <class TMotion>
 class CImpactSearch {
 public:
   /// Up to the time `end`. The shape and the impact are in the frame of the motion. All three have to stay.
@@ -52,6 +57,8 @@ public:
   const TMotion& GetMotion() const { return m_cMotion; }
   double GetBallRadius() const { return m_cMotion.GetMotion().m_fRadius; }
   eSweep GetFound() const { return m_eFound; }
+  /// Whether the centre is in front of a face that was found: of a standing motion, ends are not closer then.
+  bool HasFace() const { return g_bStands<TMotion> && m_eFound != eSweep::None; }
 
   /// Keeps the first. `counts` says where the centre has to be; a ball that overlaps by more than `deepest`
   /// is ignored until it is clear.

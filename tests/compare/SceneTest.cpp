@@ -163,6 +163,12 @@ TEST_F(SceneTest, AWrongFieldIsNamedWithWhatWasExpected) {
       {"/compounds/0/shapes/1", R"({"motion": "static"})",
        "/compounds/0/shapes/1/motion: expected no such field (known are drain, elasticity, filter, name, "
        "position, sensor, type), got \"static\""},
+      {"/shapes/4/radii", "0.5", "expected two radii [r0, r1] above 0, got 0.5"},
+      {"/shapes/4/radii/1", "0", "expected a number above 0, got 0"},
+      {"/shapes/4", R"({"sides": "front"})",
+       "/shapes/4/sides: expected no such field (known are drain, elasticity, filter, flip, motion, "
+       "name, p0, p1, radii, rotation_center, rotation_speed, sensor, shuttle, type, velocity), got "
+       "\"front\""},
       {"/compounds/0/flip/speed", "0", "expected a number above 0, got 0"},
       {"/balls/0/spread/speed", "1.5", "expected a fraction from 0 to 1, got 1.5"},
       {"/balls/0/mass", "0", "expected a number above 0, got 0"},
@@ -217,6 +223,9 @@ TEST_F(SceneTest, WhatTheShapesRefuseIsNamedByItsPath) {
       {"/shapes/2", R"({"elasticity": 1e7})", "/shapes/2/elasticity: expected a number from"},
       {"/shapes/3/rotation_speed", "1e10", "expected a"},
       {"/shapes/3/rotation_center/0", "1e19", "/shapes/3/rotation_center: expected finite"},
+      {"/shapes/4/p1", "[1, 1.25]", "expected a point farther from p0 than the radii differ, got [1,1.25]"},
+      {"/shapes/4/radii/0", "1e19", "/shapes/4/radii: expected a number above 0, up to"},
+      {"/compounds/0/shapes/4/p0/0", "1e19", "/compounds/0/shapes/4/p0: expected coordinates"},
       {"/compounds/0/rotation_center/0", "1e19", "/compounds/0/rotation_center: expected finite"},
       {"/compounds/0/shapes/0/elasticity", "1e7", "expected a number from"},
       {"/time_step", "1e-60", "expected a number above 0"},

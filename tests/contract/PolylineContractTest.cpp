@@ -78,6 +78,11 @@ TEST(Capsule, WhatIsNoneIsRefused) {
   EXPECT_EQ(message({0, 0}, 1, {1, 0}, 0.25f), "");
   EXPECT_EQ(message({0, 0}, 1, {0.5f, 0}, 0.25f),
             "p1 is (0.5, 0): expected a point farther from p0 than the radii differ");
+  EXPECT_EQ(message({3, 4}, 1, {3, 4}, 1),
+            "p1 is (3, 4): expected a point farther from p0 than the radii differ");
+  EXPECT_EQ(message({0, 0}, 1, {1, 0}, 1e19f), "r1 is 1e+19: expected a number above 0, up to 1e+18");
+  EXPECT_TRUE(message({0, 0}, g_fInf, {1, 0}, 1).starts_with("r0 is inf: "));
+  EXPECT_TRUE(message({1e19f, 0}, 1, {1, 0}, 1).starts_with("p0 is (1e+19, 0): "));
   EXPECT_TRUE(message({0, 0}, 0, {1, 0}, 1).starts_with("r0 is 0: "));
   EXPECT_TRUE(message({0, 0}, 1, {1, 0}, -1).starts_with("r1 is -1: "));
   EXPECT_TRUE(message({g_fNan, 0}, 1, {1, 0}, 1).starts_with("p0 is (nan, 0): "));

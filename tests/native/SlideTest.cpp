@@ -7,35 +7,53 @@
 namespace Shapes {
 namespace {
 
-/// A ball begins to slide on a shape about the origin that has no elasticity. It is looked at until .3 s
-/// after it has left that, or for 100 s.
+/// A ball that begins to slide on shapes that have no elasticity, in a world and in the exact reference.
+struct CSlide {
+  std::unique_ptr<CWorld> m_pWorld = MakeNative(g_cAutomatic, 10);
+  CShapeId m_nBall;
+  Compare::CReference<double> m_cExact;
+  double m_fFirst;                                       // energy
+  std::vector<Compare::CExactEvent<double>> m_stdEvents; // of all steps
+
+  CSlide(const std::vector<CAnyShapeDesc>& shapes, const Vector2d& p, float r, const Vector2& v)
+      : m_cExact(shapes, std::array{CDynamicCircleDesc({0, 0}, r)}, {0, -10}) {
+    for (const CAnyShapeDesc& shape : shapes)
+      m_pWorld->Add(shape);
+    m_nBall = m_pWorld->Add(CDynamicCircleDesc(p.cast<float>(), r, v));
+    m_cExact.SetBall(0, p, Wide(v));
+    m_fFirst = GetEnergy();
+  }
+  double GetEnergy() const { return EnergyOf(*m_pWorld, m_nBall, 10, 0.0); }
+  /// The world has made its step; how far it is off then, at most `most`, with energy kept.
+  double ExpectExact(double most) {
+    m_cExact.Step(Wide(g_fDt), m_stdEvents);
+    const double off = (Wide(m_pWorld->GetPos(m_nBall)) - m_cExact.GetBall(0).m_vPos).norm();
+    EXPECT_LT(off, most);
+    EXPECT_NEAR(GetEnergy(), m_fFirst, 2e-6 * (1.0 + std::abs(m_fFirst)));
+    return off;
+  }
+};
+
+/// On a shape about the origin, until .3 s after it has left that, or for 100 s.
 /// @param most  how far it may be off, and also its velocity after it has left
 /// @returns steps for which it has flown
 int ExpectExactWay(const CAnyShapeDesc& shape, const Vector2d& p, float r, const Vector2& v, double most) {
-  const auto pWorld = MakeNative(g_cAutomatic, 10);
-  pWorld->Add(shape);
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc(p.cast<float>(), r, v));
-  Compare::CReference<double> exact(std::array{shape}, std::array{CDynamicCircleDesc({0, 0}, r)}, {0, -10});
-  exact.SetBall(0, p, Wide(v));
-  std::vector<Compare::CExactEvent<double>> events;
-  const double length = p.norm(), first = EnergyOf(*pWorld, ball, 10, -length);
+  CSlide slide({shape}, p, r, v);
+  const CWorld& world = *slide.m_pWorld;
   int flown = 0;
-  InEachStep(*pWorld, 6000, [&](int) {
+  InEachStep(*slide.m_pWorld, 6000, [&](int) {
     if (flown == 18) return;
-    exact.Step(Wide(g_fDt), events);
-    flown += exact.GetForce(0, 0) == 0.0;
-    const double off = (Wide(pWorld->GetPos(ball)) - exact.GetBall(0).m_vPos).norm();
-    EXPECT_LT(off, most);
-    EXPECT_NEAR(EnergyOf(*pWorld, ball, 10, -length), first, 2e-6 * (1.0 + first));
+    const double off = slide.ExpectExact(most);
+    EXPECT_TRUE(slide.m_stdEvents.empty());
+    flown += slide.m_cExact.GetForce(0, 0) == 0.0;
     if (flown == 0) {
-      EXPECT_NEAR(Wide(pWorld->GetPos(ball).norm()), length, 1e-6);
+      EXPECT_NEAR(Wide(world.GetPos(slide.m_nBall).norm()), p.norm(), 1e-6);
     }
     if (flown == 18) {
-      EXPECT_LT(off + (Wide(pWorld->GetVel(ball)) - exact.GetBall(0).m_vVel).norm(), most);
+      EXPECT_LT(off + (Wide(world.GetVel(slide.m_nBall)) - slide.m_cExact.GetBall(0).m_vVel).norm(), most);
     }
   });
-  EXPECT_TRUE(events.empty());
-  EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u);
+  EXPECT_EQ(world.GetStats().m_nBallsHalted, 0u);
   return flown;
 }
 
@@ -87,6 +105,26 @@ TEST(Slide, InABowlThatMovesEvenlyABallSlidesAsInOneAtRest) {
     const Vector2 inBowl = pMoving->GetPos(b) - pMoving->GetPos(moving);
     EXPECT_LT((inBowl - pResting->GetPos(a)).norm(), 4 * 4.8e-7f); // roundings of places up to 8 units
   });
+}
+
+// Between a level segment and a circle of radius 1 below its end, a quarter of one, or one above it.
+TEST(Slide, ABallSlidesOverTheSeamOfACurveAndItsTangent) {
+  const CAnyShapeDesc curves[] = {CCircleDesc({0, -1}, 1, 0.0f), CArcDesc({0, -1}, 1, 0, 0.5f * g_fPi, 0.0f),
+                                  CArcDesc({0, 1}, 1, -0.5f * g_fPi, 0, 0.0f)};
+  for (const int curve : {0, 1, 2})
+    for (int k = 0; k < 20; ++k) {
+      SCOPED_TRACE(testing::Message() << "curve " << curve << ", start " << k);
+      const double sign = curve < 2 ? 1 : -1, R = 1 + sign * 0.125, angle = 0.35 + 0.001 * k;
+      const Vector2d out(std::sin(angle), sign * std::cos(angle));
+      CSlide to({CLineSegDesc({-5, 0}, {0, 0}, 0), curves[curve]}, {-0.2 + 0.001 * k, 0.125}, 0.125f, {1, 0});
+      CSlide from({CLineSegDesc({-5, 0}, {0, 0}, 0), curves[curve]}, Vector2d(0, -sign) + R * out, 0.125f,
+                  (-sign * 1.6 * Vector2d(out.y(), -out.x())).cast<float>());
+      // Of parts of the way that turn by g_fSlideTurn, as above.
+      for (CSlide* pSlide : {&to, &from})
+        InEachStep(*pSlide->m_pWorld, 24, [&](int) { pSlide->ExpectExact(1e-5); });
+      EXPECT_GT(to.m_pWorld->GetPos(to.m_nBall).x(), 0.1f);
+      EXPECT_LT(from.m_pWorld->GetPos(from.m_nBall).x(), -0.05f);
+    }
 }
 
 } // namespace

@@ -213,7 +213,14 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
       IsFalling() && IsHop(e * approach, impact.m_fClosing, speed) && CanFollow(ball, order, impact);
   if (stays) {
     GiveAgain(ball);
-    Hold(ball, MakeHold(ball, order, impact));
+    const CHold hold = MakeHold(ball, order, impact);
+    // The normal of a curve that it has slid along is another one by now.
+    if (const CHold* pCurve = GetCurve(ball)) {
+      const std::uint32_t curve = pCurve->m_nOther;
+      Free(ball);
+      HoldIfTouching(ball, curve);
+    }
+    Hold(ball, hold);
   } else {
     RespondKinematic(n, 0.0, e, surface, ball.m_vPos, ball.m_vVel);
     GiveAgain(ball);

@@ -281,27 +281,30 @@ double GetTimeTo(double gap, double v, double a, double most) {
 
 } // namespace
 
-// Until the ball is past the end of a segment or an arc that holds it and does not turn.
+// Until the ball is past the end of a segment or an arc that holds it and does not turn; round an end, until
+// it is in front of the face.
 double CContinuous::GetTimeToEnd(const CMoving& ball, const CHold& hold) const {
   double time = std::numeric_limits<double>::infinity();
   const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
   const Vector2d u = ball.m_vVel - o.m_vVel, moved = ball.m_fTime * o.m_vVel;
   const double left = m_fStep - ball.m_fTime;
+  const bool isRoundEnd = hold.m_fRadius == ball.m_fRadius;
   // So far that rounding leaves nothing of the shape below the ball.
   const double past = GetRounding(ball, hold.m_nOther);
-  if (!std::isfinite(hold.m_fRadius)) {
-    const Vector2d along = -Perp(o.m_vFront);
+  if (o.m_eShapeType == eShape::LineSeg) {
     for (const double sign : {1.0, -1.0}) {
+      const Vector2d way = (isRoundEnd ? sign : -sign) * Perp(o.m_vFront);
       const Vector2d end = (sign > 0.0 ? o.m_vPt1 : o.m_vPt0) + moved;
-      const double gap = std::max(sign * along.dot(end - ball.m_vPos), 0.0) + past;
-      time = std::min(time, GetTimeTo(gap, sign * along.dot(u), sign * along.dot(ball.m_vAcc), left));
+      const double gap = way.dot(end - ball.m_vPos);
+      if (isRoundEnd && gap < 0.0) continue; // the other one
+      time = std::min(time, GetTimeTo(std::max(gap, 0.0) + past, way.dot(u), way.dot(ball.m_vAcc), left));
     }
   } else if (o.m_eShapeType == eShape::Arc && !o.m_bFull) {
     const Vector2d d = ball.m_vPos - o.m_vCenter - moved;
     const double sign = Cross(d, u) > 0.0 ? 1.0 : -1.0;
-    const Vector2d end = (sign > 0.0 ? o.m_vPt1 : o.m_vPt0) - o.m_vCenter;
+    const Vector2d end = ((sign > 0.0) != isRoundEnd ? o.m_vPt1 : o.m_vPt0) - o.m_vCenter;
     if (!(d.dot(end) > 0.0)) return time;
-    const double sine = sign * Cross(d, end) / (Norm(d) * o.m_fRadius), R = std::abs(hold.m_fRadius);
+    const double sine = sign * Cross(d, end) / (Norm(d) * o.m_fRadius), R = Norm(d);
     // Not farther off than the ball gets.
     if (!(sine > 0.0) || sine * R > (Norm(u) + Norm(ball.m_vAcc) * left) * left) return time;
     const double gap = std::asin(std::min(sine, 1.0)) * R + past;
