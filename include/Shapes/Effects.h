@@ -25,8 +25,8 @@ enum class eEffect {
   Events,
   /// Balls are swept: they collide where they first touch, instead of where they overlap at the end of a
   /// substep, and do not push each other through shapes. On native balls fall on parabolas then, and only
-  /// those that something may be near to cost more than their flight. Called for wherever a ball can collide.
-  /// On Box2D this is its continuous physics; in a game's b2World the game decides.
+  /// those that something may be near to cost more than their flight. Called for wherever a ball can collide
+  /// or falls. On Box2D this is its continuous physics; in a game's b2World the game decides.
   Continuous,
   /// CWorld::GetTouchEvents. Called for by nothing: force it where somebody reads them. It needs Events.
   Touches,

@@ -26,7 +26,7 @@ std::string Why(eEffect e, const CContent& c, const CWorldState& state) {
                 ? ""
                 : ", " + Plural(state.m_stdTouching.size(), "pair touches", "pairs touch"));
   case eEffect::Events: return whatCanMeet() + ", " + Plural(c.m_nSensors, "sensor", "sensors");
-  case eEffect::Continuous: return whatCanMeet();
+  case eEffect::Continuous: return whatCanMeet() + ", gravity is " + ToText(state.m_vGravity);
   case eEffect::Touches: return Plural(state.m_stdSolidTouching.size(), "pair touches", "pairs touch");
   case eEffect::Size: break;
   }
@@ -105,7 +105,7 @@ CEffects GetCalledFor(const CContent& c, const CWorldState& state) {
   called.Set(eEffect::BallPairs, c.m_nSolidBalls > 1);
   called.Set(eEffect::Sensors, c.m_nSensors > 0 || !state.m_stdTouching.empty());
   called.Set(eEffect::Events, c.CanMeet() || called.Has(eEffect::Sensors));
-  called.Set(eEffect::Continuous, c.CanMeet());
+  called.Set(eEffect::Continuous, c.CanMeet() || called.Has(eEffect::Gravity));
   return called;
 }
 

@@ -273,7 +273,7 @@ TEST_P(CEffectContract, TheWorldSaysWhatRunsAndWhy) {
                                       "BallPairs: does not run, forbidden by the description; 2 solid balls\n"
                                       "Sensors: runs, forced by the description; 0 sensors\n"
                                       "Events: runs; 2 solid balls, 1 solid shape, 0 sensors\n"
-                                      "Continuous: runs; 2 solid balls, 1 solid shape\n"
+                                      "Continuous: runs; 2 solid balls, 1 solid shape, gravity is (0, -10)\n"
                                       "Touches: does not run; 0 pairs touch\n");
 }
 

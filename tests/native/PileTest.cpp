@@ -97,7 +97,8 @@ CPile MakeRandomPile(std::uint64_t seed, const CEffectChoice& effects) {
           random};
 }
 
-// SHAPES_PILES says how many, 15 by default: one of each kind. All of 1,000 pass.
+// SHAPES_PILES says how many, 15 by default: one of each kind. Of 1,000 four are late (344, 669, 674, 929): a
+// paddle has hit balls of elasticity .9, which are calm after 17 s instead of 15.
 TEST(RandomPiles, LoseNoBallGainNoEnergyAndComeToRest) {
   const std::uint64_t piles = HowMany("SHAPES_PILES", 15);
   // A step of the first five once gave up to 1.2e-2, the others slept with overlaps of up to .0058.

@@ -118,7 +118,7 @@ TEST(EngineOrder, PlansBeforeTheFirstSubstepAndOnlyWhereEffectsChange) {
   world->SetGravity({0, -8});
   const CShapeId ball = world->Add(CDynamicCircleDesc({0, 0}, 1));
   EXPECT_EQ(callsOfAStep(), planned);
-  EXPECT_EQ(world.Engine().m_cPlanned, CEffects{eEffect::Gravity});
+  EXPECT_EQ(world.Engine().m_cPlanned, (CEffects{eEffect::Gravity, eEffect::Continuous}));
   EXPECT_EQ(world.Engine().m_fSubstep, 0.125f);
   world->SetVel(ball, {1, 0});
   world->SetPos(ball, {1, 0});
