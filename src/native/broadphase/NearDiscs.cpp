@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "NearDiscs.h"
 
+#include <algorithm>
+
 namespace Shapes::Native {
 
 void CNearDiscs::Build(float slack) {
@@ -28,7 +30,7 @@ void CNearDiscs::MakeList(std::uint32_t disc) {
 // Unless it is there.
 void CNearDiscs::Come(std::uint32_t disc, CList& list) {
   const std::span<const std::uint32_t> near = GetNear(list);
-  if (std::find(near.begin(), near.end(), disc) != near.end()) return;
+  if (std::binary_search(near.begin(), near.end(), disc)) return;
   for (std::uint32_t k = list.m_nCame; k != g_nNone; k = m_stdCame[k].m_nNext)
     if (m_stdCame[k].m_nDisc == disc) return;
   m_stdCame.push_back({disc, list.m_nCame});

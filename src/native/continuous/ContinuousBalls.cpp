@@ -181,6 +181,7 @@ CFarness GetFarness(const CMoving& ball, const CMoving& other) {
 // enough to part them: when these are apart, others are the nearest.
 void CContinuous::FindCrowds() {
   m_bAnyCrowd = false;
+  double largest = 0.0; // radius in a crowd
   for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     CMoving& ball = m_stdBalls[i];
     if (ball.m_bIsAsleep || m_cNearDiscs.FindAtBegin(ball.m_nSolid).size() <= g_nMostDeep) continue;
@@ -193,7 +194,9 @@ void CContinuous::FindCrowds() {
     std::nth_element(m_stdDeep.begin(), last, m_stdDeep.end());
     ball.m_cFarthestDeep = *last;
     m_bAnyCrowd = true;
+    largest = std::max(largest, ball.m_fRadius);
   }
+  if (m_bAnyCrowd) m_cNearDiscs.Build(GetSlack() + static_cast<float>(g_fCrowdSlack * largest));
 }
 
 // Whether both are in crowds, and neither is among the nearest of the other.
