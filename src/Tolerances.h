@@ -48,9 +48,14 @@ inline constexpr float g_fShallow = 0.01f;
 /// computed anew. It is a parabola in between, off by the turn cubed times the radius / 6 at most.
 inline constexpr float g_fHoldTurn = 0.03125f;
 /// The same where it slides along one that does not turn: its parabola knows how its acceleration changes
-/// there, and is off by the turn cubed times the radius / 40 on the way and by its fourth power / 24 at the
-/// end.
+/// there, and is off by the turn cubed times the radius / 40 on the way. At the end it is put to where a
+/// pendulum is, within the fifth power of the turn.
 inline constexpr float g_fSlideTurn = 0.125f;
+/// Most rounds of Newton's method in which it is put along a curve to where it meets another shape, the gap, in
+/// roundings of its place, with which it is there, and the least sine of the angle between the two.
+inline constexpr int g_nSlideRounds = 8;
+inline constexpr double g_fSlideGap = 0x1p-20;
+inline constexpr double g_fSlideSlope = 1e-3;
 /// Most of these parts in a substep.
 inline constexpr unsigned g_nMaxHolds = 64;
 /// Speed below which a ball that lies on something is at rest where Continuous runs, as a share of what

@@ -24,7 +24,8 @@ void ImpactCircleArc(CImpactSearch<TMotion>& search) {
   for (const bool first : {true, false}) {
     const Vector2d &end = first ? arc.m_vPt0 : arc.m_vPt1, &other = first ? arc.m_vPt1 : arc.m_vPt0;
     search.KeepEarliest(
-        CDisk{end, 0.0}, oneSided ? touch : std::numeric_limits<double>::infinity(), [&](const Vector2d& p) {
+        CDisk{end, 0.0}, oneSided ? search.GetEndDepth() : std::numeric_limits<double>::infinity(),
+        [&](const Vector2d& p) {
           if (InSector(arc, p - c, -slack)) return false;
           // On its way through it may reach the second end while it still overlaps the first.
           return !oneSided || (side * (Norm(p - c) - R) >= -touch && Norm(p - other) >= r - touch);

@@ -21,9 +21,9 @@ void ImpactLineSegCircle(CImpactSearch<TMotion>& search) {
   // ... and the ends elsewhere. These ignore balls that overlap them; a ball that slides off the face is not
   // beyond them where it would touch them.
   const auto solid = [&](const Vector2d& p) { return face.m_vNorm.dot(p - p0) >= -touch; };
-  search.KeepEarliest(CDisk{p0, 0.0}, touch,
+  search.KeepEarliest(CDisk{p0, 0.0}, search.GetEndDepth(),
                       [&](const Vector2d& p) { return beyond0(p) >= -touch && solid(p); });
-  search.KeepEarliest(CDisk{p1, 0.0}, touch,
+  search.KeepEarliest(CDisk{p1, 0.0}, search.GetEndDepth(),
                       [&](const Vector2d& p) { return beyond1(p) >= -touch && solid(p); });
 }
 

@@ -51,12 +51,18 @@ public:
   CImpactSearch(const CShapeGeometry& shape, const TMotion& motion, double end, CImpact& impact)
       : m_cShape(shape), m_cMotion(motion), m_cImpact(impact) {
     impact.m_fTime = end;
+    const double touch = motion.GetTouch(),
+                 rounding = touch * (static_cast<double>(g_fTouchRounding) / CRoundings::g_fShare);
+    m_fEndDepth = g_bStands<TMotion> ? std::clamp(end, touch, rounding) : touch;
   }
 
   const CShapeGeometry& GetShape() const { return m_cShape; }
   const TMotion& GetMotion() const { return m_cMotion; }
   double GetBallRadius() const { return m_cMotion.GetMotion().m_fRadius; }
   eSweep GetFound() const { return m_eFound; }
+  /// How deep a ball may be in an end, where one side is solid, to meet it. One that stands there, and is to
+  /// be found from some distance, may have been put there in floats.
+  double GetEndDepth() const { return m_fEndDepth; }
   /// Whether the centre is in front of a face that was found: of a standing motion, ends are not closer then.
   bool HasFace() const { return g_bStands<TMotion> && m_eFound != eSweep::None; }
 
@@ -68,7 +74,7 @@ public:
     const eSweep found = m_cMotion.TimeOfImpact(feature, deepest, counts, t);
     if (found == eSweep::None || (m_eFound != eSweep::None && !(t < m_cImpact.m_fTime))) return;
     m_eFound = found;
-    const CSpot spot = feature.At(m_cMotion.At(t));
+    const CSpot spot = GetSpot(feature, m_cMotion.At(t));
     m_cImpact = {t,
                  spot.m_vPOI,
                  spot.m_vNorm,
@@ -84,10 +90,26 @@ public:
   }
 
 private:
+  template <class TFeature>
+  CSpot GetSpot(const TFeature& feature, const CBallAt& ball) const {
+    return feature.At(ball);
+  }
+  // One that leaves the face in front of which it is has met an end that it touches as well.
+  CSpot GetSpot(const CSegment& feature, const CBallAt& ball) const {
+    const CSpot spot = feature.At(ball);
+    if (g_bStands<TMotion> || spot.Rate(ball) < 0.0) return spot;
+    for (const Vector2d& end : {feature.m_vPt0, feature.m_vPt1}) {
+      const CSpot atEnd = CDisk{end, 0.0}.At(ball);
+      if (atEnd.m_fGap <= m_cMotion.GetTouch() && atEnd.Rate(ball) < 0.0) return atEnd;
+    }
+    return spot;
+  }
+
   const CShapeGeometry& m_cShape;
   const TMotion& m_cMotion;
   CImpact& m_cImpact;
   eSweep m_eFound = eSweep::None;
+  double m_fEndDepth;
 };
 
 template <class TMotion>

@@ -17,7 +17,6 @@ struct CRoundings {
 
   CRoundings(double size, double speed) : m_fTouch(g_fShare * size), m_fSlow(g_fShare * speed) {}
 
-private:
   static constexpr double g_fShare = g_nSweepRoundings * std::numeric_limits<double>::epsilon();
 };
 

@@ -156,22 +156,28 @@ private:
   bool IsHop(double out, double closing, double speed) const;
   bool CanFollow(const CMoving& ball, std::uint32_t order, const CImpact& impact) const;
   void Hold(CMoving& ball, const CHold& hold);
-  CHold MakeHold(const CMoving& ball, std::uint32_t order, const CImpact& impact) const;
+  CHold MakeHold(const CMoving& ball, std::uint32_t order, const CImpact& impact, const Vector2d& acc) const;
   // What rounding explains of a gap between the two.
   double GetRounding(const CMoving& ball, std::uint32_t order) const;
   void HoldTouching(CMoving& ball);
   bool Touches(const CMoving& ball, std::uint32_t order, CImpact& impact, double& gap) const;
-  bool HoldIfTouching(CMoving& ball, std::uint32_t order);
-  bool HoldIfStaying(CMoving& ball, std::uint32_t order, const CImpact& impact, double gap);
+  bool HoldIfTouching(CMoving& ball, std::uint32_t order, bool mayMeet);
+  bool HoldIfStaying(CMoving& ball, std::uint32_t order, const CImpact& impact, double gap, bool mayMeet);
+  bool HoldsTogether(const CMoving& ball, const CHold& hold) const;
+  bool HoldAsOne(CMoving& ball, std::uint32_t order, const CImpact& impact);
   void ReportHold(const CMoving& ball);
   bool IsSlow(const CMoving& ball, const CMoving& other, double approach) const;
   void StopTogether(CMoving& upper, CMoving& lower, const Vector2d& up) const;
   void Rest(CMoving& ball, CMoving& other, const Vector2d& n);
   bool AreAtRest(std::uint32_t i, std::uint32_t j) const;
   void SettleOnCurve(CMoving& ball, const CHold& curve, const CMotion& before, double time) const;
+  bool SlideOnto(CMoving& ball, std::uint32_t order, const CMotion& before, CImpact& impact) const;
+  void KeepEnergy(CMoving& ball, const CMotion& before, double time) const;
   bool SettleOnAll(CMoving& ball) const;
   void Settle(CMoving& ball, const CMotion& before, double time);
   double GetTimeToEnd(const CMoving& ball, const CHold& hold) const;
+  bool GetSector(const CMoving& ball, const CHold& hold, Vector2d& first, Vector2d& last) const;
+  double GetTimeToTurn(const CMoving& ball, const CHold& hold) const;
   double GetHoldTime(const CMoving& ball) const;
   const CHold* GetCurve(const CMoving& ball) const;
   Vector2d GetBend(const CMoving& ball) const;
@@ -191,6 +197,8 @@ private:
   void Collide(CMoving& ball, CMoving& other, const Vector2d& n, double setback, bool isSlow);
   void GoAlong(CMoving& ball, double time);
   void HoldAnew(CMoving& ball);
+  void StayOn(CMoving& ball, const CHold& hold, bool alone);
+  void HoldAllTouching(CMoving& ball, const CHolds& before);
   void Slide(CMoving& ball, const CImpact& impact) const;
   void Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n, double speed,
               float impulse);

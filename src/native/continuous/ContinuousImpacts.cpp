@@ -36,8 +36,17 @@ void CContinuous::Queue(std::uint32_t i) {
 // Of the shapes that were found, or the end of what holds it.
 void CContinuous::FindNextShape(CMoving& ball) {
   FindShapeImpacts(ball);
-  const double time = ball.m_fHoldTime;
   CNext& next = ball.m_cNext;
+  // Along a curve the way is that up to the end of this part: one that an impact ends before is another one.
+  const double part = std::min(ball.m_fHoldTime, m_fStep - ball.m_fTime);
+  if (next.m_eSweep == eSweep::Impact && next.m_cImpact.m_fTime > part / g_nMaxHolds &&
+      !ball.m_vBend.isZero(0.0)) {
+    ball.m_fHoldTime = std::min(part, next.m_cImpact.m_fTime);
+    ball.m_vBend = GetBend(ball);
+    next = CNext();
+    FindShapeImpacts(ball);
+  }
+  const double time = ball.m_fHoldTime;
   if (!(time < m_fStep - ball.m_fTime) || (next.m_eSweep != eSweep::None && !(time < next.m_cImpact.m_fTime)))
     return;
   next = CNext();
@@ -186,7 +195,7 @@ void CContinuous::GoAlong(CMoving& ball, double time) {
 }
 
 void CContinuous::ResolveWithShape(CMoving& ball) {
-  const CImpact impact = ball.m_cNext.m_cImpact;
+  CImpact impact = ball.m_cNext.m_cImpact;
   const std::uint32_t order = ball.m_cNext.m_nOther;
   if (ball.m_bIsHalted) {
     Advance(ball, impact.m_fTime);
@@ -195,12 +204,15 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   }
   const CShapeEntry& entry = m_pShapes->Get(order);
   const Vector2d &n = impact.m_vNorm, &surface = impact.m_vSurface;
+  const CMotion before = GetMotion(ball);
   Advance(ball, impact.m_fTime);
+  const bool onCurve = SlideOnto(ball, order, before, impact);
+  const Vector2d acc = onCurve ? ball.m_vAcc : before.m_vAcc;
   const double depth = ball.m_fRadius - (ball.m_vPos - impact.m_vPOI).dot(n);
   const double size = SizeOf(ball.m_vPos, ball.m_fRadius) + m_pShapes->GetGeometry(order).m_fSize;
   const double clear = Clear(size, ball.m_vVel.norm() * m_fStep);
   // Exactly onto the shape; but one that began deep in something stays there.
-  if (depth <= Rounding(size))
+  if (depth <= Rounding(size) && !onCurve)
     ball.m_vPos = impact.m_vPOI + std::max(ball.m_fRadius, FloatRounding(ball.m_vPos) + clear) * n;
   else
     ball.m_vPos += clear * n;
@@ -209,18 +221,14 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   const double approach = ApproachSpeed(ball.m_vVel, surface, n);
   const double e = ball.m_fElasticity * static_cast<double>(entry.m_pShape->GetElasticity());
   const double speed = Norm(ball.m_vVel) + Norm(surface);
-  const bool stays =
-      IsFalling() && IsHop(e * approach, impact.m_fClosing, speed) && CanFollow(ball, order, impact);
+  const CHold hold = MakeHold(ball, order, impact, acc);
+  // Where it leaves what has held it nothing but gravity accelerates it.
+  const bool staysAlone = IsHop(e * approach, hold.m_fAcc - n.dot(ball.m_vFall), speed);
+  const bool stays = IsFalling() && CanFollow(ball, order, impact) &&
+                     (staysAlone || IsHop(e * approach, impact.m_fClosing, speed));
   if (stays) {
     GiveAgain(ball);
-    const CHold hold = MakeHold(ball, order, impact);
-    // The normal of a curve that it has slid along is another one by now.
-    if (const CHold* pCurve = GetCurve(ball)) {
-      const std::uint32_t curve = pCurve->m_nOther;
-      Free(ball);
-      HoldIfTouching(ball, curve);
-    }
-    Hold(ball, hold);
+    StayOn(ball, hold, staysAlone);
   } else {
     RespondKinematic(n, 0.0, e, surface, ball.m_vPos, ball.m_vVel);
     GiveAgain(ball);
@@ -361,7 +369,8 @@ void CContinuous::StopAtTouching(CMoving& ball) {
   for (const std::uint32_t order : m_stdShapesFound) {
     CImpact impact;
     double gap;
-    if (Touches(ball, order, impact, gap)) touching.Add(MakeHold(ball, order, impact));
+    if (Touches(ball, order, impact, gap))
+      touching.Add(MakeHold(ball, order, impact, GetMotion(ball).m_vAcc));
   }
   ball.m_bIsStuck = ball.m_fTime <= g_fStuckPart * m_fStep;
   ball.m_vVel = touching.ConstrainVel(ball.m_bIsStuck ? Vector2d(Vector2d::Zero()) : ball.m_vVel);

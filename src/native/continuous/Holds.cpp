@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace Shapes::Native {
 namespace {
@@ -81,13 +82,31 @@ Vector2d CHolds::ConstrainAcc(const Vector2d& a) const {
   return Closest(a, Get(), [](const CHold& hold) { return hold.m_fAcc; });
 }
 
-void CHolds::DropPulling(const Vector2d& acc, const Vector2d& free) {
+Vector2d CHolds::KeepVel(const Vector2d& v) const {
+  const auto holds = Get();
+  const auto isOfBall = [](const CHold& hold) { return hold.m_bIsBall; };
+  if (holds.empty() || std::any_of(holds.begin(), holds.end(), isOfBall)) return v;
+  const Vector2d& n = holds[0].m_vNorm;
+  const double b = holds[0].m_fSpeed;
+  for (const CHold& other : holds.subspan(1)) {
+    const Vector2d& m = other.m_vNorm;
+    const double det = Cross(n, m), c = other.m_fSpeed;
+    const Vector2d crossing(b * m.y() - c * n.y(), c * n.x() - b * m.x()); // times det
+    const double nearby = (std::abs(b) + std::abs(c) + Norm(v)) * std::abs(det);
+    if (std::abs(det) >= g_fParallel && Norm(crossing) <= nearby) return crossing / det;
+  }
+  return v + (b - n.dot(v)) * n;
+}
+
+bool CHolds::DropPulling(const Vector2d& acc, const Vector2d& free) {
   const auto end = m_stdHolds.begin() + static_cast<std::ptrdiff_t>(m_nSize);
   const auto pulls = [&](const CHold& hold) {
     const double size = free.cwiseAbs().maxCoeff() + std::abs(hold.m_fAcc);
     return hold.m_vNorm.dot(acc) > hold.m_fAcc + 64.0 * std::numeric_limits<double>::epsilon() * size;
   };
-  m_nSize = static_cast<std::size_t>(std::remove_if(m_stdHolds.begin(), end, pulls) - m_stdHolds.begin());
+  const auto left =
+      static_cast<std::size_t>(std::remove_if(m_stdHolds.begin(), end, pulls) - m_stdHolds.begin());
+  return std::exchange(m_nSize, left) != left;
 }
 
 } // namespace Shapes::Native

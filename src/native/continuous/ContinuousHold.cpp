@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+// Shapes on which a ball lies, or along which it slides: which they are, and until when.
+#include "Continuous.h"
+
+#include "../../geometry/Swing.h"
+#include "../../shapes/Response.h"
+#include "Rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Shapes::Native {
+
+// Whether a ball that leaves a surface at the speed `out` is back at once, being accelerated towards it: it
+// lies on it, or leaves it all but along the surface.
+bool CContinuous::IsHop(double out, double closing, double speed) const {
+  const double most = std::max(Norm(m_vGravity) * m_fStep / g_nHops, static_cast<double>(g_fShallow) * speed);
+  return closing > 0.0 && out <= most && 2.0 * g_nHops * out < closing * m_fStep;
+}
+
+// Whether the way along a surface can be followed: not where it turns too far within a substep.
+bool CContinuous::CanFollow(const CMoving& ball, std::uint32_t order, const CImpact& impact) const {
+  const double speed = Norm(ball.m_vVel - m_pShapes->GetGeometry(order).m_vVel) + Norm(m_vGravity) * m_fStep;
+  const double bend = Geometry::Quotient(speed, std::abs(impact.m_fRadius + ball.m_fRadius),
+                                         static_cast<double>(g_fMaxRotSpeed));
+  const double turn = std::abs(m_pShapes->GetGeometry(order).m_fTurnSpeed);
+  const auto part = static_cast<double>(turn == 0.0 ? g_fSlideTurn : g_fHoldTurn);
+  return (turn + bend) * m_fStep < part * g_nMaxHolds;
+}
+
+void CContinuous::Free(CMoving& ball) const {
+  ball.m_cHolds.Clear();
+  ball.m_fHoldTime = std::numeric_limits<double>::infinity();
+  ball.m_vAcc = ball.m_vFall;
+  ball.m_vBend.setZero();
+}
+
+// A new part of the way of a ball along what holds it.
+void CContinuous::HoldAnew(CMoving& ball) {
+  Advance(ball, ball.m_cNext.m_cImpact.m_fTime);
+  const CHolds holds = ball.m_cHolds;
+  Free(ball);
+  HoldAllTouching(ball, holds);
+  EndMotion(ball);
+}
+
+// A ball comes to stay on a shape: alone, so that it may leave what has held it before, or only together with
+// that.
+void CContinuous::StayOn(CMoving& ball, const CHold& hold, bool alone) {
+  if (ball.m_bIsInPile || ball.m_cHolds.IsEmpty()) return Hold(ball, hold);
+  const CHolds before = ball.m_cHolds;
+  Free(ball);
+  if (alone) Hold(ball, hold);
+  HoldAllTouching(ball, before);
+  if (alone) return;
+  if (!ball.m_cHolds.HasShape(hold.m_nOther)) Hold(ball, hold);
+  // Once more, with the velocity that it has between them.
+  const CHolds all = ball.m_cHolds;
+  Free(ball);
+  HoldAllTouching(ball, all);
+}
+
+// First the shapes that have held it before, as they are now. Then the others that it touches: at a joint
+// those that begin there.
+void CContinuous::HoldAllTouching(CMoving& ball, const CHolds& before) {
+  for (const CHold& hold : before.Get())
+    if (!hold.m_bIsBall && !ball.m_cHolds.HasShape(hold.m_nOther)) HoldIfTouching(ball, hold.m_nOther, true);
+  FindShapes(GetIndex(ball));
+  for (const std::uint32_t order : m_stdShapesFound)
+    if (!ball.m_cHolds.HasShape(order) && !before.HasShape(order) && HoldIfTouching(ball, order, false))
+      ReportHold(ball);
+}
+
+// The impact is of a motion of the ball with this acceleration, which its closing is of.
+CHold CContinuous::MakeHold(const CMoving& ball, std::uint32_t order, const CImpact& impact,
+                            const Vector2d& acc) const {
+  const Vector2d& n = impact.m_vNorm;
+  return {order,
+          false,
+          n,
+          n.dot(impact.m_vSurface),
+          n.dot(acc) + impact.m_fClosing,
+          impact.m_fRadius + ball.m_fRadius};
+}
+
+void CContinuous::Hold(CMoving& ball, const CHold& hold) {
+  ball.m_cHolds.Add(hold);
+  ball.m_bIsDriven |= m_pShapes->GetGeometry(hold.m_nOther).IsMoving();
+  ball.m_vVel = ball.m_cHolds.ConstrainVel(ball.m_vVel);
+  ball.m_vAcc = ball.m_cHolds.ConstrainAcc(ball.m_vFall);
+  const bool isAnyDropped = ball.m_cHolds.DropPulling(ball.m_vAcc, ball.m_vFall);
+  if (!isAnyDropped) ball.m_vVel = ball.m_cHolds.KeepVel(ball.m_vVel);
+  ball.m_fHoldTime = GetHoldTime(ball);
+  ball.m_vBend = GetBend(ball);
+  ball.m_bIsMoved = true;
+}
+
+// On the shapes that were found to touch it. The first that holds it changes its motion.
+void CContinuous::HoldTouching(CMoving& ball) {
+  for (const auto& [order, gap, impact] : m_stdTouching) {
+    const bool isFirst = ball.m_cHolds.IsEmpty();
+    if (isFirst ? HoldIfStaying(ball, order, impact, gap, true) : HoldIfTouching(ball, order, false))
+      ReportHold(ball);
+  }
+}
+
+double CContinuous::GetRounding(const CMoving& ball, std::uint32_t order) const {
+  return Rounding(SizeOf(ball.m_vPos, ball.m_fRadius) + m_pShapes->GetGeometry(order).m_fSize);
+}
+
+// Whether the ball touches the shape now, or is in it.
+bool CContinuous::Touches(const CMoving& ball, std::uint32_t order, CImpact& impact, double& gap) const {
+  const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
+  FailIf(!m_pShapes->Get(order).m_pShape->GetCanCollide());
+  const double reach = GetRounding(ball, order);
+  FailIf(IsOutOfWay(geometry, GetPlace(ball), ball.m_fTime, reach));
+  return Near(geometry, GetMotion(ball), ball.m_fTime, reach, impact, gap);
+}
+
+bool CContinuous::HoldIfTouching(CMoving& ball, std::uint32_t order, bool mayMeet) {
+  CImpact impact;
+  double gap;
+  return Touches(ball, order, impact, gap) && gap >= -GetRounding(ball, order) &&
+         HoldIfStaying(ball, order, impact, gap, mayMeet);
+}
+
+// A ball that lies on a shape where its motion begins, or slides along it. Unless it `mayMeet` that, to come
+// upon it faster than it would at the end of a hop is an impact, which is to come.
+bool CContinuous::HoldIfStaying(CMoving& ball, std::uint32_t order, const CImpact& impact, double gap,
+                                bool mayMeet) {
+  const Vector2d& n = impact.m_vNorm;
+  const bool isHeld = !ball.m_cHolds.IsEmpty();
+  if (isHeld && HoldAsOne(ball, order, impact)) return true;
+  // Out of it; but not onto it, which may be into the one that holds it.
+  if (isHeld && gap < 0.0) ball.m_vPos -= gap * n;
+  const double apart = n.dot(ball.m_vVel - impact.m_vSurface);
+  const double speed = Norm(ball.m_vVel) + Norm(impact.m_vSurface);
+  const double e = ball.m_fElasticity * static_cast<double>(m_pShapes->Get(order).m_pShape->GetElasticity());
+  const double out = std::max(apart, -apart * (mayMeet ? e : 1.0));
+  FailIf(!IsHop(out, impact.m_fClosing, speed) || !CanFollow(ball, order, impact));
+  const CHold hold = MakeHold(ball, order, impact, GetMotion(ball).m_vAcc);
+  FailIf(isHeld && apart > 0.0 && !HoldsTogether(ball, hold));
+  if (!isHeld) ball.m_vPos -= gap * n;
+  Hold(ball, hold);
+  return true;
+}
+
+// Whether those that hold a ball do so with this one, as the sides of a V, and none of them alone.
+bool CContinuous::HoldsTogether(const CMoving& ball, const CHold& hold) const {
+  CHolds holds = ball.m_cHolds;
+  holds.Add(hold);
+  return !holds.DropPulling(holds.ConstrainAcc(ball.m_vFall), ball.m_vFall);
+}
+
+// With the curve that holds it, if that and what the shape is there differ by rounding only: two shapes that
+// share an end. Else the ball, whose way is not exactly on the curve, would have an impact with the other one
+// again and again.
+bool CContinuous::HoldAsOne(CMoving& ball, std::uint32_t order, const CImpact& impact) {
+  const CHold* pCurve = GetCurve(ball);
+  FailIf(pCurve == nullptr || impact.m_fRadius + ball.m_fRadius != pCurve->m_fRadius);
+  const CShapeGeometry &o = m_pShapes->GetGeometry(order), &curve = m_pShapes->GetGeometry(pCurve->m_nOther);
+  const double apart = std::abs(pCurve->m_fRadius) * Norm(impact.m_vNorm - pCurve->m_vNorm); // their middles
+  FailIf(o.m_fTurnSpeed != 0.0 || o.m_vVel != curve.m_vVel || apart > GetRounding(ball, order));
+  CHold hold = *pCurve;
+  hold.m_nOther = order;
+  ball.m_cHolds.Add(hold);
+  ball.m_fHoldTime = GetHoldTime(ball);
+  ball.m_vBend = GetBend(ball);
+  return true;
+}
+
+// The last one that has come.
+void CContinuous::ReportHold(const CMoving& ball) {
+  if (ball.m_cHolds.IsEmpty()) return;
+  const CHold& hold = ball.m_cHolds.Get().back();
+  const double push = std::max(0.0, hold.m_vNorm.dot(ball.m_vAcc - ball.m_vFall)) * m_fStep;
+  Report(m_pShapes->Get(hold.m_nOther).m_cId, ball, ball.m_vPos - ball.m_fRadius * hold.m_vNorm, hold.m_vNorm,
+         0.0, ImpulseOf(ball.m_fMass, 0.0, push));
+}
+
+namespace {
+
+// When a way that begins at the speed v, with the acceleration a, has got as far as `gap`, which is 0 at
+// least: the first root of v t + a t^2/2 = gap. Infinite where that is after `most`.
+double GetTimeTo(double gap, double v, double a, double most) {
+  const double discriminant = v * v + 2.0 * a * gap;
+  if (!(discriminant >= 0.0)) return std::numeric_limits<double>::infinity();
+  const double s = std::sqrt(discriminant);
+  return v > 0.0 ? Geometry::Quotient(2.0 * gap, v + s, most) : Geometry::Quotient(s - v, a, most);
+}
+
+} // namespace
+
+// Until a ball that slides along the face of a segment is past its end: so far that rounding leaves nothing
+// of it below the ball.
+double CContinuous::GetTimeToEnd(const CMoving& ball, const CHold& hold) const {
+  double time = std::numeric_limits<double>::infinity();
+  const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
+  const Vector2d u = ball.m_vVel - o.m_vVel, place = ball.m_vPos - ball.m_fTime * o.m_vVel;
+  const double past = GetRounding(ball, hold.m_nOther), left = m_fStep - ball.m_fTime;
+  for (const double sign : {1.0, -1.0}) {
+    const Vector2d way = -sign * Perp(o.m_vFront);
+    const double gap = way.dot((sign > 0.0 ? o.m_vPt1 : o.m_vPt0) - place);
+    time = std::min(time, GetTimeTo(std::max(gap, 0.0) + past, way.dot(u), way.dot(ball.m_vAcc), left));
+  }
+  return time;
+}
+
+// The directions from the middle of the curve in which the shape holds the ball: counterclockwise from
+// `first` to `last`. False where it does all around.
+bool CContinuous::GetSector(const CMoving& ball, const CHold& hold, Vector2d& first, Vector2d& last) const {
+  const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
+  const bool isSeg = o.m_eShapeType == eShape::LineSeg;
+  FailIf(!isSeg && (o.m_eShapeType != eShape::Arc || o.m_bFull));
+  const Vector2d from0 = o.m_vPt0 - o.m_vCenter, from1 = o.m_vPt1 - o.m_vCenter;
+  if (hold.m_fRadius != ball.m_fRadius) {
+    first = from0 / o.m_fRadius, last = from1 / o.m_fRadius;
+    return true;
+  }
+  // Round an end: until the ball is in front of a face.
+  const Vector2d middle = ball.m_vPos - ball.m_fTime * o.m_vVel - hold.m_fRadius * hold.m_vNorm;
+  const bool isSecond = (middle - o.m_vPt1).squaredNorm() < (middle - o.m_vPt0).squaredNorm();
+  last = isSeg ? o.m_vFront : Vector2d((isSecond ? from1 : from0) / -o.m_fRadius);
+  if (!isSecond) last = -last;
+  first = -last;
+  return true;
+}
+
+// Until a ball that slides along a curve is past an end of the shape.
+double CContinuous::GetTimeToTurn(const CMoving& ball, const CHold& hold) const {
+  double time = std::numeric_limits<double>::infinity();
+  Vector2d first, last;
+  if (!GetSector(ball, hold, first, last)) return time;
+  const double left = m_fStep - ball.m_fTime, inverse = 1.0 / hold.m_fRadius;
+  const Vector2d &n = hold.m_vNorm, along = Perp(n), from = inverse > 0.0 ? n : Vector2d(-n);
+  const double rate = inverse * along.dot(ball.m_vVel - m_pShapes->GetGeometry(hold.m_nOther).m_vVel);
+  const double pull = inverse * along.dot(ball.m_vFall), out = inverse * n.dot(ball.m_vFall);
+  const double most = (std::abs(rate) + (std::abs(pull) + std::abs(out)) * left) * left;
+  for (const double sign : {1.0, -1.0}) {
+    const Vector2d& end = sign > 0.0 ? last : first;
+    if ((end - from).squaredNorm() > most * most) continue; // farther off than the ball gets
+    const double past = GetRounding(ball, hold.m_nOther) * std::abs(inverse);
+    const double angle = std::max(std::atan2(sign * Cross(from, end), from.dot(end)), 0.0) + past;
+    double t = GetTimeTo(angle, sign * rate, sign * pull, left);
+    // That is of an even acceleration; from there by Newton's method.
+    for (int round = 0; round < 2 && t < left; ++round) {
+      const CSwing swing = GetSwing(pull, out, rate, t);
+      if (!(sign * swing.m_fRate > 0.0)) break;
+      t = std::max(t - (sign * swing.m_fAngle - angle) / (sign * swing.m_fRate), 0.0);
+    }
+    time = std::min(time, t);
+  }
+  return time;
+}
+
+// Until the ball is past the end of a shape, a shape would have to pull it, or it has turned so far on what
+// curves that its way is no parabola.
+double CContinuous::GetHoldTime(const CMoving& ball) const {
+  double time = std::numeric_limits<double>::infinity();
+  const double left = m_fStep - ball.m_fTime;
+  const bool isCurve = GetCurve(ball) != nullptr;
+  for (const CHold& hold : ball.m_cHolds.Get()) {
+    if (hold.m_bIsBall) continue;
+    const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
+    const bool isFlat = o.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius);
+    if (isFlat) time = std::min(time, GetTimeToEnd(ball, hold));
+    if (isCurve) time = std::min(time, GetTimeToTurn(ball, hold));
+    if (isFlat) continue;
+    const Vector2d u = ball.m_vVel - o.m_vVel;
+    const double speed = Norm(u) + Norm(ball.m_vAcc) * left;
+    double part = Geometry::Quotient(static_cast<double>(isCurve ? g_fSlideTurn : g_fHoldTurn),
+                                     std::abs(o.m_fTurnSpeed) + speed / std::abs(hold.m_fRadius), left);
+    // The push of a curve changes by -3 g u / R.
+    const double push = hold.m_vNorm.dot(ball.m_vAcc - ball.m_vFall);
+    const double less = 3.0 * ball.m_vFall.dot(u) / hold.m_fRadius;
+    if (isCurve && less > 0.0) part = std::min(part, Geometry::Quotient(std::max(push, 0.0), less, left));
+    time = std::min(time, std::max(part, m_fStep / g_nMaxHolds));
+  }
+  return time;
+}
+
+} // namespace Shapes::Native

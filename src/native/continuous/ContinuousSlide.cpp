@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// The way of a ball along what holds it.
+#include "Continuous.h"
+
+#include "../../geometry/Swing.h"
+#include "Rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Shapes::Native {
+
+// What a ball slides along, if that is one curve and does not turn: of more than one shape where they share
+// an end.
+const CHold* CContinuous::GetCurve(const CMoving& ball) const {
+  const auto holds = ball.m_cHolds.Get();
+  if (holds.empty() || ball.m_bIsInPile || !std::isfinite(holds[0].m_fRadius)) return nullptr;
+  for (const CHold& hold : holds)
+    if (hold.m_bIsBall || hold.m_fRadius != holds[0].m_fRadius || hold.m_vNorm != holds[0].m_vNorm ||
+        m_pShapes->GetGeometry(hold.m_nOther).m_fTurnSpeed != 0.0)
+      return nullptr;
+  return &holds[0];
+}
+
+// Of its acceleration on a curve the ball has that at the beginning. The derivative of it, times a third of
+// the time until the next part of its way, takes it to the place where it is then, up to the fourth power of
+// that time. With m the unit vector from the middle of the curve, u the velocity along it and R its radius
+// that derivative is -(g m + u^2/R) u/R - 3 (g u) m/R.
+Vector2d CContinuous::GetBend(const CMoving& ball) const {
+  const CHold* pCurve = GetCurve(ball);
+  if (pCurve == nullptr) return Vector2d::Zero();
+  const Vector2d &n = pCurve->m_vNorm, &g = ball.m_vFall;
+  const Vector2d u = ball.m_vVel - m_pShapes->GetGeometry(pCurve->m_nOther).m_vVel;
+  const double R = pCurve->m_fRadius; // with its sign, so that m / |R| = n / R
+  const double time = std::min(ball.m_fHoldTime, m_fStep - ball.m_fTime);
+  return -time / 3.0 * ((g.dot(n) / R + u.squaredNorm() / (R * R)) * u + 3.0 * g.dot(u) / R * n);
+}
+
+// To where its centre has got on its circle, from which the parabola is off by the fourth power of the time.
+// The hold is of where this part of the way began.
+void CContinuous::SettleOnCurve(CMoving& ball, const CHold& curve, const CMotion& before, double time) const {
+  const Vector2d &vel = m_pShapes->GetGeometry(curve.m_nOther).m_vVel, &n = curve.m_vNorm, along = Perp(n);
+  const double R = curve.m_fRadius, inverse = 1.0 / R;
+  const CSwing swing = GetSwing(inverse * along.dot(ball.m_vFall), inverse * n.dot(ball.m_vFall),
+                                inverse * along.dot(before.m_vVel - vel), time);
+  const CTurn turn = GetTurn(swing.m_fAngle);
+  ball.m_vPos = before.m_vPos + time * vel + R * (Turned(n, turn) - n);
+  ball.m_vVel = vel + R * swing.m_fRate * Turned(along, turn);
+}
+
+// A ball that has slid along a curve up to an impact: along that on to exactly where it touches the shape, as
+// its parabola has been off the curve. Where it meets the shape all but along the curve, it stays where it
+// is. Whether the impact is that of its place now.
+bool CContinuous::SlideOnto(CMoving& ball, std::uint32_t order, const CMotion& before,
+                            CImpact& impact) const {
+  const CHold* pCurve = GetCurve(ball);
+  FailIf(pCurve == nullptr);
+  const Vector2d& vel = m_pShapes->GetGeometry(pCurve->m_nOther).m_vVel;
+  const double time = impact.m_fTime;
+  const Vector2d middle = before.m_vPos - pCurve->m_fRadius * pCurve->m_vNorm + time * vel;
+  const Vector2d fromMiddle = ball.m_vPos - middle, u = ball.m_vVel - vel;
+  CMoving at = ball;
+  double angle = 0.0;
+  for (int round = 0; round < g_nSlideRounds; ++round) {
+    CImpact met;
+    double gap;
+    if (!Near(m_pShapes->GetGeometry(order), GetMotion(at), ball.m_fTime, g_fSettleReach * ball.m_fRadius,
+              met, gap))
+      break;
+    FailIf(!(met.m_vNorm.dot(at.m_vVel - met.m_vSurface) < 0.0)); // of another part of the shape
+    const bool isThere = std::abs(gap) <= g_fSlideGap * GetRounding(ball, order);
+    if (round == 0 || isThere) impact = met, impact.m_fTime = time;
+    if (isThere) {
+      KeepEnergy(at, before, time);
+      ball.m_vPos = at.m_vPos, ball.m_vVel = at.m_vVel;
+      break;
+    }
+    const Vector2d way = Perp(Vector2d(at.m_vPos - middle)); // for a radian
+    const double slope = met.m_vNorm.dot(way);
+    if (std::abs(slope) < g_fSlideSlope * Norm(way)) break;
+    angle -= gap / slope;
+    if (!(std::abs(angle) < static_cast<double>(g_fSlideTurn))) break;
+    const CTurn turn = GetTurn(angle);
+    at.m_vPos = middle + Turned(fromMiddle, turn);
+    at.m_vVel = vel + Turned(u, turn);
+  }
+  return true;
+}
+
+// Onto the surfaces that hold it. Whether it needed that.
+bool CContinuous::SettleOnAll(CMoving& ball) const {
+  bool isMoved = false;
+  // Between two of them in turns.
+  const int rounds = ball.m_cHolds.Get().size() > 1 ? g_nWedgeRounds : 1;
+  for (int round = 0; round < rounds; ++round)
+    for (const CHold& hold : ball.m_cHolds.Get()) {
+      if (hold.m_bIsBall) continue;
+      const CShapeGeometry& geometry = m_pShapes->GetGeometry(hold.m_nOther);
+      const bool isFlat = geometry.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius);
+      if (isFlat && rounds == 1) continue;
+      CImpact impact;
+      double gap;
+      if (!Near(geometry, GetMotion(ball), ball.m_fTime, isFlat ? 0.0 : g_fSettleReach * ball.m_fRadius,
+                impact, gap))
+        continue;
+      // Past the end of an arc it flies on, and does not turn round the end.
+      if (impact.m_fRadius + ball.m_fRadius != hold.m_fRadius) continue;
+      const Vector2d& n = impact.m_vNorm;
+      ball.m_vPos -= gap * n;
+      if (isFlat) continue;
+      ball.m_vVel -= n.dot(ball.m_vVel - impact.m_vSurface) * n;
+      isMoved = true;
+    }
+  return isMoved;
+}
+
+// After a part of its way of `time` seconds.
+void CContinuous::Settle(CMoving& ball, const CMotion& before, double time) {
+  const CHold* pCurve = GetCurve(ball);
+  if (pCurve != nullptr)
+    SettleOnCurve(ball, *pCurve, before, time);
+  else if (!SettleOnAll(ball))
+    return;
+  KeepEnergy(ball, before, time);
+}
+
+// Where what holds a ball is at rest, or moves evenly, nothing but gravity has done work in the frame of
+// that. Where it turns round, its speed is not known better by that than it was.
+void CContinuous::KeepEnergy(CMoving& ball, const CMotion& before, double time) const {
+  if (ball.m_bIsInPile) return; // balls hold it, too
+  const Vector2d vel = m_pShapes->GetGeometry(ball.m_cHolds.Get()[0].m_nOther).m_vVel;
+  for (const CHold& hold : ball.m_cHolds.Get()) {
+    const CShapeGeometry& geometry = m_pShapes->GetGeometry(hold.m_nOther);
+    if (geometry.m_fTurnSpeed != 0.0 || geometry.m_vVel != vel) return;
+  }
+  const Vector2d u = ball.m_vVel - vel, way = ball.m_vPos - before.m_vPos - time * vel;
+  const double square = (before.m_vVel - vel).squaredNorm() + 2.0 * m_vGravity.dot(way);
+  const double now = u.squaredNorm();
+  if (16.0 * std::abs(square - now) < now) ball.m_vVel = vel + std::sqrt(square / now) * u;
+}
+
+} // namespace Shapes::Native
