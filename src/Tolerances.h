@@ -51,8 +51,8 @@ inline constexpr float g_fHoldTurn = 0.03125f;
 /// there, and is off by the turn cubed times the radius / 40 on the way. At the end it is put to where a
 /// pendulum is, within the fifth power of the turn.
 inline constexpr float g_fSlideTurn = 0.125f;
-/// Most rounds of Newton's method in which it is put along a curve to where it meets another shape, the gap, in
-/// roundings of its place, with which it is there, and the least sine of the angle between the two.
+/// Most rounds of Newton's method in which it is put along a curve to where it meets another shape, the gap,
+/// in roundings of its place, with which it is there, and the least sine of the angle between the two.
 inline constexpr int g_nSlideRounds = 8;
 inline constexpr double g_fSlideGap = 0x1p-20;
 inline constexpr double g_fSlideSlope = 1e-3;

@@ -73,6 +73,19 @@ TEST(ImpactLineSegCircle, ABallSlidesOffOverTheEnd) {
   });
 }
 
+// A place in floats may be in an end by a rounding, of one solid side too; deeper it has come from behind.
+TEST(ImpactLineSegCircle, ABallLiesOnAnEndThatRoundingPutsItInto) {
+  CShapeGeometry seg = MakeShapeGeometry(CLineSeg(CLineSegDesc({0, 0}, {1, 0})), 0.0);
+  seg.m_eSides = eSides::Front;
+  const auto lies = [&](double depth) {
+    CImpact impact;
+    double gap;
+    return Near(seg, {(0.5 - depth) * Vector2d(-0.6, 0.8), {0, 0}, 0.5, 1.0}, 0.0, 1e-6, impact, gap);
+  };
+  EXPECT_TRUE(lies(2e-7));
+  EXPECT_FALSE(lies(2e-6));
+}
+
 CShapeGeometry Ring(float R) { return MakeShapeGeometry(CCircle(CCircleDesc({0, 0}, R)), 0.0); }
 
 // Head on, from outside and from inside, where nothing has to be rounded.

@@ -93,7 +93,7 @@ TEST(Slide, ABallLeavesABowlAtItsEnd) {
 
 // It goes along with the bowl, which is all that a bowl in even motion changes.
 TEST(Slide, InABowlThatMovesEvenlyABallSlidesAsInOneAtRest) {
-  const Vector2 vel(3, 1), start(0.45f, -0.6f);
+  const Vector2 vel(3, 0.125f), start(0.45f, -0.6f);
   const auto pResting = MakeNative(g_cAutomatic, 10), pMoving = MakeNative(g_cAutomatic, 10);
   const auto bowl = Turning(CArcDesc({0, 0}, 1, 0, 0, 0.0f));
   pResting->Add(bowl);
@@ -105,6 +105,20 @@ TEST(Slide, InABowlThatMovesEvenlyABallSlidesAsInOneAtRest) {
     pMoving->Step();
     const Vector2 inBowl = pMoving->GetPos(b) - pMoving->GetPos(moving);
     EXPECT_LT((inBowl - pResting->GetPos(a)).norm(), 4 * 4.8e-7f); // roundings of places up to 8 units
+  });
+}
+
+// Past the end of a bowl that turns a ball flies on, too: as off one that does not, in parts by g_fHoldTurn.
+TEST(Slide, ABallLeavesABowlThatTurnsAtItsEnd) {
+  const CArcDesc bowl({0, 0}, 0.6f, 3.0f, 5.2f, 0.0f);
+  const auto pResting = MakeNative(g_cAutomatic, 10), pTurning = MakeNative(g_cAutomatic, 10);
+  pResting->Add(bowl);
+  pTurning->Add(Turning(bowl, 1e-7f));
+  const CShapeId a = pResting->Add(CDynamicCircleDesc({-0.5f, 0}, 0.1f));
+  const CShapeId b = pTurning->Add(CDynamicCircleDesc({-0.5f, 0}, 0.1f));
+  InEachStep(*pResting, 60, [&](int) {
+    pTurning->Step();
+    EXPECT_LT((pTurning->GetPos(b) - pResting->GetPos(a)).norm(), 2e-3f);
   });
 }
 

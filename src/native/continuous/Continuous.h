@@ -163,7 +163,6 @@ private:
   bool Touches(const CMoving& ball, std::uint32_t order, CImpact& impact, double& gap) const;
   bool HoldIfTouching(CMoving& ball, std::uint32_t order, bool mayMeet);
   bool HoldIfStaying(CMoving& ball, std::uint32_t order, const CImpact& impact, double gap, bool mayMeet);
-  bool HoldsTogether(const CMoving& ball, const CHold& hold) const;
   bool HoldAsOne(CMoving& ball, std::uint32_t order, const CImpact& impact);
   void ReportHold(const CMoving& ball);
   bool IsSlow(const CMoving& ball, const CMoving& other, double approach) const;

@@ -140,17 +140,9 @@ bool CContinuous::HoldIfStaying(CMoving& ball, std::uint32_t order, const CImpac
   const double out = std::max(apart, -apart * (mayMeet ? e : 1.0));
   FailIf(!IsHop(out, impact.m_fClosing, speed) || !CanFollow(ball, order, impact));
   const CHold hold = MakeHold(ball, order, impact, GetMotion(ball).m_vAcc);
-  FailIf(isHeld && apart > 0.0 && !HoldsTogether(ball, hold));
   if (!isHeld) ball.m_vPos -= gap * n;
   Hold(ball, hold);
   return true;
-}
-
-// Whether those that hold a ball do so with this one, as the sides of a V, and none of them alone.
-bool CContinuous::HoldsTogether(const CMoving& ball, const CHold& hold) const {
-  CHolds holds = ball.m_cHolds;
-  holds.Add(hold);
-  return !holds.DropPulling(holds.ConstrainAcc(ball.m_vFall), ball.m_vFall);
 }
 
 // With the curve that holds it, if that and what the shape is there differ by rounding only: two shapes that
