@@ -178,6 +178,7 @@ private:
   bool GetSector(const CMoving& ball, const CHold& hold, Vector2d& first, Vector2d& last) const;
   double GetTimeToTurn(const CMoving& ball, const CHold& hold) const;
   double GetHoldTime(const CMoving& ball) const;
+  double GetTurnSpeed(const CMoving& ball, const CHold& hold) const;
   const CHold* GetCurve(const CMoving& ball) const;
   Vector2d GetBend(const CMoving& ball) const;
   void Free(CMoving& ball) const;

@@ -207,7 +207,8 @@ bool CContinuous::GetSector(const CMoving& ball, const CHold& hold, Vector2d& fi
   FailIf(!isSeg && (o.m_eShapeType != eShape::Arc || o.m_bFull));
   const Vector2d from0 = o.m_vPt0 - o.m_vCenter, from1 = o.m_vPt1 - o.m_vCenter;
   if (hold.m_fRadius != ball.m_fRadius) {
-    first = from0 / o.m_fRadius, last = from1 / o.m_fRadius;
+    const CTurn turn = GetTurn(o.m_fTurnSpeed * ball.m_fTime);
+    first = Turned(from0, turn) / o.m_fRadius, last = Turned(from1, turn) / o.m_fRadius;
     return true;
   }
   // Round an end: until the ball is in front of a face.
@@ -226,20 +227,22 @@ double CContinuous::GetTimeToTurn(const CMoving& ball, const CHold& hold) const 
   if (!GetSector(ball, hold, first, last)) return time;
   const double left = m_fStep - ball.m_fTime, inverse = 1.0 / hold.m_fRadius;
   const Vector2d &n = hold.m_vNorm, along = Perp(n), from = inverse > 0.0 ? n : Vector2d(-n);
-  const double rate = inverse * along.dot(ball.m_vVel - m_pShapes->GetGeometry(hold.m_nOther).m_vVel);
+  const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
+  const double rate = inverse * along.dot(ball.m_vVel - o.m_vVel), turn = o.m_fTurnSpeed; // of the ends
   const double pull = inverse * along.dot(ball.m_vFall), out = inverse * n.dot(ball.m_vFall);
-  const double most = (std::abs(rate) + (std::abs(pull) + std::abs(out)) * left) * left;
+  const double most = (std::abs(rate) + std::abs(turn) + (std::abs(pull) + std::abs(out)) * left) * left;
   for (const double sign : {1.0, -1.0}) {
     const Vector2d& end = sign > 0.0 ? last : first;
     if ((end - from).squaredNorm() > most * most) continue; // farther off than the ball gets
     const double past = GetRounding(ball, hold.m_nOther) * std::abs(inverse);
     const double angle = std::max(std::atan2(sign * Cross(from, end), from.dot(end)), 0.0) + past;
-    double t = GetTimeTo(angle, sign * rate, sign * pull, left);
+    double t = GetTimeTo(angle, sign * (rate - turn), sign * pull, left);
     // That is of an even acceleration; from there by Newton's method.
     for (int round = 0; round < 2 && t < left; ++round) {
       const CSwing swing = GetSwing(pull, out, rate, t);
-      if (!(sign * swing.m_fRate > 0.0)) break;
-      t = std::max(t - (sign * swing.m_fAngle - angle) / (sign * swing.m_fRate), 0.0);
+      const double speed = sign * (swing.m_fRate - turn), gone = sign * (swing.m_fAngle - turn * t);
+      if (!(speed > 0.0)) break;
+      t = std::max(t - (gone - angle) / speed, 0.0);
     }
     time = std::min(time, t);
   }
@@ -255,14 +258,15 @@ double CContinuous::GetHoldTime(const CMoving& ball) const {
   for (const CHold& hold : ball.m_cHolds.Get()) {
     if (hold.m_bIsBall) continue;
     const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
-    const bool isFlat = o.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius);
+    const double turn = GetTurnSpeed(ball, hold);
+    const bool isFlat = turn == 0.0 && !std::isfinite(hold.m_fRadius);
     if (isFlat) time = std::min(time, GetTimeToEnd(ball, hold));
     if (isCurve) time = std::min(time, GetTimeToTurn(ball, hold));
     if (isFlat) continue;
     const Vector2d u = ball.m_vVel - o.m_vVel;
     const double speed = Norm(u) + Norm(ball.m_vAcc) * left;
     double part = Geometry::Quotient(static_cast<double>(isCurve ? g_fSlideTurn : g_fHoldTurn),
-                                     std::abs(o.m_fTurnSpeed) + speed / std::abs(hold.m_fRadius), left);
+                                     std::abs(turn) + speed / std::abs(hold.m_fRadius), left);
     // The push of a curve changes by -3 g u / R.
     const double push = hold.m_vNorm.dot(ball.m_vAcc - ball.m_vFall);
     const double less = 3.0 * ball.m_vFall.dot(u) / hold.m_fRadius;

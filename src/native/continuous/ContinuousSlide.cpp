@@ -11,6 +11,13 @@
 
 namespace Shapes::Native {
 
+// Of what holds a ball there, radians per second. A circle that turns about its middle stays where it is.
+double CContinuous::GetTurnSpeed(const CMoving& ball, const CHold& hold) const {
+  const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
+  const bool isOnCircle = std::isfinite(hold.m_fRadius) && hold.m_fRadius != ball.m_fRadius;
+  return isOnCircle && o.m_vCenter == o.m_vRotCenter ? 0.0 : o.m_fTurnSpeed;
+}
+
 // What a ball slides along, if that is one curve and does not turn: of more than one shape where they share
 // an end.
 const CHold* CContinuous::GetCurve(const CMoving& ball) const {
@@ -18,7 +25,7 @@ const CHold* CContinuous::GetCurve(const CMoving& ball) const {
   if (holds.empty() || ball.m_bIsInPile || !std::isfinite(holds[0].m_fRadius)) return nullptr;
   for (const CHold& hold : holds)
     if (hold.m_bIsBall || hold.m_fRadius != holds[0].m_fRadius || hold.m_vNorm != holds[0].m_vNorm ||
-        m_pShapes->GetGeometry(hold.m_nOther).m_fTurnSpeed != 0.0)
+        GetTurnSpeed(ball, hold) != 0.0)
       return nullptr;
   return &holds[0];
 }
@@ -131,8 +138,7 @@ void CContinuous::KeepEnergy(CMoving& ball, const CMotion& before, double time) 
   if (ball.m_bIsInPile) return; // balls hold it, too
   const Vector2d vel = m_pShapes->GetGeometry(ball.m_cHolds.Get()[0].m_nOther).m_vVel;
   for (const CHold& hold : ball.m_cHolds.Get()) {
-    const CShapeGeometry& geometry = m_pShapes->GetGeometry(hold.m_nOther);
-    if (geometry.m_fTurnSpeed != 0.0 || geometry.m_vVel != vel) return;
+    if (GetTurnSpeed(ball, hold) != 0.0 || m_pShapes->GetGeometry(hold.m_nOther).m_vVel != vel) return;
   }
   const Vector2d u = ball.m_vVel - vel, way = ball.m_vPos - before.m_vPos - time * vel;
   const double square = (before.m_vVel - vel).squaredNorm() + 2.0 * m_vGravity.dot(way);
