@@ -97,6 +97,23 @@ private:
     CImpact m_cImpact;
   };
 
+  // The middle of a curve since the beginning of a part of the way of a ball: it moves, and turns about a
+  // point that moves along.
+  struct CMiddle {
+    Vector2d m_vPos, m_vVel;
+    Vector2d m_vFromRot; // from that point
+    double m_fTurnSpeed;
+    Vector2d PosAt(double t) const {
+      if (m_fTurnSpeed == 0.0) return m_vPos + t * m_vVel;
+      return m_vPos + t * m_vVel + (Turned(m_vFromRot, m_fTurnSpeed * t) - m_vFromRot);
+    }
+    Vector2d VelAt(double t) const {
+      if (m_fTurnSpeed == 0.0) return m_vVel;
+      return m_vVel + m_fTurnSpeed * Perp(Turned(m_vFromRot, m_fTurnSpeed * t));
+    }
+    Vector2d GetAcc() const { return -m_fTurnSpeed * m_fTurnSpeed * m_vFromRot; } // at the beginning
+  };
+
   void MoveAlone(std::size_t i);
   void MoveFreely(std::size_t i);
   void MoveFreely(std::size_t i, const CMotion& motion);
@@ -179,6 +196,7 @@ private:
   double GetTimeToTurn(const CMoving& ball, const CHold& hold) const;
   double GetHoldTime(const CMoving& ball) const;
   double GetTurnSpeed(const CMoving& ball, const CHold& hold) const;
+  CMiddle GetMiddle(const CMoving& ball, const CHold& hold, const Vector2d& p, double start) const;
   const CHold* GetCurve(const CMoving& ball) const;
   Vector2d GetBend(const CMoving& ball) const;
   void Free(CMoving& ball) const;

@@ -205,16 +205,21 @@ bool CContinuous::GetSector(const CMoving& ball, const CHold& hold, Vector2d& fi
   const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
   const bool isSeg = o.m_eShapeType == eShape::LineSeg;
   FailIf(!isSeg && (o.m_eShapeType != eShape::Arc || o.m_bFull));
-  const Vector2d from0 = o.m_vPt0 - o.m_vCenter, from1 = o.m_vPt1 - o.m_vCenter;
+  const CTurn turn = GetTurn(o.m_fTurnSpeed * ball.m_fTime);
+  const auto turned = [&](const Vector2d& v) { return o.m_fTurnSpeed == 0.0 ? v : Turned(v, turn); };
+  const Vector2d from0 = turned(o.m_vPt0 - o.m_vCenter), from1 = turned(o.m_vPt1 - o.m_vCenter);
   if (hold.m_fRadius != ball.m_fRadius) {
-    const CTurn turn = GetTurn(o.m_fTurnSpeed * ball.m_fTime);
-    first = Turned(from0, turn) / o.m_fRadius, last = Turned(from1, turn) / o.m_fRadius;
+    first = from0 / o.m_fRadius, last = from1 / o.m_fRadius;
     return true;
   }
   // Round an end: until the ball is in front of a face.
-  const Vector2d middle = ball.m_vPos - ball.m_fTime * o.m_vVel - hold.m_fRadius * hold.m_vNorm;
-  const bool isSecond = (middle - o.m_vPt1).squaredNorm() < (middle - o.m_vPt0).squaredNorm();
-  last = isSeg ? o.m_vFront : Vector2d((isSecond ? from1 : from0) / -o.m_fRadius);
+  const Vector2d fromRot =
+      ball.m_vPos - hold.m_fRadius * hold.m_vNorm - o.m_vRotCenter - ball.m_fTime * o.m_vVel;
+  const auto getOff = [&](const Vector2d& end) {
+    return (fromRot - turned(end - o.m_vRotCenter)).squaredNorm();
+  };
+  const bool isSecond = getOff(o.m_vPt1) < getOff(o.m_vPt0);
+  last = isSeg ? turned(o.m_vFront) : Vector2d((isSecond ? from1 : from0) / -o.m_fRadius);
   if (!isSecond) last = -last;
   first = -last;
   return true;
@@ -226,10 +231,12 @@ double CContinuous::GetTimeToTurn(const CMoving& ball, const CHold& hold) const 
   Vector2d first, last;
   if (!GetSector(ball, hold, first, last)) return time;
   const double left = m_fStep - ball.m_fTime, inverse = 1.0 / hold.m_fRadius;
-  const Vector2d &n = hold.m_vNorm, along = Perp(n), from = inverse > 0.0 ? n : Vector2d(-n);
-  const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
-  const double rate = inverse * along.dot(ball.m_vVel - o.m_vVel), turn = o.m_fTurnSpeed; // of the ends
-  const double pull = inverse * along.dot(ball.m_vFall), out = inverse * n.dot(ball.m_vFall);
+  const CMiddle middle = GetMiddle(ball, hold, ball.m_vPos, ball.m_fTime);
+  const Vector2d &n = hold.m_vNorm, along = Perp(n), from = inverse > 0.0 ? n : Vector2d(-n),
+                 g = ball.m_vFall - middle.GetAcc();
+  const double rate = inverse * along.dot(ball.m_vVel - middle.VelAt(0.0));
+  const double turn = m_pShapes->GetGeometry(hold.m_nOther).m_fTurnSpeed; // of the ends
+  const double pull = inverse * along.dot(g), out = inverse * n.dot(g);
   const double most = (std::abs(rate) + std::abs(turn) + (std::abs(pull) + std::abs(out)) * left) * left;
   for (const double sign : {1.0, -1.0}) {
     const Vector2d& end = sign > 0.0 ? last : first;
@@ -263,14 +270,19 @@ double CContinuous::GetHoldTime(const CMoving& ball) const {
     if (isFlat) time = std::min(time, GetTimeToEnd(ball, hold));
     if (isCurve) time = std::min(time, GetTimeToTurn(ball, hold));
     if (isFlat) continue;
-    const Vector2d u = ball.m_vVel - o.m_vVel;
+    double part = Geometry::Quotient(static_cast<double>(g_fHoldTurn), std::abs(turn), left);
+    Vector2d u = ball.m_vVel - o.m_vVel, g = ball.m_vFall;
+    if (isCurve) {
+      const CMiddle middle = GetMiddle(ball, hold, ball.m_vPos, ball.m_fTime);
+      u = ball.m_vVel - middle.VelAt(0.0), g -= middle.GetAcc();
+      // The push of a curve changes by -3 g u / R.
+      const double push = hold.m_vNorm.dot(ball.m_vAcc - ball.m_vFall),
+                   less = 3.0 * g.dot(u) / hold.m_fRadius;
+      if (less > 0.0) part = std::min(part, Geometry::Quotient(std::max(push, 0.0), less, left));
+    }
     const double speed = Norm(u) + Norm(ball.m_vAcc) * left;
-    double part = Geometry::Quotient(static_cast<double>(isCurve ? g_fSlideTurn : g_fHoldTurn),
-                                     std::abs(turn) + speed / std::abs(hold.m_fRadius), left);
-    // The push of a curve changes by -3 g u / R.
-    const double push = hold.m_vNorm.dot(ball.m_vAcc - ball.m_vFall);
-    const double less = 3.0 * ball.m_vFall.dot(u) / hold.m_fRadius;
-    if (isCurve && less > 0.0) part = std::min(part, Geometry::Quotient(std::max(push, 0.0), less, left));
+    const auto most = static_cast<double>(isCurve ? g_fSlideTurn : g_fHoldTurn);
+    part = std::min(part, Geometry::Quotient(most * std::abs(hold.m_fRadius), speed, left));
     time = std::min(time, std::max(part, m_fStep / g_nMaxHolds));
   }
   return time;

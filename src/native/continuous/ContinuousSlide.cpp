@@ -18,42 +18,53 @@ double CContinuous::GetTurnSpeed(const CMoving& ball, const CHold& hold) const {
   return isOnCircle && o.m_vCenter == o.m_vRotCenter ? 0.0 : o.m_fTurnSpeed;
 }
 
+// Of the curve that holds a ball since `start` at p.
+CContinuous::CMiddle CContinuous::GetMiddle(const CMoving& ball, const CHold& hold, const Vector2d& p,
+                                            double start) const {
+  const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
+  const Vector2d place = p - hold.m_fRadius * hold.m_vNorm;
+  return {place, o.m_vVel, place - o.m_vRotCenter - start * o.m_vVel, GetTurnSpeed(ball, hold)};
+}
+
 // What a ball slides along, if that is one curve and does not turn: of more than one shape where they share
 // an end.
 const CHold* CContinuous::GetCurve(const CMoving& ball) const {
   const auto holds = ball.m_cHolds.Get();
   if (holds.empty() || ball.m_bIsInPile || !std::isfinite(holds[0].m_fRadius)) return nullptr;
   for (const CHold& hold : holds)
-    if (hold.m_bIsBall || hold.m_fRadius != holds[0].m_fRadius || hold.m_vNorm != holds[0].m_vNorm ||
-        GetTurnSpeed(ball, hold) != 0.0)
+    if (hold.m_bIsBall || hold.m_fRadius != holds[0].m_fRadius || hold.m_vNorm != holds[0].m_vNorm)
       return nullptr;
   return &holds[0];
 }
 
 // Of its acceleration on a curve the ball has that at the beginning. The derivative of it, times a third of
 // the time until the next part of its way, takes it to the place where it is then, up to the fourth power of
-// that time. With m the unit vector from the middle of the curve, u the velocity along it and R its radius
-// that derivative is -(g m + u^2/R) u/R - 3 (g u) m/R.
+// that time. With m the unit vector from the middle of the curve, u the velocity along it, g gravity as the
+// middle feels it, and R its radius that derivative is -(g m + u^2/R) u/R - 3 (g u) m/R, and what the
+// acceleration of the middle changes by.
 Vector2d CContinuous::GetBend(const CMoving& ball) const {
   const CHold* pCurve = GetCurve(ball);
   if (pCurve == nullptr) return Vector2d::Zero();
-  const Vector2d &n = pCurve->m_vNorm, &g = ball.m_vFall;
-  const Vector2d u = ball.m_vVel - m_pShapes->GetGeometry(pCurve->m_nOther).m_vVel;
+  const CMiddle middle = GetMiddle(ball, *pCurve, ball.m_vPos, ball.m_fTime);
+  const Vector2d &n = pCurve->m_vNorm, g = ball.m_vFall - middle.GetAcc(),
+                 u = ball.m_vVel - middle.VelAt(0.0);
   const double R = pCurve->m_fRadius; // with its sign, so that m / |R| = n / R
   const double time = std::min(ball.m_fHoldTime, m_fStep - ball.m_fTime);
-  return -time / 3.0 * ((g.dot(n) / R + u.squaredNorm() / (R * R)) * u + 3.0 * g.dot(u) / R * n);
+  const Vector2d along = (g.dot(n) / R + u.squaredNorm() / (R * R)) * u + 3.0 * g.dot(u) / R * n;
+  return time / 3.0 * (middle.m_fTurnSpeed * Perp(middle.GetAcc()) - along);
 }
 
 // To where its centre has got on its circle, from which the parabola is off by the fourth power of the time.
 // The hold is of where this part of the way began.
 void CContinuous::SettleOnCurve(CMoving& ball, const CHold& curve, const CMotion& before, double time) const {
-  const Vector2d &vel = m_pShapes->GetGeometry(curve.m_nOther).m_vVel, &n = curve.m_vNorm, along = Perp(n);
+  const CMiddle middle = GetMiddle(ball, curve, before.m_vPos, ball.m_fTime - time);
+  const Vector2d &n = curve.m_vNorm, along = Perp(n), g = ball.m_vFall - middle.GetAcc();
   const double R = curve.m_fRadius, inverse = 1.0 / R;
-  const CSwing swing = GetSwing(inverse * along.dot(ball.m_vFall), inverse * n.dot(ball.m_vFall),
-                                inverse * along.dot(before.m_vVel - vel), time);
+  const CSwing swing = GetSwing(inverse * along.dot(g), inverse * n.dot(g),
+                                inverse * along.dot(before.m_vVel - middle.VelAt(0.0)), time);
   const CTurn turn = GetTurn(swing.m_fAngle);
-  ball.m_vPos = before.m_vPos + time * vel + R * (Turned(n, turn) - n);
-  ball.m_vVel = vel + R * swing.m_fRate * Turned(along, turn);
+  ball.m_vPos = middle.PosAt(time) + R * Turned(n, turn);
+  ball.m_vVel = middle.VelAt(time) + R * swing.m_fRate * Turned(along, turn);
 }
 
 // A ball that has slid along a curve up to an impact: along that on to exactly where it touches the shape, as
@@ -63,9 +74,9 @@ bool CContinuous::SlideOnto(CMoving& ball, std::uint32_t order, const CMotion& b
                             CImpact& impact) const {
   const CHold* pCurve = GetCurve(ball);
   FailIf(pCurve == nullptr);
-  const Vector2d& vel = m_pShapes->GetGeometry(pCurve->m_nOther).m_vVel;
   const double time = impact.m_fTime;
-  const Vector2d middle = before.m_vPos - pCurve->m_fRadius * pCurve->m_vNorm + time * vel;
+  const CMiddle moving = GetMiddle(ball, *pCurve, before.m_vPos, ball.m_fTime - time);
+  const Vector2d middle = moving.PosAt(time), vel = moving.VelAt(time);
   const Vector2d fromMiddle = ball.m_vPos - middle, u = ball.m_vVel - vel;
   CMoving at = ball;
   double angle = 0.0;
@@ -111,8 +122,6 @@ bool CContinuous::SettleOnAll(CMoving& ball) const {
       if (!Near(geometry, GetMotion(ball), ball.m_fTime, isFlat ? 0.0 : g_fSettleReach * ball.m_fRadius,
                 impact, gap))
         continue;
-      // Past the end of an arc it flies on, and does not turn round the end.
-      if (impact.m_fRadius + ball.m_fRadius != hold.m_fRadius) continue;
       const Vector2d& n = impact.m_vNorm;
       ball.m_vPos -= gap * n;
       if (isFlat) continue;
