@@ -4,12 +4,14 @@
 #include "../../geometry/TimeOfImpact.h"
 #include "../../world/WorldState.h"
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "../broadphase/NearDiscs.h"
 #include "../broadphase/StaticBroadPhase.h"
+#include "Middle.h"
 #include "PileEnergy.h"
 #include "RestingContacts.h"
 
@@ -97,23 +99,6 @@ private:
     CImpact m_cImpact;
   };
 
-  // The middle of a curve since the beginning of a part of the way of a ball: it moves, and turns about a
-  // point that moves along.
-  struct CMiddle {
-    Vector2d m_vPos, m_vVel;
-    Vector2d m_vFromRot; // from that point
-    double m_fTurnSpeed;
-    Vector2d PosAt(double t) const {
-      if (m_fTurnSpeed == 0.0) return m_vPos + t * m_vVel;
-      return m_vPos + t * m_vVel + (Turned(m_vFromRot, m_fTurnSpeed * t) - m_vFromRot);
-    }
-    Vector2d VelAt(double t) const {
-      if (m_fTurnSpeed == 0.0) return m_vVel;
-      return m_vVel + m_fTurnSpeed * Perp(Turned(m_vFromRot, m_fTurnSpeed * t));
-    }
-    Vector2d GetAcc() const { return -m_fTurnSpeed * m_fTurnSpeed * m_vFromRot; } // at the beginning
-  };
-
   void MoveAlone(std::size_t i);
   void MoveFreely(std::size_t i);
   void MoveFreely(std::size_t i, const CMotion& motion);
@@ -195,8 +180,17 @@ private:
   bool GetSector(const CMoving& ball, const CHold& hold, Vector2d& first, Vector2d& last) const;
   double GetTimeToTurn(const CMoving& ball, const CHold& hold) const;
   double GetHoldTime(const CMoving& ball) const;
-  double GetTurnSpeed(const CMoving& ball, const CHold& hold) const;
-  CMiddle GetMiddle(const CMoving& ball, const CHold& hold, const Vector2d& p, double start) const;
+  // Of what holds a ball there, radians per second. A circle that turns about its middle stays where it is.
+  static double GetTurnSpeed(const CMoving& ball, const CHold& hold, const CShapeGeometry& o) {
+    const bool isOnCircle = std::isfinite(hold.m_fRadius) && hold.m_fRadius != ball.m_fRadius;
+    return isOnCircle && o.m_vCenter == o.m_vRotCenter ? 0.0 : o.m_fTurnSpeed;
+  }
+  // Of the curve that holds a ball since `start` at p.
+  CMiddle GetMiddle(const CMoving& ball, const CHold& hold, const Vector2d& p, double start) const {
+    const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
+    const Vector2d place = p - hold.m_fRadius * hold.m_vNorm;
+    return {place, o.m_vVel, place - o.m_vRotCenter - start * o.m_vVel, GetTurnSpeed(ball, hold, o)};
+  }
   const CHold* GetCurve(const CMoving& ball) const;
   Vector2d GetBend(const CMoving& ball) const;
   void Free(CMoving& ball) const;

@@ -205,8 +205,8 @@ bool CContinuous::GetSector(const CMoving& ball, const CHold& hold, Vector2d& fi
   const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
   const bool isSeg = o.m_eShapeType == eShape::LineSeg;
   FailIf(!isSeg && (o.m_eShapeType != eShape::Arc || o.m_bFull));
-  const CTurn turn = GetTurn(o.m_fTurnSpeed * ball.m_fTime);
-  const auto turned = [&](const Vector2d& v) { return o.m_fTurnSpeed == 0.0 ? v : Turned(v, turn); };
+  const double angle = o.m_fTurnSpeed * ball.m_fTime;
+  const auto turned = [angle](const Vector2d& v) { return angle == 0.0 ? v : Turned(v, angle); };
   const Vector2d from0 = turned(o.m_vPt0 - o.m_vCenter), from1 = turned(o.m_vPt1 - o.m_vCenter);
   if (hold.m_fRadius != ball.m_fRadius) {
     first = from0 / o.m_fRadius, last = from1 / o.m_fRadius;
@@ -265,7 +265,7 @@ double CContinuous::GetHoldTime(const CMoving& ball) const {
   for (const CHold& hold : ball.m_cHolds.Get()) {
     if (hold.m_bIsBall) continue;
     const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
-    const double turn = GetTurnSpeed(ball, hold);
+    const double turn = GetTurnSpeed(ball, hold, o);
     const bool isFlat = turn == 0.0 && !std::isfinite(hold.m_fRadius);
     if (isFlat) time = std::min(time, GetTimeToEnd(ball, hold));
     if (isCurve) time = std::min(time, GetTimeToTurn(ball, hold));

@@ -11,21 +11,6 @@
 
 namespace Shapes::Native {
 
-// Of what holds a ball there, radians per second. A circle that turns about its middle stays where it is.
-double CContinuous::GetTurnSpeed(const CMoving& ball, const CHold& hold) const {
-  const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
-  const bool isOnCircle = std::isfinite(hold.m_fRadius) && hold.m_fRadius != ball.m_fRadius;
-  return isOnCircle && o.m_vCenter == o.m_vRotCenter ? 0.0 : o.m_fTurnSpeed;
-}
-
-// Of the curve that holds a ball since `start` at p.
-CContinuous::CMiddle CContinuous::GetMiddle(const CMoving& ball, const CHold& hold, const Vector2d& p,
-                                            double start) const {
-  const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
-  const Vector2d place = p - hold.m_fRadius * hold.m_vNorm;
-  return {place, o.m_vVel, place - o.m_vRotCenter - start * o.m_vVel, GetTurnSpeed(ball, hold)};
-}
-
 // What a ball slides along, if that is one curve and does not turn: of more than one shape where they share
 // an end.
 const CHold* CContinuous::GetCurve(const CMoving& ball) const {
@@ -147,7 +132,8 @@ void CContinuous::KeepEnergy(CMoving& ball, const CMotion& before, double time) 
   if (ball.m_bIsInPile) return; // balls hold it, too
   const Vector2d vel = m_pShapes->GetGeometry(ball.m_cHolds.Get()[0].m_nOther).m_vVel;
   for (const CHold& hold : ball.m_cHolds.Get()) {
-    if (GetTurnSpeed(ball, hold) != 0.0 || m_pShapes->GetGeometry(hold.m_nOther).m_vVel != vel) return;
+    const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
+    if (GetTurnSpeed(ball, hold, o) != 0.0 || o.m_vVel != vel) return;
   }
   const Vector2d u = ball.m_vVel - vel, way = ball.m_vPos - before.m_vPos - time * vel;
   const double square = (before.m_vVel - vel).squaredNorm() + 2.0 * m_vGravity.dot(way);
