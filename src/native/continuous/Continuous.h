@@ -178,7 +178,22 @@ private:
   void Settle(CMoving& ball, const CMotion& before, double time);
   double GetTimeToEnd(const CMoving& ball, const CHold& hold) const;
   bool GetSector(const CMoving& ball, const CHold& hold, Vector2d& first, Vector2d& last) const;
-  double GetTimeToTurn(const CMoving& ball, const CHold& hold) const;
+  // How a ball slides along a curve: what it turns by, and what pulls it, over the radius.
+  struct CSlide {
+    CMiddle m_cMiddle;
+    double m_fRate;          // radians per second, counterclockwise
+    double m_fAlong, m_fOut; // gravity as the middle feels it, counterclockwise and away from the middle
+    double GetPull() const { return std::abs(m_fAlong) + std::abs(m_fOut); }
+  };
+  CSlide GetSlide(const CMoving& ball, const CHold& curve) const {
+    const CMiddle middle = GetMiddle(ball, curve, ball.m_vPos, ball.m_fTime);
+    const Vector2d &n = curve.m_vNorm, along = Perp(n), g = ball.m_vFall - middle.GetAcc();
+    const double inverse = 1.0 / curve.m_fRadius;
+    return {middle, inverse * along.dot(ball.m_vVel - middle.VelAt(0.0)), inverse * along.dot(g),
+            inverse * n.dot(g)};
+  }
+  double GetTimeToTurn(const CMoving& ball, const CHold& hold, const CSlide& slide) const;
+  double GetSlideTime(const CMoving& ball, const CHold& curve) const;
   double GetHoldTime(const CMoving& ball) const;
   // Of what holds a ball there, radians per second. A circle that turns about its middle stays where it is.
   static double GetTurnSpeed(const CMoving& ball, const CHold& hold, const CShapeGeometry& o) {

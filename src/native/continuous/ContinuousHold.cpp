@@ -226,27 +226,22 @@ bool CContinuous::GetSector(const CMoving& ball, const CHold& hold, Vector2d& fi
 }
 
 // Until a ball that slides along a curve is past an end of the shape.
-double CContinuous::GetTimeToTurn(const CMoving& ball, const CHold& hold) const {
+double CContinuous::GetTimeToTurn(const CMoving& ball, const CHold& hold, const CSlide& slide) const {
   double time = std::numeric_limits<double>::infinity();
   Vector2d first, last;
   if (!GetSector(ball, hold, first, last)) return time;
-  const double left = m_fStep - ball.m_fTime, inverse = 1.0 / hold.m_fRadius;
-  const CMiddle middle = GetMiddle(ball, hold, ball.m_vPos, ball.m_fTime);
-  const Vector2d &n = hold.m_vNorm, along = Perp(n), from = inverse > 0.0 ? n : Vector2d(-n),
-                 g = ball.m_vFall - middle.GetAcc();
-  const double rate = inverse * along.dot(ball.m_vVel - middle.VelAt(0.0));
-  const double turn = m_pShapes->GetGeometry(hold.m_nOther).m_fTurnSpeed; // of the ends
-  const double pull = inverse * along.dot(g), out = inverse * n.dot(g);
-  const double most = (std::abs(rate) + std::abs(turn) + (std::abs(pull) + std::abs(out)) * left) * left;
+  const double left = m_fStep - ball.m_fTime, turn = m_pShapes->GetGeometry(hold.m_nOther).m_fTurnSpeed;
+  const double most = (std::abs(slide.m_fRate) + std::abs(turn) + slide.GetPull() * left) * left;
+  const Vector2d from = hold.m_fRadius > 0.0 ? hold.m_vNorm : Vector2d(-hold.m_vNorm);
   for (const double sign : {1.0, -1.0}) {
     const Vector2d& end = sign > 0.0 ? last : first;
     if ((end - from).squaredNorm() > most * most) continue; // farther off than the ball gets
-    const double past = GetRounding(ball, hold.m_nOther) * std::abs(inverse);
+    const double past = GetRounding(ball, hold.m_nOther) / std::abs(hold.m_fRadius);
     const double angle = std::max(std::atan2(sign * Cross(from, end), from.dot(end)), 0.0) + past;
-    double t = GetTimeTo(angle, sign * (rate - turn), sign * pull, left);
+    double t = GetTimeTo(angle, sign * (slide.m_fRate - turn), sign * slide.m_fAlong, left);
     // That is of an even acceleration; from there by Newton's method.
     for (int round = 0; round < 2 && t < left; ++round) {
-      const CSwing swing = GetSwing(pull, out, rate, t);
+      const CSwing swing = GetSwing(slide.m_fAlong, slide.m_fOut, slide.m_fRate, t);
       const double speed = sign * (swing.m_fRate - turn), gone = sign * (swing.m_fAngle - turn * t);
       if (!(speed > 0.0)) break;
       t = std::max(t - (gone - angle) / speed, 0.0);
@@ -256,33 +251,40 @@ double CContinuous::GetTimeToTurn(const CMoving& ball, const CHold& hold) const 
   return time;
 }
 
-// Until the ball is past the end of a shape, a shape would have to pull it, or it has turned so far on what
-// curves that its way is no parabola.
+// Until the ball is past an end of a curve, that would have to pull it, or it has turned so far that its way
+// is no parabola.
+double CContinuous::GetSlideTime(const CMoving& ball, const CHold& curve) const {
+  const CSlide slide = GetSlide(ball, curve);
+  const double left = m_fStep - ball.m_fTime, turn = std::abs(slide.m_cMiddle.m_fTurnSpeed);
+  const double speed = std::abs(slide.m_fRate) + slide.GetPull() * left;
+  double part = Geometry::Quotient(static_cast<double>(g_fSlideTurn), speed, left);
+  if (turn > 0.0) part = std::min(part, Geometry::Quotient(static_cast<double>(g_fHoldTurn), turn, left));
+  // The push changes by -3 g u / R.
+  const double less = 3.0 * slide.m_fAlong * slide.m_fRate * curve.m_fRadius;
+  if (less > 0.0) {
+    const double push = curve.m_vNorm.dot(ball.m_vAcc - ball.m_vFall);
+    part = std::min(part, Geometry::Quotient(std::max(push, 0.0), less, left));
+  }
+  double time = std::max(part, m_fStep / g_nMaxHolds);
+  for (const CHold& hold : ball.m_cHolds.Get())
+    time = std::min(time, GetTimeToTurn(ball, hold, slide));
+  return time;
+}
+
 double CContinuous::GetHoldTime(const CMoving& ball) const {
+  if (const CHold* pCurve = GetCurve(ball)) return GetSlideTime(ball, *pCurve);
   double time = std::numeric_limits<double>::infinity();
   const double left = m_fStep - ball.m_fTime;
-  const bool isCurve = GetCurve(ball) != nullptr;
   for (const CHold& hold : ball.m_cHolds.Get()) {
     if (hold.m_bIsBall) continue;
     const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
-    const double turn = GetTurnSpeed(ball, hold, o);
-    const bool isFlat = turn == 0.0 && !std::isfinite(hold.m_fRadius);
-    if (isFlat) time = std::min(time, GetTimeToEnd(ball, hold));
-    if (isCurve) time = std::min(time, GetTimeToTurn(ball, hold));
-    if (isFlat) continue;
-    double part = Geometry::Quotient(static_cast<double>(g_fHoldTurn), std::abs(turn), left);
-    Vector2d u = ball.m_vVel - o.m_vVel, g = ball.m_vFall;
-    if (isCurve) {
-      const CMiddle middle = GetMiddle(ball, hold, ball.m_vPos, ball.m_fTime);
-      u = ball.m_vVel - middle.VelAt(0.0), g -= middle.GetAcc();
-      // The push of a curve changes by -3 g u / R.
-      const double push = hold.m_vNorm.dot(ball.m_vAcc - ball.m_vFall),
-                   less = 3.0 * g.dot(u) / hold.m_fRadius;
-      if (less > 0.0) part = std::min(part, Geometry::Quotient(std::max(push, 0.0), less, left));
+    if (o.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius)) {
+      time = std::min(time, GetTimeToEnd(ball, hold));
+      continue;
     }
-    const double speed = Norm(u) + Norm(ball.m_vAcc) * left;
-    const auto most = static_cast<double>(isCurve ? g_fSlideTurn : g_fHoldTurn);
-    part = std::min(part, Geometry::Quotient(most * std::abs(hold.m_fRadius), speed, left));
+    const double speed = Norm(ball.m_vVel - o.m_vVel) + Norm(ball.m_vAcc) * left;
+    const double part = Geometry::Quotient(static_cast<double>(g_fHoldTurn),
+                                           std::abs(o.m_fTurnSpeed) + speed / std::abs(hold.m_fRadius), left);
     time = std::min(time, std::max(part, m_fStep / g_nMaxHolds));
   }
   return time;

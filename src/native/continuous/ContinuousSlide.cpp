@@ -29,14 +29,16 @@ const CHold* CContinuous::GetCurve(const CMoving& ball) const {
 // acceleration of the middle changes by.
 Vector2d CContinuous::GetBend(const CMoving& ball) const {
   const CHold* pCurve = GetCurve(ball);
-  if (pCurve == nullptr) return Vector2d::Zero();
-  const CMiddle middle = GetMiddle(ball, *pCurve, ball.m_vPos, ball.m_fTime);
-  const Vector2d &n = pCurve->m_vNorm, g = ball.m_vFall - middle.GetAcc(),
-                 u = ball.m_vVel - middle.VelAt(0.0);
-  const double R = pCurve->m_fRadius; // with its sign, so that m / |R| = n / R
-  const double time = std::min(ball.m_fHoldTime, m_fStep - ball.m_fTime);
-  const Vector2d along = (g.dot(n) / R + u.squaredNorm() / (R * R)) * u + 3.0 * g.dot(u) / R * n;
-  return time / 3.0 * (middle.m_fTurnSpeed * Perp(middle.GetAcc()) - along);
+  // Its way is looked at only where it may meet something.
+  const bool isAlone = !m_bPairs && m_stdShapesFound.size() == ball.m_cHolds.Get().size();
+  if (pCurve == nullptr || isAlone) return Vector2d::Zero();
+  const CSlide slide = GetSlide(ball, *pCurve);
+  const Vector2d& n = pCurve->m_vNorm;
+  const double time = std::min(ball.m_fHoldTime, m_fStep - ball.m_fTime), rate = slide.m_fRate;
+  const double along = -(slide.m_fOut + rate * rate) * rate * pCurve->m_fRadius,
+               out = -3.0 * slide.m_fAlong * rate * pCurve->m_fRadius;
+  const CMiddle& middle = slide.m_cMiddle;
+  return time / 3.0 * (along * Perp(n) + out * n + middle.m_fTurnSpeed * Perp(middle.GetAcc()));
 }
 
 // To where its centre has got on its circle, from which the parabola is off by the fourth power of the time.
