@@ -57,8 +57,9 @@ TEST(ClosedRoom, ABallThatJamsComesToRest) {
       }
 }
 
-// A wall presses a ball that flies up, and stops where it leaves a slot .0001 narrower than it: what cannot move
-// has no speed, and is not halted for ever. Of these heights 60 of 180 kept up to 4 units/s without moving.
+// A wall presses a ball that flies up, and stops where it leaves a slot .0001 narrower than it: what cannot
+// move has no speed, and is not halted for ever. Of these heights 60 of 180 kept up to 4 units/s without
+// moving.
 TEST(ClosedRoom, AStuckBallHasNoSpeedAndSleeps) {
   int stuck = 0;
   for (const float e : {0.0f, 0.5f, 0.9f})

@@ -26,7 +26,8 @@ void CContinuous::Begin(CBallArrays& balls, CStaticBroadPhase& shapes, bool pair
   m_bIsFalling = !gravity.isZero(0.0f);
   m_bCapsSpeeds = CanExceedMaxSpeed(gravity * dt);
   m_fSagitta = CMotion{Vector2d::Zero(), Vector2d::Zero(), 0.0, m_fStep, m_vGravity}.GetSagitta();
-  m_fSleepSpeed = static_cast<float>(g_fSleepSpeed * Norm(m_vGravity) * m_fStep);
+  m_fFall = Norm(m_vGravity) * m_fStep;
+  m_fSleepSpeed = static_cast<float>(g_fSleepSpeed * m_fFall);
   m_cEnergy.Begin(m_vGravity);
   m_stdContacts.clear();
   m_stdTimes.clear();

@@ -177,7 +177,7 @@ private:
   bool SettleOnAll(CMoving& ball) const;
   void Settle(CMoving& ball, const CMotion& before, double time);
   double GetTimeToEnd(const CMoving& ball, const CHold& hold) const;
-  bool GetSector(const CMoving& ball, const CHold& hold, Vector2d& first, Vector2d& last) const;
+  double GetSector(const CMoving& ball, const CHold& hold, Vector2d& first, Vector2d& last) const;
   // How a ball slides along a curve: what it turns by, and what pulls it, over the radius.
   struct CSlide {
     CMiddle m_cMiddle;
@@ -248,6 +248,7 @@ private:
   double m_fFastest =
       0.0; // ball at the beginning, or surface that was met, of it g_fSqueezed times the speed
   Vector2d m_vGravity = Vector2d::Zero();
+  double m_fFall = 0.0;    // speed that gravity gives in it
   double m_fSagitta = 0.0; // of a motion that nothing deflects
   float m_fSleepSpeed = 0.0f;
   bool m_bIsFalling = false;

@@ -15,18 +15,17 @@ namespace Shapes::Native {
 // Whether a ball that leaves a surface at the speed `out` is back at once, being accelerated towards it: it
 // lies on it, or leaves it all but along the surface.
 bool CContinuous::IsHop(double out, double closing, double speed) const {
-  const double most = std::max(Norm(m_vGravity) * m_fStep / g_nHops, static_cast<double>(g_fShallow) * speed);
+  const double most = std::max(m_fFall / g_nHops, static_cast<double>(g_fShallow) * speed);
   return closing > 0.0 && out <= most && 2.0 * g_nHops * out < closing * m_fStep;
 }
 
 // Whether the way along a surface can be followed: not where it turns too far within a substep.
 bool CContinuous::CanFollow(const CMoving& ball, std::uint32_t order, const CImpact& impact) const {
-  const double speed = Norm(ball.m_vVel - m_pShapes->GetGeometry(order).m_vVel) + Norm(m_vGravity) * m_fStep;
-  const double bend = Geometry::Quotient(speed, std::abs(impact.m_fRadius + ball.m_fRadius),
-                                         static_cast<double>(g_fMaxRotSpeed));
-  const double turn = std::abs(m_pShapes->GetGeometry(order).m_fTurnSpeed);
-  const auto part = static_cast<double>(turn == 0.0 ? g_fSlideTurn : g_fHoldTurn);
-  return (turn + bend) * m_fStep < part * g_nMaxHolds;
+  const CShapeGeometry& o = m_pShapes->GetGeometry(order);
+  const double way = (Norm(ball.m_vVel - o.m_vVel) + m_fFall) * m_fStep, turn = std::abs(o.m_fTurnSpeed);
+  const double part = static_cast<double>(turn == 0.0 ? g_fSlideTurn : g_fHoldTurn) * g_nMaxHolds;
+  const double R = std::abs(impact.m_fRadius + ball.m_fRadius), left = part - turn * m_fStep;
+  return left > 0.0 && (!std::isfinite(R) || way < left * R);
 }
 
 void CContinuous::Free(CMoving& ball) const {
@@ -199,18 +198,18 @@ double CContinuous::GetTimeToEnd(const CMoving& ball, const CHold& hold) const {
   return time;
 }
 
-// The directions from the middle of the curve in which the shape holds the ball: counterclockwise from
-// `first` to `last`. False where it does all around.
-bool CContinuous::GetSector(const CMoving& ball, const CHold& hold, Vector2d& first, Vector2d& last) const {
+// The directions from the middle of the curve in which the shape holds the ball, counterclockwise from
+// `first` to `last`, and their length. 0 where it does all around.
+double CContinuous::GetSector(const CMoving& ball, const CHold& hold, Vector2d& first, Vector2d& last) const {
   const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
   const bool isSeg = o.m_eShapeType == eShape::LineSeg;
-  FailIf(!isSeg && (o.m_eShapeType != eShape::Arc || o.m_bFull));
+  if (!isSeg && (o.m_eShapeType != eShape::Arc || o.m_bFull)) return 0.0;
   const double angle = o.m_fTurnSpeed * ball.m_fTime;
   const auto turned = [angle](const Vector2d& v) { return angle == 0.0 ? v : Turned(v, angle); };
   const Vector2d from0 = turned(o.m_vPt0 - o.m_vCenter), from1 = turned(o.m_vPt1 - o.m_vCenter);
   if (hold.m_fRadius != ball.m_fRadius) {
-    first = from0 / o.m_fRadius, last = from1 / o.m_fRadius;
-    return true;
+    first = from0, last = from1;
+    return o.m_fRadius;
   }
   // Round an end: until the ball is in front of a face.
   const Vector2d fromRot =
@@ -219,23 +218,25 @@ bool CContinuous::GetSector(const CMoving& ball, const CHold& hold, Vector2d& fi
     return (fromRot - turned(end - o.m_vRotCenter)).squaredNorm();
   };
   const bool isSecond = getOff(o.m_vPt1) < getOff(o.m_vPt0);
-  last = isSeg ? turned(o.m_vFront) : Vector2d((isSecond ? from1 : from0) / -o.m_fRadius);
+  last = isSeg ? turned(o.m_vFront) : Vector2d(isSecond ? -from1 : -from0);
   if (!isSecond) last = -last;
   first = -last;
-  return true;
+  return isSeg ? 1.0 : o.m_fRadius;
 }
 
 // Until a ball that slides along a curve is past an end of the shape.
 double CContinuous::GetTimeToTurn(const CMoving& ball, const CHold& hold, const CSlide& slide) const {
   double time = std::numeric_limits<double>::infinity();
   Vector2d first, last;
-  if (!GetSector(ball, hold, first, last)) return time;
+  const double length = GetSector(ball, hold, first, last);
+  if (length == 0.0) return time;
   const double left = m_fStep - ball.m_fTime, turn = m_pShapes->GetGeometry(hold.m_nOther).m_fTurnSpeed;
   const double most = (std::abs(slide.m_fRate) + std::abs(turn) + slide.GetPull() * left) * left;
-  const Vector2d from = hold.m_fRadius > 0.0 ? hold.m_vNorm : Vector2d(-hold.m_vNorm);
+  const Vector2d from = (hold.m_fRadius > 0.0 ? length : -length) * hold.m_vNorm;
   for (const double sign : {1.0, -1.0}) {
     const Vector2d& end = sign > 0.0 ? last : first;
-    if ((end - from).squaredNorm() > most * most) continue; // farther off than the ball gets
+    const double far = most * length;
+    if ((end - from).squaredNorm() > far * far) continue; // farther off than the ball gets
     const double past = GetRounding(ball, hold.m_nOther) / std::abs(hold.m_fRadius);
     const double angle = std::max(std::atan2(sign * Cross(from, end), from.dot(end)), 0.0) + past;
     double t = GetTimeTo(angle, sign * (slide.m_fRate - turn), sign * slide.m_fAlong, left);

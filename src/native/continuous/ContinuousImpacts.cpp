@@ -354,7 +354,7 @@ void CContinuous::EndMotion(CMoving& ball) {
       {ball.m_nBall, ToFloat(ball.m_vPos), static_cast<float>(ball.m_fTime / m_fStep)});
   ++ball.m_nImpacts;
   if (ball.m_bIsNearBall && ball.m_nImpacts >= g_nSqueezed) {
-    const double most = m_fFastest + Norm(m_vGravity) * m_fStep, speed = Norm(ball.m_vVel);
+    const double most = m_fFastest + m_fFall, speed = Norm(ball.m_vVel);
     if (speed > most) ball.m_vVel *= most / speed;
   }
   // Where shapes turn, they could get past a ball that is halted.

@@ -11,7 +11,7 @@
 
 namespace Shapes::Native {
 
-// What a ball slides along, if that is one curve and does not turn: of more than one shape where they share
+// What a ball slides along, if that is one curve: of more than one shape where they share
 // an end.
 const CHold* CContinuous::GetCurve(const CMoving& ball) const {
   const auto holds = ball.m_cHolds.Get();
@@ -28,10 +28,10 @@ const CHold* CContinuous::GetCurve(const CMoving& ball) const {
 // middle feels it, and R its radius that derivative is -(g m + u^2/R) u/R - 3 (g u) m/R, and what the
 // acceleration of the middle changes by.
 Vector2d CContinuous::GetBend(const CMoving& ball) const {
-  const CHold* pCurve = GetCurve(ball);
   // Its way is looked at only where it may meet something.
   const bool isAlone = !m_bPairs && m_stdShapesFound.size() == ball.m_cHolds.Get().size();
-  if (pCurve == nullptr || isAlone) return Vector2d::Zero();
+  const CHold* pCurve = isAlone ? nullptr : GetCurve(ball);
+  if (pCurve == nullptr) return Vector2d::Zero();
   const CSlide slide = GetSlide(ball, *pCurve);
   const Vector2d& n = pCurve->m_vNorm;
   const double time = std::min(ball.m_fHoldTime, m_fStep - ball.m_fTime), rate = slide.m_fRate;

@@ -13,6 +13,11 @@ namespace {
 
 using Geometry::Cross, Geometry::Norm;
 
+// Where n . p = b and m . p = c, times the determinant of n and m.
+Vector2d GetCrossing(const Vector2d& n, double b, const Vector2d& m, double c) {
+  return {b * m.y() - c * n.y(), c * n.x() - b * m.x()};
+}
+
 // The point closest to x with n . point >= b for all: it is x, on one of the lines, or where two cross. What
 // rounding violates is no violation. If there is none, the one that goes into shapes least, and then into
 // balls.
@@ -43,7 +48,7 @@ Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound
     for (std::size_t j = 0; j < i; ++j) {
       const Vector2d& m = holds[j].m_vNorm;
       const double det = Cross(n, m), b = bound(holds[i]), c = bound(holds[j]);
-      const Vector2d crossing(b * m.y() - c * n.y(), c * n.x() - b * m.x()); // times det
+      const Vector2d crossing = GetCrossing(n, b, m, c);
       const bool isOfBall = holds[i].m_bIsBall || holds[j].m_bIsBall;
       // Two walls that are all but parallel hold a ball between them, as in a slot, if they cross nearby.
       const double nearby = (std::abs(b) + std::abs(c) + Norm(x)) * std::abs(det);
@@ -89,11 +94,10 @@ Vector2d CHolds::KeepVel(const Vector2d& v) const {
   const Vector2d& n = holds[0].m_vNorm;
   const double b = holds[0].m_fSpeed;
   for (const CHold& other : holds.subspan(1)) {
-    const Vector2d& m = other.m_vNorm;
-    const double det = Cross(n, m), c = other.m_fSpeed;
-    const Vector2d crossing(b * m.y() - c * n.y(), c * n.x() - b * m.x()); // times det
-    const double nearby = (std::abs(b) + std::abs(c) + Norm(v)) * std::abs(det);
-    if (std::abs(det) >= g_fParallel && Norm(crossing) <= nearby) return crossing / det;
+    const double det = Cross(n, other.m_vNorm), c = other.m_fSpeed;
+    const Vector2d crossing = GetCrossing(n, b, other.m_vNorm, c);
+    const bool isNearby = Norm(crossing) <= (std::abs(b) + std::abs(c) + Norm(v)) * std::abs(det);
+    if (std::abs(det) >= g_fParallel && isNearby) return crossing / det;
   }
   return v + (b - n.dot(v)) * n;
 }
