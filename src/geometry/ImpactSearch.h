@@ -96,10 +96,10 @@ private:
   }
   // One that leaves the face in front of which it is has met an end that it touches as well.
   CSpot GetSpot(const CSegment& feature, const CBallAt& ball) const {
-    const CSpot spot = feature.At(ball);
+    CSpot spot = feature.At(ball);
     if (g_bStands<TMotion> || spot.Rate(ball) < 0.0) return spot;
     for (const Vector2d& end : {feature.m_vPt0, feature.m_vPt1}) {
-      const CSpot atEnd = CDisk{end, 0.0}.At(ball);
+      CSpot atEnd = CDisk{end, 0.0}.At(ball);
       if (atEnd.m_fGap <= m_cMotion.GetTouch() && atEnd.Rate(ball) < 0.0) return atEnd;
     }
     return spot;
