@@ -33,14 +33,14 @@ double CRestingContacts::GetSmallerRadius(const CContact& c, const std::vector<C
 // pile and still in each other. It has nowhere to go but up, and no contact in it says so.
 bool CRestingContacts::IsJammed(const CContact& c, const std::vector<CMoving>& balls) const {
   FailIf(!c.m_bIsBall);
-  const double overlap = -c.m_fGap / GetSmallerRadius(c, balls);
-  FailIf(!(overlap > g_fSleepOverlap));
+  const double overlap = -c.m_fGap, radius = GetSmallerRadius(c, balls); // which may be 0
+  FailIf(!(overlap > g_fSleepOverlap * radius));
   const double slow = g_fSleepSpeed * Norm(m_vGravity) * m_fStep;
   const auto isAtRest = [&](std::uint32_t i) {
     return balls[i].m_bHasPressed && Norm(balls[i].m_vVel) <= slow;
   };
   const bool isLevel = std::abs(c.m_vNorm.dot(m_vUp)) < g_fLevel;
-  return overlap > g_fSqueezedDepth || (isLevel && isAtRest(c.m_nBall) && isAtRest(c.m_nOther));
+  return overlap > g_fSqueezedDepth * radius || (isLevel && isAtRest(c.m_nBall) && isAtRest(c.m_nOther));
 }
 
 void CRestingContacts::Separate(std::vector<CMoving>& balls) {
