@@ -49,11 +49,8 @@ class CImpactSearch {
 public:
   /// Up to the time `end`. The shape and the impact are in the frame of the motion. All three have to stay.
   CImpactSearch(const CShapeGeometry& shape, const TMotion& motion, double end, CImpact& impact)
-      : m_cShape(shape), m_cMotion(motion), m_cImpact(impact) {
+      : m_cShape(shape), m_cMotion(motion), m_cImpact(impact), m_fEnd(end) {
     impact.m_fTime = end;
-    const double touch = motion.GetTouch(),
-                 rounding = touch * (static_cast<double>(g_fTouchRounding) / CRoundings::g_fShare);
-    m_fEndDepth = g_bStands<TMotion> ? std::clamp(end, touch, rounding) : touch;
   }
 
   const CShapeGeometry& GetShape() const { return m_cShape; }
@@ -62,7 +59,11 @@ public:
   eSweep GetFound() const { return m_eFound; }
   /// How deep a ball may be in an end, where one side is solid, to meet it. One that stands there, and is to
   /// be found from some distance, may have been put there in floats.
-  double GetEndDepth() const { return m_fEndDepth; }
+  double GetEndDepth() const {
+    const double touch = m_cMotion.GetTouch();
+    const double rounding = touch * (static_cast<double>(g_fTouchRounding) / CRoundings::g_fShare);
+    return g_bStands<TMotion> ? std::clamp(m_fEnd, touch, rounding) : touch;
+  }
   /// Whether the centre is in front of a face that was found: of a standing motion, ends are not closer then.
   bool HasFace() const { return g_bStands<TMotion> && m_eFound != eSweep::None; }
 
@@ -109,7 +110,7 @@ private:
   const TMotion& m_cMotion;
   CImpact& m_cImpact;
   eSweep m_eFound = eSweep::None;
-  double m_fEndDepth;
+  double m_fEnd; // of the search: a time, or the gap of a standing motion
 };
 
 template <class TMotion>

@@ -185,22 +185,23 @@ private:
     double m_fAlong, m_fOut; // gravity as the middle feels it, counterclockwise and away from the middle
     double GetPull() const { return std::abs(m_fAlong) + std::abs(m_fOut); }
   };
-  CSlide GetSlide(const CMoving& ball, const CHold& curve) const {
-    const CMiddle middle = GetMiddle(ball, curve, ball.m_vPos, ball.m_fTime);
+  // Where the ball is at p with the velocity v at `start`.
+  CSlide GetSlide(const CMoving& ball, const CHold& curve, const Vector2d& p, const Vector2d& v,
+                  double start) const {
+    const CMiddle middle = GetMiddle(ball, curve, p, start);
     const Vector2d &n = curve.m_vNorm, along = Perp(n), g = ball.m_vFall - middle.GetAcc();
     const double inverse = 1.0 / curve.m_fRadius;
-    return {middle, inverse * along.dot(ball.m_vVel - middle.VelAt(0.0)), inverse * along.dot(g),
-            inverse * n.dot(g)};
+    return {middle, inverse * along.dot(v - middle.VelAt(0.0)), inverse * along.dot(g), inverse * n.dot(g)};
   }
   double GetTimeToTurn(const CMoving& ball, const CHold& hold, const CSlide& slide) const;
   double GetSlideTime(const CMoving& ball, const CHold& curve) const;
   double GetHoldTime(const CMoving& ball) const;
-  // Of what holds a ball there, radians per second. A circle that turns about its middle stays where it is.
+  // The turn speed of what holds a ball there. A circle that turns about its middle stays where it is.
   static double GetTurnSpeed(const CMoving& ball, const CHold& hold, const CShapeGeometry& o) {
     const bool isOnCircle = std::isfinite(hold.m_fRadius) && hold.m_fRadius != ball.m_fRadius;
     return isOnCircle && o.m_vCenter == o.m_vRotCenter ? 0.0 : o.m_fTurnSpeed;
   }
-  // Of the curve that holds a ball since `start` at p.
+  // The middle of the curve that holds a ball since `start` at p.
   CMiddle GetMiddle(const CMoving& ball, const CHold& hold, const Vector2d& p, double start) const {
     const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
     const Vector2d place = p - hold.m_fRadius * hold.m_vNorm;

@@ -255,7 +255,7 @@ double CContinuous::GetTimeToTurn(const CMoving& ball, const CHold& hold, const 
 // Until the ball is past an end of a curve, that would have to pull it, or it has turned so far that its way
 // is no parabola.
 double CContinuous::GetSlideTime(const CMoving& ball, const CHold& curve) const {
-  const CSlide slide = GetSlide(ball, curve);
+  const CSlide slide = GetSlide(ball, curve, ball.m_vPos, ball.m_vVel, ball.m_fTime);
   const double left = m_fStep - ball.m_fTime, turn = std::abs(slide.m_cMiddle.m_fTurnSpeed);
   const double speed = std::abs(slide.m_fRate) + slide.GetPull() * left;
   double part = Geometry::Quotient(static_cast<double>(g_fSlideTurn), speed, left);
@@ -272,6 +272,8 @@ double CContinuous::GetSlideTime(const CMoving& ball, const CHold& curve) const 
   return time;
 }
 
+// The time until the ball is past the end of what holds it, or what turns has turned so far that its way is
+// no parabola.
 double CContinuous::GetHoldTime(const CMoving& ball) const {
   if (const CHold* pCurve = GetCurve(ball)) return GetSlideTime(ball, *pCurve);
   double time = std::numeric_limits<double>::infinity();

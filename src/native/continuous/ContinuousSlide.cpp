@@ -11,8 +11,7 @@
 
 namespace Shapes::Native {
 
-// What a ball slides along, if that is one curve: of more than one shape where they share
-// an end.
+// The curve along which a ball slides, if there is one: of more than one shape where they share an end.
 const CHold* CContinuous::GetCurve(const CMoving& ball) const {
   const auto holds = ball.m_cHolds.Get();
   if (holds.empty() || ball.m_bIsInPile || !std::isfinite(holds[0].m_fRadius)) return nullptr;
@@ -32,7 +31,7 @@ Vector2d CContinuous::GetBend(const CMoving& ball) const {
   const bool isAlone = !m_bPairs && m_stdShapesFound.size() == ball.m_cHolds.Get().size();
   const CHold* pCurve = isAlone ? nullptr : GetCurve(ball);
   if (pCurve == nullptr) return Vector2d::Zero();
-  const CSlide slide = GetSlide(ball, *pCurve);
+  const CSlide slide = GetSlide(ball, *pCurve, ball.m_vPos, ball.m_vVel, ball.m_fTime);
   const Vector2d& n = pCurve->m_vNorm;
   const double time = std::min(ball.m_fHoldTime, m_fStep - ball.m_fTime), rate = slide.m_fRate;
   const double along = -(slide.m_fOut + rate * rate) * rate * pCurve->m_fRadius,
@@ -44,14 +43,13 @@ Vector2d CContinuous::GetBend(const CMoving& ball) const {
 // To where its centre has got on its circle, from which the parabola is off by the fourth power of the time.
 // The hold is of where this part of the way began.
 void CContinuous::SettleOnCurve(CMoving& ball, const CHold& curve, const CMotion& before, double time) const {
-  const CMiddle middle = GetMiddle(ball, curve, before.m_vPos, ball.m_fTime - time);
-  const Vector2d &n = curve.m_vNorm, along = Perp(n), g = ball.m_vFall - middle.GetAcc();
-  const double R = curve.m_fRadius, inverse = 1.0 / R;
-  const CSwing swing = GetSwing(inverse * along.dot(g), inverse * n.dot(g),
-                                inverse * along.dot(before.m_vVel - middle.VelAt(0.0)), time);
+  const CSlide slide = GetSlide(ball, curve, before.m_vPos, before.m_vVel, ball.m_fTime - time);
+  const CSwing swing = GetSwing(slide.m_fAlong, slide.m_fOut, slide.m_fRate, time);
   const CTurn turn = GetTurn(swing.m_fAngle);
-  ball.m_vPos = middle.PosAt(time) + R * Turned(n, turn);
-  ball.m_vVel = middle.VelAt(time) + R * swing.m_fRate * Turned(along, turn);
+  const CMiddle& middle = slide.m_cMiddle;
+  const double R = curve.m_fRadius;
+  ball.m_vPos = middle.PosAt(time) + R * Turned(curve.m_vNorm, turn);
+  ball.m_vVel = middle.VelAt(time) + R * swing.m_fRate * Turned(Perp(curve.m_vNorm), turn);
 }
 
 // A ball that has slid along a curve up to an impact: along that on to exactly where it touches the shape, as
