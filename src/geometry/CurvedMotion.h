@@ -12,8 +12,10 @@ namespace Shapes::Geometry {
 /// it converges as Newton's method does.
 ///
 /// K is the least that is known, A being the acceleration of the ball in the world: the centre of what is
-/// round moves on a circle, so the distance from it, which is convex, has K = its acceleration + A. In the
-/// frame the ball is accelerated by at most M = 2|w||v| + w^2 |x - c| + A, so the distance from a segment
+/// round moves on a circle, so the distance from it, which is convex, has K = its acceleration + A. Where the
+/// shape does not turn and the gap is small it is half of the square of the distance that is followed: with
+/// the distance a ball that gravity moves along a surface which it touches would take thousands of steps. In
+/// the frame the ball is accelerated by at most M = 2|w||v| + w^2 |x - c| + A, so the distance from a segment
 /// with its ends, which is convex too, has K = M. From inside a circle it is (rho^2 - |x|^2)/2 that is
 /// followed, where rho = R - r.
 class CCurvedMotion {
@@ -99,6 +101,9 @@ public:
 private:
   static constexpr double g_fEps = std::numeric_limits<double>::epsilon();
   static constexpr double g_fTiny = std::numeric_limits<double>::min();
+  // Where the gap is larger than a part of the radii, to follow its square would be slower.
+  static constexpr double g_fSquareGap = 16.0;
+  static constexpr double g_fSquareRounding = 16.0 * g_fEps;
 
   template <class TFeature>
   double GetCurve(const TFeature& feature) const {
@@ -112,7 +117,9 @@ private:
   };
   // f falls to 0 where the ball touches.
   CFollowed Nearing(const CDisk& feature, double gap, double rate) const {
-    return {gap, rate, Acceleration(feature.m_vCenter)};
+    const double R = feature.m_fRadius + m_cMotion.m_fRadius;
+    if (m_fTurn != 0.0 || g_fSquareGap * gap > R) return {gap, rate, Acceleration(feature.m_vCenter)};
+    return {gap * (R + 0.5 * gap), rate * (R + gap), SquareBend(feature.m_vCenter)};
   }
   // The bound holds as long as the centre of the ball is within the circle.
   CFollowed Nearing(const CRing& feature, double gap, double rate) const {
@@ -138,6 +145,17 @@ private:
   template <class TFeature>
   CFollowed Leaving(const TFeature& feature, double gap, double rate) const {
     return Nearing(feature, -gap, -rate);
+  }
+
+  // K of half the square of the distance from a point at rest. With x from that point and v at the beginning
+  // its second derivative is v^2 + x a + 3 (v a) t + 3/2 a^2 t^2: above 0 as long as gravity goes along a
+  // surface that is touched, and not into it.
+  double SquareBend(const Vector2d& p) const {
+    const Vector2d x = m_cMotion.m_vPos - p, &v = m_cMotion.m_vVel, &a = m_cMotion.m_vAcc;
+    const double xa = x.dot(a), va = v.dot(a), T = m_cMotion.m_fDuration, aa = m_fFall * m_fFall;
+    const double t = va < 0.0 ? std::min(Quotient(-va, aa, T), T) : 0.0;
+    const double square = v.squaredNorm(), least = square + xa + (3.0 * va + 1.5 * aa * t) * t;
+    return std::max(0.0, g_fSquareRounding * (square + std::abs(xa)) - least);
   }
 
   Vector2d FromCenter(double t) const {

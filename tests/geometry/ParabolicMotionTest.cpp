@@ -76,6 +76,25 @@ TEST(ParabolicMotion, ABallThatIsThrownUpMeetsTheFloorThatItLeft) {
   EXPECT_EQ(Sweep(floor, motion, 0.0, impact), eSweep::None);
 }
 
+// Gravity, as one of two balls feels it that the other one does not, moves it along the surface that it
+// touches, down or first up and then back. Followed by the distance, which gravity might bend towards that
+// surface, the search takes thousands of steps, and does not come to an end.
+TEST(ParabolicMotion, ABallThatFallsAlongWhatItTouchesIsFollowedToTheEnd) {
+  ForEachCase(31, 2000, [&](CRandom& random, int i) {
+    const double r = static_cast<double>(random.Scale(-2, 0)), R = static_cast<double>(random.Scale(-2, 0));
+    const double speed = i % 2 == 0 ? 0.0 : static_cast<double>(random.Scale(-6, 0));
+    const CMotion other{{0, 0}, {0, 0}, R, 0.1};
+    const CMotion ball{{r + R, 0}, {0, speed}, r, 0.1, {0, -10}};
+    CImpact impact;
+    // As it comes back it grazes the other one.
+    EXPECT_NE(ImpactBallBall(other, ball, impact), eSweep::OutOfIterations) << speed;
+    EXPECT_TRUE(speed > 0.0 || ImpactBallBall(other, ball, impact) == eSweep::None);
+    // Control: a little towards it.
+    const CMotion towards{{r + R, 0}, {-1e-3, speed}, r, 0.1, {0, -10}};
+    EXPECT_EQ(ImpactBallBall(other, towards, impact), eSweep::Impact);
+  });
+}
+
 // By differences of the gap, for a shape that turns and a ball that falls.
 TEST(ParabolicMotion, TheGapClosesAsItsSecondDerivativeSays) {
   int impacts = 0;
