@@ -9,18 +9,21 @@ namespace {
 // After the first substeps a grid that knows what is clear is there; it must not change anything.
 TEST(InvolvedBallsTest, ABallThatTurnsRoundBelowACeilingMeetsItInEveryStep) {
   const float g = 10.0f, up = 0.5f * g * g_fDt, top = 0.5f * up * up / g, r = 0.25f * top;
-  auto pWorld = MakeNative(g_cContinuous, g);
-  // The ball would be back where it began at the end of the step.
-  pWorld->Add(CLineSegDesc({-1, r + 0.9f * top}, {1, r + 0.9f * top}));
-  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, r, {0, 0}, 1, 0));
-  Vector2 first = Vector2::Zero();
-  for (int i = 0; i < 3000; ++i) {
-    pWorld->SetPos(ball, {0, 0});
-    pWorld->SetVel(ball, {0, up});
-    pWorld->Step();
-    ASSERT_EQ(pWorld->GetContacts().size(), 1u) << i;
-    if (i == 0) first = pWorld->GetPos(ball);
-    ASSERT_EQ(pWorld->GetPos(ball), first) << i;
+  for (const bool isAlone : {true, false}) {
+    auto pWorld = MakeNative(g_cContinuous, g);
+    // The ball would be back where it began at the end of the step.
+    pWorld->Add(CLineSegDesc({-1, r + 0.9f * top}, {1, r + 0.9f * top}));
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0}, r, {0, 0}, 1, 0));
+    if (!isAlone) pWorld->Add(CDynamicCircleDesc({0, -50}, r));
+    Vector2 first = Vector2::Zero();
+    for (int i = 0; i < 3000; ++i) {
+      pWorld->SetPos(ball, {0, 0});
+      pWorld->SetVel(ball, {0, up});
+      pWorld->Step();
+      ASSERT_EQ(pWorld->GetContacts().size(), 1u) << i;
+      if (i == 0) first = pWorld->GetPos(ball);
+      ASSERT_EQ(pWorld->GetPos(ball), first) << i;
+    }
   }
 }
 

@@ -119,6 +119,20 @@ TEST(LastingContact, WhatLiesFarFromTheOriginDoesNotLeap) {
   }
 }
 
+// A ceiling sends a heavy ball down to one of a millionth of its mass that lies on a slope, hardly faster
+// than what lasts: the light one gives way along the slope, and the heavy one keeps its speed.
+TEST(LastingContact, ALightBallOnASlopeDoesNotStopAHeavyOne) {
+  auto pWorld = MakeNative(g_cAutomatic, 10);
+  pWorld->Add(CLineSegDesc({-1, 1}, {1, -1}));
+  const float r = 0.05f, x = r * std::sqrt(0.5f), y = x + r + 0.2f + 0.001f;
+  pWorld->Add(CLineSegDesc({-1, y + 0.202f}, {1, y + 0.202f}));
+  pWorld->Add(CDynamicCircleDesc({x, x}, r, {0, 0}, 0.001f, 0));
+  const CShapeId heavy = pWorld->Add(CDynamicCircleDesc({x, y}, 0.2f, {0, 3}, 1000, 0.1f));
+  pWorld->Step();
+  EXPECT_EQ(pWorld->GetContacts().size(), 3u); // the slope, the ceiling, and each other
+  EXPECT_LT(pWorld->GetVel(heavy).y(), -0.4f); // .3 and a part of what gravity gives
+}
+
 // Five balls that touch, and lie: what comes in on one side goes out on the other.
 TEST(LastingContact, ARowOfBallsThatTouchPassesAnImpactOn) {
   const auto pWorld = MakeFloor();

@@ -47,10 +47,11 @@ CContactSolver::CChange CContactSolver::Relax(double part) {
   for (std::size_t k = 0; k < m_stdRows.size(); ++k) {
     const CRow& row = m_stdRows[k];
     const double now = pImpulses[k];
-    const double next = std::max(0.0, now + part * row.m_fShare * (row.m_fLeast - GetDifference(row, pVels)));
+    // No impulse pulls. Without a branch, as it cannot be foreseen which rows change.
+    const double wanted = now + part * row.m_fShare * (row.m_fLeast - GetDifference(row, pVels));
+    const double next = 0.5 * (wanted + std::abs(wanted));
     const double more = next - now, mass = row.m_fInverse + row.m_fOtherInverse; // inverse
     pImpulses[k] = next;
-    // Without a branch, as it cannot be foreseen which rows change.
     Push(row, more, pVels);
     change.m_fMost = std::max(change.m_fMost, std::abs(more) * mass);
     change.m_fBack -= more * (next - pBefore[k]) * mass;
@@ -91,12 +92,15 @@ void CContactSolver::StopAtShapes() {
       if (row.m_nOther == g_nShape) Stop(row);
 }
 
+double CContactSolver::GetFlowError(double fastest, double slow) {
+  return g_fFlowError * std::max(0.0, fastest - 0.5 * slow);
+}
+
 void CContactSolver::Solve(double slow, double surface) {
   double fastest = 0.0; // squared
   for (const Vector2d& v : m_cVels.m_stdNow)
     fastest = std::max(fastest, v.squaredNorm());
-  const double flow = std::max(0.0, std::sqrt(fastest) - 0.5 * slow);
-  const double accurate = std::max(g_fRestingError * slow, g_fFlowError * flow);
+  const double accurate = std::max(g_fRestingError * slow, GetFlowError(std::sqrt(fastest), slow));
   // Each lower one as if it were the ground, as far as the rounds have not come to an end.
   if (Search(accurate, g_nRestingRounds) > g_fShock * accurate)
     for (int round = 0; round < g_nShockRounds; ++round)

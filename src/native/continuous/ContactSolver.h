@@ -34,6 +34,9 @@ public:
   /// From the bottom up.
   /// @param impulse  that the search begins with
   void Add(const CRow& row, double impulse);
+  /// The error that a velocity may have in a pile that flows, whose fastest ball has this speed. 0 where it
+  /// is slow.
+  static double GetFlowError(double fastest, double slow);
   /// The velocities with which balls that rest on each other go on.
   /// @param slow     speed, units per second, of which g_fRestingError is the error that may stay
   /// @param surface  the speed along the normal of the fastest shape that pushes

@@ -116,6 +116,7 @@ private:
   void Order(std::vector<CMoving>& balls);
   static double GetSmallerRadius(const CContact& c, const std::vector<CMoving>& balls);
   bool IsJammed(const CContact& c, const std::vector<CMoving>& balls) const;
+  double GetFlowError(const std::vector<CMoving>& balls) const;
   void FindKnown();
   void FindNeighbours(std::size_t balls);
   // Calls f(ball, energy of its pile, what it was lifted).

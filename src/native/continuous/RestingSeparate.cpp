@@ -43,6 +43,14 @@ bool CRestingContacts::IsJammed(const CContact& c, const std::vector<CMoving>& b
   return overlap > g_fSqueezedDepth * radius || (isLevel && isAtRest(c.m_nBall) && isAtRest(c.m_nOther));
 }
 
+// Of the speeds of these balls.
+double CRestingContacts::GetFlowError(const std::vector<CMoving>& balls) const {
+  double fastest = 0.0; // squared
+  for (const CMoving& ball : balls)
+    if (ball.m_bIsNearBall) fastest = std::max(fastest, ball.m_vVel.squaredNorm());
+  return CContactSolver::GetFlowError(std::sqrt(fastest), m_fSlow);
+}
+
 void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   m_stdLifts.assign(balls.size(), 0.0);
   Order(balls);
@@ -71,7 +79,8 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   }
   // Where many are in one place they need not come apart in one substep.
   const std::size_t most = g_nManyContacts * balls.size() * g_nSeparateRounds;
-  m_cSolver.Separate(least / m_fStep, std::min(g_nSeparateRounds, 1 + most / m_stdContacts.size()));
+  m_cSolver.Separate(std::max(least / m_fStep, GetFlowError(balls)),
+                     std::min(g_nSeparateRounds, 1 + most / m_stdContacts.size()));
 
   const auto getWay = [&](std::uint32_t i) {
     if (m_stdSolved[i] == g_nNobody) return Vector2d(Vector2d::Zero());
