@@ -24,7 +24,7 @@ public:
   void Update(const CShapeEntry& entry);
 
   std::size_t Size() const { return m_stdByOrder.size(); }
-  bool HasKinematic() const { return !m_cKinematic.m_stdOrder.empty(); }
+  bool IsAnyTurning() const;
   /// Whether any shape moves, and whether one may meet this box where it moves (after BoxKinematic).
   bool IsAnyMoving() const;
   bool MovesNear(const CAabb2D& box) const;

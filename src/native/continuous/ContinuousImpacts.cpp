@@ -358,7 +358,7 @@ void CContinuous::EndMotion(CMoving& ball) {
     if (speed > most) ball.m_vVel *= most / speed;
   }
   // Where shapes turn, they could get past a ball that is halted.
-  const bool isCrowded = ball.m_bIsInPile && ball.m_nImpacts == g_nCrowded && !m_pShapes->HasKinematic();
+  const bool isCrowded = ball.m_bIsInPile && ball.m_nImpacts == g_nCrowded && !m_pShapes->IsAnyTurning();
   if (isCrowded || ball.m_nImpacts == g_nMaxImpacts || ball.m_nBallsSeen > g_nMostBallsSeen) Halt(ball);
 }
 
