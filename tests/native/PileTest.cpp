@@ -7,6 +7,7 @@
 #include "Tolerances.h"
 
 #include <ctime>
+#include <map>
 
 namespace Shapes {
 namespace {
@@ -99,12 +100,13 @@ CPile MakeRandomPile(std::uint64_t seed, const CEffectChoice& effects) {
           random};
 }
 
-// SHAPES_PILES says how many, 15 by default: one of each kind. Of 1,000 four are late (344, 669, 674, 929): a
-// paddle has hit balls of elasticity .9, which are calm after 17 s instead of 15.
+// SHAPES_PILES says how many, 15 by default: one of each kind. Of 1,000 one is late (549): a paddle has hit
+// balls of elasticity .9, which are calm after 17 s instead of 15.
 TEST(RandomPiles, LoseNoBallGainNoEnergyAndComeToRest) {
   const std::uint64_t piles = HowMany("SHAPES_PILES", 15);
-  // A step of the first five once gave up to 1.2e-2, the others slept with overlaps of up to .0058.
-  std::vector<std::uint64_t> seeds = {356, 867, 1168, 1422, 1559, 26, 281, 1526, 1361, 3446};
+  // A step of the first five once gave up to 1.2e-2, the next ones slept with overlaps of up to .0058. In the
+  // last one balls gain 4e-4 unless the energies of two that meet are kept together.
+  std::vector<std::uint64_t> seeds = {356, 867, 1168, 1422, 1559, 26, 281, 1526, 1361, 3446, 359};
   for (std::uint64_t seed = 0; seed < piles; ++seed)
     seeds.push_back(seed);
   for (const std::uint64_t seed : seeds) {
@@ -251,29 +253,32 @@ TEST(Pile, APaddleThatPushesAPileLosesNone) {
 }
 
 // Squeezed balls are solved together. By impacts, one after the other, it took a ball 14 contacts a step,
-// 2,024 were halted, and the deepest overlap was .31 radii in the mean of all steps, instead of 2.2, 659 and
-// .10. A paddle that does not turn gets past no ball that is halted, so they are after 64 impacts; after 256
-// in one step a ball had 514 contacts instead of 292.
+// 2,024 were halted, and the deepest overlap was .31 radii in the mean of all steps, instead of 1.8, 490 and
+// .08. A paddle that does not turn gets past no ball that is halted, so they are after 64 impacts: after 256
+// the ball that had most contacts in a step would have 42 in the mean instead of 20.
 TEST(Pile, BallsUnderAPaddleAreNotHitHundredsOfTimes) {
   constexpr int balls = 40, steps = 300;
   std::uint64_t contacts = 0, halted = 0;
-  std::ptrdiff_t most = 0; // contacts in a step, told of one ball
-  double overlap = 0.0;
+  double overlap = 0.0, most = 0.0; // contacts of a ball; in the mean of all steps
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     CPile pile = MakePile({.m_eVessel = eVessel::Paddle, .m_nBalls = balls, .m_fHalf = 2}, seed);
     for (int step = 0; step < steps; ++step) {
       pile.Step(step);
-      for (const CShapeId ball : pile.m_pWorld->GetBallIds())
-        most =
-            std::max(most, std::ranges::count(pile.m_pWorld->GetContacts(), ball, &CContactEvent::m_cBall));
       overlap += GetOverlap(*pile.m_pWorld) / (3 * steps);
+      std::map<CShapeId, int> counts;
+      for (const CContactEvent& contact : pile.m_pWorld->GetContacts())
+        ++counts[contact.m_cBall];
+      int largest = 0;
+      for (const auto& [ball, count] : counts)
+        largest = std::max(largest, count);
+      most += static_cast<double>(largest) / (3 * steps);
     }
     contacts += pile.m_pWorld->GetStats().m_nContacts;
     halted += pile.m_pWorld->GetStats().m_nBallsHalted;
   }
-  EXPECT_LT(contacts, 7u * 3 * steps * balls);
+  EXPECT_LT(contacts, 3u * 3 * steps * balls);
   EXPECT_LT(halted, 900u);
-  EXPECT_LT(most, 400);
+  EXPECT_LT(most, 30);
   EXPECT_LT(overlap, 0.15);
 }
 

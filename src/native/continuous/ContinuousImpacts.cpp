@@ -278,15 +278,9 @@ void CContinuous::ResolveWithBall(CMoving& ball, CMoving& other) {
 // in the rest of the substep. With that it would bounce higher than it has come from.
 void CContinuous::TakeBack(CMoving& ball) const { ball.m_vVel -= (m_fStep - ball.m_fTime) * ball.m_vGiven; }
 
-// After the response. Moved for the time t at v + (g + push) t a ball gains (push v + t (push^2 - g^2)/2) t
-// per mass: where that is above zero the pile pushes it no more.
+// After the response. What that gives of energy CPileEnergy takes away.
 void CContinuous::GiveAgain(CMoving& ball) const {
-  if (!IsPushed(ball)) return;
-  const double time = m_fStep - ball.m_fTime;
-  const Vector2d push = ball.m_vGiven - m_vGravity;
-  if (push.dot(ball.m_vVel) + 0.5 * time * (push.squaredNorm() - m_vGravity.squaredNorm()) > 0.0)
-    ball.m_vGiven = m_vGravity;
-  ball.m_vVel += time * ball.m_vGiven;
+  if (IsPushed(ball)) ball.m_vVel += (m_fStep - ball.m_fTime) * ball.m_vGiven;
 }
 
 // Two balls that touch at the present place of both.
