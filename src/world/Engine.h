@@ -57,8 +57,9 @@ public:
   virtual void Changed(CShapeId id, eChange change) = 0;
   /// @param running  the effects that run
   virtual void Plan(CEffects running) = 0;
-  /// Moves kinematic shapes and balls, within the limits of places and speeds; reports contacts and counts
-  /// (Stats.h) in the world.
+  /// Moves kinematic shapes and balls, within the limits of places and speeds, and sets where each ball was
+  /// before (m_stdPrevPos, which sensors read); reports contacts and counts (Stats.h) in the world. An engine
+  /// whose balls do not sleep sets m_bIsDisturbed.
   /// @param dt  seconds
   virtual void Substep(float dt) = 0;
   virtual void Saved() {}

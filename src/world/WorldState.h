@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that a world holds, in the order of ids. Both engines keep their worlds here; saving a world copies it.
+// All that a world holds, in the order of ids. Every engine keeps its worlds here; saving a world copies it.
 #pragma once
 
 #include <Shapes/MotionLimits.h>
@@ -20,7 +20,7 @@ struct CBallArrays {
   std::vector<Vector2> m_stdPrevPos; // at the beginning of the substep
   std::vector<Vector2> m_stdVel;
   // The rest of the doubles that an engine has computed, beyond the floats above: over many small steps their
-  // roundings would add up. Zero where anybody else has set them.
+  // roundings would add up. Zero where a user has set the floats.
   std::vector<Vector2> m_stdPosTail;
   std::vector<Vector2> m_stdVelTail;
   // Seconds for which each has been at rest, as an engine counts them: g_fSleepTime where it sleeps.
