@@ -9,7 +9,7 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 source "$root/scripts/build.sh"
-install_missing_packages "${build_packages[@]}" clang libclang-rt-14-dev
+install_missing_packages "${build_packages[@]}" clang libclang-rt-14-dev jq
 
 control=
 if [[ "${1:-}" == --control ]]; then control=-control; shift; fi
@@ -28,6 +28,10 @@ cmake --build --preset fuzz --target "shapes-fuzzers$control" --parallel "$(npro
 build=$root/build/fuzz/tests/fuzz
 scratch=$root/build/fuzz/scratch
 rm -rf "$scratch"
+mkdir -p "$scratch"
+# Each name that a scene file may have, as the schema lists them, in quotation marks.
+jq -r '[.. | objects | ((.properties // {}) | keys[]), ((.enum // [])[], .const // empty | strings)] | unique[]
+  | tojson | tojson' compare/scene.schema.json | cat - tests/fuzz/json.dict >"$scratch/json.dict"
 
 fuzz() { # TARGET
   local target=$1 folder=$scratch/$1
@@ -35,7 +39,7 @@ fuzz() { # TARGET
   mkdir -p "$folder/corpus" "$folder/found"
   cp tests/fuzz/corpus/"$target"/* "$folder/corpus"
   local args=(-max_total_time="$seconds" -rss_limit_mb=2048 -timeout=60 -print_final_stats=1)
-  if [[ "$target" == scene ]]; then args+=(-max_len=6000 -dict=tests/fuzz/json.dict); else args+=(-max_len=512 -len_control=0); fi
+  if [[ "$target" == scene ]]; then args+=(-max_len=6000 -dict=$scratch/json.dict); else args+=(-max_len=512 -len_control=0); fi
   local start=$SECONDS status=0
   # In found/ is what was found, with its kind before its name: crash, timeout, oom.
   "$program" "${args[@]}" -artifact_prefix="$folder/found/" "$folder/corpus" >"$folder/log" 2>&1 || status=$?
