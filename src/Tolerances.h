@@ -76,10 +76,10 @@ inline constexpr double g_fRestingSteps = 2.0;
 /// more. In steps of .03 to .1 s that leaves overlaps of .1 radii and more to 1 of 70 piles, without the
 /// latter to 1 of 10; .02 would take 10% more time in shorter ones.
 inline constexpr double g_fPassedOverlap = 0.05;
-/// Most impacts in a substep of a ball that touches others, under gravity: for the rest of it it is halted.
-/// Bounds the time of a pile that falls together. Through a neck of four
-/// diameters 300 balls flow at .72 of the rate without this bound with 16, at .89 of it with 64, for up to an
-/// eighth more time.
+/// Most impacts in a substep of a ball that touches others, under gravity, where no shape turns: for the rest
+/// of it it is halted. Bounds the time of a pile that falls together or is squeezed by a wall. Through a neck
+/// of four diameters 300 balls flow at .72 of the rate without this bound with 16, at .89 of it with 64, for
+/// up to an eighth more time.
 inline constexpr unsigned g_nCrowded = 64;
 /// A ball that is halted within this share of a substep has got nowhere in it: it is stuck, and has no
 /// velocity. In slots that are too narrow by a rounding they are halted within 6e-6 at most.
@@ -137,7 +137,8 @@ inline constexpr std::size_t g_nRestingRounds = 300;
 inline constexpr double g_fRestingError = 1e-3;
 /// The same change as a share of the speed of the fastest ball of the pile, above half of what is slow: a
 /// pile that flows need not be as exact as one that comes to rest. With .03 a pile of 200 in a V takes twice
-/// as long to come to rest, with 0 each step takes twice as long while it flows.
+/// as long to come to rest, with 0 each step takes twice as long while it flows. Balls that overlap are moved
+/// apart as exactly, by the fastest of all piles.
 inline constexpr double g_fFlowError = 0.01;
 /// Part of what a contact lacks that a round gives to it once there is momentum. With all of it both feed
 /// what alternates from ball to ball: crystals of 40 rows end in nonsense, with .9 those of 80; with .8 those
