@@ -108,16 +108,10 @@ void CStaticBroadPhase::BoxKinematic(float dt) {
   m_cKinematic.m_cTree.Refit(m_cKinematic.m_stdBoxes);
 }
 
-bool CStaticBroadPhase::IsAnyTurning() const {
+bool CStaticBroadPhase::IsAnyKinematic(bool (CShape::*is)() const) const {
   const auto& orders = m_cKinematic.m_stdOrder;
   return std::any_of(orders.begin(), orders.end(),
-                     [this](std::uint32_t order) { return GetShape(order).GetRotating(); });
-}
-
-bool CStaticBroadPhase::IsAnyMoving() const {
-  const auto& orders = m_cKinematic.m_stdOrder;
-  return std::any_of(orders.begin(), orders.end(),
-                     [this](std::uint32_t order) { return GetShape(order).GetMoving(); });
+                     [=, this](std::uint32_t order) { return (GetShape(order).*is)(); });
 }
 
 bool CStaticBroadPhase::MovesNear(const CAabb2D& box) const {

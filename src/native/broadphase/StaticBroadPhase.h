@@ -24,9 +24,10 @@ public:
   void Update(const CShapeEntry& entry);
 
   std::size_t Size() const { return m_stdByOrder.size(); }
-  bool IsAnyTurning() const;
-  /// Whether any shape moves, and whether one may meet this box where it moves (after BoxKinematic).
-  bool IsAnyMoving() const;
+  /// Whether any shape turns; whether any moves, and whether one may meet this box where it moves (after
+  /// BoxKinematic).
+  bool IsAnyTurning() const { return IsAnyKinematic(&CShape::GetRotating); }
+  bool IsAnyMoving() const { return IsAnyKinematic(&CShape::GetMoving); }
   bool MovesNear(const CAabb2D& box) const;
   const CShapeEntry& Get(std::uint32_t order) const { return *m_stdByOrder[order]; }
 
@@ -82,6 +83,7 @@ private:
     std::size_t m_nGrown = 0; ///< boxes that have grown since the tree was made or refitted
   };
   const CShape& GetShape(std::uint32_t order) const { return *m_stdByOrder[order]->m_pShape; }
+  bool IsAnyKinematic(bool (CShape::*is)() const) const;
   static void Query(const CGroup& group, const CAabb2D& box, std::vector<std::uint32_t>& orders);
   bool CanGridTell(float r) const { return m_bIsGridComplete && r <= m_cGrid.GetReach(); }
   void FindNearOfAll(const Vector2& p, float r, std::vector<std::uint32_t>& orders);

@@ -43,7 +43,7 @@ bool CRestingContacts::IsJammed(const CContact& c, const std::vector<CMoving>& b
   return overlap > g_fSqueezedDepth * radius || (isLevel && isAtRest(c.m_nBall) && isAtRest(c.m_nOther));
 }
 
-// Of the speeds of these balls.
+// The error that a velocity may have where the fastest ball near another one flows.
 double CRestingContacts::GetFlowError(const std::vector<CMoving>& balls) const {
   double fastest = 0.0; // squared
   for (const CMoving& ball : balls)
