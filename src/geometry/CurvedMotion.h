@@ -101,8 +101,9 @@ public:
 private:
   static constexpr double g_fEps = std::numeric_limits<double>::epsilon();
   static constexpr double g_fTiny = std::numeric_limits<double>::min();
-  // Where the gap is larger than a part of the radii, to follow its square would be slower.
-  static constexpr double g_fSquareGap = 16.0;
+  // Where the gap is larger than a part of the radii, to follow the square would be slower; deep in a disc it
+  // says little of the gap.
+  static constexpr double g_fSquareGap = 8.0;
   static constexpr double g_fSquareRounding = 16.0 * g_fEps;
 
   template <class TFeature>
@@ -110,6 +111,8 @@ private:
     const CFollowed f = Nearing(feature, 0.0, 1.0);
     return f.m_fBend / f.m_fRate;
   }
+  // Of the distance, also where its square is followed: the gap bends by no more at any depth.
+  double GetCurve(const CDisk& feature) const { return Acceleration(feature.m_vCenter); }
 
   // A function f that has the sign of the gap, or the other one, and a K with f'' >= -K where f > 0.
   struct CFollowed {
@@ -118,7 +121,8 @@ private:
   // f falls to 0 where the ball touches.
   CFollowed Nearing(const CDisk& feature, double gap, double rate) const {
     const double R = feature.m_fRadius + m_cMotion.m_fRadius;
-    if (m_fTurn != 0.0 || g_fSquareGap * gap > R) return {gap, rate, Acceleration(feature.m_vCenter)};
+    if (m_fTurn != 0.0 || g_fSquareGap * std::abs(gap) > R)
+      return {gap, rate, Acceleration(feature.m_vCenter)};
     return {gap * (R + 0.5 * gap), rate * (R + gap), SquareBend(feature.m_vCenter)};
   }
   // The bound holds as long as the centre of the ball is within the circle.

@@ -95,6 +95,25 @@ TEST(ParabolicMotion, ABallThatFallsAlongWhatItTouchesIsFollowedToTheEnd) {
   });
 }
 
+// At any depth: that it approaches is found before it is deeper by more than that share of its overlap.
+TEST(ParabolicMotion, ABallThatIsDeepInAnotherOneIsMetWhenItTurnsRound) {
+  int met = 0;
+  ForEachCase(37, 3000, [&](CRandom& random, int) {
+    const Vector2d away = Wide(AngleToVector(random.Uniform(0, 2 * g_fPi))), v = Wide(random.InSquare(1));
+    const CMotion other{{0, 0}, {0, 0}, 0.5, 0.1};
+    const CMotion ball{0.05 * away, v, 0.5, 0.1, {0, -10}};
+    CImpact impact;
+    if (away.dot(v) < 0.0 || ImpactBallBall(other, ball, impact) != eSweep::Impact) return;
+    ++met;
+    double least = 1.0; // overlap before
+    for (int k = 0; k <= 500; ++k)
+      least = std::min(least, 1.0 - ball.PosAt(impact.m_fTime * k / 500).norm());
+    const double overlap = 1.0 - ball.PosAt(impact.m_fTime).norm();
+    EXPECT_LE(overlap - least, 1.5 * g_fDeeper * least);
+  });
+  EXPECT_GT(met, 100);
+}
+
 // By differences of the gap, for a shape that turns and a ball that falls.
 TEST(ParabolicMotion, TheGapClosesAsItsSecondDerivativeSays) {
   int impacts = 0;
