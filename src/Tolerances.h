@@ -97,10 +97,12 @@ inline constexpr std::size_t g_nMostDeep = 32;
 /// takes ten times as long, with 4 they come apart later.
 inline constexpr double g_fCrowdSlack = 2.0;
 /// A correction of the place of a ball by more than this share of its radius might take it through a shape,
-/// and is swept. In a pile, where balls move each other, the shapes that near are looked at.
+/// and is swept. In a pile, where balls move each other, the shapes that near are looked at, in the largest
+/// radius of the ball and those that it touches.
 inline constexpr double g_fFarCorrection = 0.25;
-/// Farthest that a ball of a pile is moved out of others in a substep, in its radii: less than
-/// g_fFarCorrection.
+/// Farthest that a ball of a pile is moved out of others in a substep, in the same radius: less than
+/// g_fFarCorrection. In its own one small balls stay behind as large ones go: 10,000 of radii 1:10 that have
+/// come into each other in a fall of 30 units sink on, to half of their height.
 inline constexpr double g_fMostSeparation = 0.2;
 /// How far a ball may be from a surface that curves, in its radii, to be put back onto it after a part of its
 /// way along it. More than the parabola leaves it; beyond it the ball has left.

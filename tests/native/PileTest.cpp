@@ -131,6 +131,23 @@ TEST(RandomPiles, LoseBallsGainEnergyAndMoveOnInTheApproximateMode) { // the con
   EXPECT_GT(worst.m_fFastest, 1);
 }
 
+// Where each ball is moved in its own radius at most, these have sunk into each other further, with overlaps
+// of 7 radii.
+TEST(Pile, SmallBallsComeOutOfLargeOnes) {
+  const float half = 2;
+  const auto pWorld = MakeNative(g_cAutomatic, 10);
+  AddBox(*pWorld, {-half, 0}, {half, 100});
+  CRandom random(1);
+  SCOPED_TRACE(random.GetSeed());
+  for (int i = 0; i < 1000; ++i) {
+    const float r = 0.2f * std::pow(10.0f, -random.Uniform(0, 1)), x = random.Uniform(-1.8f, 1.8f);
+    pWorld->Add(CDynamicCircleDesc({x, random.Uniform(0.2f, 4.8f)}, r, Vector2::Zero(), 1, 0.5f));
+  }
+  EXPECT_GT(GetOverlap(*pWorld), 8.0);
+  Steps(*pWorld, 240);
+  EXPECT_LT(GetOverlap(*pWorld), 0.01);
+}
+
 // Each of 200 balls in one place is deep in all others: it meets some of them at a time, and in the end it
 // lies in none.
 TEST(Pile, ACrowdInOnePlaceComesApart) {

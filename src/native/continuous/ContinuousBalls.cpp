@@ -117,7 +117,7 @@ void CContinuous::Take(std::size_t i, const CMotion& motion, const CDiscGrid::CD
   ball.m_vPos = motion.m_vPos;
   ball.m_vVel = motion.m_vVel;
   ball.m_vFall = m_vGravity;
-  ball.m_fRadius = motion.m_fRadius;
+  ball.m_fRadius = ball.m_fNearRadius = motion.m_fRadius;
   ball.m_fMass = static_cast<double>(b.m_stdMass[i]);
   ball.m_fElasticity = static_cast<double>(b.m_stdElasticity[i]);
   ball.m_bIsAsleep = IsAsleep(i);

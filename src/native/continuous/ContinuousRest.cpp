@@ -30,6 +30,8 @@ void CContinuous::FindRestingContacts() {
         continue;
       m_cResting.Add(i, j, true, impact, gap);
       ball.m_bIsNearBall = other.m_bIsNearBall = true;
+      ball.m_fNearRadius = std::max(ball.m_fNearRadius, other.m_fRadius);
+      other.m_fNearRadius = std::max(other.m_fNearRadius, ball.m_fRadius);
     }
   }
   if (m_cResting.IsEmpty()) return;
@@ -38,7 +40,7 @@ void CContinuous::FindRestingContacts() {
     if (!ball.m_bIsNearBall) continue;
     // Balls that overlap may be moved towards shapes.
     const auto getReach = [&](double speed) {
-      return m_cResting.GetReach(speed, ball.m_bWasSqueezed) + g_fFarCorrection * ball.m_fRadius;
+      return m_cResting.GetReach(speed, ball.m_bWasSqueezed) + g_fFarCorrection * ball.m_fNearRadius;
     };
     FindShapes(i, static_cast<float>(getReach(Norm(ball.m_vVel))));
     for (const std::uint32_t order : m_stdShapesFound) {

@@ -48,6 +48,7 @@ struct CMoving {
   Vector2d m_vFall = Vector2d::Zero();  // gravity, unless the velocity has what it gives in the substep
   Vector2d m_vGiven = Vector2d::Zero(); // acceleration in the substep, all of which the velocity has
   double m_fRadius = 0.0, m_fMass = 1.0, m_fElasticity = 0.0;
+  double m_fNearRadius = 0.0; // of the largest of it and the balls that touch it, or could in this substep
   CHolds m_cHolds;
   double m_fHoldTime = std::numeric_limits<double>::infinity(); // until they end, or its way is computed anew
   CNext m_cNext;

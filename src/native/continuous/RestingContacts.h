@@ -67,9 +67,9 @@ public:
   /// The other balls of the pairs of a ball, by their indices.
   std::span<const std::uint32_t> GetNeighbours(std::uint32_t ball) const;
 
-  /// Moves balls that overlap apart, and out of shapes: by less than a quarter of their radius. What the
-  /// solver finds are the velocities at which they are apart after the substep, and none of these stays
-  /// (split impulses).
+  /// Moves balls that overlap apart, and out of shapes: by less than a quarter of the largest radius of a
+  /// ball and those near it. What the solver finds are the velocities at which they are apart after the
+  /// substep, and none of these stays (split impulses).
   void Separate(std::vector<CMoving>& balls);
   /// Keeps the contacts of piles only, and tells their balls.
   void FindPiles(std::vector<CMoving>& balls);

@@ -85,7 +85,7 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   const auto getWay = [&](std::uint32_t i) {
     if (m_stdSolved[i] == g_nNobody) return Vector2d(Vector2d::Zero());
     const Vector2d way = m_fStep * m_cSolver.GetVel(m_stdSolved[i]);
-    const double length = Norm(way), mostOfIt = g_fMostSeparation * balls[i].m_fRadius;
+    const double length = Norm(way), mostOfIt = g_fMostSeparation * balls[i].m_fNearRadius;
     return length > mostOfIt ? Vector2d(mostOfIt / length * way) : way;
   };
   for (std::uint32_t i = 0; i < balls.size(); ++i)
