@@ -2,6 +2,8 @@
 #include "NearDiscs.h"
 
 #include <algorithm>
+#include <bit>
+#include <utility>
 
 namespace Shapes::Native {
 
@@ -11,20 +13,35 @@ void CNearDiscs::Build(float slack) {
   m_stdLists.assign(m_stdDiscs.size(), {});
   m_stdNear.clear();
   m_stdCame.clear();
+  m_stdBits.assign(m_stdDiscs.size() / 64 + 1, 0);
+}
+
+// The names from `begin` on, each once: by comparing, or where they are many by a bit for each disc.
+void CNearDiscs::Order(std::vector<std::uint32_t>& names, std::size_t begin) {
+  const auto first = names.begin() + static_cast<std::ptrdiff_t>(begin);
+  if (names.size() - begin < m_stdBits.size()) {
+    std::sort(first, names.end());
+    names.erase(std::unique(first, names.end()), names.end());
+    return;
+  }
+  for (auto it = first; it != names.end(); ++it)
+    m_stdBits[*it / 64] |= std::uint64_t{1} << (*it % 64);
+  names.resize(begin);
+  for (std::uint32_t k = 0; k < m_stdBits.size(); ++k)
+    for (std::uint64_t bits = std::exchange(m_stdBits[k], 0); bits != 0; bits &= bits - 1)
+      names.push_back(64 * k + static_cast<std::uint32_t>(std::countr_zero(bits)));
 }
 
 // Both of a pair may come nearer by the slack without having moved.
 void CNearDiscs::MakeList(std::uint32_t disc) {
   const CDisc& d = m_stdDiscs[disc];
-  const auto begin = static_cast<std::ptrdiff_t>(m_stdNear.size());
+  const auto begin = static_cast<std::uint32_t>(m_stdNear.size());
   m_cGrid.FindNear(d.m_vCenter, d.m_fRadius + 2.0f * m_fSlack, [&](std::uint32_t other) {
     if (other != disc) m_stdNear.push_back(other);
     return false;
   });
-  std::sort(m_stdNear.begin() + begin, m_stdNear.end());
-  m_stdNear.erase(std::unique(m_stdNear.begin() + begin, m_stdNear.end()), m_stdNear.end());
-  m_stdLists[disc] = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(m_stdNear.size()),
-                      g_nNone};
+  Order(m_stdNear, begin);
+  m_stdLists[disc] = {begin, static_cast<std::uint32_t>(m_stdNear.size()), g_nNone};
 }
 
 // Unless it is there.
@@ -62,7 +79,7 @@ void CNearDiscs::Find(std::uint32_t disc, std::vector<std::uint32_t>& found) {
   if (k == g_nNone) return;
   for (; k != g_nNone; k = m_stdCame[k].m_nNext)
     found.push_back(m_stdCame[k].m_nDisc);
-  std::sort(found.begin(), found.end());
+  Order(found, 0);
 }
 
 } // namespace Shapes::Native

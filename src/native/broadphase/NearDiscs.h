@@ -39,6 +39,7 @@ private:
     return std::span(m_stdNear).subspan(list.m_nBegin, list.m_nEnd - list.m_nBegin);
   }
   void MakeList(std::uint32_t disc);
+  void Order(std::vector<std::uint32_t>& names, std::size_t begin);
   void Come(std::uint32_t disc, CList& list);
 
   static constexpr std::uint32_t g_nNone = 0xFFFFFFFFu;
@@ -48,6 +49,7 @@ private:
   std::vector<CList> m_stdLists;
   std::vector<std::uint32_t> m_stdNear;
   std::vector<CCame> m_stdCame;
+  std::vector<std::uint64_t> m_stdBits; // one of each disc, all 0
 };
 
 } // namespace Shapes::Native
