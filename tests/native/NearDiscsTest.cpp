@@ -11,14 +11,17 @@ using CDisc = CNearDiscs::CDisc;
 // Each is asked for its list at times, moves by less than the slack, or goes elsewhere.
 TEST(NearDiscs, FindEachOnceThatOverlapsNow) {
   constexpr float slack = 0.1f;
-  constexpr std::uint32_t n = 200;
-  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);
     CRandom random(seed);
+    // Each has many near it, or a few of a wide range of radii.
+    const bool isWide = seed % 4 == 3;
+    const std::uint32_t n = isWide ? 2000 : 200;
+    const float half = isWide ? 9.0f : 5.0f, least = isWide ? 0.005f : 0.1f;
     CNearDiscs near;
     std::vector<CDisc>& discs = near.GetDiscs();
     for (std::uint32_t i = 0; i < n; ++i)
-      discs.push_back({random.InSquare(5.0f), random.Uniform(0.1f, 0.5f)});
+      discs.push_back({random.InSquare(half), least * std::pow(0.5f / least, random.Uniform(0, 1))});
     std::vector<CDisc> now = discs;
     near.Build(slack);
     std::size_t overlaps = 0;
