@@ -22,6 +22,7 @@ void ImpactCircleArc(CImpactSearch<TMotion>& search) {
   const bool oneSided = arc.m_eSides != eSides::Both;
   const double side = arc.m_eSides == eSides::Back ? -1.0 : 1.0;
   for (const bool first : {true, false}) {
+    if (!(first ? arc.m_bHasEnd0 : arc.m_bHasEnd1)) continue;
     const Vector2d &end = first ? arc.m_vPt0 : arc.m_vPt1, &other = first ? arc.m_vPt1 : arc.m_vPt0;
     search.KeepEarliest(
         CDisk{end, 0.0}, oneSided ? search.GetEndDepth() : std::numeric_limits<double>::infinity(),

@@ -15,8 +15,9 @@ namespace Shapes::Geometry {
 struct CShapeGeometry {
   eShape m_eShapeType = eShape::Unknown;
   eSides m_eSides = eSides::Both;
-  bool m_bFull = false; ///< The arc is the full circle.
-  bool m_bWide = false; ///< The arc spans more than half the circle.
+  bool m_bFull = false;                      ///< The arc is the full circle.
+  bool m_bWide = false;                      ///< The arc spans more than half the circle.
+  bool m_bHasEnd0 = true, m_bHasEnd1 = true; ///< Without an end a segment or an arc is met at the rest only.
   Vector2d m_vCenter = Vector2d::Zero();
   Vector2d m_vPt0 = Vector2d::Zero();
   Vector2d m_vPt1 = Vector2d::Zero();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ImpactTesting.h"
 
+#include "Tolerances.h"
+
 namespace Shapes::Geometry {
 namespace {
 

@@ -185,7 +185,7 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i) {
     CImpact impact;
     double gap;
     if (IsOutOfWay(geometry, GetPlace(ball), 0.0, reach) ||
-        !Near(geometry, GetMotion(ball), 0.0, reach, impact, gap))
+        !IsNearShape(order, GetMotion(ball), 0.0, reach, impact, gap))
       continue;
     const bool isRounding = gap >= -rounding;
     if (isRounding && IsFalling()) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -42,7 +43,7 @@ namespace Shapes::Native {
 ///   other: else they do not meet.
 /// - A ball that has had g_nMaxImpacts impacts, g_nCrowded in a pile, or has found more than g_nMostBallsSeen
 ///   others in all searches, is halted: for the rest of the substep it stays where it is, which is a place
-///   that it can be at, or goes along with the moving shape that it has met last. It keeps its velocity,
+///   that it can be at, or goes along with the shape that has pushed it last. It keeps its velocity,
 ///   under gravity none into the shapes that it touches, and none at all if it has got nowhere in the
 ///   substep; others bounce off it as off a wall.
 class CContinuous {
@@ -154,6 +155,11 @@ private:
   void FindRestingContacts();
   void SolveRestingContacts();
   void FindShapeImpacts(CMoving& ball);
+  std::optional<CShapeGeometry> WithoutSharedEnd(std::uint32_t order, const CMotion& motion, double start,
+                                                 const CImpact& impact) const;
+  eSweep SweepShape(std::uint32_t order, const CMotion& motion, double start, CImpact& impact) const;
+  bool IsNearShape(std::uint32_t order, const CMotion& motion, double start, double reach, CImpact& impact,
+                   double& gap) const;
   bool IsFalling() const { return m_bIsFalling; }
   bool IsHop(double out, double closing, double speed) const;
   bool CanFollow(const CMoving& ball, std::uint32_t order, const CImpact& impact) const;

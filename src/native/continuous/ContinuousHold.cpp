@@ -63,9 +63,9 @@ void CContinuous::StayOn(CMoving& ball, const CHold& hold, bool alone) {
 // First the shapes that have held it before, as they are now. Then the others that it touches: at a joint
 // those that begin there.
 void CContinuous::HoldAllTouching(CMoving& ball, const CHolds& before) {
+  FindShapes(GetIndex(ball));
   for (const CHold& hold : before.Get())
     if (!hold.m_bIsBall && !ball.m_cHolds.HasShape(hold.m_nOther)) HoldIfTouching(ball, hold.m_nOther, true);
-  FindShapes(GetIndex(ball));
   for (const std::uint32_t order : m_stdShapesFound)
     if (!ball.m_cHolds.HasShape(order) && !before.HasShape(order) && HoldIfTouching(ball, order, false))
       ReportHold(ball);
@@ -114,7 +114,7 @@ bool CContinuous::Touches(const CMoving& ball, std::uint32_t order, CImpact& imp
   FailIf(!m_pShapes->Get(order).m_pShape->GetCanCollide());
   const double reach = GetRounding(ball, order);
   FailIf(IsOutOfWay(geometry, GetPlace(ball), ball.m_fTime, reach));
-  return Near(geometry, GetMotion(ball), ball.m_fTime, reach, impact, gap);
+  return IsNearShape(order, GetMotion(ball), ball.m_fTime, reach, impact, gap);
 }
 
 bool CContinuous::HoldIfTouching(CMoving& ball, std::uint32_t order, bool mayMeet) {

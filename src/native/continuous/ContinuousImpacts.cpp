@@ -64,7 +64,7 @@ void CContinuous::FindShapeImpacts(CMoving& ball) {
     ++m_pStats->m_nSweeps;
     CNext found;
     found.m_nOther = order;
-    found.m_eSweep = Sweep(geometry, motion, ball.m_fTime, found.m_cImpact);
+    found.m_eSweep = SweepShape(order, motion, ball.m_fTime, found.m_cImpact);
     KeepEarliest(found, ball);
   }
 }
@@ -186,7 +186,7 @@ void CContinuous::Advance(CMoving& ball, double motion) {
   if (!ball.m_cHolds.IsEmpty() && !ball.m_bIsHalted) Settle(ball, before, motion);
 }
 
-// A halted ball with the moving shape that it has met last, until something else is in the way of that.
+// A halted ball with the shape that has pushed it last, until something else is in the way of that.
 void CContinuous::GoAlong(CMoving& ball, double time) {
   const CShapeGeometry& o = m_pShapes->GetGeometry(ball.m_nLastMoving);
   const Vector2d fromCenter = ball.m_vPos - o.m_vRotCenter - ball.m_fTime * o.m_vVel;
@@ -216,7 +216,8 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
     ball.m_vPos = impact.m_vPOI + std::max(ball.m_fRadius, FloatRounding(ball.m_vPos) + clear) * n;
   else
     ball.m_vPos += clear * n;
-  m_fFastest = std::max(m_fFastest, g_fSqueezed * Norm(surface));
+  const double push = GetPush(n, surface);
+  m_fFastest = std::max(m_fFastest, g_fSqueezed * std::abs(push));
   TakeBack(ball);
   const double approach = ApproachSpeed(ball.m_vVel, surface, n);
   const double e = ball.m_fElasticity * static_cast<double>(entry.m_pShape->GetElasticity());
@@ -239,7 +240,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   }
   m_pStats->m_nSpeedsCapped += CapSpeed(ball.m_vVel);
   ball.m_nLastOrder = order;
-  if (m_pShapes->GetGeometry(order).IsMoving()) ball.m_nLastMoving = order;
+  if (push != 0.0) ball.m_nLastMoving = order;
   ball.m_bIsDriven |= e > 1.0;
   Report(entry.m_cId, ball, impact.m_vPOI, n, approach, ImpulseOf(ball.m_fMass, stays ? 0.0 : e, approach));
   EndMotion(ball);
@@ -375,13 +376,14 @@ void CContinuous::Halt(CMoving& ball) {
   // Gravity would give it more velocity in every substep, and so it would be halted in each.
   if (IsFalling() && !ball.m_bIsHalted) StopAtTouching(ball);
   ball.m_bIsHalted = true;
+  const auto getSurface = [&](std::uint32_t order) {
+    return m_pShapes->GetGeometry(order).GetSurfaceVelocity(ball.m_vPos, ball.m_fTime);
+  };
   for (const CHold& hold : ball.m_cHolds.Get()) // what it lies on comes upon it as well
     if (ball.m_nLastMoving == g_nNobody && !hold.m_bIsBall &&
-        m_pShapes->GetGeometry(hold.m_nOther).IsMoving())
+        GetPush(hold.m_vNorm, getSurface(hold.m_nOther)) != 0.0)
       ball.m_nLastMoving = hold.m_nOther;
-  if (ball.m_nLastMoving != g_nNobody)
-    ball.m_vCarried =
-        m_pShapes->GetGeometry(ball.m_nLastMoving).GetSurfaceVelocity(ball.m_vPos, ball.m_fTime);
+  if (ball.m_nLastMoving != g_nNobody) ball.m_vCarried = getSurface(ball.m_nLastMoving);
 }
 
 } // namespace Shapes::Native

@@ -49,8 +49,7 @@ void CContinuous::FindRestingContacts() {
       const Vector2d surface = m_pShapes->GetGeometry(order).GetSurfaceVelocity(ball.m_vPos, 0.0);
       const double far = getReach(Norm(ball.m_vVel - surface));
       if (m_pShapes->Get(order).m_pShape->GetCanCollide() &&
-          Near(m_pShapes->GetGeometry(order), GetMotion(ball), 0.0, far, impact, gap) &&
-          CanFollow(ball, order, impact))
+          IsNearShape(order, GetMotion(ball), 0.0, far, impact, gap) && CanFollow(ball, order, impact))
         m_cResting.Add(i, order, false, impact, gap);
     }
   }

@@ -56,7 +56,7 @@ struct CMoving {
   std::uint32_t m_nVersion = 0;            // changes with the motion
   unsigned m_nImpacts = 0;                 // in this substep
   std::uint32_t m_nLastOrder = g_nNobody;  // of the shape that it has just left
-  std::uint32_t m_nLastMoving = g_nNobody; // of the moving shape that it has met last
+  std::uint32_t m_nLastMoving = g_nNobody; // of the shape that it has met last and that pushed it
   bool m_bIsAsleep = false;                // at rest, and nothing is near that is not
   bool m_bIsHalted = false;                // goes along with that one for the rest of the substep
   bool m_bIsStuck = false;                 // and has got nowhere in the substep, under gravity

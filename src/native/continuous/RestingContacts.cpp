@@ -2,6 +2,7 @@
 #include "RestingContacts.h"
 
 #include "../../Tolerances.h"
+#include "Rounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ void CRestingContacts::Add(std::uint32_t ball, std::uint32_t other, bool isBall,
   c.m_bIsBall = isBall;
   c.m_vNorm = impact.m_vNorm;
   c.m_fGap = gap;
-  c.m_fSpeed = isBall ? 0.0 : impact.m_vNorm.dot(impact.m_vSurface);
+  c.m_fSpeed = isBall ? 0.0 : GetPush(impact.m_vNorm, impact.m_vSurface);
   c.m_fRadius = impact.m_fRadius;
   // Of two balls gravity is none.
   c.m_fBend = -impact.m_fClosing - (isBall ? 0.0 : impact.m_vNorm.dot(m_vGravity));

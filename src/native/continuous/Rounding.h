@@ -24,6 +24,13 @@ inline double FloatRounding(const Vector2d& p) {
   return 0.5 * static_cast<double>(std::numeric_limits<float>::epsilon()) * p.norm();
 }
 
+/// How fast a surface moves along the normal, towards the ball; 0 where it moves along itself, but for
+/// rounding, as that of what turns about its own middle.
+inline double GetPush(const Vector2d& n, const Vector2d& surface) {
+  const double push = n.dot(surface);
+  return std::abs(push) > static_cast<double>(g_fTouchRounding) * Norm(surface) ? push : 0.0;
+}
+
 /// How far a centre is kept from where no direction leads away (a shape, or the middle of a disc): there the
 /// normal is against the velocity, and one that leaves would be taken for one that comes. At the origin,
 /// where nothing has a size, the way has one.
