@@ -59,6 +59,50 @@ TEST(ImpactLineSegCircle, ABallWithoutRadiusStaysOnItsSide) {
   });
 }
 
+// Of what goes on in another shape: both faces are met as with all ends, that end is not, the other one is.
+void ExpectMetWithoutAnEnd(const CShapeGeometry& whole, const Vector2d& place, const Vector2d& away,
+                           double r) {
+  const Vector2d along = Perp(away); // at the place, to where end 0 is or end 1
+  for (const bool isFirst : {true, false}) {
+    CShapeGeometry without = whole;
+    (isFirst ? without.m_bHasEnd0 : without.m_bHasEnd1) = false;
+    for (const double side : {1.0, -1.0}) {
+      const CMotion motion{place + side * (r + 0.1) * away, -side * away, r, 0.2};
+      CImpact impact, expected;
+      ASSERT_EQ(Sweep(whole, motion, 0.0, expected), eSweep::Impact);
+      ASSERT_EQ(Sweep(without, motion, 0.0, impact), eSweep::Impact);
+      EXPECT_NEAR(impact.m_fTime, expected.m_fTime, GapBound({whole, motion}));
+      EXPECT_LT((impact.m_vNorm - expected.m_vNorm).norm(), 1e-9);
+    }
+    for (const bool toFirst : {true, false}) {
+      const Vector2d& end = toFirst ? whole.m_vPt0 : whole.m_vPt1;
+      const Vector2d out = along.dot(end - place) > 0.0 ? along : Vector2d(-along);
+      const CMotion motion{end + (r + 0.01) * out, -out, r, 0.02};
+      CImpact impact;
+      ASSERT_EQ(Sweep(whole, motion, 0.0, impact), eSweep::Impact);
+      EXPECT_EQ(Sweep(without, motion, 0.0, impact) == eSweep::Impact, toFirst != isFirst);
+    }
+  }
+}
+
+TEST(ImpactLineSegCircle, WithoutAnEndItIsMetAtTheRest) {
+  ForEachCase(27, 1000, [&](CRandom& random, int) {
+    const CShapeGeometry seg = RandomOutline(random, eShape::LineSeg, eSides::Both, false);
+    const Vector2d foot = seg.m_vPt0 + (0.1 + 0.8 * random.Unit()) * (seg.m_vPt1 - seg.m_vPt0);
+    ExpectMetWithoutAnEnd(seg, foot, seg.m_vFront, 0.05 + random.Unit());
+  });
+}
+
+TEST(ImpactCircleArc, WithoutAnEndItIsMetAtTheRest) {
+  ForEachCase(28, 1000, [&](CRandom& random, int) {
+    const float from = random.Uniform(0, 6), span = random.Uniform(0.5f, 1.5f), R = random.Uniform(2, 5);
+    const CShapeGeometry arc = MakeShapeGeometry(CArc(CArcDesc(Vector2::Zero(), R, from, from + span)), 0.0);
+    const auto middle = static_cast<double>(from + 0.5f * span);
+    const Vector2d out(std::cos(middle), std::sin(middle));
+    ExpectMetWithoutAnEnd(arc, static_cast<double>(R) * out, out, 0.05);
+  });
+}
+
 // A ball that lies on a face slides off over the end, with no impact there whatever the rounding.
 TEST(ImpactLineSegCircle, ABallSlidesOffOverTheEnd) {
   ForEachCase(25, 5000, [&](CRandom& random, int) {

@@ -216,8 +216,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
     ball.m_vPos = impact.m_vPOI + std::max(ball.m_fRadius, FloatRounding(ball.m_vPos) + clear) * n;
   else
     ball.m_vPos += clear * n;
-  const double push = GetPush(n, surface);
-  m_fFastest = std::max(m_fFastest, g_fSqueezed * std::abs(push));
+  m_fFastest = std::max(m_fFastest, g_fSqueezed * Norm(surface));
   TakeBack(ball);
   const double approach = ApproachSpeed(ball.m_vVel, surface, n);
   const double e = ball.m_fElasticity * static_cast<double>(entry.m_pShape->GetElasticity());
@@ -240,7 +239,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   }
   m_pStats->m_nSpeedsCapped += CapSpeed(ball.m_vVel);
   ball.m_nLastOrder = order;
-  if (push != 0.0) ball.m_nLastMoving = order;
+  if (GetPush(n, surface) != 0.0) ball.m_nLastMoving = order;
   ball.m_bIsDriven |= e > 1.0;
   Report(entry.m_cId, ball, impact.m_vPOI, n, approach, ImpulseOf(ball.m_fMass, stays ? 0.0 : e, approach));
   EndMotion(ball);
