@@ -14,7 +14,7 @@ namespace Shapes::Native {
 std::optional<CShapeGeometry> CContinuous::WithoutSharedEnd(std::uint32_t order, const CMotion& motion,
                                                             double start, const CImpact& impact) const {
   const CShapeGeometry& o = m_pShapes->GetGeometry(order);
-  if (!o.IsMoving() || impact.m_fRadius != 0.0 || o.m_vPt0 == o.m_vPt1) return std::nullopt;
+  if (impact.m_fRadius != 0.0 || o.m_vPt0 == o.m_vPt1) return std::nullopt;
   const double time = start + impact.m_fTime, rounding = Rounding(o.m_fSize);
   const CMotion there{motion.PosAt(impact.m_fTime), motion.VelAt(impact.m_fTime), motion.m_fRadius, 0.0};
   const double reach = Norm(there.m_vPos - impact.m_vPOI) - motion.m_fRadius + rounding;
@@ -40,7 +40,7 @@ eSweep CContinuous::SweepShape(std::uint32_t order, const CMotion& motion, doubl
                                CImpact& impact) const {
   const CShapeGeometry& o = m_pShapes->GetGeometry(order);
   const eSweep found = Sweep(o, motion, start, impact);
-  if (found != eSweep::Impact) return found;
+  if (found != eSweep::Impact || !o.IsMoving()) return found;
   const auto without = WithoutSharedEnd(order, motion, start, impact);
   return without ? Sweep(*without, motion, start, impact) : found;
 }
@@ -49,6 +49,7 @@ bool CContinuous::IsNearShape(std::uint32_t order, const CMotion& motion, double
                               CImpact& impact, double& gap) const {
   const CShapeGeometry& o = m_pShapes->GetGeometry(order);
   if (!Near(o, motion, start, reach, impact, gap)) return false;
+  if (!o.IsMoving()) return true;
   const auto without = WithoutSharedEnd(order, motion, start, impact);
   return !without || Near(*without, motion, start, reach, impact, gap);
 }
