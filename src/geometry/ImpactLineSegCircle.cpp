@@ -21,14 +21,15 @@ void ImpactLineSegCircle(CImpactSearch<TMotion>& search) {
   const auto between = [&](const Vector2d& p) { return beyond0(p) <= touch && beyond1(p) <= touch; };
   search.KeepEarliest(face, search.GetBallRadius(), between);
   if (isSolid) search.KeepEarliest(back, search.GetBallRadius(), between);
-  // ... and the ends elsewhere. These ignore balls that overlap them; a ball that slides off the face is not
-  // beyond them where it would touch them.
+  // ... and the ends elsewhere. Those of one solid side ignore balls that overlap them; a ball that slides
+  // off the face is not beyond them where it would touch them.
+  const double deepest = isSolid ? std::numeric_limits<double>::infinity() : search.GetEndDepth();
   const auto solid = [&](const Vector2d& p) { return isSolid || face.m_vNorm.dot(p - p0) >= -touch; };
   if (seg.m_bHasEnd0)
-    search.KeepEarliest(CDisk{p0, 0.0}, search.GetEndDepth(),
+    search.KeepEarliest(CDisk{p0, 0.0}, deepest,
                         [&](const Vector2d& p) { return beyond0(p) >= -touch && solid(p); });
   if (seg.m_bHasEnd1)
-    search.KeepEarliest(CDisk{p1, 0.0}, search.GetEndDepth(),
+    search.KeepEarliest(CDisk{p1, 0.0}, deepest,
                         [&](const Vector2d& p) { return beyond1(p) >= -touch && solid(p); });
 }
 

@@ -17,7 +17,7 @@ struct CShapeGeometry {
   eSides m_eSides = eSides::Both;
   bool m_bFull = false;                      ///< The arc is the full circle.
   bool m_bWide = false;                      ///< The arc spans more than half the circle.
-  bool m_bHasEnd0 = true, m_bHasEnd1 = true; ///< Without an end a segment or an arc is met at the rest only.
+  bool m_bHasEnd0 = true, m_bHasEnd1 = true; ///< A segment or an arc without an end is met at the rest only.
   Vector2d m_vCenter = Vector2d::Zero();
   Vector2d m_vPt0 = Vector2d::Zero();
   Vector2d m_vPt1 = Vector2d::Zero();

@@ -59,7 +59,7 @@ TEST(ImpactLineSegCircle, ABallWithoutRadiusStaysOnItsSide) {
   });
 }
 
-// Of what goes on in another shape: both faces are met as with all ends, that end is not, the other one is.
+// A shape without an end is met at both faces as with it, and at the other end, also by what is deep in that.
 void ExpectMetWithoutAnEnd(const CShapeGeometry& whole, const Vector2d& place, const Vector2d& away,
                            double r) {
   const Vector2d along = Perp(away); // at the place, to where end 0 is or end 1
@@ -77,10 +77,12 @@ void ExpectMetWithoutAnEnd(const CShapeGeometry& whole, const Vector2d& place, c
     for (const bool toFirst : {true, false}) {
       const Vector2d& end = toFirst ? whole.m_vPt0 : whole.m_vPt1;
       const Vector2d out = along.dot(end - place) > 0.0 ? along : Vector2d(-along);
-      const CMotion motion{end + (r + 0.01) * out, -out, r, 0.02};
-      CImpact impact;
-      ASSERT_EQ(Sweep(whole, motion, 0.0, impact), eSweep::Impact);
-      EXPECT_EQ(Sweep(without, motion, 0.0, impact) == eSweep::Impact, toFirst != isFirst);
+      for (const double gap : {0.01, -0.5 * r}) {
+        const CMotion motion{end + (r + gap) * out, -out, r, 0.02};
+        CImpact impact;
+        ASSERT_EQ(Sweep(whole, motion, 0.0, impact), eSweep::Impact);
+        EXPECT_EQ(Sweep(without, motion, 0.0, impact) == eSweep::Impact, toFirst != isFirst);
+      }
     }
   }
 }
