@@ -115,6 +115,40 @@ TEST(ContactSolver, ACrystalComesToAnEnd) {
       }
 }
 
+// 200 balls of radius .2 that fall onto a floor between walls where there is room for 20. If momentum goes
+// on, three of 300 find impulses of 10^7 weights.
+TEST(ContactSolver, BallsInOnePlacePressNoMoreThanTheirWeight) {
+  const double speed = CCrystal::g_fSpeed;
+  for (const std::uint64_t seed : {1u, 32u, 103u, 192u}) {
+    SCOPED_TRACE(seed);
+    CRandom random(seed);
+    std::vector<Vector2d> places;
+    for (int i = 0; i < 200; ++i)
+      places.push_back({random.Uniform(-0.5f, 0.5f), random.Uniform(0.0f, 2.5f)});
+    std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.y() < b.y(); });
+    CContactSolver solver;
+    solver.Begin();
+    for (std::size_t i = 0; i < places.size(); ++i)
+      solver.AddBall(Vector2d(0, -speed) + speed * random.InSquare(1).cast<double>());
+    std::size_t rows = 0;
+    for (std::uint32_t i = 0; i < places.size(); ++i) {
+      const Vector2d& p = places[i];
+      const auto add = [&](const Vector2d& norm, std::uint32_t other, double mass) {
+        solver.Add({norm, i + 1, other, 1.0, mass, 0.0}, 0.0);
+        ++rows;
+      };
+      if (p.y() < 0.2) add(Vector2d::UnitY(), CContactSolver::g_nShape, 0.0);
+      if (p.x() < -0.3) add(Vector2d::UnitX(), CContactSolver::g_nShape, 0.0);
+      if (p.x() > 0.3) add(-Vector2d::UnitX(), CContactSolver::g_nShape, 0.0);
+      for (std::uint32_t j = 0; j < i; ++j)
+        if (const Vector2d d = p - places[j]; d.norm() < 0.4) add(d.normalized(), j + 1, 1.0);
+    }
+    solver.Solve(2.0 * speed, 0.0);
+    for (std::size_t k = 0; k < rows; ++k)
+      ASSERT_LT(solver.GetImpulse(k), speed * static_cast<double>(places.size()));
+  }
+}
+
 // Two that overlap part by as much and by their masses; so do those that are pushed on.
 TEST(ContactSolver, WhatOverlapsPartsByMass) {
   CContactSolver solver;

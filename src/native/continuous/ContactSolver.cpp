@@ -66,9 +66,12 @@ double CContactSolver::Search(double accurate, std::size_t rounds) {
   m_cImpulses.Begin();
   m_cVels.Begin();
   CChange change = Relax(1.0);
+  const double most = g_fMostGrowth * change.m_fMost;
+  bool isGrowing = false;
   double momentum = 1.0;
   for (std::size_t round = 1; change.m_fMost > accurate && round < rounds; ++round) {
-    if (change.m_fBack > 0.0) momentum = 1.0;
+    isGrowing |= change.m_fMost > most;
+    if (change.m_fBack > 0.0 || isGrowing) momentum = 1.0;
     const double next = 0.5 + std::sqrt(0.25 + momentum * momentum);
     // The velocities depend on the impulses linearly.
     m_cImpulses.GoOn((momentum - 1.0) / next);

@@ -13,7 +13,8 @@ namespace Shapes::Native {
 /// Finds impulses along the normals of contacts that push and never pull, such that the velocities that they
 /// change fulfil every contact: a linear complementarity problem. Projected Gauss-Seidel from the bottom up,
 /// and between two rounds on by a growing share of what the last one has changed: the momentum of Nesterov
-/// (1983), which begins anew where a round goes against it (O'Donoghue and Candes 2015).
+/// (1983), which begins anew where a round goes against it (O'Donoghue and Candes 2015), and ends where
+/// rounds change more and more: those without it do not.
 class CContactSolver {
 public:
   /// A contact.
