@@ -83,7 +83,8 @@ void CContinuous::MoveTogether() {
 // Those that were taken, from impact to impact until the substep ends.
 void CContinuous::FollowBalls() {
   m_stdQueue.clear();
-  if (IsFalling())
+  m_cResting.SetFastest(m_fFastest);
+  if (m_cResting.IsCalledFor())
     FindRestingContacts();
   else
     for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i)

@@ -31,7 +31,7 @@ namespace Shapes::Native {
 ///   does not leave it: it lies on it or slides along it, without friction, until it would have to be pulled.
 ///   It loses the energy of that hop, and no other.
 /// - Under gravity, balls that touch and hardly approach rest on each other: CRestingContacts. An impact that
-///   is faster is passed on among them at once.
+///   is faster is passed on among them at once. So do those that are squeezed, also without gravity.
 /// - Without gravity, a ball that comes back to the same turning shape or inside of an arc within 1/g_nHops
 ///   of the substep, and leaves it all but along the surface, slides: it keeps its speed, but leaves so
 ///   steeply that it stays away for that long, or at g_fShallow radians if that is less.

@@ -124,6 +124,7 @@ void CContinuous::Take(std::size_t i, const CMotion& motion, const CDiscGrid::CD
   ball.m_vAcc = ball.m_bIsAsleep ? Vector2d(Vector2d::Zero()) : m_vGravity;
   ball.m_cDisc = disc;
   ball.m_bWasSqueezed = m_cResting.WasSqueezed(i);
+  ball.m_bIsSteered = m_cResting.IsSteered(i, ball.m_vVel);
 }
 
 // Its motion is another one.
@@ -274,7 +275,7 @@ void CContinuous::PutBalls() {
     }
   }
   PutTaken();
-  if (IsFalling()) m_cResting.Remember(m_stdBalls, m_pBalls->Size());
+  m_cResting.Remember(m_stdBalls, m_pBalls->Size());
 }
 
 void CContinuous::PutTaken() {

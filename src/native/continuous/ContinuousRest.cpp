@@ -24,8 +24,8 @@ void CContinuous::FindRestingContacts() {
       CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
       CImpact impact;
       double gap;
-      const double reach =
-          m_cResting.GetReach(Norm(ball.m_vVel - other.m_vVel), CRestingContacts::IsSqueezed(ball, other));
+      const double reach = m_cResting.GetReach(m_cResting.GetMeetingSpeed(ball, other),
+                                               CRestingContacts::IsSqueezed(ball, other));
       if (j <= i || other.m_bIsAsleep || !NearBallBall(GetMotion(other), GetMotion(ball), reach, impact, gap))
         continue;
       m_cResting.Add(i, j, true, impact, gap);
@@ -83,7 +83,8 @@ void CContinuous::SolveRestingContacts() {
 
 // Whether two balls meet no faster than what gravity gives in a substep presses them together.
 bool CContinuous::IsSlow(const CMoving& ball, const CMoving& other, double approach) const {
-  if (!IsFalling() || ball.m_bIsHalted || other.m_bIsHalted || approach > m_cResting.GetSlow()) return false;
+  if (!m_cResting.IsCalledFor() || ball.m_bIsHalted || other.m_bIsHalted || approach > m_cResting.GetSlow())
+    return false;
   const double out = ball.m_fElasticity * other.m_fElasticity * approach;
   return ball.m_bIsInPile || other.m_bIsInPile || IsHop(out, ball.m_cNext.m_cImpact.m_fClosing, 0.0);
 }

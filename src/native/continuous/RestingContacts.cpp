@@ -16,6 +16,7 @@ namespace Shapes::Native {
 void CRestingContacts::Begin(const Vector2d& gravity, double dt) {
   m_vGravity = gravity;
   m_vUp = -Unit(gravity, Vector2d::Zero());
+  m_bIsFalling = !gravity.isZero(0.0);
   m_fStep = dt;
   m_fSlow = g_fRestingSteps * Norm(gravity) * dt;
   m_stdContacts.clear();
@@ -115,19 +116,33 @@ void CRestingContacts::FindKnown() {
   }
 }
 
+double CRestingContacts::GetMeetingSpeed(const CMoving& ball, const CMoving& other) const {
+  return MayStop(ball, other) ? Norm(ball.m_vVel) + Norm(other.m_vVel) : Norm(ball.m_vVel - other.m_vVel);
+}
+
+// Whether what is near each other rests on each other.
+bool CRestingContacts::IsPair(const CContact& c, const std::vector<CMoving>& balls) const {
+  const CMoving &ball = balls[c.m_nBall], &other = c.m_bIsBall ? balls[c.m_nOther] : ball;
+  const bool isSqueezed = IsSqueezed(ball, other);
+  double speed = std::abs(GetSpeed(c, balls));
+  FailIf(!isSqueezed && speed > m_fSlow);
+  if (c.m_bIsBall && MayStop(ball, other)) {
+    // What flies past within a substep is not to be followed straight on.
+    FailIf(Norm(ball.m_vVel - other.m_vVel) * m_fStep > GetSmallerRadius(c, balls));
+    speed = GetMeetingSpeed(ball, other);
+  }
+  return c.m_fGap <= GetReach(speed, isSqueezed);
+}
+
 void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
-  std::erase_if(m_stdContacts, [&](const CContact& c) {
-    const CMoving& ball = balls[c.m_nBall];
-    const bool isSqueezed = IsSqueezed(ball, c.m_bIsBall ? balls[c.m_nOther] : ball);
-    const double speed = std::abs(GetSpeed(c, balls));
-    return !((isSqueezed || speed <= m_fSlow) && c.m_fGap <= GetReach(speed, isSqueezed));
-  });
+  std::erase_if(m_stdContacts, [&](const CContact& c) { return !IsPair(c, balls); });
   m_cPiles.Reset(balls.size());
   for (const CContact& c : m_stdContacts)
     if (c.m_bIsBall) m_cPiles.Join(c.m_nBall, c.m_nOther);
-  m_stdIsHeld.assign(balls.size(), false);
+  m_stdIsHeld.assign(balls.size(), !m_bIsFalling);
   for (const CContact& c : m_stdContacts)
-    if (!c.m_bIsBall) m_stdIsHeld[m_cPiles.Find(c.m_nBall)] = true;
+    if (!c.m_bIsBall || balls[c.m_nBall].m_bIsSteered || balls[c.m_nOther].m_bIsSteered)
+      m_stdIsHeld[m_cPiles.Find(c.m_nBall)] = true;
   std::erase_if(m_stdContacts, [&](const CContact& c) { return !m_stdIsHeld[m_cPiles.Find(c.m_nBall)]; });
   for (CContact& c : m_stdContacts)
     c.m_fKey = static_cast<double>(m_cPiles.Find(c.m_nBall));
@@ -141,15 +156,27 @@ void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
 
 void CRestingContacts::Remember(const std::vector<CMoving>& balls, std::size_t size) {
   m_stdIsSqueezed.assign(size, false);
+  m_stdLastVels.resize(size);
+  m_bIsAnySqueezed = false;
   for (std::uint32_t i = 0; i < balls.size(); ++i) {
     const CMoving& ball = balls[i];
     // One that was taken late has no pile.
-    const bool isMoved = i < m_stdEnergies.size() && m_stdEnergies[m_cPiles.Find(i)].m_bIsMoved;
-    const bool isHit = ball.m_bIsNearBall && ball.m_nImpacts >= g_nSqueezed;
+    const CEnergy pile = i < m_stdEnergies.size() ? m_stdEnergies[m_cPiles.Find(i)] : CEnergy();
+    const bool isJammed = ball.m_fElasticity < 1.0 && (ball.m_bIsHalted || pile.m_bIsSteered);
+    const bool isHit = ball.m_nImpacts >= g_nSqueezed && (m_bIsFalling ? ball.m_bIsNearBall : isJammed);
     // One that flies far may be hit as often.
-    const bool isFast = Norm(ball.m_vVel) * m_fStep > ball.m_fRadius;
-    m_stdIsSqueezed[ball.m_nBall] = !isFast && (isHit || (ball.m_bWasSqueezed && isMoved));
+    const bool isFast = m_bIsFalling && Norm(ball.m_vVel) * m_fStep > ball.m_fRadius;
+    const bool stays = ball.m_bWasSqueezed && (pile.m_bIsMoved || pile.m_bIsSteered);
+    m_stdIsSqueezed[ball.m_nBall] = !isFast && (isHit || stays);
+    m_stdLastVels[ball.m_nBall] = ball.m_vVel;
+    m_bIsAnySqueezed |= m_stdIsSqueezed[ball.m_nBall];
   }
+}
+
+bool CRestingContacts::IsSteered(std::size_t ball, const Vector2d& vel) const {
+  FailIf(!WasSqueezed(ball));
+  const Vector2d& last = m_stdLastVels[ball];
+  return Norm(vel - last) > std::max(Norm(m_vGravity) * m_fStep, g_fSteered * Norm(last));
 }
 
 // With the share s of the velocities the pile has gained nothing where kinetic s^2 - fall s = before.
@@ -179,6 +206,8 @@ void CRestingContacts::Solve(std::vector<CMoving>& balls) {
   ForEachInPile(balls, [&](CMoving& ball, CEnergy& pile, double) {
     ball.m_vVel *= pile.GetShare();
     ball.m_vGiven += ball.m_vVel / m_fStep;
+    // What a game gives it has at once.
+    if (!m_bIsFalling || pile.m_bIsSteered) ball.m_vGiven.setZero();
   });
 }
 
@@ -197,13 +226,15 @@ void CRestingContacts::SolvePile(std::span<CContact> pile, std::vector<CMoving>&
     surface = std::max(surface, std::abs(c.m_fSpeed));
   }
   m_cSolver.Solve(m_fSlow, surface);
-  m_stdEnergies[m_cPiles.Find(pile[0].m_nBall)].m_bIsMoved = surface > 0.0;
+  CEnergy& energy = m_stdEnergies[m_cPiles.Find(pile[0].m_nBall)];
+  energy.m_bIsMoved = surface > 0.0;
 
   const auto put = [&](std::uint32_t i) {
     balls[i].m_vVel = m_cSolver.GetVel(m_stdSolved[i]);
     balls[i].m_vFall = balls[i].m_vAcc = Vector2d::Zero(); // gravity has been there
     balls[i].m_bIsMoved = true;
     balls[i].m_bIsDriven |= surface > 0.0;
+    energy.m_bIsSteered |= balls[i].m_bIsSteered;
   };
   for (std::size_t k = 0; k < pile.size(); ++k) {
     CContact& c = pile[k];

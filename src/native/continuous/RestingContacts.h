@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "../../Tolerances.h"
 #include "ContactSolver.h"
 #include "Groups.h"
 #include "Moving.h"
@@ -21,7 +22,12 @@ namespace Shapes::Native {
 ///
 /// A ball is squeezed if it had g_nSqueezed impacts in the substep before, and stays so in a pile that a
 /// shape moves. It rests on all that it could meet, and those on it, at any speed: by impacts, one after the
-/// other, what does not give way would take hundreds of them to come to the same.
+/// other, what does not give way would take hundreds of them to come to the same. It also stays so in a pile
+/// that a game steers: it gives balls another velocity in each substep, as to a swarm that it drives. Such a
+/// pile need not lie on a shape.
+///
+/// Without gravity balls rest on each other only where one is squeezed, and only a ball of elasticity below 1
+/// comes to that: if it was halted, or hit as often in a pile that is steered.
 ///
 /// Balls of a pile move straight on within the substep, at the velocities that they have at its end: those
 /// that gravity gives, changed by impulses along the normals that push and never pull, so that no pair ends
@@ -38,6 +44,10 @@ public:
   void Begin(const Vector2d& gravity, double dt);
   /// The speed that gravity gives in g_fRestingSteps substeps.
   double GetSlow() const { return m_fSlow; }
+  /// Without gravity what is slow depends on the speed of the fastest ball.
+  void SetFastest(double fastest) {
+    if (!m_bIsFalling) m_fSlow = g_fFlowError * fastest;
+  }
   /// Takes up a pair of balls, or a ball and the shape of this order (`isBall` false).
   /// @param impact  as of Near, for balls that are accelerated by gravity
   void Add(std::uint32_t ball, std::uint32_t other, bool isBall, const CImpact& impact, double gap);
@@ -49,11 +59,16 @@ public:
     m_stdKnown.clear();
     m_stdNear.clear();
     m_stdIsSqueezed.clear();
+    m_bIsAnySqueezed = false;
   }
   /// Remembers at the end of the substep who of `size` in the arrays is squeezed.
   void Remember(const std::vector<CMoving>& balls, std::size_t size);
   /// Of the ball of this index in the arrays.
   bool WasSqueezed(std::size_t ball) const { return ball < m_stdIsSqueezed.size() && m_stdIsSqueezed[ball]; }
+  /// Whether one that was has got another velocity since then.
+  bool IsSteered(std::size_t ball, const Vector2d& vel) const;
+  /// Whether pairs are looked for.
+  bool IsCalledFor() const { return m_bIsFalling || m_bIsAnySqueezed; }
   /// Whether either of the two was: then both rest on each other at any speed.
   static bool IsSqueezed(const CMoving& ball, const CMoving& other) {
     return ball.m_bWasSqueezed || other.m_bWasSqueezed;
@@ -62,6 +77,9 @@ public:
   double GetReach(double speed, bool isSqueezed) const {
     return (isSqueezed ? m_fSlow + speed : m_fSlow) * m_fStep;
   }
+  /// The speed at which two balls may come upon each other: where velocities are not of gravity, others may
+  /// stop one of them.
+  double GetMeetingSpeed(const CMoving& ball, const CMoving& other) const;
   /// Whether two balls are a pair here.
   bool Has(std::uint32_t ball, std::uint32_t other) const;
   /// The other balls of the pairs of a ball, by their indices.
@@ -103,16 +121,21 @@ private:
   };
   // Of a pile.
   struct CEnergy {
-    double m_fBefore = 0.0;  // kinetic, without the work of lifting balls as they were moved apart
-    double m_fKinetic = 0.0; // at the velocities at the end of the substep
-    double m_fFall = 0.0;    // the work of gravity at these
-    bool m_bIsMoved = false; // by a shape
-    double GetShare() const; // of these velocities with which the pile gains no energy
+    double m_fBefore = 0.0;    // kinetic, without the work of lifting balls as they were moved apart
+    double m_fKinetic = 0.0;   // at the velocities at the end of the substep
+    double m_fFall = 0.0;      // the work of gravity at these
+    bool m_bIsMoved = false;   // by a shape
+    bool m_bIsSteered = false; // by a game
+    double GetShare() const;   // of these velocities with which the pile gains no energy
   };
   void Sort();
   // By which it is known in the next substep, too, whichever of two balls is the upper one.
   static std::uint64_t GetPair(const CContact& c, const std::vector<CMoving>& balls);
   double GetSpeed(const CContact& c, const std::vector<CMoving>& balls) const;
+  bool MayStop(const CMoving& ball, const CMoving& other) const {
+    return !m_bIsFalling || ball.m_bIsSteered || other.m_bIsSteered;
+  }
+  bool IsPair(const CContact& c, const std::vector<CMoving>& balls) const;
   void Order(std::vector<CMoving>& balls);
   static double GetSmallerRadius(const CContact& c, const std::vector<CMoving>& balls);
   bool IsJammed(const CContact& c, const std::vector<CMoving>& balls) const;
@@ -147,6 +170,7 @@ private:
 
   Vector2d m_vGravity = Vector2d::Zero();
   Vector2d m_vUp = Vector2d::Zero(); // unit
+  bool m_bIsFalling = false;         // there is gravity
   double m_fStep = 0.0, m_fSlow = 0.0;
 
   std::vector<CContact> m_stdContacts; // pile by pile, from the bottom up
@@ -161,7 +185,9 @@ private:
   std::vector<double> m_stdLifts;             // the work of lifting each ball as they were moved apart
   std::vector<CEnergy> m_stdEnergies;         // of each pile, by its ball
   std::vector<bool> m_stdIsSqueezed;          // in the last substep, by the index in the arrays
-  std::vector<CKnown> m_stdKnown, m_stdNear;  // pairs of the last substep and of this one, in order
+  std::vector<Vector2d> m_stdLastVels;        // at the end of it, of these
+  bool m_bIsAnySqueezed = false;
+  std::vector<CKnown> m_stdKnown, m_stdNear; // pairs of the last substep and of this one, in order
 };
 
 } // namespace Shapes::Native
