@@ -350,7 +350,9 @@ void CContinuous::EndMotion(CMoving& ball) {
   m_stdPathVertices.push_back(
       {ball.m_nBall, ToFloat(ball.m_vPos), static_cast<float>(ball.m_fTime / m_fStep)});
   ++ball.m_nImpacts;
-  if (ball.m_bIsNearBall && ball.m_nImpacts >= g_nSqueezed) {
+  // Elastic balls pass on what they have, and keep it where no shape gives more.
+  const bool mayKeep = ball.m_fElasticity >= 1.0 && !m_pShapes->IsAnyMoving();
+  if (ball.m_bIsNearBall && ball.m_nImpacts >= g_nSqueezed && !mayKeep) {
     const double most = m_fFastest + m_fFall, speed = Norm(ball.m_vVel);
     if (speed > most) ball.m_vVel *= most / speed;
   }

@@ -126,11 +126,7 @@ bool CRestingContacts::IsPair(const CContact& c, const std::vector<CMoving>& bal
   const bool isSqueezed = IsSqueezed(ball, other);
   double speed = std::abs(GetSpeed(c, balls));
   FailIf(!isSqueezed && speed > m_fSlow);
-  if (c.m_bIsBall && MayStop(ball, other)) {
-    // What flies past within a substep is not to be followed straight on.
-    FailIf(Norm(ball.m_vVel - other.m_vVel) * m_fStep > GetSmallerRadius(c, balls));
-    speed = GetMeetingSpeed(ball, other);
-  }
+  if (c.m_bIsBall && MayStop(ball, other)) speed = GetMeetingSpeed(ball, other);
   return c.m_fGap <= GetReach(speed, isSqueezed);
 }
 
@@ -162,8 +158,10 @@ void CRestingContacts::Remember(const std::vector<CMoving>& balls, std::size_t s
     const CMoving& ball = balls[i];
     // One that was taken late has no pile.
     const CEnergy pile = i < m_stdEnergies.size() ? m_stdEnergies[m_cPiles.Find(i)] : CEnergy();
-    const bool isJammed = ball.m_fElasticity < 1.0 && (ball.m_bIsHalted || pile.m_bIsSteered);
-    const bool isHit = ball.m_nImpacts >= g_nSqueezed && (m_bIsFalling ? ball.m_bIsNearBall : isJammed);
+    const bool isJammed = m_bIsFalling ? ball.m_bIsNearBall : ball.m_bIsHalted || pile.m_bIsSteered;
+    // What is elastic goes on bouncing, unless a shape presses it.
+    const bool isElastic = ball.m_fElasticity >= 1.0 && ball.m_nLastMoving == g_nNobody && !pile.m_bIsMoved;
+    const bool isHit = ball.m_nImpacts >= g_nSqueezed && isJammed && !isElastic;
     // One that flies far may be hit as often.
     const bool isFast = m_bIsFalling && Norm(ball.m_vVel) * m_fStep > ball.m_fRadius;
     const bool stays = ball.m_bWasSqueezed && (pile.m_bIsMoved || pile.m_bIsSteered);
