@@ -133,6 +133,22 @@ float GetDeepest(const CEffectChoice& effects, float radius, std::uint64_t seed)
   return deepest;
 }
 
+// More than there is room for, all added at one place: they are set back along one line, each several times
+// in a substep, and none through the wall by the sum of that.
+TEST(ClosedRoom, BallsThatAreAddedAtOnePlaceStayInIt) {
+  for (const float y : {0.0f, 0.5f, 0.8f}) {
+    SCOPED_TRACE(y);
+    const std::unique_ptr<CWorld> pWorld = MakeNative(g_cAutomatic);
+    AddBox(*pWorld, 1);
+    for (int step = 0; step < 200; ++step) {
+      pWorld->Add(CDynamicCircleDesc({0, y}, 0.15f, {0, 0}, 1, 0.3f));
+      pWorld->Step();
+      ASSERT_EQ(CountBalls(*pWorld, [](const Vector2& p) { return !(p.cwiseAbs().maxCoeff() < 1); }), 0)
+          << step;
+    }
+  }
+}
+
 // Balls, side by side in a square room, of which many are hit dozens of times in a step; returns the share of
 // their energy that is left.
 struct CCrowd {

@@ -226,12 +226,15 @@ double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const V
   return motion.m_fDuration / g_fInstant;
 }
 
-// Moves a ball along n; if it could get through something by that, only up to what is in the way.
+// Moves a ball along n; if it could get through something by that, or by all such moves of the substep, only up
+// to what is in the way.
 void CContinuous::CorrectPosition(std::uint32_t i, const Vector2d& n, double depth) {
   CMoving& ball = m_stdBalls[i];
-  if (depth > g_fFarCorrection * ball.m_fRadius) {
-    const Vector2d from = ball.m_vPos + Clear(SizeOf(ball.m_vPos, ball.m_fRadius), depth) * n;
-    depth *= GetFreeShare(ball, from, depth * n, 0.0, nullptr);
+  const Vector2d from = m_pBalls->m_stdPos[ball.m_nBall].cast<double>();
+  const Vector2d way = ball.m_vPos + depth * n - from;
+  if (Norm(way) > g_fFarCorrection * ball.m_fRadius) {
+    const Vector2d clear = ball.m_vPos + Clear(SizeOf(ball.m_vPos, ball.m_fRadius), depth) * n;
+    depth *= GetFreeShare(ball, clear, depth * n, 0.0, nullptr);
   }
   ball.m_vPos += depth * n;
   ball.m_bIsMoved = true;
