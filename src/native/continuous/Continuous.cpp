@@ -226,8 +226,8 @@ double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const V
   return motion.m_fDuration / g_fInstant;
 }
 
-// Moves a ball along n; if it could get through something by that, or by all such moves of the substep, only up
-// to what is in the way.
+// Moves a ball along n; if it could get through something by that, or by all such moves of the substep, only
+// up to what is in the way.
 void CContinuous::CorrectPosition(std::uint32_t i, const Vector2d& n, double depth) {
   CMoving& ball = m_stdBalls[i];
   const Vector2d from = m_pBalls->m_stdPos[ball.m_nBall].cast<double>();

@@ -311,11 +311,8 @@ void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, doub
     m_pStats->m_nSpeedsCapped += CapSpeed(pBall->m_vVel);
     pBall->m_nLastOrder = g_nNobody;
   }
-  // A moving shape, or what goes along with one, presses them on each other, and under gravity what is
-  // halted.
-  const auto isPushed = [this](const CMoving& b) {
-    return (IsFalling() && b.m_bIsHalted) || b.m_nLastMoving != g_nNobody;
-  };
+  // A moving shape, or what goes along with one, presses them on each other.
+  const auto isPushed = [](const CMoving& b) { return b.m_bIsHalted || b.m_nLastMoving != g_nNobody; };
   if (isPushed(ball) || isPushed(other)) ball.m_bIsNearBall = other.m_bIsNearBall = true;
   if (isSlow) {
     Rest(ball, other, n);

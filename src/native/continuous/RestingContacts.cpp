@@ -164,7 +164,7 @@ void CRestingContacts::Remember(const std::vector<CMoving>& balls, std::size_t s
     const bool isHit = ball.m_nImpacts >= g_nSqueezed && isJammed && !isElastic;
     // One that flies far may be hit as often.
     const bool isFast = m_bIsFalling && Norm(ball.m_vVel) * m_fStep > ball.m_fRadius;
-    const bool stays = ball.m_bWasSqueezed && (pile.m_bIsMoved || pile.m_bIsSteered);
+    const bool stays = ball.m_bWasSqueezed && (pile.m_bIsMoved || pile.m_bIsSteered || ball.m_bPresses);
     m_stdIsSqueezed[ball.m_nBall] = !isFast && (isHit || stays);
     m_stdLastVels[ball.m_nBall] = ball.m_vVel;
     m_bIsAnySqueezed |= m_stdIsSqueezed[ball.m_nBall];
@@ -204,8 +204,8 @@ void CRestingContacts::Solve(std::vector<CMoving>& balls) {
   ForEachInPile(balls, [&](CMoving& ball, CEnergy& pile, double) {
     ball.m_vVel *= pile.GetShare();
     ball.m_vGiven += ball.m_vVel / m_fStep;
-    // What a game gives it has at once.
-    if (!m_bIsFalling || pile.m_bIsSteered) ball.m_vGiven.setZero();
+    // What a game gives a ball it has at once.
+    if (!m_bIsFalling) ball.m_vGiven.setZero();
   });
 }
 
@@ -241,6 +241,8 @@ void CRestingContacts::SolvePile(std::span<CContact> pile, std::vector<CMoving>&
     if (c.m_bIsBall) put(c.m_nOther);
     if (!(c.m_fImpulse > 0.0)) continue;
     m_stdNear[c.m_nNear].m_fImpulse = c.m_fImpulse;
+    balls[c.m_nBall].m_bPresses = !m_bIsFalling;
+    if (c.m_bIsBall) balls[c.m_nOther].m_bPresses = !m_bIsFalling;
     CMoving& ball = balls[c.m_nBall];
     if (c.m_bIsBall) continue;
     ball.m_cHolds.Add({c.m_nOther, false, c.m_vNorm, c.m_fSpeed, 0.0, c.m_fRadius + ball.m_fRadius});

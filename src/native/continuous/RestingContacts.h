@@ -26,8 +26,9 @@ namespace Shapes::Native {
 /// that a game steers: it gives balls another velocity in each substep, as to a swarm that it drives. Such a
 /// pile need not lie on a shape.
 ///
-/// Without gravity balls rest on each other only where one is squeezed, and only a ball of elasticity below 1
-/// comes to that: if it was halted, or hit as often in a pile that is steered.
+/// An elastic ball that no shape presses is not squeezed. Without gravity balls rest on each other only where
+/// one is, and it comes to that if it was halted, or hit as often in a pile that is steered; it stays so as
+/// long as it presses on others.
 ///
 /// Balls of a pile move straight on within the substep, at the velocities that they have at its end: those
 /// that gravity gives, changed by impulses along the normals that push and never pull, so that no pair ends
