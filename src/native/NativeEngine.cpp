@@ -29,10 +29,10 @@ void CNativeEngine::Added(CShapeId id) {
   Changed(id, eChange::Sensor);
 }
 
-void CNativeEngine::Removed(CShapeId) {
+void CNativeEngine::Removed(CShapeId, std::unique_ptr<CShape> pShape) {
   m_bBallsChanged = true;
-  m_bShapesChanged |= m_cState.m_stdShapes.size() != m_nShapes; // or it was a ball
   m_cState.m_cBalls.m_bIsDisturbed = true;
+  if (pShape != nullptr && !m_bShapesChanged) m_bShapesChanged = !m_cBroadPhase.Remove(std::move(pShape));
 }
 
 void CNativeEngine::Changed(CShapeId id, eChange change) {
@@ -54,7 +54,6 @@ void CNativeEngine::UpdateBroadPhase() {
   m_stdKinematic.clear();
   for (const CShapeEntry& entry : m_cState.m_stdShapes)
     if (entry.m_pShape->GetMotionType() == eMotion::Kinematic) m_stdKinematic.push_back(entry.m_pShape.get());
-  m_nShapes = m_cState.m_stdShapes.size();
   m_bShapesChanged = false;
 }
 
@@ -195,9 +194,9 @@ void CNativeEngine::CollideWithShapesOf(std::size_t ball, CLane& lane) {
     const auto collide = [&](std::uint32_t order) {
       if (order < next) return true;
       next = order + 1;
-      const CShapeEntry& entry = m_cBroadPhase.Get(order);
-      if (m_bFilters && !DoMeet(b.m_stdFilter[ball], entry.m_pShape->GetFilter())) return true;
-      CollideWithShape<TReports>(ball, entry, lane);
+      const CSolidShape& solid = m_cBroadPhase.Get(order);
+      if (m_bFilters && !DoMeet(b.m_stdFilter[ball], solid.m_pShape->GetFilter())) return true;
+      CollideWithShape<TReports>(ball, solid, lane);
       // A response may have moved the ball out of the reach that was searched: the rest again, from where it
       // is.
       again = (b.m_stdPos[ball] - from).squaredNorm() > slack * slack;
@@ -208,8 +207,8 @@ void CNativeEngine::CollideWithShapesOf(std::size_t ball, CLane& lane) {
 }
 
 template <bool TReports>
-void CNativeEngine::CollideWithShape(std::size_t i, const CShapeEntry& entry, CLane& lane) {
-  const CShape& shape = *entry.m_pShape;
+void CNativeEngine::CollideWithShape(std::size_t i, const CSolidShape& solid, CLane& lane) {
+  const CShape& shape = *solid.m_pShape;
   if (!shape.GetCanCollide()) return;
   ++lane.m_pStats->m_nShapeTests;
   CHit hit;
@@ -220,7 +219,7 @@ void CNativeEngine::CollideWithShape(std::size_t i, const CShapeEntry& entry, CL
   const float e = b.m_stdElasticity[i] * shape.GetElasticity();
   if constexpr (TReports) {
     const float speed = ApproachSpeed(b.m_stdVel[i], surface, hit.m_vNorm);
-    lane.m_stdContacts.push_back({entry.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback, speed,
+    lane.m_stdContacts.push_back({solid.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback, speed,
                                   false, ImpulseOf(b.m_stdMass[i], e, speed)});
   }
   ++lane.m_pStats->m_nContacts;

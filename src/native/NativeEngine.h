@@ -24,7 +24,7 @@ public:
   explicit CNativeEngine(CWorldCore& world);
 
   void Added(CShapeId id) override;
-  void Removed(CShapeId id) override;
+  void Removed(CShapeId id, std::unique_ptr<CShape> pShape) override;
   void Changed(CShapeId id, eChange change) override;
   void Plan(CEffects running) override;
   void Substep(float dt) override;
@@ -69,7 +69,7 @@ private:
   template <bool TReports>
   void CollideWithShapesOf(std::size_t ball, CLane& lane);
   template <bool TReports>
-  void CollideWithShape(std::size_t ball, const CShapeEntry& entry, CLane& lane);
+  void CollideWithShape(std::size_t ball, const CSolidShape& solid, CLane& lane);
   template <bool TReports>
   bool CollideWithBall(std::size_t i, std::size_t j);
 
@@ -86,7 +86,6 @@ private:
   std::vector<CStage> m_stdStages;
 
   bool m_bShapesChanged = true; // the broad phase is made anew
-  std::size_t m_nShapes = 0;    // when it was made
   bool m_bBallsChanged = true;  // added or removed
   float m_fLargestRadius = 0.0f;
   bool m_bFilters = false; // some meet not all

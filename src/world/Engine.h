@@ -53,7 +53,8 @@ public:
   /// May refuse by an exception; brings the state up to date if something else than this world moves it.
   virtual void Access(eAccess) {}
   virtual void Added(CShapeId id) = 0;
-  virtual void Removed(CShapeId id) = 0;
+  /// @param pShape  none if it was a ball; an engine may keep it
+  virtual void Removed(CShapeId id, std::unique_ptr<CShape> pShape) = 0;
   virtual void Changed(CShapeId id, eChange change) = 0;
   /// @param running  the effects that run
   virtual void Plan(CEffects running) = 0;

@@ -152,7 +152,7 @@ CShapeId CWorld::CImpl::Add(const CDynamicCircleDesc& desc) {
   return id;
 }
 
-bool CWorld::CImpl::Erase(CShapeId id) {
+bool CWorld::CImpl::Erase(CShapeId id, std::unique_ptr<CShape>& pShape) {
   NoteChange();
   NoteStops();
   if (const std::size_t i = m_cState.FindBall(id); i != CWorldState::npos) {
@@ -161,6 +161,7 @@ bool CWorld::CImpl::Erase(CShapeId id) {
   } else if (const std::size_t k = m_cState.FindShape(id); k != CWorldState::npos) {
     const auto entry = m_cState.m_stdShapes.begin() + static_cast<std::ptrdiff_t>(k);
     UpdateContent(CContent::Of(*entry), {});
+    pShape = std::move(entry->m_pShape);
     m_cState.m_stdShapes.erase(entry);
   } else {
     return false;
@@ -170,8 +171,9 @@ bool CWorld::CImpl::Erase(CShapeId id) {
 }
 
 bool CWorld::CImpl::Remove(CShapeId id) {
-  FailIf(!Erase(id));
-  m_pEngine->Removed(id);
+  std::unique_ptr<CShape> pShape;
+  FailIf(!Erase(id, pShape));
+  m_pEngine->Removed(id, std::move(pShape));
   return true;
 }
 

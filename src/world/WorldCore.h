@@ -58,8 +58,9 @@ public:
   /// Something is elsewhere, came, went, or is another one: by anything but a step.
   void NoteChange() { ++m_nChanges; }
   /// Erases a shape or a ball from the state.
+  /// @param pShape  gets the shape
   /// @return false if there is none of that id
-  bool Erase(CShapeId id);
+  bool Erase(CShapeId id, std::unique_ptr<CShape>& pShape);
 
   // For the interface.
   void Access(eAccess access) { m_pEngine->Access(access); }

@@ -195,6 +195,50 @@ TEST(NativeWorldTest, AChangeOfOneShapeCostsNoMoreAmongMany) {
   EXPECT_GT(seconds(comesAndGoes, 4000), 15.0 * seconds(comesAndGoes, 40));
 }
 
+// Balls break all that they hit but the walls. The other world is loaded after each step, for which all boxes
+// are made anew.
+TEST(NativeWorldTest, ShapesThatAreRemovedMeetNothing) {
+  for (const CEffectChoice& effects : {g_cAutomatic, g_cApproximate})
+    for (const float gravity : {0.0f, 10.0f}) {
+      SCOPED_TRACE(testing::Message() << "gravity " << gravity);
+      const auto make = [&] {
+        std::unique_ptr<CWorld> pWorld = MakeNative(effects, gravity);
+        AddBox(*pWorld, 3);
+        for (int row = 0; row < 6; ++row)
+          for (int column = 0; column < 10; ++column) {
+            const Vector2 p(-2.7f + 0.6f * static_cast<float>(column), 0.4f * static_cast<float>(row));
+            pWorld->Add(CLineSegDesc(p, p + Vector2(0.4f, 0)));
+            pWorld->Add(CArcDesc(p + Vector2(0.2f, 0), 0.2f, 0, g_fPi));
+          }
+        CRandom random(6);
+        for (int i = 0; i < 20; ++i)
+          pWorld->Add(
+              CDynamicCircleDesc({-2.8f + 0.28f * static_cast<float>(i), random.Uniform(-2.8f, -0.5f)}, 0.1f,
+                                 random.InSquare(9)));
+        return pWorld;
+      };
+      const auto pKept = make(), pAnew = make();
+      std::size_t removed = 0;
+      for (int step = 0; step < 600; ++step) {
+        for (CWorld* pWorld : {pKept.get(), pAnew.get()}) {
+          pWorld->Step();
+          std::vector<CShapeId> hit;
+          for (const CContactEvent& contact : pWorld->GetContacts())
+            hit.push_back(contact.m_cShape);
+          for (const CShapeId id : hit)
+            if (id.m_nValue > 4 && pWorld->Contains(id) && pWorld->GetMotionType(id) == eMotion::Static) {
+              pWorld->Remove(id);
+              ++removed;
+            }
+        }
+        pKept->SaveState();
+        pAnew->LoadState(pAnew->SaveState());
+        ASSERT_TRUE(HaveSameBits(*pKept, *pAnew)) << step;
+      }
+      EXPECT_GT(removed, 60u);
+    }
+}
+
 // An arc that goes on from a segment: its end, (0, 0), is rounded to (1.19e-8, 0).
 TEST(NativeWorldTest, NoBallFallsBetweenASegmentAndAnArcThatGoesOn) {
   int missed = 0;

@@ -18,7 +18,7 @@ public:
     if (m_bRefuses) throw std::logic_error("refused");
   }
   void Added(CShapeId id) override { Record("Added", id); }
-  void Removed(CShapeId id) override { Record("Removed", id); }
+  void Removed(CShapeId id, std::unique_ptr<CShape>) override { Record("Removed", id); }
   void Changed(CShapeId id, eChange change) override {
     static constexpr const char* names[] = {"pose", "motion", "sensor", "filter", "properties"};
     Record(std::string("Changed ") + names[static_cast<int>(change)], id);

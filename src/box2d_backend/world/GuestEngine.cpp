@@ -125,7 +125,7 @@ void CGuestEngine::Added(CShapeId id) {
   m_pStepper->Added(id);
 }
 
-void CGuestEngine::Removed(CShapeId id) {
+void CGuestEngine::Removed(CShapeId id, std::unique_ptr<CShape>) {
   const CBusy busy(m_bIsBusy);
   m_pStepper->Removed(id);
 }
@@ -156,8 +156,10 @@ void CGuestEngine::OnLost(CShapeId id) {
 }
 
 void CGuestEngine::RemoveLost() {
-  for (const CShapeId id : m_stdLost)
-    m_cWorld.Stats().m_nBodiesLost += m_cWorld.Erase(id);
+  for (const CShapeId id : m_stdLost) {
+    std::unique_ptr<CShape> pShape;
+    m_cWorld.Stats().m_nBodiesLost += m_cWorld.Erase(id, pShape);
+  }
   m_stdLost.clear();
 }
 

@@ -30,7 +30,7 @@ public:
 
   void Access(eAccess access) override;
   void Added(CShapeId id) override;
-  void Removed(CShapeId id) override;
+  void Removed(CShapeId id, std::unique_ptr<CShape> pShape) override;
   void Changed(CShapeId id, eChange change) override;
   void Plan(CEffects running) override { m_pStepper->Plan(running); }
   void Substep(float) override {} // not called: Step is refused

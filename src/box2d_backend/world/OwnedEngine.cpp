@@ -24,7 +24,7 @@ void COwnedEngine::Added(CShapeId id) {
   m_bPlanIsOld = true;
 }
 
-void COwnedEngine::Removed(CShapeId id) {
+void COwnedEngine::Removed(CShapeId id, std::unique_ptr<CShape>) {
   m_pStepper->Removed(id);
   m_bPlanIsOld = true;
 }

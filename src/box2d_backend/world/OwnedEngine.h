@@ -19,7 +19,7 @@ public:
   COwnedEngine(CWorldCore& world, const CTuning& tuning);
 
   void Added(CShapeId id) override;
-  void Removed(CShapeId id) override;
+  void Removed(CShapeId id, std::unique_ptr<CShape> pShape) override;
   void Changed(CShapeId id, eChange change) override;
   void Plan(CEffects running) override;
   void Substep(float dt) override;

@@ -38,10 +38,11 @@ CAabb2D BoxOfMove(const CShape& shape, float dt) {
 
 void CStaticBroadPhase::Build(const std::vector<CShapeEntry>& shapes) {
   m_stdByOrder.clear();
+  m_stdRemoved.clear();
   for (const bool points : {true, false})
     for (const CShapeEntry& entry : shapes)
       if ((entry.m_pShape->GetShapeType() == eShape::Point) == points && !entry.m_pShape->GetSensor())
-        m_stdByOrder.push_back(&entry);
+        m_stdByOrder.push_back({entry.m_cId, entry.m_pShape.get()});
 
   for (CGroup* pGroup : {&m_cStatic, &m_cKinematic}) {
     pGroup->m_stdOrder.clear();
@@ -64,14 +65,24 @@ void CStaticBroadPhase::Build(const std::vector<CShapeEntry>& shapes) {
   DropGrid();
 }
 
+bool CStaticBroadPhase::Remove(std::unique_ptr<CShape> pShape) {
+  if (pShape->GetSensor() && pShape->GetMotionType() != eMotion::Kinematic) return true; // it is not in it
+  FailIf(pShape->GetMotionType() == eMotion::Kinematic);
+  FailIf(g_nLeastKeptShare * (m_stdRemoved.size() + 1) > Size());
+  pShape->SetCanCollide(false);
+  m_stdRemoved.push_back(std::move(pShape));
+  return true;
+}
+
 void CStaticBroadPhase::Update(const CShapeEntry& entry) {
-  const auto place = [](const CShapeEntry& e) {
-    return std::pair(e.m_pShape->GetShapeType() != eShape::Point, e.m_cId);
+  const auto place = [](const CSolidShape& solid) {
+    return std::pair(solid.m_pShape->GetShapeType() != eShape::Point, solid.m_cId);
   };
+  const CSolidShape wanted{entry.m_cId, entry.m_pShape.get()};
   const auto it = std::lower_bound(
-      m_stdByOrder.begin(), m_stdByOrder.end(), place(entry),
-      [&](const CShapeEntry* pEntry, const auto& wanted) { return place(*pEntry) < wanted; });
-  if (it == m_stdByOrder.end() || *it != &entry) return; // a sensor
+      m_stdByOrder.begin(), m_stdByOrder.end(), wanted,
+      [&](const CSolidShape& solid, const CSolidShape& other) { return place(solid) < place(other); });
+  if (it == m_stdByOrder.end() || it->m_cId != entry.m_cId) return; // a sensor
   const auto order = static_cast<std::uint32_t>(it - m_stdByOrder.begin());
   const CShape& shape = GetShape(order);
   CGroup& group = shape.GetMotionType() == eMotion::Kinematic ? m_cKinematic : m_cStatic;

@@ -6,6 +6,7 @@
 #include "../../world/WorldState.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "ShapeGrid.h"
@@ -14,12 +15,22 @@ namespace Shapes::Native {
 
 using namespace Geometry;
 
+/// A shape that is no sensor.
+struct CSolidShape {
+  CShapeId m_cId;
+  CShape* m_pShape;
+};
+
 /// The solid shapes of a world in the order of the plain loop (points by id, then the others by id), with
 /// boxes around them: kinematic shapes apart from static ones, so that only they are boxed anew.
 class CStaticBroadPhase {
 public:
-  /// Takes in the shapes that are no sensors. They have to stay where they are in memory.
+  /// Takes in the shapes that are no sensors.
   void Build(const std::vector<CShapeEntry>& shapes);
+  /// A shape was removed from the world. It is kept in its place and meets nothing, until it is worth it to
+  /// build all anew.
+  /// @returns whether it could: the answer for a kinematic shape, and where many are kept, is no
+  bool Remove(std::unique_ptr<CShape> pShape);
   /// A shape has another pose or rotation speed.
   void Update(const CShapeEntry& entry);
 
@@ -29,7 +40,7 @@ public:
   bool IsAnyTurning() const { return IsAnyKinematic(&CShape::GetRotating); }
   bool IsAnyMoving() const { return IsAnyKinematic(&CShape::GetMoving); }
   bool MovesNear(const CAabb2D& box) const;
-  const CShapeEntry& Get(std::uint32_t order) const { return *m_stdByOrder[order]; }
+  const CSolidShape& Get(std::uint32_t order) const { return m_stdByOrder[order]; }
 
   /// Puts boxes around the kinematic shapes as they are now, or around all that they sweep in the next dt
   /// seconds.
@@ -82,7 +93,7 @@ private:
     CAabbTree m_cTree;
     std::size_t m_nGrown = 0; ///< boxes that have grown since the tree was made or refitted
   };
-  const CShape& GetShape(std::uint32_t order) const { return *m_stdByOrder[order]->m_pShape; }
+  const CShape& GetShape(std::uint32_t order) const { return *m_stdByOrder[order].m_pShape; }
   bool IsAnyKinematic(bool (CShape::*is)() const) const;
   static void Query(const CGroup& group, const CAabb2D& box, std::vector<std::uint32_t>& orders);
   bool CanGridTell(float r) const { return m_bIsGridComplete && r <= m_cGrid.GetReach(); }
@@ -95,7 +106,8 @@ private:
   }
   bool IsClearOfOthers(const Vector2& p, float r) const;
 
-  std::vector<const CShapeEntry*> m_stdByOrder;
+  std::vector<CSolidShape> m_stdByOrder;
+  std::vector<std::unique_ptr<CShape>> m_stdRemoved; // that are kept
   CGroup m_cStatic, m_cKinematic;
   bool m_bIsBoxedAtRest = false; // no kinematic shape moved when they were boxed, or was moved since
   // The static shapes once more. It is made once the tree was asked so often since a shape has changed that

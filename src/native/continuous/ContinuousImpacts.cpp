@@ -202,7 +202,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
     ball.m_nLastMoving = order;
     return Halt(ball);
   }
-  const CShapeEntry& entry = m_pShapes->Get(order);
+  const CSolidShape& solid = m_pShapes->Get(order);
   const Vector2d &n = impact.m_vNorm, &surface = impact.m_vSurface;
   const CMotion before = GetMotion(ball);
   Advance(ball, impact.m_fTime);
@@ -219,7 +219,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   m_fFastest = std::max(m_fFastest, g_fSqueezed * Norm(surface));
   TakeBack(ball);
   const double approach = ApproachSpeed(ball.m_vVel, surface, n);
-  const double e = ball.m_fElasticity * static_cast<double>(entry.m_pShape->GetElasticity());
+  const double e = ball.m_fElasticity * static_cast<double>(solid.m_pShape->GetElasticity());
   const double speed = Norm(ball.m_vVel) + Norm(surface);
   const CHold hold = MakeHold(ball, order, impact, acc);
   // Where it leaves what has held it nothing but gravity accelerates it.
@@ -241,7 +241,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   ball.m_nLastOrder = order;
   if (GetPush(n, surface) != 0.0) ball.m_nLastMoving = order;
   ball.m_bIsDriven |= e > 1.0;
-  Report(entry.m_cId, ball, impact.m_vPOI, n, approach, ImpulseOf(ball.m_fMass, stays ? 0.0 : e, approach));
+  Report(solid.m_cId, ball, impact.m_vPOI, n, approach, ImpulseOf(ball.m_fMass, stays ? 0.0 : e, approach));
   EndMotion(ball);
 }
 
