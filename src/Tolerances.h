@@ -306,8 +306,8 @@ inline constexpr unsigned g_nBeforeSharing = 16;
 inline constexpr std::size_t g_nLanesPerThread = 4, g_nLeastInLane = 512;
 /// Shapes that have moved since the grid was made, and are looked at one by one; beyond it the tree is asked.
 inline constexpr std::size_t g_nMostLoose = 16;
-/// One of so many static shapes may be a removed one that is kept until all boxes are made anew: with 4,000 that
-/// takes 1 ms.
+/// One of so many static shapes may be a removed one that is kept until all boxes are made anew: with 4,000
+/// that takes 1 ms.
 inline constexpr std::size_t g_nLeastKeptShare = 4;
 /// Rounds in which a ball that overlaps several shapes is set back from all of them: it stays in the last one
 /// if that is not enough.

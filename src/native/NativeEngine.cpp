@@ -22,6 +22,7 @@ CNativeEngine::CNativeEngine(CWorldCore& world)
   for (CLane& lane : m_stdLanes)
     lane.m_pStats = &lane.m_cStats;
   First().m_pStats = &Stats();
+  First().m_cContinuous.SetSubsteps(world.GetDesc().m_nSubsteps);
 }
 
 void CNativeEngine::Added(CShapeId id) {

@@ -23,11 +23,11 @@ void AddBalls(CWorld& world, int balls, float e, std::uint64_t seed) {
     world.Add(CDynamicCircleDesc(random.InSquare(g_fHalf - 2 * g_fSmall), g_fSmall, {0, 0}, 1, e));
 }
 
-CSteered MakeCorner(float gravity, float speed, int balls = 60) {
-  CSteered steered{MakeNative(g_cAutomatic, gravity),
+CSteered MakeCorner(float gravity, float speed, unsigned substeps = 1) {
+  CSteered steered{MakeNative(g_cAutomatic, gravity, g_fDt, substeps),
                    [=](const Vector2&, const Vector2&) { return Vector2(-0.8f * speed, -0.6f * speed); }};
   AddBox(*steered.m_pWorld, g_fHalf);
-  AddBalls(*steered.m_pWorld, balls, 0.3f, 1);
+  AddBalls(*steered.m_pWorld, 60, 0.3f, 1);
   return steered;
 }
 
@@ -90,6 +90,7 @@ TEST(Steered, BallsThatAreDrivenIntoEachOtherAreSolvedTogether) {
   expect(MakeCorner(0, 5), "a corner, fast", 0.05);
   expect(MakeCorner(10, 1), "a corner, with gravity", 0.1);
   expect(MakeCorner(10, 5), "a corner, fast, with gravity", 0.05);
+  expect(MakeCorner(10, 1, 4), "a corner, with gravity, four substeps", 0.01);
   expect(MakePlanet(), "a planet", 0.01);
   for (const float speed : {2.0f, 5.0f, 20.0f})
     expect(MakeSwarm(speed), "a swarm", 0.2, 10);

@@ -69,6 +69,8 @@ public:
   /// Whether any ball or shape meets not all.
   void SetFilters(bool b) { m_bFilters = b; }
 
+  /// Of a step.
+  void SetSubsteps(unsigned substeps) { m_cResting.SetSubsteps(substeps); }
   /// Forgets what the next substep would begin its search for forces with.
   void Forget() { m_cResting.Forget(); }
 

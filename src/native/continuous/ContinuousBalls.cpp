@@ -124,7 +124,8 @@ void CContinuous::Take(std::size_t i, const CMotion& motion, const CDiscGrid::CD
   ball.m_vAcc = ball.m_bIsAsleep ? Vector2d(Vector2d::Zero()) : m_vGravity;
   ball.m_cDisc = disc;
   ball.m_bWasSqueezed = m_cResting.WasSqueezed(i);
-  ball.m_bIsSteered = m_cResting.IsSteered(i, ball.m_vVel);
+  ball.m_nSteered = m_cResting.GetSteered(i, ball.m_vVel);
+  ball.m_bIsSteered = ball.m_bWasSqueezed && ball.m_nSteered > 0;
 }
 
 // Its motion is another one.

@@ -65,7 +65,8 @@ struct CMoving {
   bool m_bIsInPile = false;                // rests on other balls, or they on it
   bool m_bIsDriven = false;                // gets energy: of what moves, or by an elasticity above 1
   bool m_bWasSqueezed = false;             // in the last substep: CRestingContacts
-  bool m_bIsSteered = false;               // it was, and since then a game has given it another velocity
+  unsigned m_nSteered = 0;                 // substeps for which it counts as steered: CRestingContacts
+  bool m_bIsSteered = false;               // was squeezed, and a game has given it another velocity
   bool m_bPresses = false;                 // on others of a pile, without gravity
   bool m_bHasPressed = false;              // likewise, on what it still touches, or that on it
   bool m_bIsPressed = false;               // overlaps more than one that falls asleep may

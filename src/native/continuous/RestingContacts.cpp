@@ -17,6 +17,7 @@ void CRestingContacts::Begin(const Vector2d& gravity, double dt) {
   m_vGravity = gravity;
   m_vUp = -Unit(gravity, Vector2d::Zero());
   m_bIsFalling = !gravity.isZero(0.0);
+  ++m_nSubstep;
   m_fStep = dt;
   m_fSlow = g_fRestingSteps * Norm(gravity) * dt;
   m_stdContacts.clear();
@@ -151,8 +152,7 @@ void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
 }
 
 void CRestingContacts::Remember(const std::vector<CMoving>& balls, std::size_t size) {
-  m_stdIsSqueezed.assign(size, false);
-  m_stdLastVels.resize(size);
+  m_stdLast.resize(size);
   m_bIsAnySqueezed = false;
   for (std::uint32_t i = 0; i < balls.size(); ++i) {
     const CMoving& ball = balls[i];
@@ -165,16 +165,17 @@ void CRestingContacts::Remember(const std::vector<CMoving>& balls, std::size_t s
     // One that flies far may be hit as often.
     const bool isFast = m_bIsFalling && Norm(ball.m_vVel) * m_fStep > ball.m_fRadius;
     const bool stays = ball.m_bWasSqueezed && (pile.m_bIsMoved || pile.m_bIsSteered || ball.m_bPresses);
-    m_stdIsSqueezed[ball.m_nBall] = !isFast && (isHit || stays);
-    m_stdLastVels[ball.m_nBall] = ball.m_vVel;
-    m_bIsAnySqueezed |= m_stdIsSqueezed[ball.m_nBall];
+    const bool isSqueezed = !isFast && (isHit || stays);
+    m_stdLast[ball.m_nBall] = {ball.m_vVel, m_nSubstep, ball.m_nSteered - (ball.m_nSteered > 0), isSqueezed};
+    m_bIsAnySqueezed |= isSqueezed;
   }
 }
 
-bool CRestingContacts::IsSteered(std::size_t ball, const Vector2d& vel) const {
-  FailIf(!WasSqueezed(ball));
-  const Vector2d& last = m_stdLastVels[ball];
-  return Norm(vel - last) > std::max(Norm(m_vGravity) * m_fStep, g_fSteered * Norm(last));
+unsigned CRestingContacts::GetSteered(std::size_t ball, const Vector2d& vel) const {
+  FailIf(!WasThere(ball));
+  const CLast& last = m_stdLast[ball];
+  const double least = std::max(Norm(m_vGravity) * m_fStep, g_fSteered * Norm(last.m_vVel));
+  return Norm(vel - last.m_vVel) > least ? m_nSubsteps : last.m_nSteered;
 }
 
 // With the share s of the velocities the pile has gained nothing where kinetic s^2 - fall s = before.

@@ -59,15 +59,17 @@ public:
   void Forget() {
     m_stdKnown.clear();
     m_stdNear.clear();
-    m_stdIsSqueezed.clear();
+    m_stdLast.clear();
     m_bIsAnySqueezed = false;
   }
   /// Remembers at the end of the substep who of `size` in the arrays is squeezed.
   void Remember(const std::vector<CMoving>& balls, std::size_t size);
   /// Of the ball of this index in the arrays.
-  bool WasSqueezed(std::size_t ball) const { return ball < m_stdIsSqueezed.size() && m_stdIsSqueezed[ball]; }
-  /// Whether one that was has got another velocity since then.
-  bool IsSteered(std::size_t ball, const Vector2d& vel) const;
+  bool WasSqueezed(std::size_t ball) const { return WasThere(ball) && m_stdLast[ball].m_bIsSqueezed; }
+  /// Substeps for which the ball counts as steered, this one included: those of a step, after a game has
+  /// given it this velocity.
+  unsigned GetSteered(std::size_t ball, const Vector2d& vel) const;
+  void SetSubsteps(unsigned substeps) { m_nSubsteps = substeps; }
   /// Whether pairs are looked for.
   bool IsCalledFor() const { return m_bIsFalling || m_bIsAnySqueezed; }
   /// Whether either of the two was: then both rest on each other at any speed.
@@ -120,6 +122,13 @@ private:
     double m_fImpulse;
     std::uint32_t m_nContact; // of this pair
   };
+  // A ball at the end of the last substep in which it was looked at.
+  struct CLast {
+    Vector2d m_vVel = Vector2d::Zero();
+    std::uint64_t m_nSubstep = 0;
+    unsigned m_nSteered = 0; // substeps for which it counts as steered from then on
+    bool m_bIsSqueezed = false;
+  };
   // Of a pile.
   struct CEnergy {
     double m_fBefore = 0.0;    // kinetic, without the work of lifting balls as they were moved apart
@@ -133,6 +142,10 @@ private:
   // By which it is known in the next substep, too, whichever of two balls is the upper one.
   static std::uint64_t GetPair(const CContact& c, const std::vector<CMoving>& balls);
   double GetSpeed(const CContact& c, const std::vector<CMoving>& balls) const;
+  // Whether it was looked at in the last substep.
+  bool WasThere(std::size_t ball) const {
+    return ball < m_stdLast.size() && m_stdLast[ball].m_nSubstep + 1 == m_nSubstep;
+  }
   bool MayStop(const CMoving& ball, const CMoving& other) const {
     return !m_bIsFalling || ball.m_bIsSteered || other.m_bIsSteered;
   }
@@ -185,10 +198,11 @@ private:
   std::vector<std::uint32_t> m_stdFirst;      // of each ball among them, and where the last one's end
   std::vector<double> m_stdLifts;             // the work of lifting each ball as they were moved apart
   std::vector<CEnergy> m_stdEnergies;         // of each pile, by its ball
-  std::vector<bool> m_stdIsSqueezed;          // in the last substep, by the index in the arrays
-  std::vector<Vector2d> m_stdLastVels;        // at the end of it, of these
-  bool m_bIsAnySqueezed = false;
-  std::vector<CKnown> m_stdKnown, m_stdNear; // pairs of the last substep and of this one, in order
+  std::vector<CLast> m_stdLast;               // of each ball, by the index in the arrays
+  bool m_bIsAnySqueezed = false;              // in the last substep
+  unsigned m_nSubsteps = 1;                   // of a step
+  std::uint64_t m_nSubstep = 0;               // this one
+  std::vector<CKnown> m_stdKnown, m_stdNear;  // pairs of the last substep and of this one, in order
 };
 
 } // namespace Shapes::Native
