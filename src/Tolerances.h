@@ -76,10 +76,10 @@ inline constexpr double g_fRestingSteps = 2.0;
 /// more. In steps of .03 to .1 s that leaves overlaps of .1 radii and more to 1 of 70 piles, without the
 /// latter to 1 of 10; .02 would take 10% more time in shorter ones.
 inline constexpr double g_fPassedOverlap = 0.05;
-/// Most impacts in a substep of a ball that touches others, under gravity, where no shape turns: for the rest
-/// of it it is halted. Bounds the time of a pile that falls together or is squeezed by a wall. Through a neck
-/// of four diameters 300 balls flow at .72 of the rate without this bound with 16, at .89 of it with 64, for
-/// up to an eighth more time.
+/// Most impacts in a substep of a ball of a pile, where no shape turns: for the rest of it it is halted.
+/// Bounds the time of a pile that falls together or is squeezed by a wall. Through a neck of four diameters
+/// 300 balls flow at .72 of the rate without this bound with 16, at .89 of it with 64, for up to an eighth
+/// more time.
 inline constexpr unsigned g_nCrowded = 64;
 /// A ball that is halted within this share of a substep has got nowhere in it: it is stuck, and has no
 /// velocity. In slots that are too narrow by a rounding they are halted within 6e-6 at most.
@@ -155,10 +155,10 @@ inline constexpr double g_fMostGrowth = 2.0;
 /// of 1,000 times the mass press the others through each other.
 inline constexpr double g_fShock = 10.0;
 inline constexpr int g_nShockRounds = 2;
-/// Impacts in a substep of a ball that touches others, under gravity, after which it is squeezed between what
-/// comes upon it and what gives no way, and no longer becomes faster than the fastest ball was at the
-/// beginning of the substep, or than so many times the surfaces that were met. Exactly it would leave at the
-/// speed of their approach over the sine of the angle between them, which is small for an instant only.
+/// Impacts in a substep of a ball that touches others, after which it is squeezed between what comes upon it
+/// and what gives no way, and no longer becomes faster than the fastest ball was at the beginning of the
+/// substep, or than so many times the surfaces that were met. Exactly it would leave at the speed of their
+/// approach over the sine of the angle between them, which is small for an instant only.
 inline constexpr unsigned g_nSqueezed = 8;
 inline constexpr double g_fSqueezed = 2.0;
 /// Change of the velocity of a squeezed ball between two substeps, as a share of it and above what gravity

@@ -30,10 +30,16 @@ void CNativeEngine::Added(CShapeId id) {
   Changed(id, eChange::Sensor);
 }
 
-void CNativeEngine::Removed(CShapeId, std::unique_ptr<CShape> pShape) {
+void CNativeEngine::Removed(CShapeId id, std::unique_ptr<CShape> pShape) {
   m_bBallsChanged = true;
   m_cState.m_cBalls.m_bIsDisturbed = true;
-  if (pShape != nullptr && !m_bShapesChanged) m_bShapesChanged = !m_cBroadPhase.Remove(std::move(pShape));
+  if (pShape == nullptr) {
+    const std::vector<CShapeId>& ids = m_cState.m_cBalls.m_stdId;
+    const auto place = std::lower_bound(ids.begin(), ids.end(), id) - ids.begin();
+    First().m_cContinuous.ForgetBall(static_cast<std::size_t>(place));
+  } else if (!m_bShapesChanged) {
+    m_bShapesChanged = !m_cBroadPhase.Remove(std::move(pShape));
+  }
 }
 
 void CNativeEngine::Changed(CShapeId id, eChange change) {

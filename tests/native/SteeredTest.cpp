@@ -147,7 +147,7 @@ TEST(Steered, AnExplosionEachSecondHaltsFew) {
       }
     pWorld->Step();
   }
-  EXPECT_LT(pWorld->GetStats().m_nBallsHalted, 3000u);
+  EXPECT_LT(pWorld->GetStats().m_nBallsHalted, 5000u);
 }
 
 } // namespace

@@ -83,7 +83,7 @@ void CContinuous::MoveTogether() {
 // Those that were taken, from impact to impact until the substep ends.
 void CContinuous::FollowBalls() {
   m_stdQueue.clear();
-  m_cResting.SetFastest(m_fFastest);
+  m_cResting.SetSlow(m_stdBalls);
   if (m_cResting.IsCalledFor())
     FindRestingContacts();
   else
@@ -226,13 +226,13 @@ double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const V
   return motion.m_fDuration / g_fInstant;
 }
 
-// Moves a ball along n; if it could get through something by that, or by all such moves of the substep, only
-// up to what is in the way.
+// Moves a ball along n; if it could get through something by that, or by the sum of such moves in the
+// substep, only up to what is in the way.
 void CContinuous::CorrectPosition(std::uint32_t i, const Vector2d& n, double depth) {
   CMoving& ball = m_stdBalls[i];
   const Vector2d from = m_pBalls->m_stdPos[ball.m_nBall].cast<double>();
   const Vector2d way = ball.m_vPos + depth * n - from;
-  if (Norm(way) > g_fFarCorrection * ball.m_fRadius) {
+  if (std::max(depth, 0.5 * Norm(way)) > g_fFarCorrection * ball.m_fRadius) {
     const Vector2d clear = ball.m_vPos + Clear(SizeOf(ball.m_vPos, ball.m_fRadius), depth) * n;
     depth *= GetFreeShare(ball, clear, depth * n, 0.0, nullptr);
   }

@@ -69,6 +69,8 @@ public:
   /// Whether any ball or shape meets not all.
   void SetFilters(bool b) { m_bFilters = b; }
 
+  /// A ball was removed from this place in the arrays.
+  void ForgetBall(std::size_t ball) { m_cResting.ForgetBall(ball); }
   /// Of a step.
   void SetSubsteps(unsigned substeps) { m_cResting.SetSubsteps(substeps); }
   /// Forgets what the next substep would begin its search for forces with.

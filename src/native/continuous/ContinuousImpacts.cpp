@@ -347,9 +347,11 @@ void CContinuous::EndMotion(CMoving& ball) {
   m_stdPathVertices.push_back(
       {ball.m_nBall, ToFloat(ball.m_vPos), static_cast<float>(ball.m_fTime / m_fStep)});
   ++ball.m_nImpacts;
-  // Elastic balls pass on what they have, and keep it where no shape gives more.
-  const bool mayKeep = ball.m_fElasticity >= 1.0 && !m_pShapes->IsAnyMoving();
-  if (ball.m_bIsNearBall && ball.m_nImpacts >= g_nSqueezed && !mayKeep) {
+  // Elastic balls pass on what they have, and keep it where nothing gives more.
+  const auto mayKeep = [&] {
+    return ball.m_fElasticity == 1.0 && !ball.m_bIsDriven && !m_pShapes->IsAnyMoving();
+  };
+  if (ball.m_bIsNearBall && ball.m_nImpacts >= g_nSqueezed && !mayKeep()) {
     const double most = m_fFastest + m_fFall, speed = Norm(ball.m_vVel);
     if (speed > most) ball.m_vVel *= most / speed;
   }

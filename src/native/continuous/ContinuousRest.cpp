@@ -81,12 +81,13 @@ void CContinuous::SolveRestingContacts() {
   }
 }
 
-// Whether two balls meet no faster than what gravity gives in a substep presses them together.
+// Whether two balls meet no faster than what gravity gives in a substep, or a pile may still move by, presses
+// them together.
 bool CContinuous::IsSlow(const CMoving& ball, const CMoving& other, double approach) const {
-  if (!m_cResting.IsCalledFor() || ball.m_bIsHalted || other.m_bIsHalted || approach > m_cResting.GetSlow())
-    return false;
+  if (ball.m_bIsHalted || other.m_bIsHalted || approach > m_cResting.GetSlow()) return false;
+  if (ball.m_bIsInPile || other.m_bIsInPile) return true;
   const double out = ball.m_fElasticity * other.m_fElasticity * approach;
-  return ball.m_bIsInPile || other.m_bIsInPile || IsHop(out, ball.m_cNext.m_cImpact.m_fClosing, 0.0);
+  return IsFalling() && IsHop(out, ball.m_cNext.m_cImpact.m_fClosing, 0.0);
 }
 
 // An impact without elasticity of two balls that move as what holds them lets them. Without it the upper one

@@ -68,7 +68,7 @@ struct CMoving {
   unsigned m_nSteered = 0;                 // substeps for which it counts as steered: CRestingContacts
   bool m_bIsSteered = false;               // was squeezed, and a game has given it another velocity
   bool m_bPresses = false;                 // on others of a pile, without gravity
-  bool m_bHasPressed = false;              // likewise, on what it still touches, or that on it
+  bool m_bHasPressed = false;              // in the last substep, on what it still touches, or that on it
   bool m_bIsPressed = false;               // overlaps more than one that falls asleep may
 
   double GetKinetic() const { return 0.5 * m_fMass * m_vVel.squaredNorm(); } // energy

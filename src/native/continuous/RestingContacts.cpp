@@ -136,10 +136,13 @@ void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
   m_cPiles.Reset(balls.size());
   for (const CContact& c : m_stdContacts)
     if (c.m_bIsBall) m_cPiles.Join(c.m_nBall, c.m_nOther);
-  m_stdIsHeld.assign(balls.size(), !m_bIsFalling);
-  for (const CContact& c : m_stdContacts)
-    if (!c.m_bIsBall || balls[c.m_nBall].m_bIsSteered || balls[c.m_nOther].m_bIsSteered)
+  m_stdIsHeld.assign(balls.size(), false);
+  const auto holds = [this](const CMoving& b) { return m_bIsFalling ? b.m_bIsSteered : b.m_bWasSqueezed; };
+  for (const CContact& c : m_stdContacts) {
+    const CMoving &ball = balls[c.m_nBall], &other = c.m_bIsBall ? balls[c.m_nOther] : ball;
+    if ((m_bIsFalling && !c.m_bIsBall) || holds(ball) || holds(other))
       m_stdIsHeld[m_cPiles.Find(c.m_nBall)] = true;
+  }
   std::erase_if(m_stdContacts, [&](const CContact& c) { return !m_stdIsHeld[m_cPiles.Find(c.m_nBall)]; });
   for (CContact& c : m_stdContacts)
     c.m_fKey = static_cast<double>(m_cPiles.Find(c.m_nBall));
@@ -151,6 +154,18 @@ void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
   FindNeighbours(balls.size());
 }
 
+void CRestingContacts::SetSlow(const std::vector<CMoving>& balls) {
+  if (m_bIsFalling) return;
+  double fastest = 0.0; // squared
+  for (const CMoving& ball : balls)
+    if (ball.m_bWasSqueezed) fastest = std::max(fastest, ball.m_vVel.squaredNorm());
+  m_fSlow = g_fFlowError * std::sqrt(fastest);
+}
+
+void CRestingContacts::ForgetBall(std::size_t ball) {
+  if (ball < m_stdLast.size()) m_stdLast.erase(m_stdLast.begin() + static_cast<std::ptrdiff_t>(ball));
+}
+
 void CRestingContacts::Remember(const std::vector<CMoving>& balls, std::size_t size) {
   m_stdLast.resize(size);
   m_bIsAnySqueezed = false;
@@ -159,23 +174,26 @@ void CRestingContacts::Remember(const std::vector<CMoving>& balls, std::size_t s
     // One that was taken late has no pile.
     const CEnergy pile = i < m_stdEnergies.size() ? m_stdEnergies[m_cPiles.Find(i)] : CEnergy();
     const bool isJammed = m_bIsFalling ? ball.m_bIsNearBall : ball.m_bIsHalted || pile.m_bIsSteered;
-    // What is elastic goes on bouncing, unless a shape presses it.
-    const bool isElastic = ball.m_fElasticity >= 1.0 && ball.m_nLastMoving == g_nNobody && !pile.m_bIsMoved;
-    const bool isHit = ball.m_nImpacts >= g_nSqueezed && isJammed && !isElastic;
+    // What is elastic goes on bouncing, unless a shape or a game presses it.
+    const bool isElastic = ball.m_fElasticity >= 1.0 && ball.m_nLastMoving == g_nNobody && !pile.m_bIsMoved &&
+                           ball.m_nSteered == 0 && !pile.m_bIsSteered;
+    const bool isHit = ball.m_nImpacts >= g_nSqueezed && isJammed;
     // One that flies far may be hit as often.
     const bool isFast = m_bIsFalling && Norm(ball.m_vVel) * m_fStep > ball.m_fRadius;
     const bool stays = ball.m_bWasSqueezed && (pile.m_bIsMoved || pile.m_bIsSteered || ball.m_bPresses);
-    const bool isSqueezed = !isFast && (isHit || stays);
-    m_stdLast[ball.m_nBall] = {ball.m_vVel, m_nSubstep, ball.m_nSteered - (ball.m_nSteered > 0), isSqueezed};
+    const bool isSqueezed = !isFast && !isElastic && (isHit || stays);
+    const unsigned steered = ball.m_nSteered > 0 ? ball.m_nSteered - 1 : 0;
+    m_stdLast[ball.m_nBall] = {ToFloat(ball.m_vVel), m_nSubstep, static_cast<std::uint16_t>(steered),
+                               isSqueezed};
     m_bIsAnySqueezed |= isSqueezed;
   }
 }
 
 unsigned CRestingContacts::GetSteered(std::size_t ball, const Vector2d& vel) const {
   FailIf(!WasThere(ball));
-  const CLast& last = m_stdLast[ball];
-  const double least = std::max(Norm(m_vGravity) * m_fStep, g_fSteered * Norm(last.m_vVel));
-  return Norm(vel - last.m_vVel) > least ? m_nSubsteps : last.m_nSteered;
+  const Vector2d last = m_stdLast[ball].m_vVel.cast<double>();
+  const double least = std::max(Norm(m_vGravity) * m_fStep, g_fSteered * Norm(last));
+  return Norm(vel - last) > least ? m_nSubsteps : m_stdLast[ball].m_nSteered;
 }
 
 // With the share s of the velocities the pile has gained nothing where kinetic s^2 - fall s = before.

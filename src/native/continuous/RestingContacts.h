@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "../../Tolerances.h"
 #include "ContactSolver.h"
 #include "Groups.h"
 #include "Moving.h"
@@ -26,9 +25,9 @@ namespace Shapes::Native {
 /// that a game steers: it gives balls another velocity in each substep, as to a swarm that it drives. Such a
 /// pile need not lie on a shape.
 ///
-/// An elastic ball that no shape presses is not squeezed. Without gravity balls rest on each other only where
-/// one is, and it comes to that if it was halted, or hit as often in a pile that is steered; it stays so as
-/// long as it presses on others.
+/// An elastic ball that neither a shape nor a game presses is not squeezed. Without gravity balls rest on
+/// each other only in a pile in which one is, and it comes to that if it was halted, or hit as often in a
+/// pile that is steered; it stays so as long as it presses on others.
 ///
 /// Balls of a pile move straight on within the substep, at the velocities that they have at its end: those
 /// that gravity gives, changed by impulses along the normals that push and never pull, so that no pair ends
@@ -45,10 +44,8 @@ public:
   void Begin(const Vector2d& gravity, double dt);
   /// The speed that gravity gives in g_fRestingSteps substeps.
   double GetSlow() const { return m_fSlow; }
-  /// Without gravity what is slow depends on the speed of the fastest ball.
-  void SetFastest(double fastest) {
-    if (!m_bIsFalling) m_fSlow = g_fFlowError * fastest;
-  }
+  /// Without gravity what is slow depends on the fastest of the balls that were squeezed.
+  void SetSlow(const std::vector<CMoving>& balls);
   /// Takes up a pair of balls, or a ball and the shape of this order (`isBall` false).
   /// @param impact  as of Near, for balls that are accelerated by gravity
   void Add(std::uint32_t ball, std::uint32_t other, bool isBall, const CImpact& impact, double gap);
@@ -62,6 +59,8 @@ public:
     m_stdLast.clear();
     m_bIsAnySqueezed = false;
   }
+  /// A ball was removed: those after it have other indices in the arrays.
+  void ForgetBall(std::size_t ball);
   /// Remembers at the end of the substep who of `size` in the arrays is squeezed.
   void Remember(const std::vector<CMoving>& balls, std::size_t size);
   /// Of the ball of this index in the arrays.
@@ -124,9 +123,9 @@ private:
   };
   // A ball at the end of the last substep in which it was looked at.
   struct CLast {
-    Vector2d m_vVel = Vector2d::Zero();
-    std::uint64_t m_nSubstep = 0;
-    unsigned m_nSteered = 0; // substeps for which it counts as steered from then on
+    Vector2 m_vVel = Vector2::Zero();
+    std::uint32_t m_nSubstep = 0;
+    std::uint16_t m_nSteered = 0; // substeps for which it counts as steered from then on
     bool m_bIsSqueezed = false;
   };
   // Of a pile.
@@ -201,7 +200,7 @@ private:
   std::vector<CLast> m_stdLast;               // of each ball, by the index in the arrays
   bool m_bIsAnySqueezed = false;              // in the last substep
   unsigned m_nSubsteps = 1;                   // of a step
-  std::uint64_t m_nSubstep = 0;               // this one
+  std::uint32_t m_nSubstep = 0;               // this one, modulo 2^32
   std::vector<CKnown> m_stdKnown, m_stdNear;  // pairs of the last substep and of this one, in order
 };
 
