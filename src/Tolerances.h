@@ -161,7 +161,7 @@ inline constexpr int g_nShockRounds = 2;
 /// approach over the sine of the angle between them, which is small for an instant only.
 inline constexpr unsigned g_nSqueezed = 8;
 inline constexpr double g_fSqueezed = 2.0;
-/// Change of the velocity of a squeezed ball between two substeps, as a share of it and above what gravity
+/// Change of the velocity of a ball between two substeps, as a share of it and above what gravity
 /// gives in one, by which a game steers it: less may be a drag.
 inline constexpr double g_fSteered = 0.1;
 /// Last rounds in which only shapes push: a ball in a wedge is pushed by both sides in turns.

@@ -178,7 +178,7 @@ TEST(ElasticCrowd, KeepsItsEnergy) {
   EXPECT_NEAR(GetEnergyLeft({10, 17, 0.155f, 1.5f, 5, 100}), 1, 1e-3);
 }
 
-// What flies far is not squeezed, however often it is hit: .3 would be left.
+// A ball that flies far is not squeezed, however often it is hit: .3 would be left.
 TEST(ElasticCrowd, LosesLittleIfItIsNearlyElastic) {
   EXPECT_GT(GetEnergyLeft({10, 13, 0.2f, 1.5f, 40, 10, 0.999f}), 0.8);
 }

@@ -116,7 +116,7 @@ TEST(Steered, DrivenBallsGoThroughNoWall) {
       }
 }
 
-// What a game drives into a corner and then leaves alone gains nothing and comes apart.
+// Balls that a game drives into a corner and then leaves alone gain nothing and come apart.
 TEST(Steered, WhatIsLeftAloneGainsNoEnergy) {
   for (const float speed : {1.0f, 20.0f}) {
     CSteered steered = MakeCorner(0, speed);

@@ -66,8 +66,8 @@ void CStaticBroadPhase::Build(const std::vector<CShapeEntry>& shapes) {
 }
 
 bool CStaticBroadPhase::Remove(std::unique_ptr<CShape> pShape) {
-  if (pShape->GetSensor() && pShape->GetMotionType() != eMotion::Kinematic) return true; // it is not in it
   FailIf(pShape->GetMotionType() == eMotion::Kinematic);
+  if (pShape->GetSensor()) return true; // it is not in it
   FailIf(g_nLeastKeptShare * (m_stdRemoved.size() + 1) > Size());
   pShape->SetCanCollide(false);
   m_stdRemoved.push_back(std::move(pShape));

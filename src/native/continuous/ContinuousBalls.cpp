@@ -125,7 +125,6 @@ void CContinuous::Take(std::size_t i, const CMotion& motion, const CDiscGrid::CD
   ball.m_cDisc = disc;
   ball.m_bWasSqueezed = m_cResting.WasSqueezed(i);
   ball.m_nSteered = m_cResting.GetSteered(i, ball.m_vVel);
-  ball.m_bIsSteered = ball.m_bWasSqueezed && ball.m_nSteered > 0;
 }
 
 // Its motion is another one.

@@ -66,11 +66,12 @@ struct CMoving {
   bool m_bIsDriven = false;                // gets energy: of what moves, or by an elasticity above 1
   bool m_bWasSqueezed = false;             // in the last substep: CRestingContacts
   unsigned m_nSteered = 0;                 // substeps for which it counts as steered: CRestingContacts
-  bool m_bIsSteered = false;               // was squeezed, and a game has given it another velocity
   bool m_bPresses = false;                 // on others of a pile, without gravity
   bool m_bHasPressed = false;              // in the last substep, on what it still touches, or that on it
   bool m_bIsPressed = false;               // overlaps more than one that falls asleep may
 
+  // Whether it was squeezed, and a game has given it another velocity.
+  bool IsSteered() const { return m_bWasSqueezed && m_nSteered > 0; }
   double GetKinetic() const { return 0.5 * m_fMass * m_vVel.squaredNorm(); } // energy
 };
 

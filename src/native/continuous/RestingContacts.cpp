@@ -137,7 +137,7 @@ void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
   for (const CContact& c : m_stdContacts)
     if (c.m_bIsBall) m_cPiles.Join(c.m_nBall, c.m_nOther);
   m_stdIsHeld.assign(balls.size(), false);
-  const auto holds = [this](const CMoving& b) { return m_bIsFalling ? b.m_bIsSteered : b.m_bWasSqueezed; };
+  const auto holds = [this](const CMoving& b) { return m_bIsFalling ? b.IsSteered() : b.m_bWasSqueezed; };
   for (const CContact& c : m_stdContacts) {
     const CMoving &ball = balls[c.m_nBall], &other = c.m_bIsBall ? balls[c.m_nOther] : ball;
     if ((m_bIsFalling && !c.m_bIsBall) || holds(ball) || holds(other))
@@ -174,7 +174,7 @@ void CRestingContacts::Remember(const std::vector<CMoving>& balls, std::size_t s
     // One that was taken late has no pile.
     const CEnergy pile = i < m_stdEnergies.size() ? m_stdEnergies[m_cPiles.Find(i)] : CEnergy();
     const bool isJammed = m_bIsFalling ? ball.m_bIsNearBall : ball.m_bIsHalted || pile.m_bIsSteered;
-    // What is elastic goes on bouncing, unless a shape or a game presses it.
+    // An elastic ball goes on bouncing, unless a shape or a game presses it.
     const bool isElastic = ball.m_fElasticity >= 1.0 && ball.m_nLastMoving == g_nNobody && !pile.m_bIsMoved &&
                            ball.m_nSteered == 0 && !pile.m_bIsSteered;
     const bool isHit = ball.m_nImpacts >= g_nSqueezed && isJammed;
@@ -223,7 +223,7 @@ void CRestingContacts::Solve(std::vector<CMoving>& balls) {
   ForEachInPile(balls, [&](CMoving& ball, CEnergy& pile, double) {
     ball.m_vVel *= pile.GetShare();
     ball.m_vGiven += ball.m_vVel / m_fStep;
-    // What a game gives a ball it has at once.
+    // Without gravity a ball has the velocity that a game gives it at once.
     if (!m_bIsFalling) ball.m_vGiven.setZero();
   });
 }
@@ -251,7 +251,7 @@ void CRestingContacts::SolvePile(std::span<CContact> pile, std::vector<CMoving>&
     balls[i].m_vFall = balls[i].m_vAcc = Vector2d::Zero(); // gravity has been there
     balls[i].m_bIsMoved = true;
     balls[i].m_bIsDriven |= surface > 0.0;
-    energy.m_bIsSteered |= balls[i].m_bIsSteered;
+    energy.m_bIsSteered |= balls[i].IsSteered();
   };
   for (std::size_t k = 0; k < pile.size(); ++k) {
     CContact& c = pile[k];

@@ -146,7 +146,7 @@ private:
     return ball < m_stdLast.size() && m_stdLast[ball].m_nSubstep + 1 == m_nSubstep;
   }
   bool MayStop(const CMoving& ball, const CMoving& other) const {
-    return !m_bIsFalling || ball.m_bIsSteered || other.m_bIsSteered;
+    return !m_bIsFalling || ball.IsSteered() || other.IsSteered();
   }
   bool IsPair(const CContact& c, const std::vector<CMoving>& balls) const;
   void Order(std::vector<CMoving>& balls);
