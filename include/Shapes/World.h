@@ -157,7 +157,8 @@ public:
 
   /// All shapes, their poses and properties, and the gravity; not the statistics or the contacts. A world
   /// that goes on after SaveState, and one that goes on after LoadState of it, have the same bits on the same
-  /// engine.
+  /// engine. On native saving changes nothing; on Box2D the bodies are made anew, without the impulses with
+  /// which a step begins its search, so that piles which are saved in each step do not come to rest.
   CSavedState SaveState();
   /// The ids are those of the state from then on. Where another world has saved it, an id that this one has
   /// given before may name another shape in it.

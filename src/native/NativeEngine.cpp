@@ -56,6 +56,22 @@ void CNativeEngine::Changed(CShapeId id, eChange change) {
     m_cBroadPhase.Update(m_cState.m_stdShapes[k]);
 }
 
+// As of the last substep in which balls were swept.
+struct CNativeMemory final : CEngineMemory {
+  CRestingContacts::CMemory m_cResting;
+  explicit CNativeMemory(const CRestingContacts::CMemory& resting) : m_cResting(resting) {}
+};
+
+std::shared_ptr<const CEngineMemory> CNativeEngine::Save() {
+  return std::make_shared<CNativeMemory>(First().m_cContinuous.GetMemory());
+}
+
+void CNativeEngine::Loaded(const CEngineMemory* pMemory) {
+  m_bShapesChanged = m_bBallsChanged = true;
+  const auto* const pNative = dynamic_cast<const CNativeMemory*>(pMemory);
+  First().m_cContinuous.SetMemory(pNative != nullptr ? pNative->m_cResting : CRestingContacts::CMemory());
+}
+
 void CNativeEngine::UpdateBroadPhase() {
   m_cBroadPhase.Build(m_cState.m_stdShapes);
   m_stdKinematic.clear();

@@ -28,12 +28,8 @@ public:
   void Changed(CShapeId id, eChange change) override;
   void Plan(CEffects running) override;
   void Substep(float dt) override;
-  /// A world that goes on and one that is loaded take the same steps.
-  void Saved() override { First().m_cContinuous.Forget(); }
-  void Loaded() override {
-    m_bShapesChanged = m_bBallsChanged = true;
-    First().m_cContinuous.Forget();
-  }
+  std::shared_ptr<const CEngineMemory> Save() override;
+  void Loaded(const CEngineMemory* pMemory) override;
 
 private:
   // Where a thread works, and what came of it.

@@ -35,6 +35,11 @@ enum class eChange {
 /// The kind of the call that the user is about to make.
 enum class eAccess { Read, Change, SetGravity, Step, SaveLoad };
 
+/// What the next step of an engine depends on beyond the state.
+struct CEngineMemory {
+  virtual ~CEngineMemory() = default;
+};
+
 /// Steps the shapes and balls in the state of its world. It is made with the world, when the state is empty,
 /// and called in this order (tests/world/EngineTest.cpp keeps it):
 ///
@@ -44,7 +49,7 @@ enum class eAccess { Read, Change, SetGravity, Step, SaveLoad };
 ///   Plan             before the first Substep, and before the next one where the set of running effects is
 ///                    another one; what depends on anything else follows from Added, Removed and Changed
 ///   Substep          m_nSubsteps times for each Step; it leaves in the state where everything is then
-///   Saved            after the state was copied
+///   Save             after the state was copied
 ///   Loaded           after the state was replaced; instead of Added and Removed for what is in it
 class CEngine {
 public:
@@ -63,8 +68,11 @@ public:
   /// whose balls do not sleep sets m_bIsDisturbed.
   /// @param dt  seconds
   virtual void Substep(float dt) = 0;
-  virtual void Saved() {}
-  virtual void Loaded() = 0;
+  /// @returns what is kept with the copy of the state, for Loaded; none if nothing has to be. A world that
+  ///          goes on and one that loads the copy take the same steps.
+  virtual std::shared_ptr<const CEngineMemory> Save() { return nullptr; }
+  /// @param pMemory  what Save has returned, perhaps that of an engine of another kind; null if nothing
+  virtual void Loaded(const CEngineMemory* pMemory) = 0;
 
   /// How far apart it holds what lies on each other, user units.
   virtual float GetTouchReach() const { return 0.0f; }

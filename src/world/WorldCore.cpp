@@ -318,7 +318,7 @@ void CWorld::CImpl::AddPathVertex(std::size_t ball, const Vector2& p, float t) {
 
 CWorldState CWorld::CImpl::SaveState() {
   CWorldState saved = m_cState;
-  m_pEngine->Saved();
+  saved.m_pMemory = m_pEngine->Save();
   return saved;
 }
 
@@ -341,7 +341,7 @@ void CWorld::CImpl::LoadState(const CWorldState& state) {
   m_cSensors.Invalidate();
   m_cContent = CountContent(m_cState);
   InvalidatePlan();
-  m_pEngine->Loaded();
+  m_pEngine->Loaded(std::exchange(m_cState.m_pMemory, nullptr).get());
 }
 
 } // namespace Shapes

@@ -122,6 +122,7 @@ public:
   // Whose end was not told yet, in order: with sensors, and of what is solid.
   std::vector<CTouchingPair> m_stdTouching;
   std::vector<CTouchingPair> m_stdSolidTouching;
+  std::shared_ptr<const CEngineMemory> m_pMemory; // of a state that was saved: what goes with it
 
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
   /// Index in m_stdShapes or in the ball arrays; npos if there is none. Ids ascend in both.

@@ -231,7 +231,6 @@ TEST(NativeWorldTest, ShapesThatAreRemovedMeetNothing) {
               ++removed;
             }
         }
-        pKept->SaveState();
         pAnew->LoadState(pAnew->SaveState());
         ASSERT_TRUE(HaveSameBits(*pKept, *pAnew)) << step;
       }

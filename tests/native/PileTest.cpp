@@ -322,15 +322,5 @@ TEST(Pile, BallsUnderAPaddleAreNotHitHundredsOfTimes) {
 }
 
 // The impulses with which the solver begins are no part of a saved state.
-TEST(Pile, APileThatIsLoadedTakesTheSameSteps) {
-  const CPile pile = MakePile({}, 3), other = MakePile({}, 3);
-  Steps(*pile.m_pWorld, 90); // they lie on each other, and move
-  other.m_pWorld->LoadState(pile.m_pWorld->SaveState());
-  InEachStep(*pile.m_pWorld, 100, [&](int) {
-    other.m_pWorld->Step();
-    EXPECT_TRUE(HaveSameBits(*pile.m_pWorld, *other.m_pWorld));
-  });
-}
-
 } // namespace
 } // namespace Shapes

@@ -32,11 +32,17 @@ public:
     m_stdCalls.emplace_back("Substep");
     m_stdSubstep();
   }
-  void Saved() override { m_stdCalls.emplace_back("Saved"); }
-  void Loaded() override { m_stdCalls.emplace_back("Loaded"); }
+  std::shared_ptr<const CEngineMemory> Save() override {
+    m_stdCalls.emplace_back("Save");
+    return m_pMemory;
+  }
+  void Loaded(const CEngineMemory* pMemory) override {
+    m_stdCalls.emplace_back(pMemory == m_pMemory.get() ? "Loaded" : "Loaded without memory");
+  }
 
   std::function<void()> m_stdSubstep = [] {}; // what it does in one
   CEngineCalls m_stdCalls;
+  std::shared_ptr<const CEngineMemory> m_pMemory = std::make_shared<CEngineMemory>();
   bool m_bRefuses = false;
   CEffects m_cPlanned;
   float m_fSubstep = 0;
@@ -136,7 +142,7 @@ TEST(EngineOrder, StatesAreSavedAndLoadedAfterTheAccess) {
   world->Add(CDynamicCircleDesc({0, 0}, 1));
   world.Calls();
   const CSavedState state = world->SaveState();
-  EXPECT_EQ(world.Calls(), (CEngineCalls{"save", "Saved"}));
+  EXPECT_EQ(world.Calls(), (CEngineCalls{"save", "Save"}));
   world->LoadState(state);
   EXPECT_EQ(world.Calls(), (CEngineCalls{"save", "Loaded"}));
 }

@@ -34,7 +34,7 @@ public:
   void Changed(CShapeId id, eChange change) override;
   void Plan(CEffects running) override { m_pStepper->Plan(running); }
   void Substep(float) override {} // not called: Step is refused
-  void Loaded() override {}
+  void Loaded(const CEngineMemory*) override {}
   float GetTouchReach() const override { return m_pStepper->GetTouchReach(); }
 
 private:

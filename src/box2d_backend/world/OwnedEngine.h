@@ -25,8 +25,11 @@ public:
   void Substep(float dt) override;
   // Bodies made anew have no contacts and no cached impulses: a world that goes on from a saved state has the
   // same bits.
-  void Saved() override { Rebuild(); }
-  void Loaded() override { Rebuild(); }
+  std::shared_ptr<const CEngineMemory> Save() override {
+    Rebuild();
+    return nullptr;
+  }
+  void Loaded(const CEngineMemory*) override { Rebuild(); }
   float GetTouchReach() const override { return m_pStepper->GetTouchReach(); }
 
 private:

@@ -73,8 +73,9 @@ public:
   void ForgetBall(std::size_t ball) { m_cResting.ForgetBall(ball); }
   /// Of a step.
   void SetSubsteps(unsigned substeps) { m_cResting.SetSubsteps(substeps); }
-  /// Forgets what the next substep would begin its search for forces with.
-  void Forget() { m_cResting.Forget(); }
+  /// What the next substep depends on beyond the state.
+  const CRestingContacts::CMemory& GetMemory() const { return m_cResting.GetMemory(); }
+  void SetMemory(const CRestingContacts::CMemory& memory) { m_cResting.SetMemory(memory); }
 
   /// The impacts in the order of time.
   const std::vector<CContactEvent>& GetContacts();
@@ -140,6 +141,7 @@ private:
   std::uint32_t GetIndex(const CMoving& ball) const {
     return static_cast<std::uint32_t>(&ball - m_stdBalls.data());
   }
+  CShapeId GetId(const CMoving& ball) const { return m_pBalls->m_stdId[ball.m_nBall]; }
   static CDiscGrid::CDisc GetDisc(const CMotion& motion, double sagitta);
   void MoveDisc(std::uint32_t i);
   // How far a ball may leave the disc by which it was found near others: they were looked for twice as far.

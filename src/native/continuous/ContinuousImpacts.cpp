@@ -323,7 +323,7 @@ void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, doub
   const bool ballIsFirst = ball.m_nBall < other.m_nBall;
   const CMoving &first = ballIsFirst ? ball : other, &second = ballIsFirst ? other : ball;
   const Vector2d nhat = ballIsFirst ? n : Vector2d(-n);
-  Report(m_pBalls->m_stdId[second.m_nBall], first, second.m_vPos + second.m_fRadius * nhat, nhat, approach,
+  Report(GetId(second), first, second.m_vPos + second.m_fRadius * nhat, nhat, approach,
          ImpulseOf(mass, e, approach));
   for (CMoving* pBall : {&ball, &other})
     if (!pBall->m_bIsHalted) EndMotion(*pBall);
@@ -334,7 +334,7 @@ void CContinuous::Report(CShapeId shape, const CMoving& ball, const Vector2d& po
   ++m_pStats->m_nContacts;
   CContactEvent event;
   event.m_cShape = shape;
-  event.m_cBall = m_pBalls->m_stdId[ball.m_nBall];
+  event.m_cBall = GetId(ball);
   event.m_vPOI = ToFloat(poi);
   event.m_vNorm = n.cast<float>();
   event.m_fSpeed = static_cast<float>(speed);
@@ -375,7 +375,7 @@ void CContinuous::StopAtTouching(CMoving& ball) {
 }
 
 void CContinuous::Halt(CMoving& ball) {
-  if (!ball.m_bIsHalted) m_stdHalted.push_back(m_pBalls->m_stdId[ball.m_nBall]);
+  if (!ball.m_bIsHalted) m_stdHalted.push_back(GetId(ball));
   // Gravity would give it more velocity in every substep, and so it would be halted in each.
   if (IsFalling() && !ball.m_bIsHalted) StopAtTouching(ball);
   ball.m_bIsHalted = true;

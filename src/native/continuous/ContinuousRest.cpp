@@ -28,7 +28,7 @@ void CContinuous::FindRestingContacts() {
                                                CRestingContacts::IsSqueezed(ball, other));
       if (j <= i || other.m_bIsAsleep || !NearBallBall(GetMotion(other), GetMotion(ball), reach, impact, gap))
         continue;
-      m_cResting.Add(i, j, true, impact, gap);
+      m_cResting.Add(i, j, true, GetId(ball), GetId(other), impact, gap);
       ball.m_bIsNearBall = other.m_bIsNearBall = true;
       ball.m_fNearRadius = std::max(ball.m_fNearRadius, other.m_fRadius);
       other.m_fNearRadius = std::max(other.m_fNearRadius, ball.m_fRadius);
@@ -50,7 +50,7 @@ void CContinuous::FindRestingContacts() {
       const double far = getReach(Norm(ball.m_vVel - surface));
       if (m_pShapes->Get(order).m_pShape->GetCanCollide() &&
           IsNearShape(order, GetMotion(ball), 0.0, far, impact, gap) && CanFollow(ball, order, impact))
-        m_cResting.Add(i, order, false, impact, gap);
+        m_cResting.Add(i, order, false, GetId(ball), m_pShapes->Get(order).m_cId, impact, gap);
     }
   }
   m_cResting.Separate(m_stdBalls);
@@ -69,7 +69,7 @@ void CContinuous::SolveRestingContacts() {
   m_cResting.ForEach(
       [this](std::uint32_t i, std::uint32_t other, bool isBall, const Vector2d& norm, double impulse) {
         const CMoving& ball = m_stdBalls[i];
-        Report(isBall ? m_pBalls->m_stdId[m_stdBalls[other].m_nBall] : m_pShapes->Get(other).m_cId, ball,
+        Report(isBall ? GetId(m_stdBalls[other]) : m_pShapes->Get(other).m_cId, ball,
                ball.m_vPos - ball.m_fRadius * norm, norm, 0.0, ImpulseOf(1.0, 0.0, impulse));
       });
   for (std::uint32_t i = 0; i < n; ++i) {

@@ -17,20 +17,23 @@ void CRestingContacts::Begin(const Vector2d& gravity, double dt) {
   m_vGravity = gravity;
   m_vUp = -Unit(gravity, Vector2d::Zero());
   m_bIsFalling = !gravity.isZero(0.0);
-  ++m_nSubstep;
+  ++m_cMemory.m_nSubstep;
   m_fStep = dt;
   m_fSlow = g_fRestingSteps * Norm(gravity) * dt;
   m_stdContacts.clear();
   m_stdFirst.clear();
   m_cPiles.Reset(0);
   m_stdEnergies.clear();
-  m_stdKnown.swap(m_stdNear);
-  m_stdNear.clear();
+  m_stdKnown.swap(m_cMemory.m_stdNear);
+  m_cMemory.m_stdNear.clear();
 }
 
-void CRestingContacts::Add(std::uint32_t ball, std::uint32_t other, bool isBall, const CImpact& impact,
-                           double gap) {
+void CRestingContacts::Add(std::uint32_t ball, std::uint32_t other, bool isBall, CShapeId id,
+                           CShapeId otherId, const CImpact& impact, double gap) {
   CContact c;
+  // Whichever of two balls comes first.
+  const auto [first, second] = std::minmax(id.m_nValue, otherId.m_nValue);
+  c.m_nPair = (std::uint64_t{first} << 32) | second;
   c.m_nBall = ball;
   c.m_nOther = other;
   c.m_bIsBall = isBall;
@@ -54,14 +57,6 @@ void CRestingContacts::Sort() {
   m_stdContacts.clear();
   for (const auto& [key, k] : m_stdOrder)
     m_stdContacts.push_back(m_stdUnsorted[k]);
-}
-
-std::uint64_t CRestingContacts::GetPair(const CContact& c, const std::vector<CMoving>& balls) {
-  const std::size_t ball = balls[c.m_nBall].m_nBall;
-  const std::size_t other = c.m_bIsBall ? balls[c.m_nOther].m_nBall : c.m_nOther;
-  const std::uint64_t first = c.m_bIsBall ? std::min(ball, other) : ball;
-  const std::uint64_t second = c.m_bIsBall ? std::max(ball, other) : other;
-  return (first << 33) | (second << 1) | std::uint64_t{c.m_bIsBall};
 }
 
 bool CRestingContacts::Has(std::uint32_t ball, std::uint32_t other) const {
@@ -102,13 +97,14 @@ double CRestingContacts::GetSpeed(const CContact& c, const std::vector<CMoving>&
 
 // Those that were within reach in the last substep, too, with their impulses.
 void CRestingContacts::FindKnown() {
+  std::vector<CKnown>& pairs = m_cMemory.m_stdNear;
   for (std::uint32_t k = 0; k < m_stdContacts.size(); ++k)
-    m_stdNear.push_back({m_stdContacts[k].m_nPair, 0.0, k});
-  std::sort(m_stdNear.begin(), m_stdNear.end(),
+    pairs.push_back({m_stdContacts[k].m_nPair, 0.0, k});
+  std::sort(pairs.begin(), pairs.end(),
             [](const CKnown& a, const CKnown& b) { return a.m_nPair < b.m_nPair; });
   auto known = m_stdKnown.cbegin();
-  for (std::uint32_t k = 0; k < m_stdNear.size(); ++k) {
-    const CKnown& near = m_stdNear[k];
+  for (std::uint32_t k = 0; k < pairs.size(); ++k) {
+    const CKnown& near = pairs[k];
     while (known != m_stdKnown.cend() && known->m_nPair < near.m_nPair)
       ++known;
     CContact& c = m_stdContacts[near.m_nContact];
@@ -163,12 +159,13 @@ void CRestingContacts::SetSlow(const std::vector<CMoving>& balls) {
 }
 
 void CRestingContacts::ForgetBall(std::size_t ball) {
-  if (ball < m_stdLast.size()) m_stdLast.erase(m_stdLast.begin() + static_cast<std::ptrdiff_t>(ball));
+  std::vector<CLast>& last = m_cMemory.m_stdLast;
+  if (ball < last.size()) last.erase(last.begin() + static_cast<std::ptrdiff_t>(ball));
 }
 
 void CRestingContacts::Remember(const std::vector<CMoving>& balls, std::size_t size) {
-  m_stdLast.resize(size);
-  m_bIsAnySqueezed = false;
+  m_cMemory.m_stdLast.resize(size);
+  m_cMemory.m_bIsAnySqueezed = false;
   for (std::uint32_t i = 0; i < balls.size(); ++i) {
     const CMoving& ball = balls[i];
     // One that was taken late has no pile.
@@ -183,17 +180,18 @@ void CRestingContacts::Remember(const std::vector<CMoving>& balls, std::size_t s
     const bool stays = ball.m_bWasSqueezed && (pile.m_bIsMoved || pile.m_bIsSteered || ball.m_bPresses);
     const bool isSqueezed = !isFast && !isElastic && (isHit || stays);
     const unsigned steered = ball.m_nSteered > 0 ? ball.m_nSteered - 1 : 0;
-    m_stdLast[ball.m_nBall] = {ToFloat(ball.m_vVel), m_nSubstep, static_cast<std::uint16_t>(steered),
-                               isSqueezed};
-    m_bIsAnySqueezed |= isSqueezed;
+    m_cMemory.m_stdLast[ball.m_nBall] = {ToFloat(ball.m_vVel), m_cMemory.m_nSubstep,
+                                         static_cast<std::uint16_t>(steered), isSqueezed};
+    m_cMemory.m_bIsAnySqueezed |= isSqueezed;
   }
 }
 
 unsigned CRestingContacts::GetSteered(std::size_t ball, const Vector2d& vel) const {
   FailIf(!WasThere(ball));
-  const Vector2d last = m_stdLast[ball].m_vVel.cast<double>();
+  const CLast& known = m_cMemory.m_stdLast[ball];
+  const Vector2d last = known.m_vVel.cast<double>();
   const double least = std::max(Norm(m_vGravity) * m_fStep, g_fSteered * Norm(last));
-  return Norm(vel - last) > least ? m_nSubsteps : m_stdLast[ball].m_nSteered;
+  return Norm(vel - last) > least ? m_nSubsteps : known.m_nSteered;
 }
 
 // With the share s of the velocities the pile has gained nothing where kinetic s^2 - fall s = before.
@@ -259,7 +257,7 @@ void CRestingContacts::SolvePile(std::span<CContact> pile, std::vector<CMoving>&
     put(c.m_nBall);
     if (c.m_bIsBall) put(c.m_nOther);
     if (!(c.m_fImpulse > 0.0)) continue;
-    m_stdNear[c.m_nNear].m_fImpulse = c.m_fImpulse;
+    m_cMemory.m_stdNear[c.m_nNear].m_fImpulse = c.m_fImpulse;
     balls[c.m_nBall].m_bPresses = !m_bIsFalling;
     if (c.m_bIsBall) balls[c.m_nOther].m_bPresses = !m_bIsFalling;
     CMoving& ball = balls[c.m_nBall];

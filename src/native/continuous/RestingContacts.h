@@ -2,6 +2,8 @@
 // Balls that rest on each other: which accelerations they have.
 #pragma once
 
+#include <Shapes/Events.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <span>
@@ -39,7 +41,32 @@ namespace Shapes::Native {
 /// rounds leave undone would: a pile on which no shape moves gets slower by what it has gained, as far as it
 /// moves.
 class CRestingContacts {
+private:
+  // A pair that was within reach, and its impulse.
+  struct CKnown {
+    std::uint64_t m_nPair;
+    double m_fImpulse;
+    std::uint32_t m_nContact; // of this pair
+  };
+  // A ball at the end of the last substep in which it was looked at.
+  struct CLast {
+    Vector2 m_vVel = Vector2::Zero();
+    std::uint32_t m_nSubstep = 0;
+    std::uint16_t m_nSteered = 0; // substeps for which it counts as steered from then on
+    bool m_bIsSqueezed = false;
+  };
+
 public:
+  /// What the next substep has to know of those before.
+  struct CMemory {
+    std::vector<CKnown> m_stdNear; ///< pairs of the last substep, in order
+    std::vector<CLast> m_stdLast;  ///< of each ball, by the index in the arrays
+    bool m_bIsAnySqueezed = false; ///< in the last substep
+    std::uint32_t m_nSubstep = 0;  ///< the last one, modulo 2^32
+  };
+  const CMemory& GetMemory() const { return m_cMemory; }
+  void SetMemory(const CMemory& memory) { m_cMemory = memory; }
+
   /// Begins a substep.
   void Begin(const Vector2d& gravity, double dt);
   /// The speed that gravity gives in g_fRestingSteps substeps.
@@ -47,30 +74,27 @@ public:
   /// Without gravity what is slow depends on the fastest of the balls that were squeezed.
   void SetSlow(const std::vector<CMoving>& balls);
   /// Takes up a pair of balls, or a ball and the shape of this order (`isBall` false).
+  /// @param id, otherId  by which the pair is known in the next substep
   /// @param impact  as of Near, for balls that are accelerated by gravity
-  void Add(std::uint32_t ball, std::uint32_t other, bool isBall, const CImpact& impact, double gap);
+  void Add(std::uint32_t ball, std::uint32_t other, bool isBall, CShapeId id, CShapeId otherId,
+           const CImpact& impact, double gap);
   bool IsEmpty() const { return m_stdContacts.empty(); }
   /// The ball by which its pile is known, itself if it is in none.
   std::uint32_t GetPile(std::uint32_t ball) { return ball < m_cPiles.Size() ? m_cPiles.Find(ball) : ball; }
-  /// Forgets the impulses of the last substep, so that the next one does not depend on what was before.
-  void Forget() {
-    m_stdKnown.clear();
-    m_stdNear.clear();
-    m_stdLast.clear();
-    m_bIsAnySqueezed = false;
-  }
   /// A ball was removed: those after it have other indices in the arrays.
   void ForgetBall(std::size_t ball);
   /// Remembers at the end of the substep who of `size` in the arrays is squeezed.
   void Remember(const std::vector<CMoving>& balls, std::size_t size);
   /// Of the ball of this index in the arrays.
-  bool WasSqueezed(std::size_t ball) const { return WasThere(ball) && m_stdLast[ball].m_bIsSqueezed; }
+  bool WasSqueezed(std::size_t ball) const {
+    return WasThere(ball) && m_cMemory.m_stdLast[ball].m_bIsSqueezed;
+  }
   /// Substeps for which the ball counts as steered, this one included: those of a step, after a game has
   /// given it this velocity.
   unsigned GetSteered(std::size_t ball, const Vector2d& vel) const;
   void SetSubsteps(unsigned substeps) { m_nSubsteps = substeps; }
   /// Whether pairs are looked for.
-  bool IsCalledFor() const { return m_bIsFalling || m_bIsAnySqueezed; }
+  bool IsCalledFor() const { return m_bIsFalling || m_cMemory.m_bIsAnySqueezed; }
   /// Whether either of the two was: then both rest on each other at any speed.
   static bool IsSqueezed(const CMoving& ball, const CMoving& other) {
     return ball.m_bWasSqueezed || other.m_bWasSqueezed;
@@ -111,22 +135,9 @@ private:
     double m_fGap, m_fSpeed, m_fRadius;
     double m_fBend; // second derivative of the gap, without the accelerations of the balls
     double m_fImpulse = 0.0;
-    std::uint64_t m_nPair = 0;
+    std::uint64_t m_nPair;
     double m_fKey = 0.0;       // of sorting: the height against gravity, and then the pile
     std::uint32_t m_nNear = 0; // where m_stdNear has it
-  };
-  // A pair that was within reach, and its impulse.
-  struct CKnown {
-    std::uint64_t m_nPair;
-    double m_fImpulse;
-    std::uint32_t m_nContact; // of this pair
-  };
-  // A ball at the end of the last substep in which it was looked at.
-  struct CLast {
-    Vector2 m_vVel = Vector2::Zero();
-    std::uint32_t m_nSubstep = 0;
-    std::uint16_t m_nSteered = 0; // substeps for which it counts as steered from then on
-    bool m_bIsSqueezed = false;
   };
   // Of a pile.
   struct CEnergy {
@@ -138,12 +149,11 @@ private:
     double GetShare() const;   // of these velocities with which the pile gains no energy
   };
   void Sort();
-  // By which it is known in the next substep, too, whichever of two balls is the upper one.
-  static std::uint64_t GetPair(const CContact& c, const std::vector<CMoving>& balls);
   double GetSpeed(const CContact& c, const std::vector<CMoving>& balls) const;
   // Whether it was looked at in the last substep.
   bool WasThere(std::size_t ball) const {
-    return ball < m_stdLast.size() && m_stdLast[ball].m_nSubstep + 1 == m_nSubstep;
+    return ball < m_cMemory.m_stdLast.size() &&
+           m_cMemory.m_stdLast[ball].m_nSubstep + 1 == m_cMemory.m_nSubstep;
   }
   bool MayStop(const CMoving& ball, const CMoving& other) const {
     return !m_bIsFalling || ball.IsSteered() || other.IsSteered();
@@ -197,11 +207,9 @@ private:
   std::vector<std::uint32_t> m_stdFirst;      // of each ball among them, and where the last one's end
   std::vector<double> m_stdLifts;             // the work of lifting each ball as they were moved apart
   std::vector<CEnergy> m_stdEnergies;         // of each pile, by its ball
-  std::vector<CLast> m_stdLast;               // of each ball, by the index in the arrays
-  bool m_bIsAnySqueezed = false;              // in the last substep
   unsigned m_nSubsteps = 1;                   // of a step
-  std::uint32_t m_nSubstep = 0;               // this one, modulo 2^32
-  std::vector<CKnown> m_stdKnown, m_stdNear;  // pairs of the last substep and of this one, in order
+  CMemory m_cMemory;                          // of this substep from its beginning on
+  std::vector<CKnown> m_stdKnown;             // pairs of the last one
 };
 
 } // namespace Shapes::Native

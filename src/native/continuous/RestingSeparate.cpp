@@ -15,7 +15,6 @@ namespace Shapes::Native {
 void CRestingContacts::Order(std::vector<CMoving>& balls) {
   for (CContact& c : m_stdContacts) {
     const CMoving& ball = balls[c.m_nBall];
-    c.m_nPair = GetPair(c, balls);
     c.m_fKey = -m_vGravity.dot(ball.m_vPos - ball.m_fRadius * c.m_vNorm);
     if (!c.m_bIsBall || c.m_vNorm.dot(m_vGravity) <= 0.0) continue;
     std::swap(c.m_nBall, c.m_nOther);
