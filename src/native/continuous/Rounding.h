@@ -24,6 +24,12 @@ inline double FloatRounding(const Vector2d& p) {
   return 0.5 * static_cast<double>(std::numeric_limits<float>::epsilon()) * p.norm();
 }
 
+/// The radius that a ball under gravity has at least. A smaller one that lies on a shape would be found on the
+/// other side of it sooner or later.
+inline double LeastRadius(const Vector2d& p) {
+  return 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon()) * p.cwiseAbs().sum();
+}
+
 /// How fast a surface moves along the normal, towards the ball; 0 where it moves along itself, but for
 /// rounding, as that of what turns about its own middle.
 inline double GetPush(const Vector2d& n, const Vector2d& surface) {
