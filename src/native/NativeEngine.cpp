@@ -27,7 +27,9 @@ CNativeEngine::CNativeEngine(CWorldCore& world)
 
 void CNativeEngine::Added(CShapeId id) {
   m_bBallsChanged = true;
-  Changed(id, eChange::Sensor);
+  m_cState.m_cBalls.m_bIsDisturbed = true;
+  if (const std::size_t k = m_cState.FindShape(id); k != CWorldState::npos && !m_bShapesChanged)
+    m_bShapesChanged = !m_cBroadPhase.Add(m_cState.m_stdShapes[k]);
 }
 
 void CNativeEngine::Removed(CShapeId id, std::unique_ptr<CShape> pShape) {

@@ -23,8 +23,8 @@ TEST(ClosedRoom, AStoppedBallGathersNoSpeed) {
 }
 
 // Points, and balls that are smaller than the roundings of their coordinates, which have nothing but these to
-// tell on which side of a wall they are. Of single points 164 of 200 fell through a level floor, of those that
-// lay on a slope all.
+// tell on which side of a wall they are. Of single points 164 of 200 fell through a level floor, of those
+// that lay on a slope all.
 TEST(ClosedRoom, PointsThatLieInItStayInIt) {
   std::ptrdiff_t lost = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {

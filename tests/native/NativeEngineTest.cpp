@@ -195,9 +195,9 @@ TEST(NativeWorldTest, AChangeOfOneShapeCostsNoMoreAmongMany) {
   EXPECT_GT(seconds(comesAndGoes, 4000), 15.0 * seconds(comesAndGoes, 40));
 }
 
-// Balls break all that they hit but the walls. The other world is loaded after each step, for which all boxes
-// are made anew.
-TEST(NativeWorldTest, ShapesThatAreRemovedMeetNothing) {
+// Balls break all that they hit but the walls, and lines are drawn. The other world is loaded after each
+// step, for which all boxes are made anew.
+TEST(NativeWorldTest, ShapesThatComeAndGoAreMetWhileTheyAreThere) {
   for (const CEffectChoice& effects : {g_cAutomatic, g_cApproximate})
     for (const float gravity : {0.0f, 10.0f}) {
       SCOPED_TRACE(testing::Message() << "gravity " << gravity);
@@ -219,8 +219,11 @@ TEST(NativeWorldTest, ShapesThatAreRemovedMeetNothing) {
       };
       const auto pKept = make(), pAnew = make();
       std::size_t removed = 0;
+      CRandom random(7);
       for (int step = 0; step < 600; ++step) {
+        const Vector2 from = random.InSquare(2.9f), to = from + random.InSquare(0.1f);
         for (CWorld* pWorld : {pKept.get(), pAnew.get()}) {
+          if (step % 3 > 0) pWorld->Add(CLineSegDesc(from, to));
           pWorld->Step();
           std::vector<CShapeId> hit;
           for (const CContactEvent& contact : pWorld->GetContacts())

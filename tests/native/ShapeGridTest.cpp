@@ -127,15 +127,17 @@ TEST(ShapeGrid, APositionThatIsNoNumberIsNearNothing) {
     EXPECT_TRUE(Ask(grid, p, 0.3f).empty());
 }
 
-// The broad phase with its grid gives all that a look at every shape gives, whatever has moved meanwhile.
-TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesMove) {
+// The broad phase with its grid gives all that a look at every shape gives, whatever has come or moved
+// meanwhile.
+TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesComeAndMove) {
   CRandom random(266);
   SCOPED_TRACE(random.GetSeed());
   std::vector<CShapeEntry> entries;
-  for (std::uint32_t i = 0; i < 60; ++i)
+  const std::uint32_t still = 120;
+  for (std::uint32_t i = 0; i < still; ++i)
     entries.emplace_back(CShapeId{i + 1}, RandomShape(random, {0.0f, 0.0f}, 10.0f));
-  for (std::uint32_t i = 60; i < 64; ++i) {
-    CLineSegDesc bar = Turning(CLineSegDesc({0.0f, static_cast<float>(i) - 60.0f}, {2.0f, 0.0f}));
+  for (std::uint32_t i = still; i < still + 4; ++i) {
+    CLineSegDesc bar = Turning(CLineSegDesc({0.0f, static_cast<float>(i - still)}, {2.0f, 0.0f}));
     bar.m_vVel = random.Direction();
     entries.emplace_back(CShapeId{i + 1}, std::make_unique<CLineSeg>(bar));
   }
@@ -144,14 +146,22 @@ TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesMove) {
   std::vector<std::uint32_t> found, room, called;
   std::size_t near = 0, answers = 0;
   for (int step = 0; step < 300; ++step) {
-    // Quiet times, one that moves, and more than are looked at one by one.
-    const std::uint32_t moved = step % 100 < 40 ? 0 : step % 100 < 60 ? 1 : 30;
+    // Quiet times, one that moves, more than are looked at one by one, and some that come.
+    const std::uint32_t moved = step % 100 < 40 ? 0 : step % 100 < 60 ? 1 : 100;
     for (std::uint32_t i = 0; i < moved; ++i) {
-      CShapeEntry& entry = entries[random.Below(60)];
+      const auto any = static_cast<std::uint32_t>(entries.size()) - 4;
+      const std::uint32_t k = random.Below(any);
+      CShapeEntry& entry = entries[k < still ? k : k + 4];
       entry.m_pShape->SetPos(random.InSquare(10.0f));
       broadPhase.Update(entry);
     }
-    for (std::uint32_t i = 60; i < 64; ++i)
+    for (int i = 0; i < (step % 100 < 50 ? 2 : 0); ++i) {
+      const CLineSegDesc line(random.InSquare(10.0f), random.InSquare(10.0f));
+      entries.emplace_back(CShapeId{static_cast<std::uint32_t>(entries.size()) + 1},
+                           std::make_unique<CLineSeg>(line));
+      ASSERT_TRUE(broadPhase.Add(entries.back()));
+    }
+    for (std::uint32_t i = still; i < still + 4; ++i)
       entries[i].m_pShape->Advance(1.0f / 60.0f, 1e18f);
     broadPhase.BoxKinematic();
     const float radius = step < 200 ? 0.2f : 0.9f;
@@ -180,7 +190,7 @@ TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesMove) {
     }
   }
   EXPECT_GT(near, 1000u);
-  EXPECT_LT(answers, 300u * 100u * 64u / 10u);
+  EXPECT_LT(answers, 300u * 100u * broadPhase.Size() / 4);
 }
 
 } // namespace

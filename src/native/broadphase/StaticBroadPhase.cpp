@@ -47,7 +47,6 @@ void CStaticBroadPhase::Build(const std::vector<CShapeEntry>& shapes) {
   for (CGroup* pGroup : {&m_cStatic, &m_cKinematic}) {
     pGroup->m_stdOrder.clear();
     pGroup->m_stdBoxes.clear();
-    pGroup->m_nGrown = 0;
   }
   for (std::uint32_t order = 0; order < Size(); ++order) {
     const CShape& shape = GetShape(order);
@@ -59,10 +58,39 @@ void CStaticBroadPhase::Build(const std::vector<CShapeEntry>& shapes) {
   m_stdOld.resize(Size());
   std::iota(m_stdOld.begin(), m_stdOld.end(), 0u);
   m_bIsBoxedAtRest = false;
-  m_cStatic.m_cTree.Build(m_cStatic.m_stdBoxes);
-  m_cKinematic.m_cTree.Build(m_cKinematic.m_stdBoxes);
+  m_cStatic.BuildTree();
+  m_cKinematic.BuildTree();
   m_stdGeometries.resize(Size());
   DropGrid();
+}
+
+bool CStaticBroadPhase::Add(const CShapeEntry& entry) {
+  const CShape& shape = *entry.m_pShape;
+  if (shape.GetSensor()) return true; // it is not in it
+  FailIf(shape.GetMotionType() == eMotion::Kinematic || shape.GetShapeType() == eShape::Point);
+  const auto order = static_cast<std::uint32_t>(Size());
+  m_stdByOrder.push_back({entry.m_cId, entry.m_pShape.get()});
+  m_stdGeometries.emplace_back();
+  m_stdIsOld.push_back(1);
+  m_stdOld.push_back(order);
+  m_cStatic.m_stdOrder.push_back(order);
+  m_cStatic.m_stdBoxes.push_back(BoxOf(shape));
+  if (m_cStatic.m_stdBoxes.size() > m_cStatic.m_cTree.Size() + g_nMostLoose) {
+    DropGrid(); // it asks the tree for items
+    m_cStatic.BuildTree();
+  }
+  Loosen(order, m_cStatic.m_stdBoxes.back());
+  return true;
+}
+
+// It is not where the grid has it.
+void CStaticBroadPhase::Loosen(std::uint32_t order, const CAabb2D& box) {
+  if (!m_cGrid.IsBuilt()) return;
+  m_nAsked = m_nLasted = 0;
+  m_bIsGridComplete = false;
+  std::erase_if(m_stdLoose, [=](const CLoose& loose) { return loose.m_nOrder == order; });
+  m_stdLoose.push_back({order, box});
+  if (m_stdLoose.size() > g_nMostLoose) DropGrid();
 }
 
 bool CStaticBroadPhase::Remove(std::unique_ptr<CShape> pShape) {
@@ -91,16 +119,11 @@ void CStaticBroadPhase::Update(const CShapeEntry& entry) {
   if (!std::exchange(m_stdIsOld[order], std::uint8_t{1})) m_stdOld.push_back(order);
   m_bIsBoxedAtRest = false;
   group.m_stdBoxes[i] = BoxOf(shape);
-  if (m_cGrid.IsBuilt() && &group == &m_cStatic) {
-    m_nAsked = m_nLasted = 0;
-    m_bIsGridComplete = false;
-    if (std::find(m_stdLoose.begin(), m_stdLoose.end(), order) == m_stdLoose.end())
-      m_stdLoose.push_back(order);
-    if (m_stdLoose.size() > g_nMostLoose) DropGrid();
-  }
+  if (&group == &m_cStatic) Loosen(order, group.m_stdBoxes[i]);
+  if (i >= group.m_cTree.Size()) return;
   // The box of the old place stays in the tree, which makes it less selective, until all are fitted again.
-  if (++group.m_nGrown < group.m_stdBoxes.size()) return group.m_cTree.Grow(i, group.m_stdBoxes[i]);
-  group.m_cTree.Refit(group.m_stdBoxes);
+  if (++group.m_nGrown < group.m_cTree.Size()) return group.m_cTree.Grow(i, group.m_stdBoxes[i]);
+  group.m_cTree.Refit(std::span(group.m_stdBoxes).first(group.m_cTree.Size()));
   group.m_nGrown = 0;
 }
 
@@ -140,6 +163,8 @@ void CStaticBroadPhase::Query(const CAabb2D& box, std::vector<std::uint32_t>& or
 void CStaticBroadPhase::Query(const CGroup& group, const CAabb2D& box, std::vector<std::uint32_t>& orders) {
   const std::size_t first = orders.size();
   group.m_cTree.Query(box, orders);
+  for (auto i = static_cast<std::uint32_t>(group.m_cTree.Size()); i < group.m_stdBoxes.size(); ++i)
+    if (group.m_stdBoxes[i] && box) orders.push_back(i);
   for (std::size_t k = first; k < orders.size(); ++k)
     orders[k] = group.m_stdOrder[orders[k]];
 }
@@ -166,6 +191,7 @@ void CStaticBroadPhase::SetReach(float reach, float least) {
   }
   if (m_nAsked < g_nAskedBeforeGrid) return;
   DropGrid();
+  if (!m_cStatic.IsTreeComplete()) m_cStatic.BuildTree();
   std::vector<CShapeGrid::CPlaced> shapes;
   for (const std::uint32_t order : m_cStatic.m_stdOrder)
     shapes.push_back({&GetShape(order), order});
@@ -179,7 +205,7 @@ bool CStaticBroadPhase::IsClearOfOthers(const Vector2& p, float r) const {
   const auto& boxes = m_cKinematic.m_stdBoxes;
   return std::none_of(boxes.begin(), boxes.end(), [&](const CAabb2D& other) { return other && box; }) &&
          std::none_of(m_stdLoose.begin(), m_stdLoose.end(),
-                      [&](std::uint32_t order) { return BoxOf(GetShape(order)) && box; });
+                      [&](const CLoose& loose) { return loose.m_cBox && box; });
 }
 
 // Also where the grid does not say all.
@@ -194,8 +220,8 @@ void CStaticBroadPhase::FindNearOfAll(const Vector2& p, float r, std::vector<std
   const CAabb2D box = Padded(CAabb2D(p, p), r);
   if (!isInGrid) Query(m_cStatic, box, orders);
   Query(m_cKinematic, box, orders);
-  for (const std::uint32_t order : m_stdLoose)
-    if (BoxOf(GetShape(order)) && box) orders.push_back(order);
+  for (const CLoose& loose : m_stdLoose)
+    if (loose.m_cBox && box) orders.push_back(loose.m_nOrder);
   // A shape that has moved may be where it was, too.
   std::sort(orders.begin(), orders.end());
   if (!m_stdLoose.empty()) orders.erase(std::unique(orders.begin(), orders.end()), orders.end());

@@ -27,6 +27,10 @@ class CStaticBroadPhase {
 public:
   /// Takes in the shapes that are no sensors.
   void Build(const std::vector<CShapeEntry>& shapes);
+  /// A shape was added to the world, the last one in the order of ids. It gets its place behind the others,
+  /// and the tree is made anew once it lacks several.
+  /// @returns whether it could: the answer for a kinematic shape, and for a point, is no
+  bool Add(const CShapeEntry& entry);
   /// A shape was removed from the world. It is kept in its place and meets nothing, until it is worth it to
   /// build all anew.
   /// @returns whether it could: the answer for a kinematic shape, and where many are kept, is no
@@ -86,12 +90,18 @@ public:
   const CShapeGeometry& GetGeometry(std::uint32_t order) const { return m_stdGeometries[order]; }
 
 private:
-  /// Items of the tree index m_stdOrder.
+  /// Items of the tree index m_stdOrder; the last ones may not be in it yet.
   struct CGroup {
     std::vector<std::uint32_t> m_stdOrder;
     std::vector<CAabb2D> m_stdBoxes;
     CAabbTree m_cTree;
     std::size_t m_nGrown = 0; ///< boxes that have grown since the tree was made or refitted
+
+    void BuildTree() {
+      m_cTree.Build(m_stdBoxes);
+      m_nGrown = 0;
+    }
+    bool IsTreeComplete() const { return m_cTree.Size() == m_stdBoxes.size(); }
   };
   const CShape& GetShape(std::uint32_t order) const { return *m_stdByOrder[order].m_pShape; }
   bool IsAnyKinematic(bool (CShape::*is)() const) const;
@@ -99,6 +109,7 @@ private:
   bool CanGridTell(float r) const { return m_bIsGridComplete && r <= m_cGrid.GetReach(); }
   void FindNearOfAll(const Vector2& p, float r, std::vector<std::uint32_t>& orders);
   void DropGrid();
+  void Loosen(std::uint32_t order, const CAabb2D& box);
   /// Whether no grid is to be made: its shapes have not changed.
   bool IsGridLasting() const { return m_cGrid.IsBuilt() && m_stdLoose.empty(); }
   void CountQuestion() {
@@ -113,8 +124,13 @@ private:
   // The static shapes once more. It is made once the tree was asked so often since a shape has changed that
   // it pays.
   CShapeGrid m_cGrid;
-  std::vector<std::uint32_t> m_stdLoose; // static shapes that have changed since it was made
-  bool m_bIsGridComplete = false;        // all shapes are in it
+  // A static shape that has come or changed since the grid was made.
+  struct CLoose {
+    std::uint32_t m_nOrder;
+    CAabb2D m_cBox;
+  };
+  std::vector<CLoose> m_stdLoose;
+  bool m_bIsGridComplete = false; // all shapes are in it
   std::size_t m_nAsked = 0;
   unsigned m_nLasted = 0; // substeps since it was made, or a shape has changed, as far as g_nBeforeSharing
   std::vector<CShapeGeometry> m_stdGeometries; // by order

@@ -31,8 +31,8 @@ CMotion CContinuous::GetFreeMotion(std::size_t i) const {
   const CBallArrays& b = *m_pBalls;
   const Vector2d p = Join(b.m_stdPos[i], b.m_stdPosTail[i]);
   const double least = IsFalling() ? LeastRadius(p) : 0.0;
-  return {p, Join(b.m_stdVel[i], b.m_stdVelTail[i]),
-          std::max(static_cast<double>(b.m_stdRadius[i]), least), m_fStep, m_vGravity};
+  return {p, Join(b.m_stdVel[i], b.m_stdVelTail[i]), std::max(static_cast<double>(b.m_stdRadius[i]), least),
+          m_fStep, m_vGravity};
 }
 
 // Around the whole of a motion of floats, which have no squares that underflow.
