@@ -66,8 +66,9 @@ void CStaticBroadPhase::Build(const std::vector<CShapeEntry>& shapes) {
 
 bool CStaticBroadPhase::Add(const CShapeEntry& entry) {
   const CShape& shape = *entry.m_pShape;
+  FailIf(shape.GetMotionType() == eMotion::Kinematic);
   if (shape.GetSensor()) return true; // it is not in it
-  FailIf(shape.GetMotionType() == eMotion::Kinematic || shape.GetShapeType() == eShape::Point);
+  FailIf(shape.GetShapeType() == eShape::Point);
   const auto order = static_cast<std::uint32_t>(Size());
   m_stdByOrder.push_back({entry.m_cId, entry.m_pShape.get()});
   m_stdGeometries.emplace_back();
