@@ -104,6 +104,10 @@ inline constexpr double g_fFarCorrection = 0.25;
 /// g_fFarCorrection. In its own one small balls stay behind as large ones go: 10,000 of radii 1:10 that have
 /// come into each other in a fall of 30 units sink on, to half of their height.
 inline constexpr double g_fMostSeparation = 0.2;
+/// But so many times as far as a shape was put into one of them. With 0 a cup of 30 balls that SetPos moves
+/// to and fro by .4 radii a step spills 136 of 240; with 1 and .8 radii 81, with 1.5 19, with 2 25, with
+/// 5 35.
+inline constexpr double g_fGivenWay = 1.5;
 /// How far a ball may be from a surface that curves, in its radii, to be put back onto it after a part of its
 /// way along it. More than the parabola leaves it; beyond it the ball has left.
 inline constexpr double g_fSettleReach = 0.01;

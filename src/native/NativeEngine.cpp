@@ -49,6 +49,7 @@ void CNativeEngine::Changed(CShapeId id, eChange change) {
   const std::size_t k = m_cState.FindShape(id);
   if (k == CWorldState::npos || change != eChange::Motion) m_cState.m_cBalls.m_bIsDisturbed = true;
   if (change == eChange::Filter) m_bBallsChanged = true;
+  if (k != CWorldState::npos && change == eChange::Pose) First().m_cContinuous.ShapeWasPut();
   if (k == CWorldState::npos || change == eChange::Properties || change == eChange::Filter ||
       m_bShapesChanged)
     return;
@@ -58,10 +59,9 @@ void CNativeEngine::Changed(CShapeId id, eChange change) {
     m_cBroadPhase.Update(m_cState.m_stdShapes[k]);
 }
 
-// As of the last substep in which balls were swept.
 struct CNativeMemory final : CEngineMemory {
-  CRestingContacts::CMemory m_cResting;
-  explicit CNativeMemory(const CRestingContacts::CMemory& resting) : m_cResting(resting) {}
+  CContinuous::CMemory m_cContinuous;
+  explicit CNativeMemory(const CContinuous::CMemory& continuous) : m_cContinuous(continuous) {}
 };
 
 std::shared_ptr<const CEngineMemory> CNativeEngine::Save() {
@@ -71,7 +71,7 @@ std::shared_ptr<const CEngineMemory> CNativeEngine::Save() {
 void CNativeEngine::Loaded(const CEngineMemory* pMemory) {
   m_bShapesChanged = m_bBallsChanged = true;
   const auto* const pNative = dynamic_cast<const CNativeMemory*>(pMemory);
-  First().m_cContinuous.SetMemory(pNative != nullptr ? pNative->m_cResting : CRestingContacts::CMemory());
+  First().m_cContinuous.SetMemory(pNative != nullptr ? pNative->m_cContinuous : CContinuous::CMemory());
 }
 
 void CNativeEngine::UpdateBroadPhase() {

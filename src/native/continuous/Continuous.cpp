@@ -78,23 +78,26 @@ void CContinuous::MoveTogether() {
   FindCrowds();
   FollowBalls();
   PutBalls();
+  m_bAnyPut = false;
 }
 
 // Those that were taken, from impact to impact until the substep ends.
 void CContinuous::FollowBalls() {
   m_stdQueue.clear();
   m_cResting.SetSlow(m_stdBalls);
-  if (m_cResting.IsCalledFor())
+  const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
+  if (m_cResting.IsCalledFor()) {
     FindRestingContacts();
-  else
-    for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i)
+  } else {
+    // Balls that are deep in a shape would be set back from others through it.
+    for (std::uint32_t i = 0; i < n && m_bAnyPut; ++i)
+      SetBackFromAll(i);
+    for (std::uint32_t i = 0; i < n; ++i)
       SetBackFromBalls(i);
-  for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
     if (m_stdBalls[i].m_bIsAsleep) continue;
-    // Out of one shape may be into another: a ball in a wedge is set back in turns.
-    FindShapes(i);
-    for (int turn = 0; turn < g_nSetBackRounds && SetBackFromShapes(i); ++turn)
-      FindShapes(i);
+    SetBackFromAll(i);
     if (m_stdBalls[i].m_bIsInPile) continue;
     HoldTouching(m_stdBalls[i]);
     if (!m_stdBalls[i].m_cHolds.IsEmpty()) {
@@ -169,6 +172,13 @@ void CContinuous::FindShapes(std::uint32_t i, float reach) {
   m_pShapes->FindNear(disc.m_vCenter, disc.m_fRadius, m_stdShapesFound);
   if (m_bFilters)
     std::erase_if(m_stdShapesFound, [&](std::uint32_t order) { return !MeetsShape(m_stdBalls[i], order); });
+}
+
+// Out of one shape may be into another: a ball in a wedge is set back in turns.
+void CContinuous::SetBackFromAll(std::uint32_t i) {
+  FindShapes(i);
+  for (int turn = 0; turn < g_nSetBackRounds && SetBackFromShapes(i); ++turn)
+    FindShapes(i);
 }
 
 // By order, each from where those before it have put it. Whether any had to. Under gravity those that it

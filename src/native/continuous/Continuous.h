@@ -68,14 +68,23 @@ public:
 
   /// Whether any ball or shape meets not all.
   void SetFilters(bool b) { m_bFilters = b; }
+  /// A game has put a shape somewhere else, perhaps into balls.
+  void ShapeWasPut() { m_bAnyPut = true; }
 
   /// A ball was removed from this place in the arrays.
   void ForgetBall(std::size_t ball) { m_cResting.ForgetBall(ball); }
   /// Of a step.
   void SetSubsteps(unsigned substeps) { m_cResting.SetSubsteps(substeps); }
   /// What the next substep depends on beyond the state.
-  const CRestingContacts::CMemory& GetMemory() const { return m_cResting.GetMemory(); }
-  void SetMemory(const CRestingContacts::CMemory& memory) { m_cResting.SetMemory(memory); }
+  struct CMemory {
+    CRestingContacts::CMemory m_cResting;
+    bool m_bAnyPut = false;
+  };
+  CMemory GetMemory() const { return {m_cResting.GetMemory(), m_bAnyPut}; }
+  void SetMemory(const CMemory& memory) {
+    m_cResting.SetMemory(memory.m_cResting);
+    m_bAnyPut = memory.m_bAnyPut;
+  }
 
   /// The impacts in the order of time.
   const std::vector<CContactEvent>& GetContacts();
@@ -148,6 +157,7 @@ private:
   float GetSlack() const { return static_cast<float>(0.5 * m_cResting.GetSlow() * m_fStep); }
   void FindShapes(std::uint32_t i, float reach = 0.0f);
   void FindFirst(std::uint32_t i);
+  void SetBackFromAll(std::uint32_t i);
   bool SetBackFromShapes(std::uint32_t i);
   void SetBackFromBalls(std::uint32_t i);
   double GetFreeShare(const CMoving& ball, const Vector2d& p, const Vector2d& way, double time,
@@ -159,6 +169,7 @@ private:
   void FindNext(std::uint32_t i);
   void FindNextShape(CMoving& ball);
   void FindRestingContacts();
+  void StayInside(CMoving& ball);
   void SolveRestingContacts();
   void FindShapeImpacts(CMoving& ball);
   std::optional<CShapeGeometry> WithoutSharedEnd(std::uint32_t order, const CMotion& motion, double start,
@@ -267,6 +278,7 @@ private:
   bool m_bIsFalling = false;
   bool m_bCapsSpeeds = false; // gravity can take a ball beyond g_fMaxSpeed
   bool m_bPairs = false;
+  bool m_bAnyPut = false; // shape somewhere else, since the last substep in which balls met each other
   bool m_bFilters = false;
   bool m_bAnyCrowd = false;              // balls that do not meet all that they are deep in
   std::vector<std::uint32_t> m_stdSolid; // balls of the arrays, by k

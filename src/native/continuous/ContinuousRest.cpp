@@ -53,10 +53,20 @@ void CContinuous::FindRestingContacts() {
         m_cResting.Add(i, order, false, GetId(ball), m_pShapes->Get(order).m_cId, impact, gap);
     }
   }
-  m_cResting.Separate(m_stdBalls);
-  for (std::uint32_t i = 0; i < n; ++i)
-    if (m_stdBalls[i].m_bIsNearBall) MoveDisc(i);
+  m_cResting.Separate(m_stdBalls, m_bAnyPut);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (!m_stdBalls[i].m_bIsNearBall) continue;
+    StayInside(m_stdBalls[i]);
+    MoveDisc(i);
+  }
   m_cResting.FindPiles(m_stdBalls);
+}
+
+// A ball that was moved apart from others farther than shapes were looked for goes through none.
+void CContinuous::StayInside(CMoving& ball) {
+  const Vector2d from = GetFreeMotion(ball.m_nBall).m_vPos, way = ball.m_vPos - from;
+  if (Norm(way) > g_fFarCorrection * ball.m_fNearRadius)
+    ball.m_vPos = from + GetFreeShare(ball, from, way, 0.0, nullptr) * way;
 }
 
 void CContinuous::SolveRestingContacts() {

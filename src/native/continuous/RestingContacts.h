@@ -112,9 +112,9 @@ public:
   std::span<const std::uint32_t> GetNeighbours(std::uint32_t ball) const;
 
   /// Moves balls that overlap apart, and out of shapes: by less than a quarter of the largest radius of a
-  /// ball and those near it. What the solver finds are the velocities at which they are apart after the
-  /// substep, and none of these stays (split impulses).
-  void Separate(std::vector<CMoving>& balls);
+  /// ball and those near it, unless a shape may have been put into them (isAnyPut). What the solver finds are
+  /// the velocities at which they are apart after the substep, and none of these stays (split impulses).
+  void Separate(std::vector<CMoving>& balls, bool isAnyPut);
   /// Keeps the contacts of piles only, and tells their balls.
   void FindPiles(std::vector<CMoving>& balls);
   /// Sets the velocities of all balls of piles; the shapes that push become holds.

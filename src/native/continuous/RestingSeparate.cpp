@@ -50,7 +50,7 @@ double CRestingContacts::GetFlowError(const std::vector<CMoving>& balls) const {
   return CContactSolver::GetFlowError(std::sqrt(fastest), m_fSlow);
 }
 
-void CRestingContacts::Separate(std::vector<CMoving>& balls) {
+void CRestingContacts::Separate(std::vector<CMoving>& balls, bool isAnyPut) {
   m_stdLifts.assign(balls.size(), 0.0);
   Order(balls);
   FindKnown();
@@ -81,10 +81,15 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   m_cSolver.Separate(std::max(least / m_fStep, GetFlowError(balls)),
                      std::min(g_nSeparateRounds, 1 + most / m_stdContacts.size()));
 
+  // Where a game has put a shape into balls they give way as far as it has come, and more where each has to
+  // make room for the one before it.
+  double given = 0.0;
+  for (const CContact& c : m_stdContacts)
+    if (isAnyPut && !c.m_bIsBall) given = std::max(given, -g_fGivenWay * c.m_fGap);
   const auto getWay = [&](std::uint32_t i) {
     if (m_stdSolved[i] == g_nNobody) return Vector2d(Vector2d::Zero());
     const Vector2d way = m_fStep * m_cSolver.GetVel(m_stdSolved[i]);
-    const double length = Norm(way), mostOfIt = g_fMostSeparation * balls[i].m_fNearRadius;
+    const double length = Norm(way), mostOfIt = std::max(given, g_fMostSeparation * balls[i].m_fNearRadius);
     return length > mostOfIt ? Vector2d(mostOfIt / length * way) : way;
   };
   for (std::uint32_t i = 0; i < balls.size(); ++i)

@@ -24,8 +24,8 @@ inline double FloatRounding(const Vector2d& p) {
   return 0.5 * static_cast<double>(std::numeric_limits<float>::epsilon()) * p.norm();
 }
 
-/// The radius that a ball under gravity has at least. A smaller one that lies on a shape would be found on the
-/// other side of it sooner or later.
+/// The radius that a ball under gravity has at least. A smaller one that lies on a shape would be found on
+/// the other side of it sooner or later.
 inline double LeastRadius(const Vector2d& p) {
   return 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon()) * p.cwiseAbs().sum();
 }
