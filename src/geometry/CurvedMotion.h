@@ -52,7 +52,7 @@ public:
     const auto bendStep = [&](double bend) { return Quotient(std::sqrt(2.0 * bend), root, end); };
     const double least = bendStep(touch);
     bool armed = true; // not while the ball is let through
-    double now = 0.0;
+    double now = 0.0, give = touch;
     for (int i = 0; i < g_nMaxAdvancementSteps; ++i) {
       const CBallAt ball = At(now);
       const CSpot spot = feature.At(ball);
@@ -60,12 +60,14 @@ public:
       if (i == 0) armed = gap >= -std::max(deepest, touch);
       armed = armed || gap > touch;
 
+      // What touches all the time, as the end about which a segment turns, is not looked at in each rounding.
+      if (armed && gap <= touch && i > g_nTouchingSteps) give *= g_fTouchingGrowth;
       double step;
       if (gap > touch)
         step = SafeStep(Nearing(feature, gap, rate), end);
       else if (armed) // ignored until it begins to approach
         step =
-            std::max(SlowStep(Nearing(feature, gap, rate), end), bendStep(std::max(touch, -g_fDeeper * gap)));
+            std::max(SlowStep(Nearing(feature, gap, rate), end), bendStep(std::max(give, -g_fDeeper * gap)));
       else
         step = std::max(SafeStep(Leaving(feature, gap, rate), end), least);
 

@@ -64,6 +64,16 @@ TEST(SweepTurning, ABallBesideATurningDrumIsQuick) {
       }
 }
 
+// It touches that all the time, and comes no nearer: a look at it in each rounding would take 4,096 steps.
+TEST(SweepTurning, ABallAtTheEndAboutWhichAFlipperTurnsIsQuick) {
+  const CShapeGeometry flipper = MakeShapeGeometry(CKinematicLineSeg(CLineSegDesc({0, 0}, {2, 0})), 19.0);
+  for (double angle = 2.0; angle < 4.3; angle += 0.1) {
+    const Vector2d p = 0.15 * Vector2d(std::cos(angle), std::sin(angle));
+    CImpact impact;
+    EXPECT_EQ(Sweep(flipper, {p, Vector2d::Zero(), 0.15, 0.007}, 0.0, impact), eSweep::None) << angle;
+  }
+}
+
 // A shape that turns billions of times is not looked at to the end, but nothing is missed before that:
 // motions that begin where one was left come to the same impact.
 TEST(SweepTurning, WhatIsNotKnownIsSaid) {

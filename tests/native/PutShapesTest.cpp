@@ -5,14 +5,14 @@
 namespace Shapes {
 namespace {
 
-constexpr float g_fRadius = 0.12f;
+constexpr float g_fRadius = 0.12f, g_fWay = 3; // of balls, and of the walls in each direction
 
 /// Walls that go to and fro by SetPos, and balls in them.
 class CDragged {
 public:
   /// @param farthest  that the walls go in a step, radii of a ball
   CDragged(std::span<const CLineSegDesc> walls, int balls, float gravity, float farthest, std::uint64_t seed)
-      : m_pWorld(MakeNative(g_cAutomatic, gravity)), m_fRate(farthest / 60) {
+      : m_pWorld(MakeNative(g_cAutomatic, gravity)), m_fRate(farthest * g_fRadius / g_fWay) {
     CRandom random(seed);
     for (const CLineSegDesc& wall : walls)
       m_stdWalls.push_back(m_pWorld->Add(wall));
@@ -27,9 +27,9 @@ public:
     m_fStart = random.Uniform(0, 6);
   }
   void Put(int step) {
-    const float t = m_fStart + m_fRate * 14 * static_cast<float>(step);
+    const float t = m_fStart + m_fRate * static_cast<float>(step);
     const Vector2 start(std::sin(m_fStart), std::sin(0.7f * m_fStart));
-    m_vNow = 60 * g_fRadius / 14 * (Vector2(std::sin(t), std::sin(0.7f * t)) - start);
+    m_vNow = g_fWay * (Vector2(std::sin(t), std::sin(0.7f * t)) - start);
     for (std::size_t i = 0; i < m_stdWalls.size(); ++i)
       m_pWorld->SetPos(m_stdWalls[i], m_stdFrom[i] + m_vNow);
   }
