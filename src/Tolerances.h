@@ -105,8 +105,8 @@ inline constexpr double g_fFarCorrection = 0.25;
 /// come into each other in a fall of 30 units sink on, to half of their height.
 inline constexpr double g_fMostSeparation = 0.2;
 /// But so many times as far as a shape was put into one of them. With 0 a cup of 30 balls that SetPos moves
-/// to and fro by .4 radii a step spills 136 of 240; with 1 and .8 radii 81, with 1.5 19, with 2 25, with
-/// 5 35.
+/// to and fro by .4 radii a step spills 136 of 240, with 1 and more none; by .8 radii it spills 90, with 1
+/// 81, with 1.5 19, with 2 25, with 5 35.
 inline constexpr double g_fGivenWay = 1.5;
 /// How far a ball may be from a surface that curves, in its radii, to be put back onto it after a part of its
 /// way along it. More than the parabola leaves it; beyond it the ball has left.
@@ -187,6 +187,9 @@ inline constexpr double g_fFarRounding = 0x1p-40;
 /// each whole turn. Bounds time where a shape turns hundreds of times in a step.
 inline constexpr int g_nMaxAdvancementSteps = 4096;
 
+/// Share of its coordinates that a point may be off what it lies on and touch it: two times what the native
+/// engine keeps it away.
+inline constexpr float g_fPointReach = 8.0f * 1.1920929e-7f;
 /// Steps after which a search with what touches the ball all the time looks at it less and less often: the
 /// overlap that it may miss grows by this factor from rounding on. Without that a ball at rest at the end
 /// about which a flipper turns took all steps, and one step of 30 balls 53 ms.

@@ -51,8 +51,9 @@ public:
     const double root = std::sqrt(GetCurve(feature));
     const auto bendStep = [&](double bend) { return Quotient(std::sqrt(2.0 * bend), root, end); };
     const double least = bendStep(touch);
-    bool armed = true; // not while the ball is let through
-    double now = 0.0, give = touch;
+    bool armed = true;              // not while the ball is let through
+    double now = 0.0, give = touch; // overlap that may be missed
+    int touching = 0;               // steps
     for (int i = 0; i < g_nMaxAdvancementSteps; ++i) {
       const CBallAt ball = At(now);
       const CSpot spot = feature.At(ball);
@@ -60,8 +61,9 @@ public:
       if (i == 0) armed = gap >= -std::max(deepest, touch);
       armed = armed || gap > touch;
 
-      // What touches all the time, as the end about which a segment turns, is not looked at in each rounding.
-      if (armed && gap <= touch && i > g_nTouchingSteps) give *= g_fTouchingGrowth;
+      // An end about which a segment turns touches all the time: it is not looked at in each rounding.
+      if (armed && gap <= touch && ++touching > g_nTouchingSteps) give *= g_fTouchingGrowth;
+      if (gap > touch) give = touch, touching = 0;
       double step;
       if (gap > touch)
         step = SafeStep(Nearing(feature, gap, rate), end);

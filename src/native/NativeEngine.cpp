@@ -49,7 +49,10 @@ void CNativeEngine::Changed(CShapeId id, eChange change) {
   const std::size_t k = m_cState.FindShape(id);
   if (k == CWorldState::npos || change != eChange::Motion) m_cState.m_cBalls.m_bIsDisturbed = true;
   if (change == eChange::Filter) m_bBallsChanged = true;
-  if (k != CWorldState::npos && change == eChange::Pose) First().m_cContinuous.ShapeWasPut();
+  if (k != CWorldState::npos && change == eChange::Pose) {
+    const CShape& shape = *m_cState.m_stdShapes[k].m_pShape;
+    if (shape.GetCanCollide() && !shape.GetSensor()) First().m_cContinuous.ShapeWasPut();
+  }
   if (k == CWorldState::npos || change == eChange::Properties || change == eChange::Filter ||
       m_bShapesChanged)
     return;

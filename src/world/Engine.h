@@ -35,7 +35,7 @@ enum class eChange {
 /// The kind of the call that the user is about to make.
 enum class eAccess { Read, Change, SetGravity, Step, SaveLoad };
 
-/// What the next step of an engine depends on beyond the state.
+/// All that the next step of an engine depends on beyond the state.
 struct CEngineMemory {
   virtual ~CEngineMemory() = default;
 };

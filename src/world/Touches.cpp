@@ -3,6 +3,7 @@
 
 #include <Shapes/Limits.h>
 
+#include "../Tolerances.h"
 #include "BallPath.h"
 
 #include <algorithm>
@@ -43,7 +44,10 @@ bool AreClose(const CWorldState& state, const CTouchingPair& pair, float reach) 
     distance = std::abs(zone.Approach(here).m_fDistance); // a solid circle is a ring
   }
   const float r = b.m_stdRadius[i];
-  return distance - static_cast<double>(r) <= static_cast<double>(std::max(reach, g_fTouchReach * r));
+  // A point is kept away by what rounds its place.
+  const float rounding = g_fPointReach * b.m_stdPos[i].cwiseAbs().sum();
+  return distance - static_cast<double>(r) <=
+         static_cast<double>(std::max({reach, g_fTouchReach * r, rounding}));
 }
 
 } // namespace

@@ -45,6 +45,17 @@ TEST(ClosedRoom, PointsThatLieInItStayInIt) {
   EXPECT_EQ(lost, 0);
 }
 
+TEST(ClosedRoom, APointThatLiesTouchesOnAlsoAsleep) {
+  const auto pWorld = MakeNative({{eEffect::Touches}, {}}, 10);
+  pWorld->Add(CLineSegDesc({-2, 1}, {3, 1}));
+  pWorld->Add(CDynamicCircleDesc({1, 1.1f}, 0, {0, 0}, 1, 0));
+  int begins = 0, ends = 0;
+  for (const CTouchEvent& event : Told(*pWorld, 600, &CWorld::GetTouchEvents))
+    (event.m_bBegin ? begins : ends) += 1;
+  EXPECT_EQ(begins, 1);
+  EXPECT_EQ(ends, 0);
+}
+
 // A post that appears under a ball that is larger than the post pushes it out.
 TEST(ClosedRoom, ABallIsNotTrappedInAPostThatIsSmaller) {
   for (const CEffectChoice& effects : {g_cAutomatic, g_cApproximate}) {

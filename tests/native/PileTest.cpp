@@ -321,6 +321,5 @@ TEST(Pile, BallsUnderAPaddleAreNotHitHundredsOfTimes) {
   EXPECT_LT(overlap, 0.15);
 }
 
-// The impulses with which the solver begins are no part of a saved state.
 } // namespace
 } // namespace Shapes

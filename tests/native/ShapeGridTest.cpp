@@ -144,7 +144,7 @@ TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesComeAndMove) {
   CStaticBroadPhase broadPhase;
   broadPhase.Build(entries);
   std::vector<std::uint32_t> found, room, called;
-  std::size_t near = 0, answers = 0;
+  std::size_t near = 0, answers = 0, all = 0;
   for (int step = 0; step < 300; ++step) {
     // Quiet times, one that moves, more than are looked at one by one, and some that come.
     const std::uint32_t moved = step % 100 < 40 ? 0 : step % 100 < 60 ? 1 : 100;
@@ -159,7 +159,7 @@ TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesComeAndMove) {
       const CLineSegDesc line(random.InSquare(10.0f), random.InSquare(10.0f));
       entries.emplace_back(CShapeId{static_cast<std::uint32_t>(entries.size()) + 1},
                            std::make_unique<CLineSeg>(line));
-      ASSERT_TRUE(broadPhase.Add(entries.back()));
+      if (!broadPhase.Add(entries.back())) broadPhase.Build(entries);
     }
     for (std::uint32_t i = still; i < still + 4; ++i)
       entries[i].m_pShape->Advance(1.0f / 60.0f, 1e18f);
@@ -173,6 +173,7 @@ TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesComeAndMove) {
       ASSERT_TRUE(std::is_sorted(found.begin(), found.end()));
       ASSERT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
       answers += found.size();
+      all += broadPhase.Size();
       called.clear();
       broadPhase.ForEachNear(p, r, room, [&](std::uint32_t order) {
         called.push_back(order);
@@ -190,7 +191,7 @@ TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesComeAndMove) {
     }
   }
   EXPECT_GT(near, 1000u);
-  EXPECT_LT(answers, 300u * 100u * broadPhase.Size() / 4);
+  EXPECT_LT(answers, all / 4);
 }
 
 } // namespace

@@ -69,6 +69,7 @@ bool CStaticBroadPhase::Add(const CShapeEntry& entry) {
   FailIf(shape.GetMotionType() == eMotion::Kinematic);
   if (shape.GetSensor()) return true; // it is not in it
   FailIf(shape.GetShapeType() == eShape::Point);
+  FailIf(m_cStatic.m_stdBoxes.size() >= m_cStatic.m_cTree.Size() + g_nMostLoose);
   const auto order = static_cast<std::uint32_t>(Size());
   m_stdByOrder.push_back({entry.m_cId, entry.m_pShape.get()});
   m_stdGeometries.emplace_back();
@@ -76,10 +77,6 @@ bool CStaticBroadPhase::Add(const CShapeEntry& entry) {
   m_stdOld.push_back(order);
   m_cStatic.m_stdOrder.push_back(order);
   m_cStatic.m_stdBoxes.push_back(BoxOf(shape));
-  if (m_cStatic.m_stdBoxes.size() > m_cStatic.m_cTree.Size() + g_nMostLoose) {
-    DropGrid(); // it asks the tree for items
-    m_cStatic.BuildTree();
-  }
   Loosen(order, m_cStatic.m_stdBoxes.back());
   return true;
 }

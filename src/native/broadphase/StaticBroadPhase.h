@@ -27,9 +27,9 @@ class CStaticBroadPhase {
 public:
   /// Takes in the shapes that are no sensors.
   void Build(const std::vector<CShapeEntry>& shapes);
-  /// A shape was added to the world, the last one in the order of ids. It gets its place behind the others,
-  /// and the tree is made anew once it lacks several.
-  /// @returns whether it could: the answer for a kinematic shape, and for a point, is no
+  /// A shape was added to the world, the last one in the order of ids. It gets its place behind the others.
+  /// @returns whether it could: the answer for a kinematic shape, for a point, and where several have come
+  ///          since all was built, is no
   bool Add(const CShapeEntry& entry);
   /// A shape was removed from the world. It is kept in its place and meets nothing, until it is worth it to
   /// build all anew.

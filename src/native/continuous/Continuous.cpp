@@ -85,17 +85,17 @@ void CContinuous::MoveTogether() {
 void CContinuous::FollowBalls() {
   m_stdQueue.clear();
   m_cResting.SetSlow(m_stdBalls);
-  const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
+  // Balls upon which others come are taken meanwhile.
   if (m_cResting.IsCalledFor()) {
     FindRestingContacts();
   } else {
     // Balls that are deep in a shape would be set back from others through it.
-    for (std::uint32_t i = 0; i < n && m_bAnyPut; ++i)
+    for (std::uint32_t i = 0; m_bPairs && m_bAnyPut && i < m_stdBalls.size(); ++i)
       SetBackFromAll(i);
-    for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i)
       SetBackFromBalls(i);
   }
-  for (std::uint32_t i = 0; i < n; ++i) {
+  for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     if (m_stdBalls[i].m_bIsAsleep) continue;
     SetBackFromAll(i);
     if (m_stdBalls[i].m_bIsInPile) continue;
@@ -224,6 +224,8 @@ double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const V
   std::vector<std::uint32_t>& orders = m_stdInTheWay;
   orders.clear();
   m_pShapes->Query(Padded(box, static_cast<float>(radius) * (1.0f + g_fBoxPadding)), orders);
+  // Each is looked for in the time that those before have left.
+  std::sort(orders.begin(), orders.end());
   CMotion motion{p, way / g_fInstant, radius, g_fInstant};
   for (const std::uint32_t order : orders) {
     const CShapeGeometry& o = m_pShapes->GetGeometry(order);

@@ -75,7 +75,7 @@ public:
   void ForgetBall(std::size_t ball) { m_cResting.ForgetBall(ball); }
   /// Of a step.
   void SetSubsteps(unsigned substeps) { m_cResting.SetSubsteps(substeps); }
-  /// What the next substep depends on beyond the state.
+  /// All that the next substep depends on beyond the state.
   struct CMemory {
     CRestingContacts::CMemory m_cResting;
     bool m_bAnyPut = false;
@@ -169,7 +169,7 @@ private:
   void FindNext(std::uint32_t i);
   void FindNextShape(CMoving& ball);
   void FindRestingContacts();
-  void StayInside(CMoving& ball);
+  void StayInside(std::uint32_t i);
   void SolveRestingContacts();
   void FindShapeImpacts(CMoving& ball);
   std::optional<CShapeGeometry> WithoutSharedEnd(std::uint32_t order, const CMotion& motion, double start,

@@ -95,7 +95,8 @@ bool CContinuous::PassesAll(const CMotion& motion, const CDiscGrid::CDisc& disc)
   return std::all_of(m_stdShapesFound.begin(), m_stdShapesFound.end(), [&](std::uint32_t order) {
     const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
     const double size = SizeOf(motion.m_vPos, motion.m_fRadius) + geometry.m_fSize;
-    return IsOutOfWay(geometry, motion, 0.0, Rounding(size));
+    return IsOutOfWay(geometry, motion, 0.0, Rounding(size)) ||
+           !m_pShapes->Get(order).m_pShape->GetCanCollide();
   });
 }
 

@@ -54,19 +54,22 @@ void CContinuous::FindRestingContacts() {
     }
   }
   m_cResting.Separate(m_stdBalls, m_bAnyPut);
-  for (std::uint32_t i = 0; i < n; ++i) {
+  for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     if (!m_stdBalls[i].m_bIsNearBall) continue;
-    StayInside(m_stdBalls[i]);
+    StayInside(i);
     MoveDisc(i);
   }
   m_cResting.FindPiles(m_stdBalls);
 }
 
 // A ball that was moved apart from others farther than shapes were looked for goes through none.
-void CContinuous::StayInside(CMoving& ball) {
+void CContinuous::StayInside(std::uint32_t i) {
+  CMoving& ball = m_stdBalls[i];
   const Vector2d from = GetFreeMotion(ball.m_nBall).m_vPos, way = ball.m_vPos - from;
-  if (Norm(way) > g_fFarCorrection * ball.m_fNearRadius)
-    ball.m_vPos = from + GetFreeShare(ball, from, way, 0.0, nullptr) * way;
+  if (Norm(way) <= g_fFarCorrection * ball.m_fNearRadius) return;
+  const double share = GetFreeShare(ball, from, way, 0.0, nullptr);
+  ball.m_vPos = from + share * way;
+  m_cResting.ShortenLift(i, share);
 }
 
 void CContinuous::SolveRestingContacts() {

@@ -57,7 +57,7 @@ private:
   };
 
 public:
-  /// What the next substep has to know of those before.
+  /// All that the next substep has to know of those before.
   struct CMemory {
     std::vector<CKnown> m_stdNear; ///< pairs of the last substep, in order
     std::vector<CLast> m_stdLast;  ///< of each ball, by the index in the arrays
@@ -112,9 +112,11 @@ public:
   std::span<const std::uint32_t> GetNeighbours(std::uint32_t ball) const;
 
   /// Moves balls that overlap apart, and out of shapes: by less than a quarter of the largest radius of a
-  /// ball and those near it, unless a shape may have been put into them (isAnyPut). What the solver finds are
-  /// the velocities at which they are apart after the substep, and none of these stays (split impulses).
+  /// ball and those near it, unless a shape may have been put into them (isAnyPut). The solver finds the
+  /// velocities at which they are apart after the substep, and none of these stays (split impulses).
   void Separate(std::vector<CMoving>& balls, bool isAnyPut);
+  /// A ball was moved only this share of what it was lifted by.
+  void ShortenLift(std::uint32_t ball, double share) { m_stdLifts[ball] *= share; }
   /// Keeps the contacts of piles only, and tells their balls.
   void FindPiles(std::vector<CMoving>& balls);
   /// Sets the velocities of all balls of piles; the shapes that push become holds.

@@ -77,7 +77,9 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls, bool isAnyPut) {
     m_cSolver.Add(row, 0.0);
   }
   // Where many are in one place they need not come apart in one substep.
-  const std::size_t most = g_nManyContacts * balls.size() * g_nSeparateRounds;
+  const auto near = static_cast<std::size_t>(
+      std::count_if(balls.begin(), balls.end(), [](const CMoving& ball) { return ball.m_bIsNearBall; }));
+  const std::size_t most = g_nManyContacts * near * g_nSeparateRounds;
   m_cSolver.Separate(std::max(least / m_fStep, GetFlowError(balls)),
                      std::min(g_nSeparateRounds, 1 + most / m_stdContacts.size()));
 
