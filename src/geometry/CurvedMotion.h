@@ -62,8 +62,10 @@ public:
       armed = armed || gap > touch;
 
       // An end about which a segment turns touches all the time: it is not looked at in each rounding.
-      if (armed && gap <= touch && ++touching > g_nTouchingSteps) give *= g_fTouchingGrowth;
-      if (gap > touch) give = touch, touching = 0;
+      if (gap > touch)
+        give = touch, touching = 0;
+      else if (armed && ++touching > g_nTouchingSteps)
+        give *= g_fTouchingGrowth;
       double step;
       if (gap > touch)
         step = SafeStep(Nearing(feature, gap, rate), end);
