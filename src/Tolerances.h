@@ -68,6 +68,9 @@ inline constexpr float g_fSleepTime = 0.5f;
 /// apart, little by little where their masses differ by 1,000 times. Without it 3 of 1,600 random piles slept
 /// with .0011 to .0058.
 inline constexpr double g_fSleepOverlap = 1e-3;
+/// Seconds after which they sleep all the same: balls in a lane that is too narrow for them have nowhere to
+/// go. Level rows a thousandth too long need up to 17 s to come apart.
+inline constexpr float g_fPressedSleepTime = 30.0f;
 /// Two balls rest on each other if they approach or part by no more than gravity gives in so many substeps,
 /// and would touch within one. With 1 a pile of 200 does not come to rest.
 inline constexpr double g_fRestingSteps = 2.0;

@@ -252,6 +252,21 @@ TEST(Pile, APileAtRestSleepsUntilSomethingHappens) {
   EXPECT_FALSE(std::equal(before.begin(), before.end(), world.GetBallPositions().begin()));
 }
 
+// They have nowhere to go, and are looked at all the same until then.
+TEST(Pile, BallsInALaneThatIsTooNarrowSleepInTheEnd) {
+  const auto pWorld = MakeNative(g_cAutomatic, 10);
+  for (const float x : {-0.198f, 0.198f})
+    pWorld->Add(CLineSegDesc({x, 0}, {x, 9}));
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, 0.5f));
+  for (int i = 0; i < 5; ++i)
+    pWorld->Add(CDynamicCircleDesc({0, 0.3f + 0.5f * static_cast<float>(i)}, 0.2f, {0, 0}, 1, 0.5f));
+  Steps(*pWorld, 600);
+  EXPECT_FALSE(pWorld->GetContacts().empty());
+  Steps(*pWorld, static_cast<int>(60 * g_fPressedSleepTime));
+  EXPECT_TRUE(pWorld->GetContacts().empty());
+  EXPECT_GE(pWorld->GetBallPositions()[0].y(), 0.2f * (1 - 0x1p-20f));
+}
+
 TEST(Pile, APaddleThatPushesAPileLosesNone) {
   std::ptrdiff_t control = 0;
   for (const float speed : {0.5f, 3.0f, 20.0f})

@@ -30,7 +30,7 @@ bool CContinuous::IsOnWay(std::size_t sleeper, std::size_t ball) const {
                                     Rounding(SizeOf(motion.m_vPos, motion.m_fRadius));
 }
 
-// Seconds for which a ball that was taken has been at rest.
+// Seconds for which a ball that was taken has been at rest, those in which it is pressed as less.
 float CContinuous::GetCalm(const CMoving& ball) const {
   const CBallArrays& b = *m_pBalls;
   const auto isCarried = [this](const CHold& hold) {
@@ -39,10 +39,11 @@ float CContinuous::GetCalm(const CMoving& ball) const {
   const auto holds = ball.m_cHolds.Get();
   const bool lies = ball.m_bIsAsleep || ball.m_bIsInPile || ball.m_bIsStuck || !holds.empty();
   const bool isInCrowd = ball.m_cFarthestDeep != g_cFarthest; // which comes apart little by little
-  const bool isCalm = lies && !isInCrowd && ball.m_bIsHalted == ball.m_bIsStuck && !ball.m_bIsPressed &&
+  const bool isCalm = lies && !isInCrowd && ball.m_bIsHalted == ball.m_bIsStuck &&
                       b.m_stdVel[ball.m_nBall].norm() <= m_fSleepSpeed &&
                       std::none_of(holds.begin(), holds.end(), isCarried);
-  return isCalm ? b.m_stdCalm[ball.m_nBall] + static_cast<float>(m_fStep) : 0.0f;
+  const double share = ball.m_bIsPressed ? g_fSleepTime / g_fPressedSleepTime : 1.0;
+  return isCalm ? b.m_stdCalm[ball.m_nBall] + static_cast<float>(m_fStep * share) : 0.0f;
 }
 
 void CContinuous::SetCalm(std::size_t k, float calm) {
