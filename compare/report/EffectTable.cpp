@@ -26,9 +26,12 @@ std::string CostText(const CEffectCost& cost) {
   return cost.IsCalledFor() ? text + " " : "(" + text + ")";
 }
 
-template <class... T>
-std::string Row(std::string_view name, const T&... cells) {
-  std::string row = fmt::format("{:<18}{:>9}{:>12}{:>11}{:>9}{:>9}{:>12}", name, cells...);
+// cell(e) of each effect g_stdEffects[e].
+template <class F>
+std::string Row(std::string_view name, const F& cell) {
+  std::string row = fmt::format("{:<18}", name);
+  for (std::size_t e = 0; e < std::size(g_stdEffects); ++e)
+    row += fmt::format("{:>{}}", cell(e), std::max<std::size_t>(9, GetName(g_stdEffects[e]).size() + 2));
   row.erase(row.find_last_not_of(' ') + 1);
   return row + '\n';
 }
@@ -36,10 +39,8 @@ std::string Row(std::string_view name, const T&... cells) {
 std::string Rows(const CSceneReport& scene) {
   std::string text = Wrap(Ascii(scene.m_cScene.m_sName), 0, 2);
   const std::vector<CEffectCost>& costs = scene.m_cEffects.m_stdCosts;
-  for (std::size_t i = 0; i + std::size(g_stdEffects) <= costs.size(); i += std::size(g_stdEffects)) {
-    const auto cell = [&](std::size_t e) { return CostText(costs[i + e]); };
-    text += Row(" " + costs[i].m_sEngine, cell(0), cell(1), cell(2), cell(3), cell(4), cell(5));
-  }
+  for (std::size_t i = 0; i + std::size(g_stdEffects) <= costs.size(); i += std::size(g_stdEffects))
+    text += Row(" " + costs[i].m_sEngine, [&](std::size_t e) { return CostText(costs[i + e]); });
   return text;
 }
 
@@ -102,8 +103,8 @@ std::vector<std::string> MakeEffectChanges(const CSceneReport& scene) {
 std::string MakeEffectTable(const CRunReport& report) {
   const auto isMeasured = [](const CSceneReport& scene) { return !scene.m_cEffects.m_stdCosts.empty(); };
   if (std::none_of(report.m_stdScenes.begin(), report.m_stdScenes.end(), isMeasured)) return "";
-  std::string text = "\nEffects\n\n" +
-                     Row("", "Gravity ", "Kinematics ", "BallPairs ", "Sensors ", "Events ", "Continuous ");
+  std::string text =
+      "\nEffects\n\n" + Row("", [](std::size_t e) { return fmt::format("{} ", GetName(g_stdEffects[e])); });
   for (const CSceneReport& scene : report.m_stdScenes)
     if (isMeasured(scene)) text += Rows(scene);
   text +=
