@@ -74,15 +74,13 @@ const std::vector<CSorting>& GetSortings() {
   return sortings;
 }
 
-std::array<double, g_nHistogramBins + 1> MakeEdges() {
-  std::array<double, g_nHistogramBins + 1> edges;
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    edges[i] = std::pow(10.0, static_cast<double>(i) / 4.0 - 6.0);
-  return edges;
-}
-
 const std::array<double, g_nHistogramBins + 1>& GetEdges() {
-  static const auto edges = MakeEdges();
+  static const auto edges = [] {
+    std::array<double, g_nHistogramBins + 1> made;
+    for (std::size_t i = 0; i < made.size(); ++i)
+      made[i] = std::pow(10.0, static_cast<double>(i) / 4.0 - 6.0);
+    return made;
+  }();
   return edges;
 }
 

@@ -2,6 +2,7 @@
 #include "Machine.h"
 #include "Report.h"
 #include "metrics/Overall.h"
+#include "metrics/Totals.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -327,7 +328,7 @@ ordered_json OverallToJson(const CRunReport& report) {
 ordered_json HistogramEdges() {
   ordered_json edges = ordered_json::array();
   for (std::size_t i = 0; i <= g_nHistogramBins; ++i)
-    edges.push_back(std::pow(10.0, static_cast<double>(i) / 4.0 - 6.0));
+    edges.push_back(GetHistogramEdge(i));
   return edges;
 }
 

@@ -64,20 +64,20 @@ void CSceneFields::Read(const char* name, Vector2& value, const CPairRule& rule,
   value = {ToFloat(path / 0, numbers[0]), ToFloat(path / 1, numbers[1])};
 }
 
-void CSceneFields::Read(const char* name, bool& value) {
-  const char* expected = "true or false";
+template <class T>
+void CSceneFields::ReadAs(const char* name, T& value, const char* expected, bool (CJson::*is)() const) {
   const CJson* pValue = Find(name, expected, eNeed::Optional);
   if (pValue == nullptr) return;
-  if (!pValue->is_boolean()) Refuse(m_cPath / name, expected);
-  value = pValue->get<bool>();
+  if (!(pValue->*is)()) Refuse(m_cPath / name, expected);
+  value = pValue->get<T>();
+}
+
+void CSceneFields::Read(const char* name, bool& value) {
+  ReadAs(name, value, "true or false", &CJson::is_boolean);
 }
 
 void CSceneFields::Read(const char* name, std::string& value) {
-  const char* expected = "a text";
-  const CJson* pValue = Find(name, expected, eNeed::Optional);
-  if (pValue == nullptr) return;
-  if (!pValue->is_string()) Refuse(m_cPath / name, expected);
-  value = pValue->get<std::string>();
+  ReadAs(name, value, "a text", &CJson::is_string);
 }
 
 void CSceneFields::ReadName(const char* name, std::string& value) {

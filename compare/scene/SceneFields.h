@@ -68,6 +68,9 @@ public:
 private:
   // The value of a field; null if it is optional and missing.
   const CJson* Find(const char* name, const std::string& expected, eNeed need);
+  // An optional value of a type that `is` tells.
+  template <class T>
+  void ReadAs(const char* name, T& value, const char* expected, bool (CJson::*is)() const);
   [[noreturn]] void Refuse(const CJsonPath& path, const std::string& expected) const;
   double ReadNumber(const CJsonPath& path, const CNumberRule& rule) const;
   float ToFloat(const CJsonPath& path, double number) const;

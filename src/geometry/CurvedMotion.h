@@ -32,6 +32,7 @@ public:
 
   const CMotion& GetMotion() const { return m_cMotion; }
   double GetTouch() const { return m_cRoundings.m_fTouch; }
+  double GetSlow() const { return m_cRoundings.m_fSlow; }
   CBallAt At(double t) const {
     const Vector2d d = FromCenter(t), v = m_cMotion.VelAt(t);
     if (m_fTurn == 0.0) return {m_vRotCenter + d, v, m_cMotion.m_fRadius};

@@ -13,30 +13,21 @@ namespace Shapes::Geometry {
 /// Only the beginning of a motion: TimeOfImpact finds overlaps, and the gap stands for the time, so that the
 /// deepest is the first.
 template <class TMotion>
-class CStandingMotion {
+class CStandingMotion : public TMotion {
 public:
-  explicit CStandingMotion(const TMotion& motion) : m_cMotion(motion) {}
+  explicit CStandingMotion(const TMotion& motion) : TMotion(motion) {}
 
-  const CMotion& GetMotion() const { return m_cMotion.GetMotion(); }
-  double GetTouch() const { return m_cMotion.GetTouch(); }
-  CBallAt At(double) const { return m_cMotion.At(0.0); }
+  CBallAt At(double) const { return TMotion::At(0.0); }
 
   template <class TFeature, class F>
   eSweep TimeOfImpact(const TFeature& feature, double deepest, const F& counts, double& t) const {
-    const CBallAt ball = m_cMotion.At(0.0);
+    const CBallAt ball = TMotion::At(0.0);
     const double gap = feature.GetGap(ball);
     if (!(gap < t && gap >= -deepest && counts(ball.m_vPos))) return eSweep::None;
     t = gap;
     return eSweep::Impact;
   }
-  template <class TFeature>
-  double GetCurve(const TFeature& feature, const CSpot& spot) const {
-    return m_cMotion.GetCurve(feature, spot);
-  }
-  double GetClosing(const CSpot& spot, double) const { return m_cMotion.GetClosing(spot, 0.0); }
-
-private:
-  TMotion m_cMotion;
+  double GetClosing(const CSpot& spot, double) const { return TMotion::GetClosing(spot, 0.0); }
 };
 
 template <class TMotion>

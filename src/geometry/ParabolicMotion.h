@@ -8,20 +8,12 @@
 namespace Shapes::Geometry {
 
 /// TimeOfImpact as of CLinearMotion, and OutOfIterations as of CCurvedMotion.
-class CParabolicMotion {
+class CParabolicMotion : public CCurvedMotion {
 public:
-  CParabolicMotion(const CShapeGeometry& shape, const CMotion& motion, const CRoundings& roundings)
-      : m_cCurved(shape, motion, roundings), m_cRoundings(roundings) {}
+  using CCurvedMotion::CCurvedMotion;
+  using CCurvedMotion::TimeOfImpact; // discs, and rings from inside
 
-  const CMotion& GetMotion() const { return m_cCurved.GetMotion(); }
-  double GetTouch() const { return m_cRoundings.m_fTouch; }
   CBallAt At(double t) const { return {GetMotion().PosAt(t), GetMotion().VelAt(t), GetMotion().m_fRadius}; }
-
-  /// Discs, and rings from inside.
-  template <class TFeature, class F>
-  eSweep TimeOfImpact(const TFeature& feature, double deepest, const F& counts, double& t) const {
-    return m_cCurved.TimeOfImpact(feature, deepest, counts, t);
-  }
 
   /// The root of gap + rate t + a t^2/2 at which the gap falls: with s = sqrt(rate^2 - 2 a gap) it is 2 gap /
   /// (s - rate), and (s + rate) / -a where the rate is above 0. Error as of CLinearMotion.
@@ -35,9 +27,9 @@ public:
     // ignored until it is clear, or begins to approach.
     const bool isTouching = gap <= touch, isLetGo = gap < -std::max(deepest, touch);
     if (isTouching && !isLetGo) {
-      if (rate < -m_cRoundings.m_fSlow) return MeetAt(*this, 0.0, 1.0, counts, t);
+      if (rate < -GetSlow()) return MeetAt(*this, 0.0, 1.0, counts, t);
       if (!(a < 0.0)) return eSweep::None;
-      const double up = std::max(rate, 0.0), slow = m_cRoundings.m_fSlow;
+      const double up = std::max(rate, 0.0), slow = GetSlow();
       if (gap >= -touch) return MeetAt(*this, 2.0 * up + slow, -a, counts, t);
       if (up * up <= -2.0 * a * (touch - gap)) return MeetAt(*this, up + slow, -a, counts, t);
       // It is clear before it begins to approach.
@@ -64,7 +56,7 @@ public:
     bool isOut = false;
     for (const Vector2d& end : {feature.m_vPt0, feature.m_vPt1}) {
       double until = t;
-      const eSweep found = m_cCurved.TimeOfImpact(CDisk{end, 0.0}, deepest, counts, until);
+      const eSweep found = TimeOfImpact(CDisk{end, 0.0}, deepest, counts, until);
       if (found == eSweep::None) continue;
       t = until;
       isMet |= found == eSweep::Impact;
@@ -73,15 +65,7 @@ public:
     return isOut ? eSweep::OutOfIterations : isMet ? eSweep::Impact : eSweep::None;
   }
 
-  template <class TFeature>
-  double GetCurve(const TFeature& feature, const CSpot& spot) const {
-    return m_cCurved.GetCurve(feature, spot);
-  }
   double GetClosing(const CSpot& spot, double t) const { return spot.Closing(At(t), GetMotion().m_vAcc); }
-
-private:
-  CCurvedMotion m_cCurved;
-  CRoundings m_cRoundings;
 };
 
 } // namespace Shapes::Geometry

@@ -135,7 +135,7 @@ void CNativeEngine::MoveShapes(float dt) {
   }
 }
 
-void CNativeEngine::BoxShapes(float) { m_cBroadPhase.BoxKinematic(); }
+void CNativeEngine::BoxShapes(float) { m_cBroadPhase.BoxKinematic(0.0f); }
 
 template <bool TReports>
 void CNativeEngine::MoveBalls(float dt) {

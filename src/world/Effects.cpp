@@ -6,6 +6,10 @@
 namespace Shapes {
 namespace {
 
+constexpr std::size_t CContent::*g_pCounts[] = {&CContent::m_nBalls,       &CContent::m_nSolidBalls,
+                                                &CContent::m_nSolidShapes, &CContent::m_nMoving,
+                                                &CContent::m_nSensors,     &CContent::m_nWithStops};
+
 std::string Plural(std::size_t n, const std::string& one, const std::string& more) {
   return std::to_string(n) + " " + (n == 1 ? one : more);
 }
@@ -70,22 +74,14 @@ CContent CContent::Of(const CBallArrays& balls, std::size_t i) {
 }
 
 CContent& CContent::operator+=(const CContent& other) {
-  m_nBalls += other.m_nBalls;
-  m_nSolidBalls += other.m_nSolidBalls;
-  m_nSolidShapes += other.m_nSolidShapes;
-  m_nMoving += other.m_nMoving;
-  m_nSensors += other.m_nSensors;
-  m_nWithStops += other.m_nWithStops;
+  for (std::size_t CContent::*const count : g_pCounts)
+    this->*count += other.*count;
   return *this;
 }
 
 CContent& CContent::operator-=(const CContent& other) {
-  m_nBalls -= other.m_nBalls;
-  m_nSolidBalls -= other.m_nSolidBalls;
-  m_nSolidShapes -= other.m_nSolidShapes;
-  m_nMoving -= other.m_nMoving;
-  m_nSensors -= other.m_nSensors;
-  m_nWithStops -= other.m_nWithStops;
+  for (std::size_t CContent::*const count : g_pCounts)
+    this->*count -= other.*count;
   return *this;
 }
 

@@ -89,15 +89,26 @@ CShapeEntry& FindKinematic(CWorldState& state, CShapeId id, const char* expected
 
 constexpr const char* g_sToBeTurned = "a kinematic shape, to be turned";
 
-// Sets a property of a shape or a ball.
-template <class FBall, class FShape>
-void SetProperty(CWorldCore& core, CShapeId id, eChange what, const FBall& ofBall, const FShape& ofShape) {
+// A property of a shape or a ball.
+template <class T, class U>
+U GetProperty(const CWorldCore& core, CShapeId id, std::vector<T> CBallArrays::*ofBalls,
+              U (CShape::*ofShape)() const) {
+  const CWorldState& state = core.ReadState();
+  const std::size_t i = state.FindBall(id);
+  return i != CWorldState::npos ? static_cast<U>((state.m_cBalls.*ofBalls)[i])
+                                : (FindShape(state, id).*ofShape)();
+}
+
+template <class T, class U>
+void SetProperty(CWorldCore& core, CShapeId id, eChange what, std::vector<T> CBallArrays::*ofBalls,
+                 void (CShape::*ofShape)(U), std::type_identity_t<U> value) {
   core.Access(eAccess::Change);
   CWorldState& state = core.GetState();
   if (const std::size_t i = state.FindBall(id); i != CWorldState::npos)
-    core.ChangeBall(i, what, ofBall);
+    core.ChangeBall(i, what, [&](CBallArrays& b, std::size_t ball) { (b.*ofBalls)[ball] = value; });
   else
-    core.ChangeShape(FindEntry(state, id), what, [&](CShapeEntry& entry) { ofShape(*entry.m_pShape); });
+    core.ChangeShape(FindEntry(state, id), what,
+                     [&](CShapeEntry& entry) { (*entry.m_pShape.*ofShape)(value); });
 }
 
 // Changes the pose of a shape, unless the engine could not hold it there.
@@ -205,9 +216,7 @@ eMotion CWorld::GetMotionType(CShapeId id) const {
 }
 
 const Vector2& CWorld::GetPos(CShapeId id) const {
-  const CWorldState& state = m_pImpl->ReadState();
-  const std::size_t i = state.FindBall(id);
-  return i != CWorldState::npos ? state.m_cBalls.m_stdPos[i] : FindShape(state, id).GetPos();
+  return GetProperty(*m_pImpl, id, &CBallArrays::m_stdPos, &CShape::GetPos);
 }
 
 void CWorld::SetPos(CShapeId id, const Vector2& p) {
@@ -223,65 +232,44 @@ void CWorld::SetPos(CShapeId id, const Vector2& p) {
 }
 
 float CWorld::GetElasticity(CShapeId id) const {
-  const CWorldState& state = m_pImpl->ReadState();
-  const std::size_t i = state.FindBall(id);
-  return i != CWorldState::npos ? state.m_cBalls.m_stdElasticity[i] : FindShape(state, id).GetElasticity();
+  return GetProperty(*m_pImpl, id, &CBallArrays::m_stdElasticity, &CShape::GetElasticity);
 }
 
 void CWorld::SetElasticity(CShapeId id, float e) {
   RequireRange("m_fElasticity", e, 0.0f, g_fMaxElasticity);
-  SetProperty(
-      *m_pImpl, id, eChange::Properties, [&](CBallArrays& b, std::size_t i) { b.m_stdElasticity[i] = e; },
-      [&](CShape& shape) { shape.SetElasticity(e); });
+  SetProperty(*m_pImpl, id, eChange::Properties, &CBallArrays::m_stdElasticity, &CShape::SetElasticity, e);
 }
 
 bool CWorld::GetSensor(CShapeId id) const {
-  const CWorldState& state = m_pImpl->ReadState();
-  const std::size_t i = state.FindBall(id);
-  return i != CWorldState::npos ? state.m_cBalls.m_stdSensor[i] != 0 : FindShape(state, id).GetSensor();
+  return GetProperty(*m_pImpl, id, &CBallArrays::m_stdSensor, &CShape::GetSensor);
 }
 
 void CWorld::SetSensor(CShapeId id, bool is) {
-  SetProperty(
-      *m_pImpl, id, eChange::Sensor, [&](CBallArrays& b, std::size_t i) { b.m_stdSensor[i] = is; },
-      [&](CShape& shape) { shape.SetSensor(is); });
+  SetProperty(*m_pImpl, id, eChange::Sensor, &CBallArrays::m_stdSensor, &CShape::SetSensor, is);
 }
 
 bool CWorld::GetCanCollide(CShapeId id) const {
-  const CWorldState& state = m_pImpl->ReadState();
-  const std::size_t i = state.FindBall(id);
-  return i != CWorldState::npos ? state.m_cBalls.m_stdCanCollide[i] != 0
-                                : FindShape(state, id).GetCanCollide();
+  return GetProperty(*m_pImpl, id, &CBallArrays::m_stdCanCollide, &CShape::GetCanCollide);
 }
 
 void CWorld::SetCanCollide(CShapeId id, bool can) {
-  SetProperty(
-      *m_pImpl, id, eChange::Properties, [&](CBallArrays& b, std::size_t i) { b.m_stdCanCollide[i] = can; },
-      [&](CShape& shape) { shape.SetCanCollide(can); });
+  SetProperty(*m_pImpl, id, eChange::Properties, &CBallArrays::m_stdCanCollide, &CShape::SetCanCollide, can);
 }
 
 const CFilter& CWorld::GetFilter(CShapeId id) const {
-  const CWorldState& state = m_pImpl->ReadState();
-  const std::size_t i = state.FindBall(id);
-  return i != CWorldState::npos ? state.m_cBalls.m_stdFilter[i] : FindShape(state, id).GetFilter();
+  return GetProperty(*m_pImpl, id, &CBallArrays::m_stdFilter, &CShape::GetFilter);
 }
 
 void CWorld::SetFilter(CShapeId id, const CFilter& filter) {
-  SetProperty(
-      *m_pImpl, id, eChange::Filter, [&](CBallArrays& b, std::size_t i) { b.m_stdFilter[i] = filter; },
-      [&](CShape& shape) { shape.SetFilter(filter); });
+  SetProperty(*m_pImpl, id, eChange::Filter, &CBallArrays::m_stdFilter, &CShape::SetFilter, filter);
 }
 
 void* CWorld::GetUserPtr(CShapeId id) const {
-  const CWorldState& state = m_pImpl->ReadState();
-  const std::size_t i = state.FindBall(id);
-  return i != CWorldState::npos ? state.m_cBalls.m_stdUser[i] : FindShape(state, id).GetUserPtr();
+  return GetProperty(*m_pImpl, id, &CBallArrays::m_stdUser, &CShape::GetUserPtr);
 }
 
 void CWorld::SetUserPtr(CShapeId id, void* p) {
-  SetProperty(
-      *m_pImpl, id, eChange::Properties, [&](CBallArrays& b, std::size_t i) { b.m_stdUser[i] = p; },
-      [&](CShape& shape) { shape.SetUserPtr(p); });
+  SetProperty(*m_pImpl, id, eChange::Properties, &CBallArrays::m_stdUser, &CShape::SetUserPtr, p);
 }
 
 std::vector<CShapeId> CWorld::GetShapeIds() const {

@@ -16,7 +16,6 @@ constexpr CEffects g_cBuilt = CEffects::All() - CEffects{SHAPES_WITHOUT_EFFECTS}
 #else
 constexpr CEffects g_cBuilt = CEffects::All();
 #endif
-constexpr bool IsBuilt(eEffect e) { return g_cBuilt.Has(e); }
 
 void RequireCount(const char* field, unsigned value, unsigned most) {
   if (value < 1 || value > most)
@@ -87,10 +86,7 @@ void CWorld::CImpl::PlanSubsteps() {
 
 const CQuestions& CWorld::CImpl::Ask() {
   Access(eAccess::Read);
-  const bool isOld = m_nAskedSubsteps != m_cStats.m_nSubsteps || m_nAskedChanges != m_nChanges;
-  if (!m_cQuestions || isOld) m_cQuestions.emplace(m_cState);
-  m_nAskedSubsteps = m_cStats.m_nSubsteps;
-  m_nAskedChanges = m_nChanges;
+  if (!m_cQuestions) m_cQuestions.emplace(m_cState);
   return *m_cQuestions;
 }
 
@@ -239,10 +235,6 @@ void CWorld::CImpl::BeginStep() {
   m_stdContacts.clear();
   m_stdSensorEvents.clear();
   m_stdHalted.clear();
-  if (Watches()) BeginToWatch();
-}
-
-void CWorld::CImpl::BeginToWatch() {
   m_stdTouchEvents.clear();
   m_nFollowed = 0;
   if (Runs(eEffect::Sensors)) m_cSensors.Begin(m_cState, m_stdSensorEvents);
@@ -251,19 +243,12 @@ void CWorld::CImpl::BeginToWatch() {
 
 void CWorld::CImpl::EndSubstep(float dt) {
   ++m_cStats.m_nSubsteps;
-  if (Watches()) Watch(dt);
-}
-
-void CWorld::CImpl::Watch(float dt) {
+  m_cQuestions.reset();
   if (Runs(eEffect::Touches))
     FollowTouches(std::span(m_stdContacts).subspan(m_nFollowed), m_pEngine->GetTouchReach(), m_cState,
                   m_stdTouchEvents);
   if (Runs(eEffect::Sensors)) Sense(dt);
   m_nFollowed = m_stdContacts.size();
-}
-
-bool CWorld::CImpl::Watches() const {
-  return !(m_cRunning & g_cBuilt & CEffects{eEffect::Sensors, eEffect::Touches}).IsEmpty();
 }
 
 void CWorld::CImpl::Sense(float dt) {
@@ -325,8 +310,7 @@ CWorldState CWorld::CImpl::SaveState() {
 void CWorld::CImpl::LoadState(const CWorldState& state) {
   // Ids that were given since are not given again.
   const std::uint32_t nextId = std::max(m_cState.m_nNextId, state.m_nNextId);
-  CWorldState loaded = state;
-  m_cState = std::move(loaded);
+  m_cState = CWorldState(state);
   NoteChange();
   NoteStops();
   m_cState.m_nNextId = nextId;

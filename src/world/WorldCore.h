@@ -29,7 +29,6 @@ public:
 
   // For the engine.
   CWorldState& GetState() { return m_cState; }
-  const CWorldState& GetState() const { return m_cState; }
   CWorldStats& Stats() { return m_cStats; }
   const CWorldDesc& GetDesc() const { return m_cDesc; }
   const CWorldLimits& GetLimits() const { return m_cLimits; }
@@ -56,7 +55,7 @@ public:
   /// The indices of shapes are others, or their stops.
   void NoteStops() { m_bStopsChanged = true; }
   /// Something is elsewhere, came, went, or is another one: by anything but a step.
-  void NoteChange() { ++m_nChanges; }
+  void NoteChange() { m_cQuestions.reset(); }
   /// Erases a shape or a ball from the state.
   /// @param pShape  gets the shape
   /// @return false if there is none of that id
@@ -101,10 +100,6 @@ private:
   void ForEachWithStops(const F& f);
   float FindPart(float left);
   void SubstepInParts(float dt);
-  /// Whether Sensors or Touches runs.
-  bool Watches() const;
-  void BeginToWatch();
-  void Watch(float dt);
   void Sense(float dt);
 
   CWorldDesc m_cDesc;
@@ -124,12 +119,10 @@ private:
   std::vector<CShapeId> m_stdHalted;
   std::size_t m_nFollowed = 0; // contacts of this step that Touches knows of
   CWorldStats m_cStats;
-  std::uint64_t m_nChanges = 0;
   bool m_bStopsChanged = true;
   std::vector<std::size_t> m_stdWithStops; // indices of shapes
   // Until the next step or change.
   std::optional<CQuestions> m_cQuestions;
-  std::uint64_t m_nAskedSubsteps = 0, m_nAskedChanges = 0;
   std::unique_ptr<CEngine> m_pEngine; // last: it is made from the rest, and goes before it
 };
 

@@ -164,7 +164,7 @@ TEST(StaticBroadPhase, FindsAllThatIsNearWhileShapesComeAndMove) {
     }
     for (std::uint32_t i = still; i < still + 4; ++i)
       entries[i].m_pShape->Advance(1.0f / 60.0f, 1e18f);
-    broadPhase.BoxKinematic();
+    broadPhase.BoxKinematic(0.0f);
     const float radius = step < 200 ? 0.2f : 0.9f;
     broadPhase.SetReach(4.5f * radius, radius);
     for (int q = 0; q < 100; ++q) {

@@ -18,24 +18,26 @@ b2CircleShape Circle(const b2Vec2& p, float r) {
   return circle;
 }
 
+// The solid side of an edge is on the right of its way. Its neighbours fold back onto it, which leaves the
+// ends round: at a time of impact Box2D would take a ball that touches an end for one of a neighbour that has
+// not been reached yet, and forget the impact.
+void SetEdge(b2EdgeShape& edge, const b2Vec2& p0, const b2Vec2& p1, eSides sides, bool frontIsLeft) {
+  if (sides == eSides::Both)
+    edge.SetTwoSided(p0, p1);
+  else if (frontIsLeft == (sides == eSides::Front))
+    edge.SetOneSided(p0, p1, p0, p1);
+  else
+    edge.SetOneSided(p1, p0, p1, p0);
+}
+
 void MakeLineSeg(const CLineSeg& seg, const Vector2& origin, const CScale& scale, CFixtureShapes& fixtures) {
   const b2Vec2 p0 = scale.ToMetres(seg.GetEndPt0() - origin), p1 = scale.ToMetres(seg.GetEndPt1() - origin);
   if (!(b2Distance(p0, p1) >= g_fShortestEdge)) {
     fixtures.m_stdCircles.push_back(Circle(0.5f * (p0 + p1), 0.0f));
     return;
   }
-  b2EdgeShape& edge = fixtures.m_stdEdges.emplace_back();
-  if (seg.GetSides() == eSides::Both) {
-    edge.SetTwoSided(p0, p1);
-    return;
-  }
-  // The solid side of an edge is on the right of its way. Its neighbours fold back onto it, which leaves the
-  // ends round.
   const bool normalIsLeft = Cross(seg.GetEndPt1() - seg.GetEndPt0(), seg.GetNormal()) > 0.0f;
-  if (normalIsLeft == (seg.GetSides() == eSides::Front))
-    edge.SetOneSided(p0, p1, p0, p1);
-  else
-    edge.SetOneSided(p1, p0, p1, p0);
+  SetEdge(fixtures.m_stdEdges.emplace_back(), p0, p1, seg.GetSides(), normalIsLeft);
 }
 
 // Whether no two neighbours are so close that Box2D would stop the program.
@@ -46,21 +48,13 @@ bool AreApart(const CFixtureShapes::CChain& chain) {
   return true;
 }
 
-// One edge for each chord, solid on both sides or on one. Its neighbours fold back onto it, which leaves its
-// ends round: at a time of impact Box2D would take a ball that touches an end for one of a neighbour that has
-// not been reached yet, and forget the impact.
+// One edge for each chord.
 void MakeArcEdges(const CArc& arc, const std::vector<b2Vec2>& vertices, float skin,
                   CFixtureShapes& fixtures) {
   for (std::size_t i = 1; i < vertices.size(); ++i) {
-    const b2Vec2 &v0 = vertices[i - 1], &v1 = vertices[i];
     b2EdgeShape& edge = fixtures.m_stdEdges.emplace_back();
-    // Counterclockwise, the right side is the outside.
-    if (arc.GetSides() == eSides::Both)
-      edge.SetTwoSided(v0, v1);
-    else if (arc.GetSides() == eSides::Front)
-      edge.SetOneSided(v1, v0, v1, v0);
-    else
-      edge.SetOneSided(v0, v1, v0, v1);
+    // Counterclockwise, the right side is the outside, which is the front.
+    SetEdge(edge, vertices[i - 1], vertices[i], arc.GetSides(), false);
     edge.m_radius = skin;
   }
 }

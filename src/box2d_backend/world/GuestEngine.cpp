@@ -92,8 +92,7 @@ void CGuestEngine::PostStep() {
   const CBusy busy(m_bIsBusy);
   m_pChain->SetGatherer(nullptr);
   m_pStepper->AfterStep();
-  for (const CStepper::CPathVertex& vertex : m_pStepper->GetPathVertices())
-    m_cWorld.AddPathVertex(vertex.m_nBall, vertex.m_vPos, vertex.m_fPart);
+  m_pStepper->AddPathVertices([](float part) { return part; });
   m_pStepper->EndSubstep(m_fStep);
   const float dt = std::exchange(m_fStep, 0.0f);
   m_cWorld.EndSubstep(dt);

@@ -62,8 +62,7 @@ void COwnedEngine::Substep(float dt) {
     m_pWorld->Step(h, static_cast<int32>(settings.m_nVelocityIterations),
                    static_cast<int32>(settings.m_nPositionIterations));
     m_pStepper->AfterStep();
-    for (const CStepper::CPathVertex& vertex : m_pStepper->GetPathVertices())
-      m_cWorld.AddPathVertex(vertex.m_nBall, vertex.m_vPos, (dt - left + vertex.m_fPart * h) / dt);
+    m_pStepper->AddPathVertices([=](float part) { return (dt - left + part * h) / dt; });
     left -= h;
   }
   m_pStepper->EndSubstep(dt);

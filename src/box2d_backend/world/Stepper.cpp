@@ -202,14 +202,6 @@ void CStepper::AfterStep() {
   if (m_cTuning.m_bExactContacts) KeepBallsOnTheirSide(m_cBodies);
 }
 
-std::vector<CStepper::CPathVertex> CStepper::GetPathVertices() const {
-  std::vector<CPathVertex> vertices;
-  for (const CContactGatherer::CPathVertex& vertex : m_cGatherer.GetPathVertices())
-    if (const std::size_t i = m_cState.FindBall(vertex.m_cBall); i != CWorldState::npos)
-      vertices.push_back({i, m_cScale.FromMetres(vertex.m_vPos), static_cast<float>(vertex.m_fPart)});
-  return vertices;
-}
-
 void CStepper::EndSubstep(float dt) {
   TakeBalls();
   MoveShapes(dt);

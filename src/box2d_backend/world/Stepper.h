@@ -63,13 +63,15 @@ public:
   /// Before each b2World::Step of h seconds, and after it.
   void BeforeStep(float h);
   void AfterStep();
-  /// Where balls bounced on their paths through the last step.
-  struct CPathVertex {
-    std::size_t m_nBall;
-    Vector2 m_vPos;
-    float m_fPart; ///< of the step, 0 .. 1
-  };
-  std::vector<CPathVertex> GetPathVertices() const;
+  /// Tells the world where balls bounced on their paths through the last step, and at which part of the
+  /// substep: partOf(part of the step).
+  template <class F>
+  void AddPathVertices(const F& partOf) {
+    for (const CContactGatherer::CPathVertex& vertex : m_cGatherer.GetPathVertices())
+      if (const std::size_t i = m_cState.FindBall(vertex.m_cBall); i != CWorldState::npos)
+        m_cWorld.AddPathVertex(i, m_cScale.FromMetres(vertex.m_vPos),
+                               partOf(static_cast<float>(vertex.m_fPart)));
+  }
   /// Copies the balls into the state after dt seconds, turns the other shapes, and reports the contacts.
   void EndSubstep(float dt);
   void TakeBalls();

@@ -125,13 +125,6 @@ void CStaticBroadPhase::Update(const CShapeEntry& entry) {
   group.m_nGrown = 0;
 }
 
-void CStaticBroadPhase::BoxKinematic() {
-  m_bIsBoxedAtRest = false;
-  for (std::size_t i = 0; i < m_cKinematic.m_stdOrder.size(); ++i)
-    m_cKinematic.m_stdBoxes[i] = BoxOf(GetShape(m_cKinematic.m_stdOrder[i]));
-  m_cKinematic.m_cTree.Refit(m_cKinematic.m_stdBoxes);
-}
-
 void CStaticBroadPhase::BoxKinematic(float dt) {
   const bool wasBoxedAtRest = std::exchange(m_bIsBoxedAtRest, !IsAnyMoving());
   if (wasBoxedAtRest && m_bIsBoxedAtRest) return;

@@ -46,9 +46,7 @@ public:
   bool MovesNear(const CAabb2D& box) const;
   const CSolidShape& Get(std::uint32_t order) const { return m_stdByOrder[order]; }
 
-  /// Puts boxes around the kinematic shapes as they are now, or around all that they sweep in the next dt
-  /// seconds.
-  void BoxKinematic();
+  /// Puts boxes around all that the kinematic shapes sweep in the next dt seconds; with 0 as they are now.
   void BoxKinematic(float dt);
   /// Appends the orders of all shapes whose box meets this one, in no order.
   void Query(const CAabb2D& box, std::vector<std::uint32_t>& orders);

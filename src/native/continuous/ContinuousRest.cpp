@@ -2,7 +2,6 @@
 // Contact that lasts: balls that lie on shapes or slide along them, and balls that rest on each other.
 #include "Continuous.h"
 
-#include "../../geometry/Swing.h"
 #include "../../shapes/Response.h"
 #include "Rounding.h"
 
