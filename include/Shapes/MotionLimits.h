@@ -9,8 +9,8 @@
 namespace Shapes {
 
 /// Between which a kinematic shape of a world moves by its velocity and rotation speed. At a stop it rests,
-/// and gives no ball a kick, until its speed turns round; the speed stays what it was set to. One that was
-/// put beyond its stops by somebody moves towards them only. The default has none.
+/// and gives no ball a kick, until its speed turns round; the speed stays what it was set to. One that a
+/// game has put beyond its stops moves towards them only. The default has none.
 class CMotionLimits {
 public:
   CMotionLimits() = default;

@@ -182,7 +182,8 @@ void ExpectSensed(const CRandomGame& game) {
       const bool isBall = world.GetMotionType(id) == eMotion::Dynamic;
       if (isBall && id <= ball) continue;
       const bool on = world.GetCanCollide(ball) && world.GetCanCollide(id) &&
-                      (world.GetSensor(ball) || world.GetSensor(id));
+                      (world.GetSensor(ball) || world.GetSensor(id)) &&
+                      DoMeet(world.GetFilter(ball), world.GetFilter(id));
       const Vector2& p = world.GetPos(ball);
       // An arc is a curve; ends belong to what they end.
       const float d = isBall ? GetDistance(world, id, p) : SensedDistanceFrom(world.GetShape(id), p),
@@ -194,7 +195,7 @@ void ExpectSensed(const CRandomGame& game) {
 
 TEST_P(CSensorEventContract, EveryBeginHasItsEndWhateverHappens) {
   // Those that put something there, that turn something on or off, and that save and load.
-  constexpr unsigned operations[] = {0, 1, 2, 3, 4, 4, 4, 5, 10, 11, 13, 14, 15, 15, 15, 20, 20, 21, 21};
+  constexpr unsigned operations[] = {0, 1, 2, 3, 4, 4, 4, 5, 10, 11, 13, 14, 15, 15, 15, 20, 20, 21, 21, 23};
   std::size_t open = 0;
   for (const CMode& mode : g_stdModes)
     for (std::uint64_t seed = 1; seed <= (mode.m_eProfile == eProfile::Shipped ? 4 : 2); ++seed) {

@@ -28,22 +28,30 @@ public:
       Add(id, isThere);
       if (!isThere) continue;
       Add(world.GetShapeType(id), world.GetMotionType(id), world.GetPos(id), world.GetElasticity(id),
-          world.GetSensor(id), world.GetCanCollide(id), world.GetUserPtr(id));
+          world.GetSensor(id), world.GetCanCollide(id), world.GetUserPtr(id), world.GetFilter(id).m_nCategory,
+          world.GetFilter(id).m_nMask);
+      if (world.GetMotionType(id) != eMotion::Static) Add(world.GetVel(id));
       if (world.GetMotionType(id) == eMotion::Dynamic) {
-        Add(world.GetVel(id), world.GetRadius(id), world.GetMass(id));
+        Add(world.GetRadius(id), world.GetMass(id));
         continue;
       }
       const CAabb2D& box = world.GetShape(id).GetAABB();
+      const CMotionLimits& limits = world.GetLimits(id);
       Add(world.GetOrientation(id), world.GetRotSpeed(id), world.GetRotCenter(id), box.GetTopLeft(),
-          box.GetBottomRt());
+          box.GetBottomRt(), limits.m_fLeastAngle, limits.m_fMostAngle, limits.m_vLeastCenter,
+          limits.m_vMostCenter);
     }
   }
   /// And what the last step told.
   void AddStep(const CWorld& world) {
     for (const CContactEvent& e : world.GetContacts())
-      Add(e.m_cShape, e.m_cBall, e.m_vPOI, e.m_vNorm, e.m_fSetback, e.m_fSpeed, e.m_bIsSensor);
+      Add(e.m_cShape, e.m_cBall, e.m_vPOI, e.m_vNorm, e.m_fSetback, e.m_fSpeed, e.m_bIsSensor, e.m_fImpulse);
     for (const CSensorEvent& e : world.GetSensorEvents())
       Add(e.m_cShape, e.m_cBall, e.m_bBegin);
+    for (const CTouchEvent& e : world.GetTouchEvents())
+      Add(e.m_cShape, e.m_cBall, e.m_bBegin);
+    for (const CShapeId id : world.GetHaltedBalls())
+      Add(id);
   }
   friend bool operator==(const CPicture&, const CPicture&) = default;
 
@@ -126,7 +134,7 @@ public:
       if (isBegin) begun.emplace(e.m_cBall, e.m_cShape);
     }
     begun.insert(m_cNow.m_stdSensed.begin(), m_cNow.m_stdSensed.end());
-    RequireContactsOf(begun);
+    RequireContactsOf(begun, m_pWorld->GetStats().m_nSubsteps > before.m_nSubsteps + 1);
   }
 
   using CPairs = std::set<std::pair<CShapeId, CShapeId>>; ///< Ball, shape.
@@ -164,9 +172,8 @@ private:
   }
 
   // The contacts of sensors are those that touch, or touched in this step: each pair that does has one of
-  // each substep.
-  void RequireContactsOf(const CPairs& touching) const {
-    const bool isCut = m_pWorld->GetDesc().m_nSubsteps > 1;
+  // each substep, or of each part of one that is cut at stops.
+  void RequireContactsOf(const CPairs& touching, bool isCut) const {
     CPairs contacts;
     for (const CContactEvent& c : m_pWorld->GetContacts()) {
       if (!c.m_bIsSensor) continue;
@@ -192,7 +199,30 @@ private:
     case 20: return world.SetSensor(id, m_cSource.Flag());
     case 21: return world.SetCanCollide(id, m_cSource.Flag());
     case 22: return world.Reset(id);
-    default: return world.SetUserPtr(id, this);
+    default: return ChangeRarely(id);
+    }
+  }
+
+  CFilter MakeFilter() {
+    const unsigned category = m_cSource.Below(4), mask = m_cSource.Below(4);
+    return {static_cast<std::uint16_t>(category), static_cast<std::uint16_t>(mask)};
+  }
+
+  CMotionLimits MakeLimits() {
+    if (m_cSource.Flag()) return {};
+    if (m_cSource.Flag()) {
+      const float a = m_cSource.Angle(), b = m_cSource.Angle();
+      return CMotionLimits::OfAngle(a, b);
+    }
+    const Vector2 a = m_cSource.Pos(), b = m_cSource.Pos();
+    return CMotionLimits::OfCenter(a, b);
+  }
+
+  void ChangeRarely(CShapeId id) {
+    switch (m_cSource.Below(3)) {
+    case 0: return m_pWorld->SetUserPtr(id, this);
+    case 1: return m_pWorld->SetFilter(id, MakeFilter());
+    default: return m_pWorld->SetLimits(id, MakeLimits());
     }
   }
 
