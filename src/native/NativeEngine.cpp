@@ -27,14 +27,12 @@ CNativeEngine::CNativeEngine(CWorldCore& world)
 
 void CNativeEngine::Added(CShapeId id) {
   m_bBallsChanged = true;
-  m_cState.m_cBalls.m_bIsDisturbed = true;
   if (const std::size_t k = m_cState.FindShape(id); k != CWorldState::npos && !m_bShapesChanged)
     m_bShapesChanged = !m_cBroadPhase.Add(m_cState.m_stdShapes[k]);
 }
 
 void CNativeEngine::Removed(CShapeId id, std::unique_ptr<CShape> pShape) {
   m_bBallsChanged = true;
-  m_cState.m_cBalls.m_bIsDisturbed = true;
   if (pShape == nullptr) {
     const std::vector<CShapeId>& ids = m_cState.m_cBalls.m_stdId;
     const auto place = std::lower_bound(ids.begin(), ids.end(), id) - ids.begin();
@@ -47,19 +45,13 @@ void CNativeEngine::Removed(CShapeId id, std::unique_ptr<CShape> pShape) {
 void CNativeEngine::Changed(CShapeId id, eChange change) {
   // Balls are found where they are in each step; only solid shapes have boxes that are kept.
   const std::size_t k = m_cState.FindShape(id);
-  if (k == CWorldState::npos || change != eChange::Motion) m_cState.m_cBalls.m_bIsDisturbed = true;
   if (change == eChange::Filter) m_bBallsChanged = true;
-  if (k != CWorldState::npos && change == eChange::Pose) {
-    const CShape& shape = *m_cState.m_stdShapes[k].m_pShape;
-    if (shape.GetCanCollide() && !shape.GetSensor()) First().m_cContinuous.ShapeWasPut();
-  }
-  if (k == CWorldState::npos || change == eChange::Properties || change == eChange::Filter ||
-      m_bShapesChanged)
-    return;
-  if (change == eChange::Sensor)
-    m_bShapesChanged = true;
-  else
-    m_cBroadPhase.Update(m_cState.m_stdShapes[k]);
+  if (k == CWorldState::npos) return;
+  const CShapeEntry& entry = m_cState.m_stdShapes[k];
+  if (change == eChange::Pose && IsSolid(*entry.m_pShape)) First().m_cContinuous.ShapeWasPut();
+  if (change == eChange::Sensor) m_bShapesChanged = true;
+  if (!m_bShapesChanged && (change == eChange::Pose || change == eChange::Motion))
+    m_cBroadPhase.Update(entry);
 }
 
 struct CNativeMemory final : CEngineMemory {
@@ -106,7 +98,7 @@ void CNativeEngine::Plan(CEffects running) {
 
 void CNativeEngine::Substep(float dt) {
   if (m_bShapesChanged) UpdateBroadPhase();
-  if (!Runs(eEffect::Continuous)) m_cState.m_cBalls.m_bIsDisturbed = true;
+  if (!Runs(eEffect::Continuous)) m_cState.m_cBalls.m_cDisturbed.m_bIsEverywhere = true;
   if (std::exchange(m_bBallsChanged, false)) {
     const std::vector<float>& radius = m_cState.m_cBalls.m_stdRadius;
     m_fLargestRadius = radius.empty() ? 0.0f : *std::max_element(radius.begin(), radius.end());

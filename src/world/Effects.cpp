@@ -61,7 +61,7 @@ CContent CContent::Of(const CShapeEntry& entry) {
       (entry.m_bIsHeld ? entry.m_fRotSpeed != 0.0f || entry.m_vVel != Vector2::Zero() : shape.GetMoving());
   c.m_nWithStops = entry.HasStops();
   c.m_nSensors = shape.GetSensor();
-  c.m_nSolidShapes = shape.GetCanCollide() && !shape.GetSensor();
+  c.m_nSolidShapes = IsSolid(shape);
   return c;
 }
 

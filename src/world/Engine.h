@@ -29,7 +29,8 @@ enum class eChange {
   Motion,    ///< velocity or rotation speed
   Sensor,    ///< it became a sensor, or ceases to be one
   Filter,    ///< it meets others
-  Properties ///< elasticity, can-collide, user pointer
+  CanCollide,
+  Properties ///< elasticity, user pointer
 };
 
 /// The kind of the call that the user is about to make.
@@ -65,7 +66,7 @@ public:
   virtual void Plan(CEffects running) = 0;
   /// Moves kinematic shapes and balls, within the limits of places and speeds, and sets where each ball was
   /// before (m_stdPrevPos, which sensors read); reports contacts and counts (Stats.h) in the world. An engine
-  /// whose balls do not sleep sets m_bIsDisturbed.
+  /// whose balls do not sleep sets CDisturbed::m_bIsEverywhere.
   /// @param dt  seconds
   virtual void Substep(float dt) = 0;
   /// @returns what is kept with the copy of the state, for Loaded; none if nothing has to be. A world that

@@ -68,7 +68,7 @@ CQuestions::CQuestions(const CWorldState& state) : m_cState(state) {
   std::vector<CAabb2D> boxes;
   for (const CShapeEntry& entry : state.m_stdShapes) {
     const CShape& shape = *entry.m_pShape;
-    if (shape.GetSensor() || !shape.GetCanCollide()) continue;
+    if (!IsSolid(shape)) continue;
     m_stdItems.push_back({entry.m_cId, &entry, 0, shape.GetFilter()});
     boxes.push_back(BoxOf(shape, GeometryOf(entry)));
   }

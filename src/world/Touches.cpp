@@ -25,8 +25,7 @@ bool IsSolidPair(const CWorldState& state, const CTouchingPair& pair) {
   const std::size_t k = state.FindShape(pair.m_cShape);
   FailIf(k == CWorldState::npos);
   const CShape& shape = *state.m_stdShapes[k].m_pShape;
-  return shape.GetCanCollide() && !shape.GetSensor() &&
-         DoMeet(state.m_cBalls.m_stdFilter[i], shape.GetFilter());
+  return IsSolid(shape) && DoMeet(state.m_cBalls.m_stdFilter[i], shape.GetFilter());
 }
 
 // Whether the two of a solid pair are hardly apart now.

@@ -253,7 +253,7 @@ bool CWorld::GetCanCollide(CShapeId id) const {
 }
 
 void CWorld::SetCanCollide(CShapeId id, bool can) {
-  SetProperty(*m_pImpl, id, eChange::Properties, &CBallArrays::m_stdCanCollide, &CShape::SetCanCollide, can);
+  SetProperty(*m_pImpl, id, eChange::CanCollide, &CBallArrays::m_stdCanCollide, &CShape::SetCanCollide, can);
 }
 
 const CFilter& CWorld::GetFilter(CShapeId id) const {

@@ -119,7 +119,7 @@ void CWorld::CImpl::SetGravity(const Vector2& g) {
   m_cState.m_vGravity = m_cDesc.m_vGravity = g;
   for (std::vector<Vector2>* pTails : {&m_cState.m_cBalls.m_stdPosTail, &m_cState.m_cBalls.m_stdVelTail})
     std::fill(pTails->begin(), pTails->end(), Vector2::Zero());
-  m_cState.m_cBalls.m_bIsDisturbed = true;
+  m_cState.m_cBalls.m_cDisturbed.m_bIsEverywhere = true;
   InvalidatePlan();
 }
 
@@ -132,6 +132,7 @@ CShapeId CWorld::CImpl::Add(std::unique_ptr<CShape> pShape, const CMotionLimits&
   entry.SetHeld(IsForbidden(eEffect::Kinematics));
   m_cState.m_stdShapes.push_back(std::move(entry));
   UpdateContent({}, CContent::Of(m_cState.m_stdShapes.back()));
+  Disturb(*m_cState.m_stdShapes.back().m_pShape);
   m_cSensors.Invalidate();
   m_pEngine->Added(id);
   return id;
@@ -153,10 +154,12 @@ bool CWorld::CImpl::Erase(CShapeId id, std::unique_ptr<CShape>& pShape) {
   NoteStops();
   if (const std::size_t i = m_cState.FindBall(id); i != CWorldState::npos) {
     UpdateContent(CContent::Of(m_cState.m_cBalls, i), {});
+    m_cState.m_cBalls.m_cDisturbed.Add(m_cState.m_cBalls.GetAABB(i));
     m_cState.m_cBalls.Remove(i);
   } else if (const std::size_t k = m_cState.FindShape(id); k != CWorldState::npos) {
     const auto entry = m_cState.m_stdShapes.begin() + static_cast<std::ptrdiff_t>(k);
     UpdateContent(CContent::Of(*entry), {});
+    Disturb(*entry->m_pShape);
     pShape = std::move(entry->m_pShape);
     m_cState.m_stdShapes.erase(entry);
   } else {

@@ -95,6 +95,11 @@ private:
   void UpdateContent(const CContent& before, const CContent& after);
   void PlanSubsteps();
   void CountEffects();
+  // What rests near a shape or a ball.
+  static bool DoesDisturb(eChange what) { return what != eChange::Motion && what != eChange::Properties; }
+  void Disturb(const CShape& shape) {
+    if (IsSolid(shape)) m_cState.m_cBalls.m_cDisturbed.Add(shape.GetAABB());
+  }
   bool HaveStops() const { return m_cContent.m_nWithStops > 0 && !IsForbidden(eEffect::Kinematics); }
   template <class F>
   void ForEachWithStops(const F& f);
@@ -130,8 +135,12 @@ template <class F>
 void CWorld::CImpl::ChangeShape(CShapeEntry& entry, eChange what, const F& change) {
   NoteChange();
   const CContent before = CContent::Of(entry);
+  const CAabb2D box = entry.m_pShape->GetAABB();
+  const bool wasSolid = IsSolid(*entry.m_pShape);
   change(entry);
   UpdateContent(before, CContent::Of(entry));
+  if (DoesDisturb(what) && wasSolid) m_cState.m_cBalls.m_cDisturbed.Add(box);
+  if (DoesDisturb(what)) Disturb(*entry.m_pShape);
   if (what == eChange::Sensor) m_cSensors.Invalidate();
   m_cSensors.InvalidateShape(*entry.m_pShape);
   m_pEngine->Changed(entry.m_cId, what);
@@ -142,6 +151,8 @@ void CWorld::CImpl::ChangeBall(std::size_t i, eChange what, const F& change) {
   CBallArrays& b = m_cState.m_cBalls;
   NoteChange();
   const CContent before = CContent::Of(b, i);
+  if (DoesDisturb(what)) b.m_cDisturbed.Add(b.GetAABB(i));
+  if (what != eChange::Properties) b.m_stdCalm[i] = 0.0f;
   change(b, i);
   UpdateContent(before, CContent::Of(b, i));
   if (what == eChange::Sensor) m_cSensors.Invalidate();

@@ -2,8 +2,10 @@
 // All that a world holds, in the order of ids. Every engine keeps its worlds here; saving a world copies it.
 #pragma once
 
+#include <Shapes/Aabb2D.h>
 #include <Shapes/MotionLimits.h>
 
+#include "../Tolerances.h"
 #include "Engine.h"
 
 #include <cstddef>
@@ -12,6 +14,25 @@
 #include <vector>
 
 namespace Shapes {
+
+/// Whether balls bounce off it.
+inline bool IsSolid(const CShape& shape) { return shape.GetCanCollide() && !shape.GetSensor(); }
+
+/// Where something was added, removed or changed since balls were last moved: one that sleeps there may lie
+/// on nothing, or in something.
+struct CDisturbed {
+  std::vector<CAabb2D> m_stdBoxes;
+  bool m_bIsEverywhere = true; ///< Also where another engine or mode has made the last substep.
+
+  void Add(const CAabb2D& box) {
+    m_bIsEverywhere |= m_stdBoxes.size() == g_nMostDisturbed;
+    if (!m_bIsEverywhere) m_stdBoxes.push_back(box);
+  }
+  void Clear() {
+    m_stdBoxes.clear();
+    m_bIsEverywhere = false;
+  }
+};
 
 /// Balls as one array for each property; the same index in each is the same ball.
 struct CBallArrays {
@@ -25,9 +46,7 @@ struct CBallArrays {
   std::vector<Vector2> m_stdVelTail;
   // Seconds for which each has been at rest, as an engine counts them: g_fSleepTime where it sleeps.
   std::vector<float> m_stdCalm;
-  // Something was added, moved or removed since m_stdCalm was counted, or another engine or mode has made a
-  // step: a ball that sleeps may lie on nothing.
-  bool m_bIsDisturbed = false;
+  CDisturbed m_cDisturbed;
   std::vector<float> m_stdRadius;
   std::vector<float> m_stdMass;
   std::vector<float> m_stdElasticity;
@@ -38,6 +57,10 @@ struct CBallArrays {
 
   std::size_t Size() const { return m_stdId.size(); }
   bool IsSolid(std::size_t i) const { return m_stdCanCollide[i] && !m_stdSensor[i]; }
+  CAabb2D GetAABB(std::size_t i) const {
+    const Vector2 r(m_stdRadius[i], m_stdRadius[i]);
+    return {m_stdPos[i] - r, m_stdPos[i] + r};
+  }
   void Add(CShapeId id, const CDynamicCircleDesc& desc);
   void Remove(std::size_t i);
   /// As a user of the world does, not the engine.

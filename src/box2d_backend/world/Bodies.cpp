@@ -191,7 +191,7 @@ void CBodies::SetProperties(const CWorldState& state, CShapeId id) {
   } else {
     const CShape& shape = *state.m_stdShapes[state.FindShape(id)].m_pShape;
     body.m_fElasticity = shape.GetElasticity();
-    isSolid = shape.GetCanCollide() && !shape.GetSensor();
+    isSolid = IsSolid(shape);
     given = shape.GetFilter();
     pUser = shape.GetUserPtr();
   }

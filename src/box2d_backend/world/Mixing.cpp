@@ -24,10 +24,9 @@ std::optional<CMixing> FindMixing(const CWorldState& state, bool pairs) {
   CRange balls, shapes;
   const CBallArrays& b = state.m_cBalls;
   for (std::size_t i = 0; i < b.Size(); ++i)
-    if (b.m_stdCanCollide[i] && !b.m_stdSensor[i]) balls.Add(b.m_stdElasticity[i]);
+    if (b.IsSolid(i)) balls.Add(b.m_stdElasticity[i]);
   for (const CShapeEntry& entry : state.m_stdShapes)
-    if (entry.m_pShape->GetCanCollide() && !entry.m_pShape->GetSensor())
-      shapes.Add(entry.m_pShape->GetElasticity());
+    if (IsSolid(*entry.m_pShape)) shapes.Add(entry.m_pShape->GetElasticity());
 
   if (!balls.IsOne() && (pairs || !shapes.IsOne())) return {};
   if (pairs && balls.m_fMost > shapes.m_fLeast) return {};

@@ -39,7 +39,7 @@ void AddEnds(const TShape& shape, CShapeId id, const Vector2& front, float curva
 
 void AddEnds(const CShapeEntry& entry, std::vector<CEnd>& ends) {
   const CShape& shape = *entry.m_pShape;
-  if (shape.GetSensor() || !shape.GetCanCollide()) return;
+  if (!IsSolid(shape)) return;
   VisitShape(shape,
              CPerShape{[](const CPoint&) {}, [](const CCircle&) {},
                        [&](const CLineSeg& seg) {

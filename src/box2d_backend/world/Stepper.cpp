@@ -75,7 +75,7 @@ void CStepper::Removed(CShapeId id) {
 }
 
 void CStepper::Changed(CShapeId id, eChange what) {
-  if (what == eChange::Properties || what == eChange::Sensor || what == eChange::Filter) {
+  if (what != eChange::Pose && what != eChange::Motion) {
     m_cBodies.SetProperties(m_cState, id);
     NoteSharedEnds(id);
   } else if (const std::size_t i = m_cState.FindBall(id); i != CWorldState::npos) {
@@ -224,7 +224,7 @@ void CStepper::CountClamped(float h) {
 
 void CStepper::TakeBalls() {
   CBallArrays& b = m_cState.m_cBalls;
-  b.m_bIsDisturbed = true;
+  b.m_cDisturbed.m_bIsEverywhere = true;
   for (std::size_t i = 0; i < b.Size(); ++i) {
     b2Body& body = *m_cBodies.GetBalls()[i]->m_pBody;
     b.m_stdPos[i] = m_cScale.FromMetres(body.GetPosition());

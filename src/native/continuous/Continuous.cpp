@@ -37,10 +37,10 @@ void CContinuous::Begin(CBallArrays& balls, CStaticBroadPhase& shapes, bool pair
 
 bool CContinuous::Prepare() {
   CBallArrays& balls = *m_pBalls;
-  if (!IsFalling())
-    balls.m_bIsDisturbed = true;
-  else if (std::exchange(balls.m_bIsDisturbed, false))
-    std::fill(balls.m_stdCalm.begin(), balls.m_stdCalm.end(), 0.0f);
+  if (IsFalling())
+    WakeDisturbed();
+  else
+    balls.m_cDisturbed.m_bIsEverywhere = true;
   balls.m_stdPrevPos = balls.m_stdPos;
   FailIf(IsFalling() && AllSleep(balls) && !m_pShapes->IsAnyMoving());
   const auto dt = static_cast<float>(m_fStep); // as it was given

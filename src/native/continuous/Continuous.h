@@ -37,8 +37,8 @@ namespace Shapes::Native {
 ///   steeply that it stays away for that long, or at g_fShallow radians if that is less.
 /// - Under gravity, balls that lie on something sleep once they and all of their pile have been slower than
 ///   g_fSleepSpeed of what gravity gives in a substep for g_fSleepTime seconds: they stand still, no contact
-///   of theirs is told, until a ball or a moving shape comes near, or anything is added, removed, moved or
-///   set.
+///   of theirs is told, until a ball or a moving shape comes near, or something near them is added, removed or
+///   changed.
 /// - Of two balls that are each deep in more than g_nMostDeep others, one has to be among the nearest of the
 ///   other: else they do not meet.
 /// - A ball that has had g_nMaxImpacts impacts, g_nCrowded in a pile, or has found more than g_nMostBallsSeen
@@ -133,6 +133,7 @@ private:
   bool IsBeyondCrowd(std::uint32_t i, std::uint32_t j) const;
   void PutBalls();
   void PutTaken();
+  void WakeDisturbed();
   bool AllSleep(const CBallArrays& balls) const;
   bool AnySleeps() const;
   bool IsAsleep(std::size_t i) const { return IsFalling() && m_pBalls->m_stdCalm[i] >= g_fSleepTime; }
@@ -300,6 +301,7 @@ private:
   std::vector<std::uint32_t> m_stdHit, m_stdPassing;
   std::vector<std::uint32_t> m_stdWoken;
   std::vector<float> m_stdLeastCalm; // of each pile
+  Geometry::CAabbTree m_cDisturbed;  // of what was changed since the last substep
 };
 
 } // namespace Shapes::Native

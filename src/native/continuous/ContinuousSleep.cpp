@@ -19,6 +19,27 @@ bool CContinuous::AnySleeps() const {
          });
 }
 
+// Those near which something was changed since the last substep: they may lie on nothing, or in something.
+void CContinuous::WakeDisturbed() {
+  CBallArrays& b = *m_pBalls;
+  CDisturbed& disturbed = b.m_cDisturbed;
+  const bool anySleeps =
+      std::any_of(b.m_stdCalm.begin(), b.m_stdCalm.end(), [](float calm) { return calm >= g_fSleepTime; });
+  if (disturbed.m_bIsEverywhere)
+    std::fill(b.m_stdCalm.begin(), b.m_stdCalm.end(), 0.0f);
+  else if (anySleeps && !disturbed.m_stdBoxes.empty()) {
+    m_cDisturbed.Build(disturbed.m_stdBoxes);
+    // What a pair has between them that rests on each other.
+    const auto reach = static_cast<float>(g_fRestingSteps * m_fFall * m_fStep);
+    for (std::size_t i = 0; i < b.Size(); ++i) {
+      const CAabb2D near = Geometry::Padded(b.GetAABB(i), reach);
+      m_cDisturbed.Visit([&](const CAabb2D& box) { return box && near; },
+                         [&](std::uint32_t) { b.m_stdCalm[i] = 0.0f; });
+    }
+  }
+  disturbed.Clear();
+}
+
 // Whether a ball that is awake may come within reach of a sleeping one.
 bool CContinuous::IsOnWay(std::size_t sleeper, std::size_t ball) const {
   const CMotion motion = GetFreeMotion(ball), sleeping = GetFreeMotion(sleeper);
