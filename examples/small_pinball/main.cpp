@@ -10,7 +10,7 @@ using namespace Shapes;
 int main(int argc, char** argv) {
   const CBackend* pEngine = GetBackend(argc > 1 ? argv[1] : "native");
   if (pEngine == nullptr)
-    return std::cerr << "the engine is " << argv[1] << ": expected native or box2d\n", 2;
+    return std::cerr << "engine '" << argv[1] << "' is not in this build: expected native or box2d\n", 2;
   CWorldDesc desc;
   desc.m_vGravity = {0, -10};
   desc.m_fTimeStep = 1.0f / 120;

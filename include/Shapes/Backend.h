@@ -25,8 +25,9 @@ public:
   std::string_view GetName() const;
 
   /// Whether the ball c.m_pCircle meets the shape c.m_pShape; fills in POI, normal, setback and approach
-  /// speed if so. True for sensors too; false if either cannot collide at present. Native looks at where both
-  /// are now. Box2D looks at the path of the ball since its last move as well.
+  /// speed if so. True for sensors too; false if either cannot collide at present, if their filters do not
+  /// meet, and for a ball with itself. Native looks at where both are now. Box2D looks at the path of the
+  /// ball since its last move as well.
   /// @throws std::invalid_argument if a pointer of c is null
   bool CollisionDetected(CContactDesc& c) const;
 

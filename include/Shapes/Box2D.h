@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For games that have a b2World of Box2D 2.4 of their own. Not part of Shapes.h, because it needs a library
-// that was built with Box2D (Shapes_WITH_BOX2D, component box2d).
+// For games that have a b2World of Box2D of their own, 2.4.1 or a later 2.4. Not part of Shapes.h, because it
+// needs a library that was built with Box2D (Shapes_WITH_BOX2D, component box2d).
 #pragma once
 
 #include <Shapes/SceneDesc.h>
@@ -21,7 +21,8 @@ namespace Shapes {
 /// dt may differ from step to step. After PostStep contacts, events, positions and velocities are those of
 /// the step. The contact of a ball with a body of the game has no shape. Differences from other worlds:
 /// - Step, SaveState and LoadState of its world throw std::logic_error. The time step, the substeps, the
-///   iterations and the gravity of the description are not used; the b2World has the gravity.
+///   iterations and the gravity of the description are not used; the b2World has the gravity, and
+///   SetGravity throws std::invalid_argument.
 /// - Gravity and Continuous run as the b2World has them (SetGravity, SetContinuousPhysics), and can be
 ///   neither forced nor forbidden. Events always runs unless forbidden: a ball may meet the game's bodies.
 /// - Changes throw std::logic_error between PreStep and PostStep, and in callbacks of Box2D. (A
@@ -99,8 +100,8 @@ struct CImportOptions {
 ///
 /// - Fixtures of static and kinematic bodies become circles and segments. Chains and one-sided edges are
 ///   solid on the side on which they are in Box2D, polygons on the outside, two-sided edges on both. Where a
-///   ball can meet a corner or an end, a point guards it (native ends are open); the points come after all
-///   other shapes. Fixtures share end points with the same bits where they do in Box2D.
+///   ball can meet a corner or an end, a point guards it (ends are open in the approximate mode); the points
+///   come after all other shapes. Fixtures share end points with the same bits where they do in Box2D.
 /// - Kinematic bodies turn about their positions.
 /// - Dynamic bodies become balls if they have exactly one solid fixture, a circle about the centre of mass.
 /// - Elasticities: Box2D takes the larger restitution of two, Shapes the product of both elasticities. Every

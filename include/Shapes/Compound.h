@@ -13,7 +13,7 @@ class CCompoundShape : public CShapeCommon {
 public:
   /// Adds a shape. It gets the velocity, the rotation speed and the centre of the compound and is turned to
   /// its orientation.
-  /// @throws std::invalid_argument if pShape is null
+  /// @throws std::invalid_argument if pShape is null, or static while the compound has a speed
   void AddShape(CShape* pShape);
   const std::vector<CShape*>& GetShapes() const { return m_stdShapes; }
 

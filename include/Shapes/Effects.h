@@ -28,7 +28,8 @@ enum class eEffect {
   /// those that something may be near to cost more than their flight. Called for wherever a ball can collide
   /// or falls. On Box2D this is its continuous physics; in a game's b2World the game decides.
   Continuous,
-  /// CWorld::GetTouchEvents. Called for by nothing: force it where somebody reads them. It needs Events.
+  /// CWorld::GetTouchEvents. Called for by nothing: force it where somebody reads them. Without Events
+  /// (forbidden) it is refused.
   Touches,
   Size ///< counts them
 };

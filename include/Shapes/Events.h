@@ -9,7 +9,8 @@
 
 namespace Shapes {
 
-/// Names a shape in its world. Never used again after the shape is removed. The default names none.
+/// Names a shape in its world. Not used again after the shape is removed, unless a state of another world is
+/// loaded. The default names none.
 struct CShapeId {
   std::uint32_t m_nValue = 0;
   friend auto operator<=>(const CShapeId&, const CShapeId&) = default;
@@ -38,9 +39,9 @@ struct CContactEvent {
 
 /// A ball and a solid shape, or another ball, begin or cease to touch. Touching begins with a contact, and
 /// ends after the first substep without one in which they are farther apart than g_fTouchReach radii (on
-/// Box2D than its skin of .015 metres, if that is more): a ball that lies begins once, and one that bounces
-/// begins and ends with each bounce. Bounces in consecutive substeps are one. Every begin has its end, as
-/// that of a sensor has.
+/// Box2D than its skin and slop, .015 metres, in a tuned world .00375, if that is more): a ball that lies
+/// begins once, and one that bounces begins and ends with each bounce. Bounces in consecutive substeps are
+/// one. Every begin has its end, as that of a sensor has.
 struct CTouchEvent {
   CShapeId m_cShape; ///< As in CContactEvent; null for all bodies of a game together.
   CShapeId m_cBall;
@@ -49,8 +50,9 @@ struct CTouchEvent {
 };
 
 /// A ball and a sensor (a shape, or a ball that is one) begin or cease to touch. Every begin has its end: it
-/// comes when they part, and in the next Step where one of the two was removed, or is no sensor any more. In
-/// a substep they touch once at most: a ball that passes, bounces off and passes again within it begins once.
+/// comes when they part, and in the next Step where one of the two was removed or turned off, is no sensor
+/// any more, or does not meet the other's filter. Only LoadState ends them without telling. In a substep they
+/// touch once at most: a ball that passes, bounces off and passes again within it begins once.
 struct CSensorEvent {
   CShapeId m_cShape; ///< As in CContactEvent.
   CShapeId m_cBall;

@@ -8,13 +8,15 @@
 
 namespace Shapes {
 
-/// Between which a kinematic shape of a world moves by its velocity and rotation speed. At a stop it rests,
-/// and gives no ball a kick, until its speed turns round; the speed stays what it was set to. One that a
-/// game has put beyond its stops moves towards them only. The default has none.
+/// The range in which a kinematic shape of a world moves by its velocity and rotation speed. At a stop it
+/// rests, and gives no ball a kick, until its speed turns round; the speed stays what it was set to. One that
+/// a game has put beyond its stops moves towards them only. The default has none. CWorld::Add and SetLimits
+/// refuse a range that is none (std::invalid_argument).
 class CMotionLimits {
 public:
   CMotionLimits() = default;
-  /// @param least, most  orientations, radians from the pose at construction, less than a whole turn apart
+  /// @param least, most  orientations, radians from the pose at construction, counterclockwise, less than a
+  /// whole turn apart: a flipper that strikes clockwise has (-1, 0) and a negative rotation speed
   static CMotionLimits OfAngle(float least, float most) {
     CMotionLimits limits;
     limits.m_fLeastAngle = least;

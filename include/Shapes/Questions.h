@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Questions to a world: casts and closest points.
+// What queries of a world find: hits of casts, and closest points.
 #pragma once
 
 #include <Shapes/Events.h>
@@ -7,12 +7,12 @@
 
 namespace Shapes {
 
-/// The first meeting of a point or a circle on a straight way.
+/// Where a point or a circle that moves along a segment first touches.
 struct CCastHit {
   CShapeId m_cShape;
-  float m_fShare = 0.0f; ///< The part of the way that is over then, 0 .. 1.
+  float m_fShare = 0.0f; ///< Fraction of the segment at which it touches, 0 .. 1.
   Vector2 m_vPOI;        ///< On the shape, user units.
-  Vector2 m_vNorm;       ///< Unit, from the shape to what comes.
+  Vector2 m_vNorm;       ///< Unit, from the shape to the point or the circle.
 };
 
 /// The point of a shape or a ball that is closest to a place.

@@ -24,8 +24,8 @@ public:
 
   /// The text of a scene file (docs/scenes.md). Every float reads back with the same bits. The bounds are the
   /// box of all shapes and balls, the circles in which kinematic shapes turn included, made wider on each
-  /// side by half of its larger extent. The notes become the description. The format has no substeps and no
-  /// settings of an engine: those of m_cWorld are left out.
+  /// side by half of its larger extent. The notes become the description. Of m_cWorld it has gravity, time
+  /// step and the length unit of Box2D: substeps, threads, effects and the profile are left out.
   /// @param name     UTF-8, at least one letter
   /// @param seconds  how long one run takes, at least the time step
   /// @throws std::invalid_argument naming what is not valid or cannot be written: no ball, a ball that is a

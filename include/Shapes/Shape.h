@@ -34,8 +34,9 @@ protected:
   static float m_fTimeStep; ///< Seconds per call of move. Default 1/60.
 };
 
-/// Base of all descriptors. Shapes check the values when they are made: NaN, infinite, negative or
-/// overflowing values are refused with std::invalid_argument naming the field and the value.
+/// Base of all descriptors. Shapes check the values when they are made: what is not finite or too large, and
+/// negative radii, masses and elasticities, are refused with std::invalid_argument naming the field and the
+/// value; CWorld::Add also refuses a static shape with a speed or stops.
 class CShapeDesc {
 public:
   eShape m_eShapeType = eShape::Unknown; ///< Set by the constructors of the derived descriptors.
@@ -71,8 +72,9 @@ public:
   const CAabb2D& GetAABB() const { return m_cAabb; }
 
   const Vector2& GetPos() const { return m_vPos; }
-  /// Moves the shape so that its position is p; the ends of segments and arcs go with it. A kinematic shape
-  /// starts its next motion from its pose at construction again.
+  /// Moves the shape so that its position is p; the ends of segments and arcs go with it. With its next move
+  /// a kinematic shape jumps back to where it comes from its pose at construction: Relocate keeps the new
+  /// place.
   /// @throws std::invalid_argument if p is not finite or too large (g_fMaxLength)
   void SetPos(const Vector2& p);
 

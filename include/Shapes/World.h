@@ -26,8 +26,9 @@ private:
 };
 
 /// Owns its shapes and steps them. Functions that take an id throw std::invalid_argument if no shape has it,
-/// or if the shape is not of the kind that the function is for; nothing has changed then. Worlds are made by
-/// CBackend::MakeWorld or MakeWorld below.
+/// or if the shape is not of the kind that the function is for, and setters if a value is not valid; nothing
+/// has changed then. Worlds are made by CBackend::MakeWorld or MakeWorld below. A world is for one thread at
+/// a time, const functions included. Lengths are in user units, angles in radians, counterclockwise.
 class CWorld final {
 public:
   /// The state and the engine behind the interface.
@@ -46,6 +47,8 @@ public:
   CShapeId Add(const CAnyShapeDesc& desc);
   /// Adds a compound: kinematic shapes about one rotation centre with one rotation speed, one velocity and
   /// the same stops, whatever their descriptors say of these. All or none is added.
+  /// @param rotCenter, revsPerSecond, v, limits  as the fields of CShapeDesc
+  /// @throws std::invalid_argument as Add, also for a ball among them
   /// @returns an id for each of them, in their order
   std::vector<CShapeId> AddCompound(std::span<const CAnyShapeDesc> descs, const Vector2& rotCenter,
                                     float revsPerSecond = 0.0f, const Vector2& v = Vector2::Zero(),
@@ -56,7 +59,8 @@ public:
   /// Moves everything by the time step of the description.
   void Step();
   /// The contacts of the last Step, in the order of their responses; those of sensors follow at the end of
-  /// each substep, by ball and then by shape. Valid until the next change.
+  /// each substep, by ball and then by shape. This and the next three are valid until the next Step or
+  /// LoadState (in a b2World of a game, PreStep): what they tell may be answered meanwhile.
   std::span<const CContactEvent> GetContacts() const;
   /// Begins and ends of touches of sensors in the last Step, substep by substep, within one in the order of
   /// ball and then by shape. A ball that crosses a sensor within a step gives both.
@@ -65,7 +69,7 @@ public:
   /// by ball and then by shape. Empty unless the description forces eEffect::Touches.
   std::span<const CTouchEvent> GetTouchEvents() const;
   /// The balls that CWorldStats::m_nBallsHalted counted in the last Step, each once, by id: they had too many
-  /// impacts and stayed where they were for a part of it. Empty on Box2D. Valid until the next change.
+  /// impacts and stayed where they were for a part of it. Empty on Box2D.
   std::span<const CShapeId> GetHaltedBalls() const;
   const CWorldStats& GetStats() const;
 
@@ -79,7 +83,7 @@ public:
   eShape GetShapeType(CShapeId id) const;
   eMotion GetMotionType(CShapeId id) const;
   const Vector2& GetPos(CShapeId id) const;
-  /// Moves a shape or a ball. The rotation centre of a kinematic shape moves along, until Reset.
+  /// Moves a shape or a ball for good. The rotation centre of a kinematic shape moves along, until Reset.
   /// @throws std::invalid_argument if the shape would be beyond the limits of the engine there
   void SetPos(CShapeId id, const Vector2& p);
   float GetElasticity(CShapeId id) const;
@@ -98,10 +102,13 @@ public:
   std::vector<CShapeId> GetShapeIds() const;
   /// The shape as it is now, to draw it or ask it. Valid until it is removed or a state is loaded.
   const CShape& GetShape(CShapeId id) const;
+  /// From the pose when it was added, in [0, 2 pi): a stop at -1 is read as 5.28.
   float GetOrientation(CShapeId id) const;
+  /// Of a kinematic shape, about its rotation centre.
   void SetOrientation(CShapeId id, float angle);
-  /// The one that it was given, be it at a stop or not.
+  /// The one that it was given, be it at a stop or not; revolutions per second, counterclockwise.
   float GetRotSpeed(CShapeId id) const;
+  /// Of a kinematic shape.
   void SetRotSpeed(CShapeId id, float revsPerSecond);
   /// The same of all shapes of a compound, which one alone would leave.
   /// @throws std::invalid_argument if any of them cannot turn; none does then
@@ -132,15 +139,16 @@ public:
   std::span<const Vector2> GetBallPositions() const;
   std::span<const Vector2> GetBallVelocities() const;
 
-  // Questions to the world as it is now, the same on every engine. They take in what is solid, at its present
-  // place, and meets `filter`; sensors and what is turned off are left out. Computed in double, and rounded
-  // once. The first one after a change or a step makes a tree of all shapes and balls, which is why two
-  // threads must not ask at the same time. They throw std::invalid_argument for what is not finite.
+  // Queries of the world as it is now, the same on every engine. They find what is solid, at its present
+  // place, and meets a shape with this filter: the default one is of category 1, and does not see what has a
+  // mask without that bit. Sensors and what is turned off are left out. Computed in double, and rounded once.
+  // The first one after a change or a step makes a tree of all shapes and balls. They throw
+  // std::invalid_argument for what is not finite.
 
-  /// The first hit of a circle of this radius on its way, a ray with radius 0, as a ball would: circles are
-  /// rings from inside, one-sided shapes let through what comes from their open side, and what overlaps at
-  /// the beginning is met at once if the circle approaches, else not. Of several at the same time the first
-  /// id.
+  /// The first hit of a circle of this radius on the segment between two points (a ray, if the radius is 0),
+  /// as a ball would: circles are rings from inside, one-sided shapes let through what comes from their open
+  /// side, and what overlaps at the beginning is met at once if the circle approaches, else not. Of several
+  /// at the same time the lowest id.
   std::optional<CCastHit> Cast(const Vector2& from, const Vector2& to, float radius = 0.0f,
                                const CFilter& filter = {}) const;
   /// All that it would meet if it went through, each shape and ball once, in the order in which it does.
@@ -150,8 +158,8 @@ public:
   std::optional<CClosestHit> FindClosest(const Vector2& p,
                                          float reach = std::numeric_limits<float>::infinity(),
                                          const CFilter& filter = {}) const;
-  /// All shapes and balls that a ball there would overlap, or that have a point in the box, by id. A ring
-  /// around a smaller ball, or around the box, is none; sides do not matter.
+  /// All shapes and balls that a ball there would overlap (FindInCircle), or that have a point in the box
+  /// (FindInBox), by id. A ring around a smaller ball, or around the box, is none; sides do not matter.
   std::vector<CShapeId> FindInCircle(const Vector2& center, float radius, const CFilter& filter = {}) const;
   std::vector<CShapeId> FindInBox(const CAabb2D& box, const CFilter& filter = {}) const;
 

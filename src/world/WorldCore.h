@@ -152,8 +152,9 @@ void CWorld::CImpl::ChangeBall(std::size_t i, eChange what, const F& change) {
   NoteChange();
   const CContent before = CContent::Of(b, i);
   if (DoesDisturb(what)) b.m_cDisturbed.Add(b.GetAABB(i));
-  if (what != eChange::Properties) b.m_stdCalm[i] = 0.0f;
   change(b, i);
+  const bool isPushed = b.IsAsleep(i) && !b.m_stdVel[i].isZero(0.0f);
+  if (DoesDisturb(what) || isPushed) b.m_stdCalm[i] = 0.0f;
   UpdateContent(before, CContent::Of(b, i));
   if (what == eChange::Sensor) m_cSensors.Invalidate();
   m_pEngine->Changed(b.m_stdId[i], what);

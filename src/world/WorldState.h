@@ -57,6 +57,7 @@ struct CBallArrays {
 
   std::size_t Size() const { return m_stdId.size(); }
   bool IsSolid(std::size_t i) const { return m_stdCanCollide[i] && !m_stdSensor[i]; }
+  bool IsAsleep(std::size_t i) const { return m_stdCalm[i] >= g_fSleepTime; }
   CAabb2D GetAABB(std::size_t i) const {
     const Vector2 r(m_stdRadius[i], m_stdRadius[i]);
     return {m_stdPos[i] - r, m_stdPos[i] + r};

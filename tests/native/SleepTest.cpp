@@ -126,16 +126,21 @@ std::vector<CChange> GetChanges() {
 
 // After each change the balls go as they would if all had been woken.
 TEST(Sleep, AChangeWakesAllThatItCouldMove) {
+  std::vector<CHeaps> all;
+  std::vector<CSavedState> saved;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    all.emplace_back(CRandom(seed));
+    saved.push_back(all.back().m_pWorld->SaveState());
+    ASSERT_EQ(GetFastest(*all.back().m_pWorld), 0.0f);
+  }
   for (const CChange& change : GetChanges()) {
     float farthest = 0.0f;
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    for (std::uint64_t seed = 0; seed < all.size(); ++seed) {
       SCOPED_TRACE(testing::Message() << change.m_sName << ", seed " << seed);
-      CHeaps heaps{CRandom(seed)};
+      CHeaps& heaps = all[seed];
       CWorld& world = *heaps.m_pWorld;
-      ASSERT_EQ(GetFastest(world), 0.0f);
-      const CSavedState asleep = world.SaveState();
       const auto play = [&](bool isAllWoken) {
-        world.LoadState(asleep);
+        world.LoadState(saved[seed]);
         CRandom random(seed);
         change.m_stdMake(heaps, random);
         world.LoadState(world.SaveState()); // what was changed is remembered
@@ -169,6 +174,7 @@ TEST(Sleep, AChangeWakesNoOthers) {
   }
 }
 
+/// Balls that the next step looks at.
 std::uint64_t CountSwept(CWorld& world) {
   const std::uint64_t before = world.GetStats().m_nBallsSwept;
   world.Step();
@@ -193,6 +199,29 @@ TEST(Sleep, AGameThatGoesOnFarAwayWakesNone) {
   EXPECT_EQ(swept, 0u);
   world.SetGravity(world.GetDesc().m_vGravity);
   EXPECT_GT(CountSwept(world), 12u); // the control
+}
+
+// A game that slows all balls down in each step, which a ball at rest does not feel.
+TEST(Sleep, ADragLeavesBallsAsleep) {
+  CHeaps heaps{CRandom(12)};
+  CWorld& world = *heaps.m_pWorld;
+  const CSavedState asleep = world.SaveState();
+  const auto playWithDrag = [&](int steps) {
+    for (int step = 0; step < steps; ++step) {
+      for (const CShapeId ball : world.GetBallIds())
+        world.SetVel(ball, 0.99f * world.GetVel(ball));
+      world.Step();
+    }
+  };
+  playWithDrag(10);
+  EXPECT_EQ(CountSwept(world), 0u);
+  world.LoadState(asleep);
+  world.SetGravity(world.GetDesc().m_vGravity);
+  playWithDrag(120);
+  EXPECT_EQ(CountSwept(world), 0u); // they have fallen asleep again
+  world.SetElasticity(heaps.m_stdFloors[0], 0.3f);
+  world.SetUserPtr(heaps.m_stdFloors[0], &world);
+  EXPECT_EQ(CountSwept(world), 0u);
 }
 
 // More changes than are remembered.

@@ -42,7 +42,7 @@ bool CContinuous::Prepare() {
   else
     balls.m_cDisturbed.m_bIsEverywhere = true;
   balls.m_stdPrevPos = balls.m_stdPos;
-  FailIf(IsFalling() && AllSleep(balls) && !m_pShapes->IsAnyMoving());
+  FailIf(AllSleep() && !m_pShapes->IsAnyMoving());
   const auto dt = static_cast<float>(m_fStep); // as it was given
   m_pShapes->BoxKinematic(dt);
   m_pShapes->MakeGeometries(dt);

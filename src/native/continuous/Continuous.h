@@ -37,8 +37,8 @@ namespace Shapes::Native {
 ///   steeply that it stays away for that long, or at g_fShallow radians if that is less.
 /// - Under gravity, balls that lie on something sleep once they and all of their pile have been slower than
 ///   g_fSleepSpeed of what gravity gives in a substep for g_fSleepTime seconds: they stand still, no contact
-///   of theirs is told, until a ball or a moving shape comes near, or something near them is added, removed or
-///   changed.
+///   of theirs is told, until a ball or a moving shape comes near, or something near them is added, removed
+///   or changed.
 /// - Of two balls that are each deep in more than g_nMostDeep others, one has to be among the nearest of the
 ///   other: else they do not meet.
 /// - A ball that has had g_nMaxImpacts impacts, g_nCrowded in a pile, or has found more than g_nMostBallsSeen
@@ -134,9 +134,9 @@ private:
   void PutBalls();
   void PutTaken();
   void WakeDisturbed();
-  bool AllSleep(const CBallArrays& balls) const;
+  bool AllSleep() const;
   bool AnySleeps() const;
-  bool IsAsleep(std::size_t i) const { return IsFalling() && m_pBalls->m_stdCalm[i] >= g_fSleepTime; }
+  bool IsAsleep(std::size_t i) const { return IsFalling() && m_pBalls->IsAsleep(i); }
   bool IsOnWay(std::size_t sleeper, std::size_t ball) const;
   float GetCalm(const CMoving& ball) const;
   void SetCalm(std::size_t k, float calm);

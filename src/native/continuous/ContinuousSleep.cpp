@@ -9,25 +9,23 @@
 
 namespace Shapes::Native {
 
-bool CContinuous::AllSleep(const CBallArrays& b) const {
-  return std::all_of(b.m_stdCalm.begin(), b.m_stdCalm.end(), [](float calm) { return calm >= g_fSleepTime; });
+bool CContinuous::AllSleep() const {
+  const std::vector<float>& calm = m_pBalls->m_stdCalm;
+  return IsFalling() && std::all_of(calm.begin(), calm.end(), [](float c) { return c >= g_fSleepTime; });
 }
 
 bool CContinuous::AnySleeps() const {
-  return IsFalling() && std::any_of(m_stdSolid.begin(), m_stdSolid.end(), [this](std::uint32_t i) {
-           return m_pBalls->m_stdCalm[i] >= g_fSleepTime;
-         });
+  const std::vector<float>& calm = m_pBalls->m_stdCalm;
+  return IsFalling() && std::any_of(calm.begin(), calm.end(), [](float c) { return c >= g_fSleepTime; });
 }
 
 // Those near which something was changed since the last substep: they may lie on nothing, or in something.
 void CContinuous::WakeDisturbed() {
   CBallArrays& b = *m_pBalls;
   CDisturbed& disturbed = b.m_cDisturbed;
-  const bool anySleeps =
-      std::any_of(b.m_stdCalm.begin(), b.m_stdCalm.end(), [](float calm) { return calm >= g_fSleepTime; });
   if (disturbed.m_bIsEverywhere)
     std::fill(b.m_stdCalm.begin(), b.m_stdCalm.end(), 0.0f);
-  else if (anySleeps && !disturbed.m_stdBoxes.empty()) {
+  else if (!disturbed.m_stdBoxes.empty() && AnySleeps()) {
     m_cDisturbed.Build(disturbed.m_stdBoxes);
     // What a pair has between them that rests on each other.
     const auto reach = static_cast<float>(g_fRestingSteps * m_fFall * m_fStep);
