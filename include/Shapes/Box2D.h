@@ -26,21 +26,35 @@ namespace Shapes {
 /// - Gravity and Continuous run as the b2World has them (SetGravity, SetContinuousPhysics), and can be
 ///   neither forced nor forbidden. Events always runs unless forbidden: a ball may meet the game's bodies.
 /// - Changes throw std::logic_error between PreStep and PostStep, and in callbacks of Box2D. (A
-///   b2DestructionListener for a body that the game destroys cannot be detected: change nothing from there.)
+///   b2DestructionListener for a body that the game destroys, and a query or a ray cast, cannot be detected:
+///   change nothing from there.)
 /// - Tuned worlds leave the scale of the b2World as it is and cut no steps: m_nMovesClamped and
 ///   m_nTurnsClamped count moves that Box2D slows down. The fixtures of tuned balls are larger than the balls
 ///   by .00625 metres, by which they keep away from the game's bodies; from each other and from shapes they
-///   do not.
+///   do not. They have the gravity scale 0, as Shapes bends their paths: leave it. Their velocities are
+///   Box2D's mean ones from PreStep to PostStep: a game that moves or kicks a ball does so before PreStep, or
+///   after PostStep. Its listener may see their manifolds turned round.
 ///
 /// Effects on the game:
 /// - Fixtures have no friction and no restitution threshold; those of balls have the elasticity of the ball
 ///   as their restitution, those of other shapes 0. The game's rule mixes these with the game's fixtures. Two
 ///   of Shapes' own collide by the product of their elasticities.
 /// - Where BallPairs is forbidden, the fixtures of balls have the group index -32768.
-/// - The user data of a fixture is the user pointer of its shape, that of a body 0.
+/// - The user data of a fixture is the user pointer of its shape, that of a body 0. Sensors, and what is
+/// turned
+///   off, are sensors of Box2D that meet nothing.
+/// - A game may put joints and fixtures of its own on bodies of Shapes, and change the type of a body, turn
+/// it
+///   off or let it sleep. A ball keeps its mass. SetRotCenter and Reset make a body anew, without what a game
+///   has put on it, and so does in a tuned world a segment or an arc that comes to an end of another one, or
+///   goes from it.
 /// - It listens to contacts before the game's listener and passes all of them on, those of Shapes' bodies
 ///   included. PreStep notices a listener that the game has installed since, and includes it.
-/// - A contact between two of Shapes' own that the game's listener disables is reported all the same.
+/// - A contact between two of Shapes' own that the game's listener disables in PreSolve has no effect
+/// (one-way
+///   platforms), and is reported all the same.
+/// - b2World::ShiftOrigin does not move shapes: PreStep throws std::logic_error after it, unless all were
+///   removed before.
 ///
 /// Life and death:
 /// - The game may destroy any body. If it is one of ours, its shape is removed by the next call of any

@@ -48,10 +48,10 @@ void CNativeEngine::Changed(CShapeId id, eChange change) {
   if (change == eChange::Filter) m_bBallsChanged = true;
   if (k == CWorldState::npos) return;
   const CShapeEntry& entry = m_cState.m_stdShapes[k];
-  if (change == eChange::Pose && IsSolid(*entry.m_pShape)) First().m_cContinuous.ShapeWasPut();
+  if ((change == eChange::Pose || change == eChange::Reset) && IsSolid(*entry.m_pShape))
+    First().m_cContinuous.ShapeWasPut();
   if (change == eChange::Sensor) m_bShapesChanged = true;
-  if (!m_bShapesChanged && (change == eChange::Pose || change == eChange::Motion))
-    m_cBroadPhase.Update(entry);
+  if (!m_bShapesChanged && change <= eChange::Motion) m_cBroadPhase.Update(entry);
 }
 
 struct CNativeMemory final : CEngineMemory {

@@ -25,7 +25,9 @@ struct CWorldLimits {
 
 /// The kind of a change of a shape or a ball.
 enum class eChange {
-  Pose,      ///< where it is, or its rotation centre
+  Pose,      ///< where it is, its rotation centre with it
+  RotCenter, ///< it stays where it is
+  Reset,     ///< both
   Motion,    ///< velocity or rotation speed
   Sensor,    ///< it became a sensor, or ceases to be one
   Filter,    ///< it meets others

@@ -113,13 +113,13 @@ void SetProperty(CWorldCore& core, CShapeId id, eChange what, std::vector<T> CBa
 
 // Changes the pose of a shape, unless the engine could not hold it there.
 template <class F>
-void SetPose(CWorldCore& core, CShapeEntry& entry, const F& change) {
+void SetPose(CWorldCore& core, CShapeEntry& entry, eChange what, const F& change) {
   if (core.GetLimits().m_fMaxLength != g_fMaxLength) {
     const auto pCopy = entry.m_pShape->Clone();
     change(*pCopy);
     RequireShape(core.GetLimits(), *pCopy);
   }
-  core.ChangeShape(entry, eChange::Pose, [&](CShapeEntry& changed) { change(*changed.m_pShape); });
+  core.ChangeShape(entry, what, [&](CShapeEntry& changed) { change(*changed.m_pShape); });
 }
 
 template <class TDesc>
@@ -225,7 +225,7 @@ void CWorld::SetPos(CShapeId id, const Vector2& p) {
   CWorldState& state = m_pImpl->GetState();
   const std::size_t i = state.FindBall(id);
   if (i == CWorldState::npos)
-    return SetPose(*m_pImpl, FindEntry(state, id), [&](CShape& shape) { shape.Relocate(p); });
+    return SetPose(*m_pImpl, FindEntry(state, id), eChange::Pose, [&](CShape& shape) { shape.Relocate(p); });
   const Vector2 r = Vector2::Constant(state.m_cBalls.m_stdRadius[i]);
   RequireExtent(m_pImpl->GetLimits(), CAabb2D(p - r, p + r));
   m_pImpl->ChangeBall(i, eChange::Pose, [&](CBallArrays& b, std::size_t ball) { b.SetPos(ball, p); });
@@ -286,7 +286,7 @@ float CWorld::GetRotSpeed(CShapeId id) const { return FindEntry(m_pImpl->ReadSta
 
 void CWorld::SetOrientation(CShapeId id, float angle) {
   m_pImpl->Access(eAccess::Change);
-  SetPose(*m_pImpl, FindKinematic(m_pImpl->GetState(), id, g_sToBeTurned),
+  SetPose(*m_pImpl, FindKinematic(m_pImpl->GetState(), id, g_sToBeTurned), eChange::Pose,
           [&](CShape& shape) { shape.SetOrientation(angle); });
 }
 
@@ -311,7 +311,7 @@ void CWorld::SetRotCenter(CShapeId id, const Vector2& center) {
   m_pImpl->Access(eAccess::Change);
   RequireVector("m_vRotCenter", center, m_pImpl->GetLimits().m_fMaxLength);
   CShapeEntry& entry = FindKinematic(m_pImpl->GetState(), id, g_sToBeTurned);
-  m_pImpl->ChangeShape(entry, eChange::Pose,
+  m_pImpl->ChangeShape(entry, eChange::RotCenter,
                        [&](CShapeEntry& changed) { changed.m_pShape->SetRotCenter(center); });
 }
 
@@ -333,7 +333,7 @@ void CWorld::SetLimits(CShapeId id, const CMotionLimits& limits) {
 void CWorld::Reset(CShapeId id) {
   m_pImpl->Access(eAccess::Change);
   SetPose(*m_pImpl, FindKinematic(m_pImpl->GetState(), id, "a kinematic shape, to be put back"),
-          [](CShape& shape) { shape.Reset(); });
+          eChange::Reset, [](CShape& shape) { shape.Reset(); });
 }
 
 const Vector2& CWorld::GetVel(CShapeId id) const {

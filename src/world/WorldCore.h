@@ -96,7 +96,9 @@ private:
   void PlanSubsteps();
   void CountEffects();
   // What rests near a shape or a ball.
-  static bool DoesDisturb(eChange what) { return what != eChange::Motion && what != eChange::Properties; }
+  static bool DoesDisturb(eChange what) {
+    return what != eChange::RotCenter && what != eChange::Motion && what != eChange::Properties;
+  }
   void Disturb(const CShape& shape) {
     if (IsSolid(shape)) m_cState.m_cBalls.m_cDisturbed.Add(shape.GetAABB());
   }

@@ -20,7 +20,8 @@ public:
   void Added(CShapeId id) override { Record("Added", id); }
   void Removed(CShapeId id, std::unique_ptr<CShape>) override { Record("Removed", id); }
   void Changed(CShapeId id, eChange change) override {
-    static constexpr const char* names[] = {"pose", "motion", "sensor", "filter", "can-collide", "properties"};
+    static constexpr const char* names[] = {"pose",   "rotation centre", "reset",       "motion",
+                                            "sensor", "filter",          "can-collide", "properties"};
     Record(std::string("Changed ") + names[static_cast<int>(change)], id);
   }
   void Plan(CEffects running) override {

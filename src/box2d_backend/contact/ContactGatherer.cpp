@@ -28,7 +28,9 @@ void CContactGatherer::BeginStep(const b2Vec2& g, float h, float weight) {
   for (CBody* pBall : m_cBodies.GetBalls()) {
     pBall->m_cStart = pBall->m_pBody->GetTransform();
     pBall->m_pBouncedOff = nullptr;
-    pBall->m_cCorrection.Begin(pBall->m_bIsLasting ? Vector2d::Zero() : ToDouble(g), static_cast<double>(h));
+    pBall->m_stdPassed.clear();
+    const bool isFollowed = pBall->IsFree() && !pBall->m_bIsLasting && !pBall->m_bHasWeight;
+    pBall->m_cCorrection.Begin(isFollowed ? ToDouble(g) : Vector2d(Vector2d::Zero()), static_cast<double>(h));
     pBall->m_bWasSupported = std::exchange(pBall->m_bIsSupported, false);
   }
   for (CBody* pBody : m_cBodies.GetMoving())
@@ -41,11 +43,26 @@ void CContactGatherer::PreSolve(b2Contact* pContact, const b2Manifold*) {
   if (pA == nullptr || pB == nullptr) return;
   ++m_nAsked;
   if (IsBallOf(pA, pB)) std::swap(pA, pB);
+  m_stdBefore[0] = {pA, pA->m_cCorrection, pA->m_pBouncedOff};
+  m_stdBefore[1] = {pB, pB->m_cCorrection, pB->m_pBouncedOff};
   pContact->SetRestitution(RestitutionOf(*pA, *pB));
   if (!m_cTuning.m_bExactContacts)
     ReportAsIs(*pContact, *pA, *pB);
   else if (const auto resolution = m_cOverride.Override(*pContact, *pA, *pB, CanWait(*pA, *pB)))
     Report(*pA, *pB, *resolution);
+}
+
+void CContactGatherer::Pass(const b2Contact& contact) {
+  CBody* pA = m_cBodies.Find(*contact.GetFixtureA()->GetBody());
+  CBody* pB = m_cBodies.Find(*contact.GetFixtureB()->GetBody());
+  if (pA == nullptr || pB == nullptr) return;
+  for (const CBefore& before : m_stdBefore)
+    if (before.m_pBody == pA || before.m_pBody == pB) {
+      before.m_pBody->m_cCorrection = before.m_cCorrection;
+      before.m_pBody->m_pBouncedOff = before.m_pBouncedOff;
+    }
+  pA->m_stdPassed.push_back(pB);
+  pB->m_stdPassed.push_back(pA);
 }
 
 bool CContactGatherer::CanWait(const CBody& shape, const CBody& ball) {

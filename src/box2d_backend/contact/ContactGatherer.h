@@ -36,6 +36,8 @@ public:
   void BeginStep(const b2Vec2& g, float h, float weight);
 
   void PreSolve(b2Contact* pContact, const b2Manifold* pOld) override;
+  /// After PreSolve, in a game's b2World: its listener has disabled the contact, so the ball passes.
+  void Pass(const b2Contact& contact);
   /// After PreSolve, in a game's b2World: one of our balls hits a body of the game. Box2D, or the game,
   /// resolves it.
   void CollideWithOther(b2Contact& contact);
@@ -71,6 +73,12 @@ private:
   b2Vec2 m_vGravity{0.0f, 0.0f};
   float m_fStep = 0.0f;
   CPreSolveOverride m_cOverride;
+  // What the last call of PreSolve was about, as it was before.
+  struct CBefore {
+    CBody* m_pBody = nullptr;
+    CParabolicCorrection m_cCorrection;
+    const CBody* m_pBouncedOff = nullptr;
+  } m_stdBefore[2];
   bool m_bContacts = true, m_bPathVertices = true;
   std::uint64_t m_nAsked = 0;
   /// The impulse with which the solver has pushed a ball and another one apart.

@@ -66,7 +66,8 @@ void KeepBallsOnTheirSide(CBodies& bodies) {
     if (!pBall->m_pBody->GetWorld()->GetContinuousPhysics()) return;
     for (const b2BodyType type : {b2_kinematicBody, b2_staticBody})
       for (const b2ContactEdge* p = pBall->m_pBody->GetContactList(); p != nullptr; p = p->next)
-        if (const CBody* pShape = bodies.Find(*p->other); pShape != nullptr && p->other->GetType() == type)
+        if (const CBody* pShape = bodies.Find(*p->other); pShape != nullptr && p->other->GetType() == type &&
+                                                          IsSolid(*p->contact) && !pBall->Passes(*pShape))
           KeepOnSide(*pShape, *pBall);
   }
 }

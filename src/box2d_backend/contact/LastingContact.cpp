@@ -25,7 +25,7 @@ bool AreNear(const CBody& a, const CBody& b) {
 template <class F>
 void ForNeighbours(CBodies& bodies, const CBody& ball, F f) {
   for (const b2ContactEdge* p = ball.m_pBody->GetContactList(); p != nullptr; p = p->next)
-    if (p->other->GetType() == b2_dynamicBody)
+    if (p->other->GetType() == b2_dynamicBody && IsSolid(*p->contact))
       if (CBody* pOther = bodies.Find(*p->other); pOther != nullptr) f(*pOther);
 }
 
@@ -100,9 +100,11 @@ void PushOutOfShapes(CBodies& bodies, const b2Vec2& g) {
       pushed = 0;
       for (const b2ContactEdge* pEdge = pBall->m_pBody->GetContactList(); pEdge != nullptr;
            pEdge = pEdge->next) {
-        if (pEdge->other->GetType() == b2_dynamicBody || !pEdge->contact->IsTouching()) continue;
+        if (pEdge->other->GetType() == b2_dynamicBody || !pEdge->contact->IsTouching() ||
+            !IsSolid(*pEdge->contact))
+          continue;
         const CBody* pShape = bodies.Find(*pEdge->other);
-        if (pShape == nullptr) continue;
+        if (pShape == nullptr || pBall->Passes(*pShape)) continue;
         const b2Transform& xf = pShape->m_pBody->GetTransform();
         const CExactContact contact =
             FindExactContact(pShape->m_cGeometry, ToDouble(b2MulT(xf, p)), Vector2d::Zero(),

@@ -214,9 +214,12 @@ void CPreSolveOverride::FollowOther(b2Contact& contact, CBody& other, CBody& bal
   if (!(impact.m_fSpeed < 0.0)) return;
   Vector2d dp, dv;
   ball.m_cCorrection.GetDeviation(impact.m_fPart, dp, dv);
+  // Of a ball that has been given all of the gravity step, as it was before that.
+  if (ball.m_bHasWeight) dv = -static_cast<double>(m_fStep) * ToDouble(m_vGravity);
   inspected.m_fSpeed = -impact.m_fSpeed - dv.dot(impact.m_vNorm);
   if (IsSupport(inspected, other, ball)) {
     contact.SetRestitution(0.0f);
+    ball.m_bLiesOnOther = true;
   } else if (other.m_pBody->GetType() != b2_dynamicBody) {
     CParabolicCorrection::Bounce(impact, ball.m_cCorrection, 1.0, nullptr);
     if (m_bIsContinuous) SeparateShapes(inspected, other, ball); // that does not lift it
@@ -330,7 +333,8 @@ bool CPreSolveOverride::ResolvePress(const CInspected& inspected, CBody& shape, 
   const bool isSupport = IsSupport(inspected, shape, ball);
   FailIf(!isPress && !isSupport);
   if (isSupport) { // the half of the gravity step that a resting ball is not given after the step
-    const CBody& upper = b2Dot(m_vGravity, inspected.m_vNorm) < 0.0f ? ball : shape;
+    CBody& upper = b2Dot(m_vGravity, inspected.m_vNorm) < 0.0f ? ball : shape;
+    upper.m_bLiesOnOwn = true;
     resolution.m_fUnsolved =
         0.5f * m_fStep * std::abs(b2Dot(m_vGravity, inspected.m_vNorm)) * upper.m_pBody->GetMass();
   }

@@ -55,10 +55,24 @@ CContactGeometry MakeContactGeometry(const CShape& shape, const Vector2& origin,
   return geometry;
 }
 
+// Directly, not by density: a ball of radius 0 has a mass too, and it must be in place after the fixture.
+void SetMass(b2Body& body, float mass) {
+  b2MassData data;
+  data.mass = mass;
+  data.center.SetZero();
+  data.I = 0.0f;
+  body.SetMassData(&data);
+}
+
 // Where the body is, or would be.
 std::vector<CBody*>::iterator FindIn(std::vector<CBody*>& bodies, CShapeId id) {
   return std::lower_bound(bodies.begin(), bodies.end(), id,
                           [](const CBody* pBody, CShapeId i) { return pBody->m_cId < i; });
+}
+
+// Where its body is.
+Vector2 GetOrigin(const CShape& shape) {
+  return shape.GetMotionType() == eMotion::Kinematic ? shape.GetRotCenter() : shape.GetPos();
 }
 
 } // namespace
@@ -86,7 +100,7 @@ void CBodies::AddFixture(CBody& body, F fill) {
     def.friction = 0.0f;
     def.restitutionThreshold = 0.0f;
     if (body.m_bIsBall && !m_bPairs) def.filter.groupIndex = g_nApart;
-    return body.m_pBody->CreateFixture(&def)->GetShape();
+    return body.m_stdFixtures.emplace_back(body.m_pBody->CreateFixture(&def))->GetShape();
   };
   if (m_pWatch == nullptr)
     add(TShape());
@@ -112,20 +126,20 @@ void CBodies::CreateBall(const CBallArrays& b, std::size_t i, CBody& body) {
     circle.m_radius = body.m_fRadius + (m_cTuning.m_bExactContacts ? g_fBallSkin : 0.0f);
   });
 
-  // Directly, not by density: a ball of radius 0 has a mass too, and it must be in place after the fixture.
-  b2MassData mass;
-  mass.mass = b.m_stdMass[i];
-  mass.center.SetZero();
-  mass.I = 0.0f;
-  body.m_pBody->SetMassData(&mass);
+  SetMass(*body.m_pBody, b.m_stdMass[i]);
+}
+
+void CBodies::KeepMasses(const CBallArrays& b) {
+  for (std::size_t i = 0; i < b.Size(); ++i) {
+    b2Body& body = *m_stdBalls[i]->m_pBody;
+    if (body.GetType() == b2_dynamicBody && body.GetMass() != b.m_stdMass[i]) SetMass(body, b.m_stdMass[i]);
+  }
 }
 
 void CBodies::CreateShape(const CShape& shape, const CSharedEnds& sharedEnds, CBody& body) {
-  const bool kinematic = shape.GetMotionType() == eMotion::Kinematic;
-  const Vector2 origin = kinematic ? shape.GetRotCenter() : shape.GetPos();
+  const Vector2 origin = GetOrigin(shape);
   b2BodyDef def;
-  def.type = kinematic ? b2_kinematicBody : b2_staticBody;
-  def.allowSleep = false;
+  def.type = shape.GetMotionType() == eMotion::Kinematic ? b2_kinematicBody : b2_staticBody;
   def.position = m_cScale.ToMetres(origin);
   body.m_pBody = m_pWorld->CreateBody(&def);
 
@@ -160,6 +174,8 @@ void CBodies::Forget(CShapeId id) {
   const auto it = m_stdBodies.find(id);
   m_nArcPieces -= static_cast<std::uint64_t>(it->second.m_nArcPieces);
   m_stdByBody.erase(it->second.m_pBody);
+  for (CBody* pBall : m_stdBalls)
+    if (pBall->m_pBouncedOff == &it->second) pBall->m_pBouncedOff = nullptr;
   for (auto* pBodies : {&m_stdBalls, &m_stdMoving})
     if (const auto at = FindIn(*pBodies, id); at != pBodies->end() && *at == &it->second) pBodies->erase(at);
   m_stdBodies.erase(it);
@@ -168,7 +184,7 @@ void CBodies::Forget(CShapeId id) {
 bool CBodies::IsNearOthers(const CBody& ball) {
   FailIf(m_pWatch == nullptr); // no bodies of a game
   for (const b2ContactEdge* p = ball.m_pBody->GetContactList(); p != nullptr; p = p->next)
-    if (Find(*p->other) == nullptr) return true;
+    if (IsSolid(*p->contact) && Find(*p->other) == nullptr) return true;
   return false;
 }
 
@@ -198,20 +214,34 @@ void CBodies::SetProperties(const CWorldState& state, CShapeId id) {
   b2Filter filter; // sensors are not Box2D's: its own do not see a ball that flies through within a step
   filter.categoryBits = isSolid ? given.m_nCategory : uint16(0);
   filter.maskBits = isSolid ? given.m_nMask : uint16(0);
-  const b2Filter before = body.m_pBody->GetFixtureList()->GetFilterData();
+  const b2Filter before = body.m_stdFixtures.front()->GetFilterData();
   filter.groupIndex = before.groupIndex;
   const bool changed = before.maskBits != filter.maskBits || before.categoryBits != filter.categoryBits;
-  for (b2Fixture* p = body.m_pBody->GetFixtureList(); p != nullptr; p = p->GetNext()) {
+  for (b2Fixture* p : body.m_stdFixtures) {
     p->GetUserData().pointer = reinterpret_cast<uintptr_t>(pUser);
     // Shapes respond by the product of both elasticities; Box2D's own rule, the larger of both, remains for
     // bodies of the game, and there a shape adds nothing.
     p->SetRestitution(body.m_bIsBall ? body.m_fElasticity : 0.0f);
-    if (changed) p->SetFilterData(filter);
+    if (!changed) continue;
+    p->SetFilterData(filter);
+    p->SetSensor(!isSolid); // a game's contact filter may not ask for the bits
   }
-  if (!changed) return;
+  for (b2ContactEdge* p = body.m_pBody->GetContactList(); p != nullptr; p = p->next)
+    p->contact->ResetRestitution(); // it has that of the time when they came near each other
+  if (!changed || !body.m_pBody->IsEnabled()) return;
   // Box2D would look for what touches already at the end of the next step only; this makes it look before.
   body.m_pBody->SetEnabled(false);
   body.m_pBody->SetEnabled(true);
+}
+
+void CBodies::SetPose(const CWorldState& state, CShapeId id) {
+  CBody& body = Get(id);
+  const CShape& shape = *state.m_stdShapes[state.FindShape(id)].m_pShape;
+  for (b2ContactEdge* p = body.m_pBody->GetContactList(); p != nullptr; p = p->next)
+    p->other->SetAwake(true); // what lies there may lie on nothing
+  body.m_pBody->SetTransform(m_cScale.ToMetres(GetOrigin(shape)),
+                             shape.GetOrientation() - body.m_fBaseOrientation);
+  body.m_cStart = body.m_pBody->GetTransform();
 }
 
 void CBodies::SetMoving(const CWorldState& state, CShapeId id) {

@@ -6,6 +6,7 @@
 
 #include <box2d/box2d.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <unordered_map>
@@ -39,12 +40,30 @@ struct CBody {
   float m_fTurnSpeed = 0.0f;          ///< of a shape, radians per second
   int m_nArcPieces = 0;
   bool m_bIsBall = false;
-  bool m_bIsSupported = false;          ///< the ball lies on something in this step
-  bool m_bWasSupported = false;         ///< it did so in the last one
-  const CBody* m_pBouncedOff = nullptr; ///< the shape that the ball has hit last in this step
-  bool m_bIsLasting = false;            ///< Box2D's own solver moves the ball in this step
-  CSharedEnds m_cSharedEnds;            ///< of which the geometry of a shape knows
+  bool m_bIsSupported = false;           ///< the ball lies on something in this step
+  bool m_bWasSupported = false;          ///< it did so in the last one
+  const CBody* m_pBouncedOff = nullptr;  ///< the shape that the ball has hit last in this step
+  bool m_bIsLasting = false;             ///< Box2D's own solver moves the ball in this step
+  bool m_bLiesOnOther = false;           ///< on a body of the game
+  bool m_bLiesOnOwn = false;             ///< on a shape or a ball
+  bool m_bHasWeight = false;             ///< it gets all of a gravity step before it, for Box2D's solver
+  CSharedEnds m_cSharedEnds;             ///< of which the geometry of a shape knows
+  std::vector<b2Fixture*> m_stdFixtures; ///< without those that a game has put on its body
+  std::vector<const CBody*> m_stdPassed; ///< by the ball in this step, as the game's listener wants it
+
+  /// Whether Box2D moves it: a game may turn off, hold or let sleep any body.
+  bool IsFree() const {
+    return m_pBody->GetType() == b2_dynamicBody && m_pBody->IsEnabled() && m_pBody->IsAwake();
+  }
+  bool Passes(const CBody& shape) const {
+    return std::find(m_stdPassed.begin(), m_stdPassed.end(), &shape) != m_stdPassed.end();
+  }
 };
+
+/// Whether it is one of bodies that bounce off each other.
+inline bool IsSolid(const b2Contact& contact) {
+  return !contact.GetFixtureA()->IsSensor() && !contact.GetFixtureB()->IsSensor();
+}
 
 /// Makes one b2Body for each shape. Finds the shape of a body without the user data of Box2D, which belong
 /// to the user.
@@ -65,11 +84,17 @@ public:
   void Create(const CWorldState& state, CShapeId id, const CSharedEnds& sharedEnds = {});
   void Remove(CShapeId id);
   void RemoveAll();
+  bool IsEmpty() const { return m_stdBodies.empty(); }
   bool Contains(CShapeId id) const { return m_stdBodies.contains(id); }
   /// Forgets a body that is gone already.
   void Forget(CShapeId id);
   /// Elasticity, sensor, can-collide and user pointer as they are now.
   void SetProperties(const CWorldState& state, CShapeId id);
+  /// Where a shape is, as it is now, but for its rotation centre.
+  void SetPose(const CWorldState& state, CShapeId id);
+  /// Gives the balls their masses back, which Box2D computes from the densities of fixtures when a game
+  /// changes the type of a body, or takes a fixture from it.
+  void KeepMasses(const CBallArrays& balls);
   /// How fast a shape moves and turns, as it is now.
   void SetMoving(const CWorldState& state, CShapeId id);
   void SetBullets(bool b);

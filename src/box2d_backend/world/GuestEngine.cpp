@@ -68,6 +68,10 @@ void CGuestEngine::PreStep(float dt) {
   RemoveLost();
   const CBusy busy(m_bIsBusy);
   PlaceSentinel();
+  if (m_pSentinel->GetPosition() != b2Vec2_zero)
+    throw std::logic_error(
+        "b2World::ShiftOrigin was called of a b2World that has shapes of a CBox2DWorld: they "
+        "stay where they are. Remove them before, and add them at their new places after");
   if (!m_pChain->IsCalledBy(*m_pWorld)) {
     m_pChain = m_pChain->InstallAgain(*m_pWorld);
     ++m_cWorld.Stats().m_nListenersReplaced;
@@ -77,6 +81,7 @@ void CGuestEngine::PreStep(float dt) {
   m_cWorld.DriveShapes(dt);
   m_cWorld.BeginSubstep();
   m_fStep = dt;
+  m_pStepper->KeepMasses();
   m_pStepper->TakeBalls(); // the game may have moved or kicked them
   m_cWorld.NoteChange();
   m_pStepper->BeginSubstep();
@@ -168,12 +173,19 @@ void CGuestEngine::ReadHostSettings() {
 }
 
 void CGuestEngine::PlaceSentinel() {
-  if (m_pSentinel != nullptr) return;
+  if (m_pSentinel != nullptr) {
+    if (m_pStepper->IsEmpty()) m_pSentinel->SetTransform(b2Vec2_zero, 0.0f); // wherever the origin is now
+    return;
+  }
   b2BodyDef def;
-  def.enabled = false; // nothing in the game meets it or finds it
+  def.enabled = false; // nothing in the game meets it or finds it, also if the game enables all bodies
   m_pSentinel = m_pWorld->CreateBody(&def);
   const CWatched<b2CircleShape> point;
-  m_cWatch.Watch(*m_pSentinel->CreateFixture(&point, 0.0f)->GetShape(), CShapeId());
+  b2FixtureDef fixture;
+  fixture.shape = &point;
+  fixture.isSensor = true;
+  fixture.filter.categoryBits = fixture.filter.maskBits = 0;
+  m_cWatch.Watch(*m_pSentinel->CreateFixture(&fixture)->GetShape(), CShapeId());
 }
 
 } // namespace Shapes::Box2D

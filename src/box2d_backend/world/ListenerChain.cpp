@@ -3,6 +3,7 @@
 
 #include <mutex>
 #include <unordered_map>
+#include <utility>
 
 namespace Shapes::Box2D {
 namespace {
@@ -62,37 +63,45 @@ void CListenerChain::TakeOut(b2World& world) {
 }
 
 template <class F>
-void CListenerChain::PassOn(F f) {
-  // A listener that passes on to this one, and to which this one passes on, would go round for ever.
-  if (m_pNext == nullptr || m_bIsInside) return;
+void CListenerChain::PassOn(b2Contact* pContact, F f) {
+  // A listener that passes on to this one, and to which this one passes on, would go round for ever. Where a
+  // game destroys a body while it is told of the end of a contact, it is told of the ends of others.
+  if (m_pNext == nullptr || m_pInside == pContact) return;
   struct CInside {
-    bool& m_bIs;
-    explicit CInside(bool& b) : m_bIs(b) { m_bIs = true; }
-    ~CInside() { m_bIs = false; }
-  } const inside(m_bIsInside);
+    b2Contact*& m_pInside;
+    b2Contact* m_pBefore;
+    CInside(b2Contact*& pInside, b2Contact* pNow)
+        : m_pInside(pInside), m_pBefore(std::exchange(pInside, pNow)) {}
+    ~CInside() { m_pInside = m_pBefore; }
+  } const inside(m_pInside, pContact);
   f(*m_pNext);
 }
 
 void CListenerChain::BeginContact(b2Contact* pContact) {
-  PassOn([&](b2ContactListener& next) { next.BeginContact(pContact); });
+  PassOn(pContact, [&](b2ContactListener& next) { next.BeginContact(pContact); });
 }
 
 void CListenerChain::EndContact(b2Contact* pContact) {
-  PassOn([&](b2ContactListener& next) { next.EndContact(pContact); });
+  PassOn(pContact, [&](b2ContactListener& next) { next.EndContact(pContact); });
 }
 
 void CListenerChain::PreSolve(b2Contact* pContact, const b2Manifold* pOld) {
-  if (m_bIsInside) return;
+  if (m_pInside != nullptr) return;
   if (m_pGatherer != nullptr) m_pGatherer->PreSolve(pContact, pOld);
-  PassOn([&](b2ContactListener& next) { next.PreSolve(pContact, pOld); });
-  // The game may disable contacts with other bodies, and may have destroyed the gatherer, too.
-  if (m_pGatherer != nullptr && pContact->IsEnabled()) m_pGatherer->CollideWithOther(*pContact);
+  const bool wasEnabled = pContact->IsEnabled();
+  PassOn(pContact, [&](b2ContactListener& next) { next.PreSolve(pContact, pOld); });
+  // The game may disable contacts, and may have destroyed the gatherer, too.
+  if (m_pGatherer == nullptr) return;
+  if (pContact->IsEnabled())
+    m_pGatherer->CollideWithOther(*pContact);
+  else if (wasEnabled)
+    m_pGatherer->Pass(*pContact);
 }
 
 void CListenerChain::PostSolve(b2Contact* pContact, const b2ContactImpulse* pImpulse) {
-  if (m_bIsInside) return;
+  if (m_pInside != nullptr) return;
   if (m_pGatherer != nullptr) m_pGatherer->PostSolve(pContact, pImpulse);
-  PassOn([&](b2ContactListener& next) { next.PostSolve(pContact, pImpulse); });
+  PassOn(pContact, [&](b2ContactListener& next) { next.PostSolve(pContact, pImpulse); });
 }
 
 } // namespace Shapes::Box2D

@@ -24,7 +24,7 @@ public:
   /// The gatherer gets contacts before the game's listener; may be nullptr.
   void SetGatherer(CContactGatherer* p) { m_pGatherer = p; }
   /// Whether the game's listener is at work.
-  bool IsInside() const { return m_bIsInside; }
+  bool IsInside() const { return m_pInside != nullptr; }
 
   void BeginContact(b2Contact* pContact) override;
   void EndContact(b2Contact* pContact) override;
@@ -34,11 +34,11 @@ public:
 private:
   explicit CListenerChain(b2ContactListener* pNext) : m_pNext(pNext) {}
   template <class F>
-  void PassOn(F f);
+  void PassOn(b2Contact* pContact, F f);
 
   b2ContactListener* m_pNext;
   CContactGatherer* m_pGatherer = nullptr;
-  bool m_bIsInside = false;
+  b2Contact* m_pInside = nullptr; // of which the game's listener is told
 };
 
 } // namespace Shapes::Box2D

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Shapes::Box2D {
 namespace {
@@ -75,16 +76,21 @@ void CStepper::Removed(CShapeId id) {
 }
 
 void CStepper::Changed(CShapeId id, eChange what) {
-  if (what != eChange::Pose && what != eChange::Motion) {
+  if (what >= eChange::Sensor) {
     m_cBodies.SetProperties(m_cState, id);
     NoteSharedEnds(id);
   } else if (const std::size_t i = m_cState.FindBall(id); i != CWorldState::npos) {
     b2Body& body = *m_cBodies.Get(id).m_pBody;
-    if (what == eChange::Pose)
+    if (what == eChange::Pose) {
       body.SetTransform(m_cScale.ToMetres(m_cState.m_cBalls.m_stdPos[i]), 0.0f);
-    else
+      body.SetAwake(true); // a game may have let it sleep
+    } else {
       body.SetLinearVelocity(m_cScale.ToMetres(m_cState.m_cBalls.m_stdVel[i]));
+    }
   } else if (what == eChange::Pose) {
+    m_cBodies.SetPose(m_cState, id);
+    NoteSharedEnds(id);
+  } else if (what == eChange::RotCenter || what == eChange::Reset) {
     Removed(id);
     Added(id);
   } else {
@@ -108,6 +114,7 @@ void CStepper::NoteSharedEnds(CShapeId id) {
 void CStepper::UpdateSharedEnds() {
   auto sharedEnds = FindSharedEnds(m_cState, m_cScale.FromMetres(b2_linearSlop));
   for (const CShapeEntry& entry : m_cState.m_stdShapes) {
+    if (!m_cBodies.Contains(entry.m_cId)) continue; // a listener has just destroyed it
     const CBody& body = m_cBodies.Get(entry.m_cId);
     const float turn = entry.m_pShape->GetOrientation() - body.m_fBaseOrientation;
     if (AreSame(body.m_cSharedEnds, sharedEnds[entry.m_cId], turn)) continue;
@@ -184,8 +191,11 @@ void CStepper::BeforeStep(float h) {
   const float weight = m_cTuning.m_bLastingContact ? FindLastingContacts(m_cBodies, g, h) : 0.0f;
   if (HasParabolas())
     for (CBody* pBall : m_cBodies.GetBalls()) {
-      // A ball in lasting contact gets all of it before the step, so that Box2D's solver includes it.
-      const float part = pBall->m_bIsLasting ? 1.0f : 0.5f;
+      const bool liesOnOther = std::exchange(pBall->m_bLiesOnOther, false),
+                 liesOnOwn = std::exchange(pBall->m_bLiesOnOwn, false);
+      pBall->m_bHasWeight = pBall->m_bIsLasting || (liesOnOther && !liesOnOwn);
+      if (!pBall->IsFree()) continue;
+      const float part = pBall->m_bHasWeight ? 1.0f : 0.5f;
       pBall->m_pBody->SetLinearVelocity(pBall->m_pBody->GetLinearVelocity() + part * h * g);
     }
   CountClamped(h);

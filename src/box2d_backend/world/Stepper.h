@@ -46,6 +46,7 @@ public:
   void Removed(CShapeId id);
   void Changed(CShapeId id, eChange change);
   void RemoveAll() { m_cBodies.RemoveAll(); }
+  bool IsEmpty() const { return m_cBodies.IsEmpty(); }
   /// The game has destroyed a fixture of that shape: the rest of its body is the game's.
   /// @return false if that was known
   bool OnLost(CShapeId id);
@@ -75,6 +76,7 @@ public:
   /// Copies the balls into the state after dt seconds, turns the other shapes, and reports the contacts.
   void EndSubstep(float dt);
   void TakeBalls();
+  void KeepMasses() { m_cBodies.KeepMasses(m_cState.m_cBalls); }
 
 private:
   bool HasParabolas() const;
