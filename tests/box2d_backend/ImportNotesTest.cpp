@@ -65,12 +65,34 @@ TEST(ImportNotesTest, WhatPartsLose) {
   const CSceneDesc scene = ImportScene(game.m_cWorld);
   EXPECT_EQ(scene.m_stdNotes,
             (CNotes{"Body 1 becomes a ball without its sensors.",
-                    "Body 0 fixture 0 is a sensor: natively balls are felt on its circle, not inside.",
                     "Body 0 fixture 1 is a sensor: balls are felt on its geometry, not inside.",
                     "Body 0 fixture 2 loses its skin of 0.5 m."}));
   EXPECT_EQ(scene.m_stdBalls.size(), 1u);
   for (const CAnyShapeDesc& any : scene.m_stdShapes)
     std::visit([](const auto& desc) { EXPECT_EQ(desc.m_vVel, Vector2(1, -2)); }, any);
+}
+
+TEST(ImportNotesTest, SleepAndContinuousPhysics) {
+  CGame game({0, -10});
+  game.AddBall({0, 0});
+  for (const float x : {1.0f, 2.0f})
+    game.AddBall({x, 0})->SetAwake(false);
+  game.m_cWorld.SetContinuousPhysics(false);
+  EXPECT_EQ(
+      ImportScene(game.m_cWorld).m_stdNotes,
+      (CNotes{"Here nothing sleeps at first: bodies 1, 2 in the b2World, also where nothing holds them.",
+              "The b2World has no continuous physics: here balls are swept and pass no wall."}));
+}
+
+// Hundreds of restitutions that no elasticities have are one sentence, and take no gigabyte.
+TEST(ImportNotesTest, ManyRestitutionsAreSummedUp) {
+  CGame game;
+  for (int i = 0; i < 300; ++i)
+    game.AddBall({static_cast<float>(i), 0}, b2Vec2_zero, 0.3f + 0.002f * static_cast<float>(i));
+  const CNotes notes = ImportScene(game.m_cWorld).m_stdNotes;
+  EXPECT_LT(notes.size(), 25u);
+  EXPECT_NE(notes.back().find(" other pairs, too, which differ by up to "), std::string::npos)
+      << notes.back();
 }
 
 TEST(ImportNotesTest, DampingAndGravityScale) {

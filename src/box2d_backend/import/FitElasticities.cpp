@@ -28,18 +28,19 @@ public:
       : m_stdSolution(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns))),
         m_stdFree(Eigen::MatrixXd::Identity(m_stdSolution.size(), m_stdSolution.size())) {}
 
-  // Adds the level A x = c, one row for each equation. The eigenvectors of the normal equations say both what
-  // the solution is and what stays free.
-  void Solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& c) {
-    if (A.rows() == 0 || m_stdFree.cols() == 0) return;
-    const Eigen::MatrixXd B = A * m_stdFree;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(B.transpose() * B);
+  // Adds the level A x = c by its normal equations, of which the eigenvectors say both what the solution is
+  // and what stays free.
+  // @param square  A^T A, without which thousands of pairs would be a matrix each with all unknowns
+  // @param right   A^T c
+  void Solve(const Eigen::MatrixXd& square, const Eigen::VectorXd& right) {
+    if (square.isZero(0.0) || m_stdFree.cols() == 0) return;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(m_stdFree.transpose() * square * m_stdFree);
     const Eigen::VectorXd& lambda = eigen.eigenvalues(); // in increasing order
     const auto isFree = [&](double l) { return !(l > g_fFreeEigenvalue); };
     const Eigen::Index free = std::count_if(lambda.begin(), lambda.end(), isFree);
     const Eigen::Index fixed = lambda.size() - free;
     const Eigen::MatrixXd V = eigen.eigenvectors().rightCols(fixed);
-    const Eigen::VectorXd rhs = V.transpose() * (B.transpose() * (c - A * m_stdSolution));
+    const Eigen::VectorXd rhs = V.transpose() * (m_stdFree.transpose() * (right - square * m_stdSolution));
     m_stdSolution += m_stdFree * (V * rhs.cwiseQuotient(lambda.tail(fixed)));
     m_stdFree = (m_stdFree * eigen.eigenvectors().leftCols(free)).eval();
   }
@@ -53,25 +54,28 @@ private:
 
 // log e_i + log e_j = log of the target, for each of the pairs.
 void SolvePairs(CLevels& logs, CKinds kinds, const CPairs& pairs) {
-  const auto rows = static_cast<Eigen::Index>(pairs.size());
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(kinds.size()));
-  Eigen::VectorXd c(rows);
-  for (Eigen::Index row = 0; row < rows; ++row) {
-    const CBouncePair& pair = pairs[static_cast<std::size_t>(row)];
-    A(row, static_cast<Eigen::Index>(pair.m_nFirst)) += 1.0;
-    A(row, static_cast<Eigen::Index>(pair.m_nSecond)) += 1.0;
+  const auto n = static_cast<Eigen::Index>(kinds.size());
+  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
+  for (const CBouncePair& pair : pairs) {
+    const Eigen::Index both[] = {static_cast<Eigen::Index>(pair.m_nFirst),
+                                 static_cast<Eigen::Index>(pair.m_nSecond)};
     const float target = GetTarget(kinds, pair);
-    c[row] = std::log(static_cast<double>(target > 0.0f ? target : g_fNearlyDead));
+    for (const Eigen::Index i : both) {
+      right[i] += std::log(static_cast<double>(target > 0.0f ? target : g_fNearlyDead));
+      for (const Eigen::Index j : both)
+        square(i, j) += 1.0;
+    }
   }
-  logs.Solve(A, c);
+  logs.Solve(square, right);
 }
 
 void SolveBallsAtOne(CLevels& logs, CKinds kinds) {
   const auto n = static_cast<Eigen::Index>(kinds.size());
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i)
-    A(i, i) = kinds[static_cast<std::size_t>(i)].m_bIsBall ? 1.0 : 0.0;
-  logs.Solve(A, Eigen::VectorXd::Zero(n));
+    square(i, i) = kinds[static_cast<std::size_t>(i)].m_bIsBall ? 1.0 : 0.0;
+  logs.Solve(square, Eigen::VectorXd::Zero(n));
 }
 
 // Kinds that can have elasticity 0: all of the pairs that decide have the target 0.

@@ -4,6 +4,7 @@
 #include "../../shapes/Validate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <typeinfo>
@@ -33,6 +34,9 @@ std::string Capital(std::string text) {
   return text;
 }
 
+// Of pairs whose restitution is another one.
+constexpr std::size_t g_nMostNotes = 20;
+
 class CNoteWriter {
 public:
   CNoteWriter(const CSurvey& survey, const std::vector<CBounceKind>& kinds,
@@ -48,6 +52,7 @@ public:
     WriteFriction();
     WriteThreshold();
     WriteRestitution();
+    WriteSettings(world);
     WriteCode(world.GetContactManager());
     return std::move(m_stdNotes);
   }
@@ -63,10 +68,7 @@ private:
       const bool isCircle = shape.GetType() == b2Shape::e_circle;
       if (!isCircle && shape.m_radius != b2_polygonRadius)
         m_stdNotes.push_back(name + " loses its skin of " + ToText(shape.m_radius) + " m.");
-      if (!part.m_pFixture->IsSensor()) continue;
-      if (isCircle)
-        m_stdNotes.push_back(name + " is a sensor: natively balls are felt on its circle, not inside.");
-      else if (shape.GetType() == b2Shape::e_polygon)
+      if (part.m_pFixture->IsSensor() && shape.GetType() == b2Shape::e_polygon)
         m_stdNotes.push_back(name + " is a sensor: balls are felt on its geometry, not inside.");
     }
   }
@@ -82,6 +84,10 @@ private:
   }
 
   void WriteBalls(const b2Vec2& gravity) {
+    if (const auto asleep = BallsBy([](const b2Body& b) { return b.IsAwake() ? 0.0f : 1.0f; }, 0.0f);
+        !asleep.empty())
+      m_stdNotes.push_back("Here nothing sleeps at first: " + NameBodies(asleep.begin()->second) +
+                           " in the b2World, also where nothing holds them.");
     for (const auto& [damping, bodies] : BallsBy([](const b2Body& b) { return b.GetLinearDamping(); }, 0.0f))
       m_stdNotes.push_back("Linear damping has no counterpart: " + NameBodies(bodies) + " with " +
                            ToText(damping) + ".");
@@ -178,14 +184,28 @@ private:
   }
 
   void WriteRestitution() {
+    std::size_t others = 0;
+    float farthest = 0.0f;
     for (const CBouncePair& pair : m_stdPairs) {
       if (Reproduces(m_stdKinds, m_stdElasticities, pair)) continue;
       const float product = m_stdElasticities[pair.m_nFirst] * m_stdElasticities[pair.m_nSecond];
+      if (++others > g_nMostNotes) {
+        farthest = std::max(farthest, std::abs(product - GetTarget(m_stdKinds, pair)));
+        continue;
+      }
       std::string note = "Restitution of " + Name(pair.m_nFirst);
       note += pair.m_nFirst == pair.m_nSecond ? " among themselves" : " with " + Name(pair.m_nSecond);
       m_stdNotes.push_back(note + ": " + ToText(GetTarget(m_stdKinds, pair)) + " in Box2D, " +
                            ToText(product) + " here.");
     }
+    if (others > g_nMostNotes)
+      m_stdNotes.push_back("Restitution of " + std::to_string(others - g_nMostNotes) +
+                           " other pairs, too, which differ by up to " + ToText(farthest) + ".");
+  }
+
+  void WriteSettings(const b2World& world) {
+    if (!world.GetContinuousPhysics())
+      m_stdNotes.push_back("The b2World has no continuous physics: here balls are swept and pass no wall.");
   }
 
   void WriteCode(const b2ContactManager& manager) {
