@@ -6,14 +6,20 @@
 #include <Shapes/DynamicCircle.h>
 #include <Shapes/World.h>
 
-#include "native/NativeEntry.h"
 #include "shapes/Response.h"
 #include "shapes/Validate.h"
-#ifdef SHAPES_WITH_BOX2D
-#include "box2d_backend/Box2DEntry.h"
-#endif
+#include "world/Engine.h"
 
 namespace Shapes {
+
+// At the end of NativeEngine.cpp and OwnedEngine.cpp.
+namespace Native {
+extern const CBackend::CEntry g_cEntry;
+}
+namespace Box2D {
+extern const CBackend::CEntry g_cEntry;
+}
+
 namespace {
 
 constexpr CBackend g_stdBackends[] = {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "NativeEngine.h"
 
-#include "NativeEntry.h"
-
 #include <Shapes/Contact.h>
 
 #include "../Tolerances.h"
@@ -375,6 +373,6 @@ std::unique_ptr<CWorld> MakeWorld(const CWorldDesc& desc) {
 
 } // namespace
 
-const CBackend::CEntry g_cEntry{"native", CollidePair, MakeWorld};
+extern const CBackend::CEntry g_cEntry{"native", CollidePair, MakeWorld};
 
 } // namespace Shapes::Native

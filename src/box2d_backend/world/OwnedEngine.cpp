@@ -2,6 +2,7 @@
 #include "OwnedEngine.h"
 
 #include "../../Tolerances.h"
+#include "../contact/PairSweep.h"
 
 #include <algorithm>
 
@@ -73,5 +74,9 @@ std::unique_ptr<CWorld> MakeWorld(const CWorldDesc& desc, const CTuning& tuning)
       desc, CStepper::GetLimits(desc, tuning), CEffects(),
       [&](CWorldCore& world) { return std::make_unique<COwnedEngine>(world, tuning); }));
 }
+
+extern const CBackend::CEntry g_cEntry{"box2d", CollidePair, [](const CWorldDesc& desc) {
+                                         return MakeWorld(desc, GetTuning(desc.m_cBox2D.m_eProfile));
+                                       }};
 
 } // namespace Shapes::Box2D
