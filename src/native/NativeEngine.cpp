@@ -75,25 +75,6 @@ void CNativeEngine::UpdateBroadPhase() {
   m_bShapesChanged = false;
 }
 
-void CNativeEngine::Plan(CEffects running) {
-  m_cRunning = running;
-  const bool reports = Runs(eEffect::Events);
-  m_stdStages.clear();
-  const auto add = [this](bool runs, CStage stage) {
-    if (runs) m_stdStages.push_back(stage);
-  };
-  if (Runs(eEffect::Continuous)) {
-    add(true, &CNativeEngine::Sweep);
-    add(Runs(eEffect::Kinematics), &CNativeEngine::MoveShapes);
-    return;
-  }
-  add(Runs(eEffect::Kinematics), &CNativeEngine::MoveShapes);
-  add(Runs(eEffect::Kinematics), &CNativeEngine::BoxShapes);
-  add(true, reports ? &CNativeEngine::MoveBalls<true> : &CNativeEngine::MoveBalls<false>);
-  add(Runs(eEffect::BallPairs),
-      reports ? &CNativeEngine::CollideBalls<true> : &CNativeEngine::CollideBalls<false>);
-}
-
 void CNativeEngine::Substep(float dt) {
   if (m_bShapesChanged) UpdateBroadPhase();
   if (!Runs(eEffect::Continuous)) m_cState.m_cBalls.m_cDisturbed.m_bIsEverywhere = true;
@@ -107,8 +88,17 @@ void CNativeEngine::Substep(float dt) {
   // Rounded as in CollideWithShapesOf.
   const float near = m_fLargestRadius + g_fCandidateSlack * m_fLargestRadius;
   m_cBroadPhase.SetReach(Runs(eEffect::Continuous) ? g_fGridReach * m_fLargestRadius : near, near);
-  for (const CStage stage : m_stdStages)
-    (this->*stage)(dt);
+  if (Runs(eEffect::Continuous)) {
+    Sweep(dt);
+    if (Runs(eEffect::Kinematics)) MoveShapes(dt);
+    return;
+  }
+  if (Runs(eEffect::Kinematics)) {
+    MoveShapes(dt);
+    m_cBroadPhase.BoxKinematic(0.0f);
+  }
+  MoveBalls(dt);
+  if (Runs(eEffect::BallPairs)) CollideBalls();
 }
 
 bool CNativeEngine::HasFilters() const {
@@ -125,9 +115,6 @@ void CNativeEngine::MoveShapes(float dt) {
   }
 }
 
-void CNativeEngine::BoxShapes(float) { m_cBroadPhase.BoxKinematic(0.0f); }
-
-template <bool TReports>
 void CNativeEngine::MoveBalls(float dt) {
   CBallArrays& b = m_cState.m_cBalls;
   const bool falls = Runs(eEffect::Gravity);
@@ -154,7 +141,7 @@ void CNativeEngine::MoveBalls(float dt) {
     lane.m_pStats->m_nSpeedsCapped += capped;
     lane.m_pStats->m_nMovesLost += lost;
     for (std::size_t k = 0; k < near; ++k)
-      if (b.IsSolid(pNear[k])) CollideWithShapesOf<TReports>(pNear[k], lane);
+      if (b.IsSolid(pNear[k])) CollideWithShapesOf(pNear[k], lane);
   });
 }
 
@@ -201,7 +188,6 @@ CBall CNativeEngine::Ball(std::size_t i) const {
   return {b.m_stdPos[i], b.m_stdPrevPos[i], b.m_stdVel[i], b.m_stdRadius[i]};
 }
 
-template <bool TReports>
 void CNativeEngine::CollideWithShapesOf(std::size_t ball, CLane& lane) {
   const CBallArrays& b = m_cState.m_cBalls;
   const float slack = g_fCandidateSlack * b.m_stdRadius[ball];
@@ -214,7 +200,7 @@ void CNativeEngine::CollideWithShapesOf(std::size_t ball, CLane& lane) {
       next = order + 1;
       const CSolidShape& solid = m_cBroadPhase.Get(order);
       if (m_bFilters && !DoMeet(b.m_stdFilter[ball], solid.m_pShape->GetFilter())) return true;
-      CollideWithShape<TReports>(ball, solid, lane);
+      CollideWithShape(ball, solid, lane);
       // A response may have moved the ball out of the reach that was searched: the rest again, from where it
       // is.
       again = (b.m_stdPos[ball] - from).squaredNorm() > slack * slack;
@@ -224,7 +210,6 @@ void CNativeEngine::CollideWithShapesOf(std::size_t ball, CLane& lane) {
   }
 }
 
-template <bool TReports>
 void CNativeEngine::CollideWithShape(std::size_t i, const CSolidShape& solid, CLane& lane) {
   const CShape& shape = *solid.m_pShape;
   if (!shape.GetCanCollide()) return;
@@ -235,7 +220,7 @@ void CNativeEngine::CollideWithShape(std::size_t i, const CSolidShape& solid, CL
   CBallArrays& b = m_cState.m_cBalls;
   const Vector2 surface = shape.GetSurfaceVelocity(hit.m_vPOI);
   const float e = b.m_stdElasticity[i] * shape.GetElasticity();
-  if constexpr (TReports) {
+  if (Runs(eEffect::Events)) {
     const float speed = ApproachSpeed(b.m_stdVel[i], surface, hit.m_vNorm);
     lane.m_stdContacts.push_back({solid.m_cId, b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback, speed,
                                   false, ImpulseOf(b.m_stdMass[i], e, speed)});
@@ -281,8 +266,7 @@ void CNativeEngine::CollectBalls(std::uint32_t i, std::uint32_t first) {
   balls.erase(std::unique(balls.begin(), balls.end()), balls.end());
 }
 
-template <bool TReports>
-void CNativeEngine::CollideBalls(float) {
+void CNativeEngine::CollideBalls() {
   const CBallArrays& b = m_cState.m_cBalls;
   const std::vector<std::uint32_t>& balls = First().m_stdCandidates;
   BuildDiscGrid();
@@ -291,7 +275,7 @@ void CNativeEngine::CollideBalls(float) {
     CollectBalls(i, i + 1);
     for (std::size_t k = 0; k < balls.size(); ++k) {
       const std::uint32_t j = balls[k];
-      if (!CollideWithBall<TReports>(i, j)) continue;
+      if (!CollideWithBall(i, j)) continue;
       MoveInDiscGrid(i);
       MoveInDiscGrid(j);
       CollectBalls(i, j + 1);
@@ -300,7 +284,6 @@ void CNativeEngine::CollideBalls(float) {
   }
 }
 
-template <bool TReports>
 bool CNativeEngine::CollideWithBall(std::size_t i, std::size_t j) {
   ++Stats().m_nBallTests;
   CHit hit;
@@ -308,7 +291,7 @@ bool CNativeEngine::CollideWithBall(std::size_t i, std::size_t j) {
 
   CBallArrays& b = m_cState.m_cBalls;
   const float e = b.m_stdElasticity[i] * b.m_stdElasticity[j];
-  if constexpr (TReports) {
+  if (Runs(eEffect::Events)) {
     const float speed = ApproachSpeed(b.m_stdVel[i], b.m_stdVel[j], hit.m_vNorm);
     m_cWorld.Report({b.m_stdId[j], b.m_stdId[i], hit.m_vPOI, hit.m_vNorm, hit.m_fSetback, speed, false,
                      ImpulseOf(ReducedMass(b.m_stdMass[i], b.m_stdMass[j]), e, speed)});

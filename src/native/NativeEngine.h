@@ -14,7 +14,7 @@
 
 namespace Shapes::Native {
 
-/// The native engine. A substep is a list of stages, those that are called for. Without Continuous it
+/// The native engine. Of the stages of a substep those run that are called for. Without Continuous it
 /// gives the same bits as the plain loop: kinematic shapes advance by id; balls move by id; each ball by id
 /// is tested against every point by id, then every other shape by id, at its present position, and responds
 /// at once; then every pair of balls i < j responds once. Sensors are left out. Boxes only spare tests that
@@ -26,7 +26,7 @@ public:
   void Added(CShapeId id) override;
   void Removed(CShapeId id, std::unique_ptr<CShape> pShape) override;
   void Changed(CShapeId id, eChange change) override;
-  void Plan(CEffects running) override;
+  void Plan(CEffects running) override { m_cRunning = running; }
   void Substep(float dt) override;
   std::shared_ptr<const CEngineMemory> Save() override;
   void Loaded(const CEngineMemory* pMemory) override;
@@ -41,7 +41,6 @@ private:
     CWorldStats m_cStats;            // of the stage
     CWorldStats* m_pStats = nullptr; // these, but of the first lane those of the world
   };
-  using CStage = void (CNativeEngine::*)(float);
 
   bool Runs(eEffect e) const { return m_cRunning.Has(e); }
   CLane& First() { return m_stdLanes.front(); }
@@ -50,11 +49,8 @@ private:
 
   // Stages.
   void MoveShapes(float dt);
-  void BoxShapes(float dt);
-  template <bool TReports>
   void MoveBalls(float dt);
-  template <bool TReports>
-  void CollideBalls(float dt);
+  void CollideBalls();
   void Sweep(float dt);
 
   std::size_t CountLanes();
@@ -62,11 +58,8 @@ private:
   void ForEachLane(const F& f);
   void AddCounts(CLane& lane);
   void Report(CLane& lane);
-  template <bool TReports>
   void CollideWithShapesOf(std::size_t ball, CLane& lane);
-  template <bool TReports>
   void CollideWithShape(std::size_t ball, const CSolidShape& solid, CLane& lane);
-  template <bool TReports>
   bool CollideWithBall(std::size_t i, std::size_t j);
 
   CBall Ball(std::size_t i) const;
@@ -79,7 +72,6 @@ private:
   CWorldCore& m_cWorld;
   CWorldState& m_cState;
   CEffects m_cRunning;
-  std::vector<CStage> m_stdStages;
 
   bool m_bShapesChanged = true; // the broad phase is made anew
   bool m_bBallsChanged = true;  // added or removed
