@@ -308,7 +308,7 @@ TEST_F(CHouseRulesControl, EnginesInWhatKnowsNone) {
   EXPECT_EQ(Count("src/geometry/X.cpp", "#include \"../world/WorldState.h\"\n"), 1u);
   EXPECT_EQ(Count("src/geometry/X.cpp", "#include \"../native/narrowphase/Collide.h\"\n"), 1u);
   EXPECT_EQ(Count("src/world/X.cpp", "#include \"../native/narrowphase/Collide.h\"\n"), 1u);
-  EXPECT_EQ(Count("src/world/X.cpp", "#include \"../geometry/Reach.h\"\n"), 0u);
+  EXPECT_EQ(Count("src/world/X.cpp", "#include \"../geometry/Turn.h\"\n"), 0u);
   EXPECT_GE(Count("include/Shapes/X.h", "#include \"../../src/native/narrowphase/Collide.h\"\n"), 1u);
   EXPECT_GE(Count("include/Shapes/X.h", "#include \"../../src/shapes/Response.h\"\n"), 1u);
 }

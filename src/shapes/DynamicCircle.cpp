@@ -44,19 +44,14 @@ void CDynamicCircle::CollisionResponse(const CContactDesc& c) {
   if (m_bIsSensor || shape.GetSensor()) return;
 
   const float e = m_fElasticity * shape.GetElasticity();
-  switch (shape.GetMotionType()) {
-  case eMotion::Kinematic:
-    RespondKinematic(c.m_vNorm, c.m_fSetback, e, shape.GetSurfaceVelocity(c.m_vPOI), m_vPos, m_vVel);
-    break;
-  case eMotion::Dynamic: {
+  if (shape.GetMotionType() == eMotion::Dynamic) {
     auto& other = static_cast<CDynamicCircle&>(shape);
     RespondDynamic(c.m_vNorm, c.m_fSetback, e, other.m_fMass, m_fMass, other.m_vPos, other.m_vVel, m_vPos,
                    m_vVel);
     other.m_bSpeedCapped |= CapSpeed(other.m_vVel);
     other.CCircle::Update();
-    break;
-  }
-  default: RespondStatic(c.m_vNorm, c.m_fSetback, e, m_vPos, m_vVel); break;
+  } else {
+    RespondKinematic(c.m_vNorm, c.m_fSetback, e, shape.GetSurfaceVelocity(c.m_vPOI), m_vPos, m_vVel);
   }
   m_bSpeedCapped |= CapSpeed(m_vVel);
   CCircle::Update();

@@ -27,10 +27,6 @@ bool CutSpeed(TVector& v, float most) {
   return true;
 }
 
-void RespondStatic(const Vector2& n, float setback, float e, Vector2& p, Vector2& v) {
-  RespondKinematic<Vector2>(n, setback, e, Vector2::Zero(), p, v);
-}
-
 template <class TVector, class T>
 void RespondKinematic(const TVector& n, T setback, T e, const TVector& surface, TVector& p, TVector& v) {
   const T vn = (v - surface).dot(n);

@@ -53,10 +53,6 @@ bool CapSpeed(TVector& v, float most = g_fMaxSpeed) {
   return !(v.cwiseAbs().maxCoeff() <= typename TVector::Scalar(0.5f * most)) && CutSpeed(v, most);
 }
 
-/// Ball (p, v) against a static shape. Error of v at most 4 ulp of |v| + (1 + e) |v|, of p 1 ulp of |p| +
-/// setback.
-void RespondStatic(const Vector2& n, float setback, float e, Vector2& p, Vector2& v);
-
 /// Ball (p, v) against a shape whose surface moves at `surface` at the POI: the static response in its frame.
 /// Error of v at most 4 ulp of |v| + (1 + e) |v - surface|, of p 1 ulp of |p| + setback.
 template <class TVector, class T = typename TVector::Scalar>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The public world: checks what is asked of it and finds the shape; WorldCore does it.
+// The public world: checks what is asked of it and finds the shape; WorldCore and Questions do the rest.
 #include <Shapes/World.h>
 
 #include "../shapes/Validate.h"
 #include "Stops.h"
 #include "WorldCore.h"
 
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -135,6 +136,12 @@ CShapeId AddTo(CWorldCore& core, const CDynamicCircleDesc& desc) {
   const CDynamicCircle checked(desc);
   RequireBall(core.GetLimits(), desc.m_vPos, desc.m_fRadius, desc.m_vVel, desc.m_fMass);
   return core.Add(desc);
+}
+
+void RequireWay(const Vector2& from, const Vector2& to, float radius) {
+  RequireVector("from", from, g_fMaxLength);
+  RequireVector("to", to, g_fMaxLength);
+  RequireRange("radius", radius, 0.0f, g_fMaxLength);
 }
 
 } // namespace
@@ -380,6 +387,36 @@ void CWorld::LoadState(const CSavedState& state) {
   if (!state.m_pImpl) Refuse("state", "empty", "what SaveState returned");
   RequireState(m_pImpl->GetLimits(), state.m_pImpl->m_cState);
   m_pImpl->LoadState(state.m_pImpl->m_cState);
+}
+
+std::optional<CCastHit> CWorld::Cast(const Vector2& from, const Vector2& to, float radius,
+                                     const CFilter& filter) const {
+  RequireWay(from, to, radius);
+  return m_pImpl->Ask().Cast(from, to, radius, filter);
+}
+
+std::vector<CCastHit> CWorld::CastAll(const Vector2& from, const Vector2& to, float radius,
+                                      const CFilter& filter) const {
+  RequireWay(from, to, radius);
+  return m_pImpl->Ask().CastAll(from, to, radius, filter);
+}
+
+std::optional<CClosestHit> CWorld::FindClosest(const Vector2& p, float reach, const CFilter& filter) const {
+  RequireVector("p", p, g_fMaxLength);
+  RequireRange("reach", reach, 0.0f, std::numeric_limits<float>::infinity());
+  return m_pImpl->Ask().FindClosest(p, reach, filter);
+}
+
+std::vector<CShapeId> CWorld::FindInCircle(const Vector2& center, float radius, const CFilter& filter) const {
+  RequireVector("center", center, g_fMaxLength);
+  RequireRange("radius", radius, 0.0f, g_fMaxLength);
+  return m_pImpl->Ask().FindInCircle(center, radius, filter);
+}
+
+std::vector<CShapeId> CWorld::FindInBox(const CAabb2D& box, const CFilter& filter) const {
+  RequireVector("box", box.GetTopLeft(), g_fMaxLength);
+  RequireVector("box", box.GetBottomRt(), g_fMaxLength);
+  return m_pImpl->Ask().FindInBox(box, filter);
 }
 
 } // namespace Shapes

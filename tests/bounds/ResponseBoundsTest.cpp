@@ -54,15 +54,10 @@ TYPED_TEST(ResponseBounds, AgainstAStaticOrTurningShape) {
     const TVec<T> n = AnyNormal<T>(random), p = AnyPlace(random, size).cast<T>(), v = AnyVel<T>(random);
     const TVec<T> surface = i % 2 ? TVec<T>(TVec<T>::Zero()) : Beside<T>(random, v);
     const T setback = T(random.Unit()) * T(size), e = AnyElasticity(random);
-    const auto respond = [&](TVec<T>& p1, TVec<T>& v1) {
-      if constexpr (std::is_same_v<T, float>)
-        if (i % 2) return RespondStatic(n, setback, e, p1, v1);
-      RespondKinematic<TVec<T>>(n, setback, e, surface, p1, v1);
-    };
     const CVec en = Exact(n), ev = Exact(v), w = ev - Exact(surface);
     const CFifty vn = Dot(w, en), along = vn < 0 ? CFifty((1 + CFifty(e)) * vn) : CFifty(0);
     TVec<T> gotP = p, gotV = v;
-    respond(gotP, gotV);
+    RespondKinematic<TVec<T>>(n, setback, e, surface, gotP, gotV);
     const CFifty bound = 4 * ulp * (Norm(ev) + (1 + CFifty(e)) * Norm(w));
     vel.See(Exact(gotV), ev - along * en, bound);
     pos.See(Exact(gotP), Exact(p) + CFifty(setback) * en, ulp * (Norm(Exact(p)) + setback));

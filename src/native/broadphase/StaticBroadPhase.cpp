@@ -2,7 +2,6 @@
 #include "StaticBroadPhase.h"
 
 #include "../../Tolerances.h"
-#include "../../geometry/Reach.h"
 #include "../../geometry/VisitShape.h"
 
 #include <algorithm>
@@ -24,6 +23,21 @@ CAabb2D BoxOf(const CShape& shape, float margin = 0.0f) {
 
 // As CShape::Advance turns it, radians.
 float TurnIn(const CShape& shape, float dt) { return g_fTwoPi * shape.GetRotSpeed() * dt; }
+
+// Distance of the farthest point of a shape from the centre about which it turns. Error a few roundings in
+// double.
+double GetReach(const CShape& shape) {
+  const auto from = [&](const Vector2& p) {
+    return (p.cast<double>() - shape.GetRotCenter().cast<double>()).norm();
+  };
+  const auto ofDisk = [&](const CCircle& circle) { return from(circle.GetPos()) + circle.GetRadius(); };
+  return VisitShape(shape, CPerShape{[&](const CPoint& point) { return from(point.GetPos()); },
+                                     [&](const CLineSeg& seg) {
+                                       return std::max(from(seg.GetEndPt0()), from(seg.GetEndPt1()));
+                                     },
+                                     [&](const CCircle& circle) { return ofDisk(circle); },
+                                     [&](const CArc& arc) { return ofDisk(arc); }});
+}
 
 // No point of a shape turns by more than its turn times its reach, and all stay within their reach.
 CAabb2D BoxOfMove(const CShape& shape, float dt) {
