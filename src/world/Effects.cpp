@@ -73,24 +73,17 @@ CContent CContent::Of(const CBallArrays& balls, std::size_t i) {
   return c;
 }
 
-CContent& CContent::operator+=(const CContent& other) {
+void CContent::Replace(const CContent& before, const CContent& after) {
   for (std::size_t CContent::*const count : g_pCounts)
-    this->*count += other.*count;
-  return *this;
-}
-
-CContent& CContent::operator-=(const CContent& other) {
-  for (std::size_t CContent::*const count : g_pCounts)
-    this->*count -= other.*count;
-  return *this;
+    this->*count += after.*count - before.*count;
 }
 
 CContent CountContent(const CWorldState& state) {
   CContent c;
   for (std::size_t i = 0; i < state.m_cBalls.Size(); ++i)
-    c += CContent::Of(state.m_cBalls, i);
+    c.Replace({}, CContent::Of(state.m_cBalls, i));
   for (const CShapeEntry& entry : state.m_stdShapes)
-    c += CContent::Of(entry);
+    c.Replace({}, CContent::Of(entry));
   return c;
 }
 

@@ -22,8 +22,8 @@ struct CContent {
   /// The counts of one shape, and of one ball.
   static CContent Of(const CShapeEntry& entry);
   static CContent Of(const CBallArrays& balls, std::size_t i);
-  CContent& operator+=(const CContent& other);
-  CContent& operator-=(const CContent& other);
+  /// Something that counted as `before` counts as `after` now.
+  void Replace(const CContent& before, const CContent& after);
   friend bool operator==(const CContent&, const CContent&) = default;
 
   bool CanMeet() const { return m_nSolidBalls > 1 || (m_nSolidBalls > 0 && m_nSolidShapes > 0); }

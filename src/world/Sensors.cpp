@@ -10,21 +10,6 @@ namespace {
 
 CSensorEvent Event(const CTouchingPair& pair, bool begin) { return {pair.m_cShape, pair.m_cBall, begin}; }
 
-// Whether a ball and a shape, or two balls, can touch as a sensor and what it sees.
-bool IsPair(const CWorldState& state, const CTouchingPair& pair) {
-  const CBallArrays& b = state.m_cBalls;
-  const std::size_t i = state.FindBall(pair.m_cBall);
-  FailIf(i == CWorldState::npos || !b.m_stdCanCollide[i]);
-  if (const std::size_t j = state.FindBall(pair.m_cShape); j != CWorldState::npos)
-    return b.m_stdCanCollide[j] && (b.m_stdSensor[i] || b.m_stdSensor[j]) &&
-           DoMeet(b.m_stdFilter[i], b.m_stdFilter[j]);
-  const std::size_t k = state.FindShape(pair.m_cShape);
-  FailIf(k == CWorldState::npos);
-  const CShape& shape = *state.m_stdShapes[k].m_pShape;
-  return shape.GetCanCollide() && (b.m_stdSensor[i] || shape.GetSensor()) &&
-         DoMeet(b.m_stdFilter[i], shape.GetFilter());
-}
-
 // Not smaller, whatever the rounding.
 CAabb2D ToFloatBox(const CBox2d& box) {
   const auto low = box.min().cast<float>().eval(), high = box.max().cast<float>().eval();
@@ -36,7 +21,7 @@ CAabb2D ToFloatBox(const CBox2d& box) {
 bool CSensors::Begin(CWorldState& state, std::vector<CSensorEvent>& events) {
   if (m_bIsInvalid) FindSensors(state);
   std::erase_if(state.m_stdTouching, [&](const CTouchingPair& pair) {
-    FailIf(IsPair(state, pair));
+    FailIf(state.GetMeeting(pair) == eMeeting::Sensor);
     events.push_back(Event(pair, false));
     return true;
   });
@@ -61,7 +46,7 @@ void CSensors::FindSensors(const CWorldState& state) {
 }
 
 std::span<const CContactEvent> CSensors::Sense(CWorldState& state, float dt,
-                                               std::vector<CSensorEvent>& events) {
+                                               std::vector<CSensorEvent>& events, CWorldStats& stats) {
   const CBallArrays& b = state.m_cBalls;
   m_stdSeen.clear();
   TakePaths(b);
@@ -71,15 +56,15 @@ std::span<const CContactEvent> CSensors::Sense(CWorldState& state, float dt,
     m_stdFound.clear();
     m_cTree.Query(ToFloatBox(m_stdBoxes[i]), m_stdFound);
     for (const std::uint32_t k : m_stdFound)
-      TouchShape(b, i, m_stdStatic[k], dt);
+      TouchShape(b, i, m_stdStatic[k], dt, stats);
     for (const CSensed& sensed : m_stdKinematic)
-      TouchShape(b, i, sensed, dt);
+      TouchShape(b, i, sensed, dt, stats);
   }
   for (const std::size_t i : m_stdBalls) {
     if (!b.m_stdCanCollide[i]) continue;
     for (std::size_t j = 0; j < b.Size(); ++j)
       if (j != i && b.m_stdCanCollide[j] && !(j < i && b.m_stdSensor[j])) // two sensors meet once
-        TouchBall(b, std::min(i, j), std::max(i, j), dt);
+        TouchBall(b, std::min(i, j), std::max(i, j), dt, stats);
   }
   ReportChanges(state.m_stdTouching, events);
   return m_stdContacts;
@@ -149,10 +134,11 @@ CSensors::CSensed CSensors::Take(const CShapeEntry& entry) {
 }
 
 // Of those whose boxes meet.
-void CSensors::TouchShape(const CBallArrays& b, std::size_t i, const CSensed& sensed, double dt) {
+void CSensors::TouchShape(const CBallArrays& b, std::size_t i, const CSensed& sensed, double dt,
+                          CWorldStats& stats) {
   if (!b.m_stdSensor[i] && !sensed.m_pEntry->m_pShape->GetSensor()) return;
   if (!m_stdBoxes[i].intersects(sensed.m_cBox)) return;
-  ++m_nTests;
+  ++stats.m_nSensorTests;
   const CBallPath path = GetPath(i);
   const bool moves = sensed.m_fTurn != 0.0 || !sensed.m_vMove.isZero(0.0);
   if (moves)
@@ -172,9 +158,9 @@ void CSensors::TouchShape(const CBallArrays& b, std::size_t i, const CSensed& se
   Add(b.m_stdId[i], sensed.m_pEntry->m_cId, *touch, velocity);
 }
 
-void CSensors::TouchBall(const CBallArrays& b, std::size_t i, std::size_t j, double dt) {
+void CSensors::TouchBall(const CBallArrays& b, std::size_t i, std::size_t j, double dt, CWorldStats& stats) {
   if (!m_stdBoxes[i].intersects(m_stdBoxes[j])) return;
-  ++m_nTests;
+  ++stats.m_nSensorTests;
   MakeRelativePath(GetPath(i), GetPath(j), m_stdOtherPath);
   auto touch = CZone(Vector2d::Zero(), b.m_stdRadius[j]).Touch(m_stdOtherPath, b.m_stdRadius[i]);
   if (!touch || !DoMeet(b.m_stdFilter[i], b.m_stdFilter[j])) return;
@@ -183,15 +169,11 @@ void CSensors::TouchBall(const CBallArrays& b, std::size_t i, std::size_t j, dou
 }
 
 void CSensors::Add(CShapeId ball, CShapeId shape, const CZone::CTouch& touch, const Vector2d& velocity) {
-  CContactEvent event;
-  event.m_cShape = shape;
-  event.m_cBall = ball;
-  event.m_vPOI = touch.m_vPOI.cast<float>();
-  event.m_vNorm = touch.m_vNorm.cast<float>();
   const double most = std::numeric_limits<float>::max();
-  event.m_fSpeed = static_cast<float>(std::clamp(-velocity.dot(touch.m_vNorm), 0.0, most));
-  event.m_bIsSensor = true;
-  m_stdSeen.push_back({event, touch.m_bAtEnd});
+  const auto speed = static_cast<float>(std::clamp(-velocity.dot(touch.m_vNorm), 0.0, most));
+  m_stdSeen.push_back(
+      {{shape, ball, touch.m_vPOI.cast<float>(), touch.m_vNorm.cast<float>(), 0.0f, speed, true},
+       touch.m_bAtEnd});
 }
 
 // Tells the pairs that were seen from those that touched before.

@@ -36,12 +36,10 @@ public:
     if (m_bAny) m_stdVertices.push_back({ball, {static_cast<double>(t), p.cast<double>()}});
   }
 
-  /// After a substep of dt seconds: appends what began and ended.
+  /// After a substep of dt seconds: appends what began and ended, and counts what was looked at.
   /// @return the contacts, by ball and then by shape; valid until the next call
-  std::span<const CContactEvent> Sense(CWorldState& state, float dt, std::vector<CSensorEvent>& events);
-
-  /// How many paths of balls were looked at since it was made.
-  std::uint64_t GetTests() const { return m_nTests; }
+  std::span<const CContactEvent> Sense(CWorldState& state, float dt, std::vector<CSensorEvent>& events,
+                                       CWorldStats& stats);
 
 private:
   struct CBallVertex {
@@ -66,14 +64,14 @@ private:
   void TakeShapes(const CWorldState& state);
   static CSensed Take(const CShapeEntry& entry);
   CBallPath GetPath(std::size_t ball) const;
-  void TouchShape(const CBallArrays& balls, std::size_t i, const CSensed& sensed, double dt);
-  void TouchBall(const CBallArrays& balls, std::size_t i, std::size_t j, double dt);
+  void TouchShape(const CBallArrays& balls, std::size_t i, const CSensed& sensed, double dt,
+                  CWorldStats& stats);
+  void TouchBall(const CBallArrays& balls, std::size_t i, std::size_t j, double dt, CWorldStats& stats);
   void Add(CShapeId ball, CShapeId shape, const CZone::CTouch& touch, const Vector2d& velocity);
   void ReportChanges(std::vector<CTouchingPair>& touching, std::vector<CSensorEvent>& events);
 
   bool m_bIsInvalid = true;
   bool m_bAny = false;
-  std::uint64_t m_nTests = 0;
   std::vector<std::uint32_t> m_stdStaticShapes, m_stdKinematicShapes; // sensors; all, if a ball is a sensor
   std::vector<std::uint32_t> m_stdBalls;                              // sensors
   bool m_bShapesChanged = true;

@@ -15,17 +15,8 @@ namespace {
 
 CTouchEvent TouchEvent(const CTouchingPair& pair, bool begin) { return {pair.m_cShape, pair.m_cBall, begin}; }
 
-// Whether both are there and solid. What belongs to a game has no id, and is.
 bool IsSolidPair(const CWorldState& state, const CTouchingPair& pair) {
-  const std::size_t i = state.FindBall(pair.m_cBall);
-  FailIf(i == CWorldState::npos || !state.m_cBalls.IsSolid(i));
-  if (pair.m_cShape == CShapeId()) return true;
-  if (const std::size_t j = state.FindBall(pair.m_cShape); j != CWorldState::npos)
-    return state.m_cBalls.IsSolid(j) && DoMeet(state.m_cBalls.m_stdFilter[i], state.m_cBalls.m_stdFilter[j]);
-  const std::size_t k = state.FindShape(pair.m_cShape);
-  FailIf(k == CWorldState::npos);
-  const CShape& shape = *state.m_stdShapes[k].m_pShape;
-  return IsSolid(shape) && DoMeet(state.m_cBalls.m_stdFilter[i], shape.GetFilter());
+  return state.GetMeeting(pair) == eMeeting::Solid;
 }
 
 // Whether the two of a solid pair are hardly apart now.

@@ -92,8 +92,7 @@ const CQuestions& CWorld::CImpl::Ask() {
 
 void CWorld::CImpl::UpdateContent(const CContent& before, const CContent& after) {
   if (before != after) InvalidatePlan();
-  m_cContent -= before;
-  m_cContent += after;
+  m_cContent.Replace(before, after);
 }
 
 void CWorld::CImpl::SetContinuousByHost(bool runs) {
@@ -218,7 +217,8 @@ void CWorld::CImpl::DriveShapes(float dt) {
     if (drive.m_vVel != before.m_vVel || drive.m_fRotSpeed != before.m_fRotSpeed)
       ChangeShape(entry, eChange::Motion, [&](CShapeEntry& changed) { changed.SetDrive(drive); });
   });
-  if (m_bPlanIsOld) PlanSubsteps();
+  // Without stops what has made the plan old waits for the next step.
+  if (HaveStops() && m_bPlanIsOld) PlanSubsteps();
 }
 
 void CWorld::CImpl::StopShapes(float dt) {
@@ -233,13 +233,17 @@ void CWorld::CImpl::BeginSubstep() {
   m_bEngineIsPlanned = true;
 }
 
-void CWorld::CImpl::BeginStep() {
-  if (m_bPlanIsOld) PlanSubsteps();
+void CWorld::CImpl::ClearReports() {
   m_stdContacts.clear();
   m_stdSensorEvents.clear();
-  m_stdHalted.clear();
   m_stdTouchEvents.clear();
+  m_stdHalted.clear();
   m_nFollowed = 0;
+}
+
+void CWorld::CImpl::BeginStep() {
+  if (m_bPlanIsOld) PlanSubsteps();
+  ClearReports();
   if (Runs(eEffect::Sensors)) m_cSensors.Begin(m_cState, m_stdSensorEvents);
   if (Runs(eEffect::Touches)) EndLostTouches(m_cState, m_stdTouchEvents);
 }
@@ -260,11 +264,10 @@ void CWorld::CImpl::Sense(float dt) {
   // Ends of pairs were all that was left to report.
   if (!any && !m_cDesc.m_cEffects.m_cForced.Has(eEffect::Sensors)) InvalidatePlan();
   if (!any) return;
-  for (const CContactEvent& event : m_cSensors.Sense(m_cState, dt, m_stdSensorEvents)) {
+  for (const CContactEvent& event : m_cSensors.Sense(m_cState, dt, m_stdSensorEvents, m_cStats)) {
     Report(event);
     ++m_cStats.m_nSensorHits;
   }
-  m_cStats.m_nSensorTests = m_cSensors.GetTests();
 }
 
 void CWorld::CImpl::EndStep() {
@@ -277,15 +280,8 @@ void CWorld::CImpl::Step() {
   Access(eAccess::Step);
   BeginStep();
   const float dt = GetSubstep(m_cDesc);
-  for (unsigned i = 0; i < m_cDesc.m_nSubsteps; ++i) {
-    if (HaveStops()) {
-      SubstepInParts(dt);
-      continue;
-    }
-    BeginSubstep();
-    m_pEngine->Substep(dt);
-    EndSubstep(dt);
-  }
+  for (unsigned i = 0; i < m_cDesc.m_nSubsteps; ++i)
+    SubstepInParts(dt);
   EndStep();
 }
 
@@ -321,10 +317,7 @@ void CWorld::CImpl::LoadState(const CWorldState& state) {
   for (CShapeEntry& entry : m_cState.m_stdShapes)
     entry.SetHeld(IsForbidden(eEffect::Kinematics));
   m_cDesc.m_vGravity = m_cState.m_vGravity;
-  m_stdContacts.clear();
-  m_stdSensorEvents.clear();
-  m_stdTouchEvents.clear();
-  m_stdHalted.clear();
+  ClearReports();
   m_cSensors.Invalidate();
   m_cContent = CountContent(m_cState);
   InvalidatePlan();

@@ -92,6 +92,7 @@ public:
 private:
   bool Runs(eEffect e) const { return m_cRunning.Has(e); }
   bool IsForbidden(eEffect e) const { return m_cDesc.m_cEffects.m_cForbidden.Has(e); }
+  void ClearReports();
   void UpdateContent(const CContent& before, const CContent& after);
   void PlanSubsteps();
   void CountEffects();

@@ -4,17 +4,6 @@
 #include <algorithm>
 
 namespace Shapes {
-namespace {
-
-// Applies f to every array of the balls, so that none is forgotten.
-template <class F>
-void ForEachArray(CBallArrays& b, F f) {
-  f(b.m_stdId), f(b.m_stdPos), f(b.m_stdPrevPos), f(b.m_stdVel), f(b.m_stdRadius), f(b.m_stdMass);
-  f(b.m_stdPosTail), f(b.m_stdVelTail), f(b.m_stdCalm), f(b.m_stdElasticity), f(b.m_stdFilter),
-      f(b.m_stdSensor), f(b.m_stdCanCollide), f(b.m_stdUser);
-}
-
-} // namespace
 
 void CBallArrays::Add(CShapeId id, const CDynamicCircleDesc& desc) {
   m_stdId.push_back(id);
@@ -34,7 +23,11 @@ void CBallArrays::Add(CShapeId id, const CDynamicCircleDesc& desc) {
 }
 
 void CBallArrays::Remove(std::size_t i) {
-  ForEachArray(*this, [i](auto& array) { array.erase(array.begin() + static_cast<std::ptrdiff_t>(i)); });
+  const auto removeFrom = [i](auto&... arrays) {
+    (arrays.erase(arrays.begin() + static_cast<std::ptrdiff_t>(i)), ...);
+  };
+  removeFrom(m_stdId, m_stdPos, m_stdPrevPos, m_stdVel, m_stdPosTail, m_stdVelTail, m_stdCalm, m_stdRadius,
+             m_stdMass, m_stdElasticity, m_stdFilter, m_stdSensor, m_stdCanCollide, m_stdUser);
 }
 
 std::size_t CWorldState::FindShape(CShapeId id) const {
@@ -48,6 +41,23 @@ std::size_t CWorldState::FindBall(CShapeId id) const {
   const auto it = std::lower_bound(m_cBalls.m_stdId.begin(), m_cBalls.m_stdId.end(), id);
   return it != m_cBalls.m_stdId.end() && *it == id ? static_cast<std::size_t>(it - m_cBalls.m_stdId.begin())
                                                    : npos;
+}
+
+eMeeting CWorldState::GetMeeting(const CTouchingPair& pair) const {
+  const CBallArrays& b = m_cBalls;
+  const std::size_t i = FindBall(pair.m_cBall);
+  if (i == npos || !b.m_stdCanCollide[i]) return eMeeting::None;
+  if (pair.m_cShape == CShapeId()) return b.m_stdSensor[i] ? eMeeting::None : eMeeting::Solid;
+  const auto meet = [&](bool canCollide, bool isSensor, const CFilter& filter) {
+    if (!canCollide || !DoMeet(b.m_stdFilter[i], filter)) return eMeeting::None;
+    return b.m_stdSensor[i] || isSensor ? eMeeting::Sensor : eMeeting::Solid;
+  };
+  if (const std::size_t j = FindBall(pair.m_cShape); j != npos)
+    return meet(b.m_stdCanCollide[j], b.m_stdSensor[j], b.m_stdFilter[j]);
+  const std::size_t k = FindShape(pair.m_cShape);
+  if (k == npos) return eMeeting::None;
+  const CShape& shape = *m_stdShapes[k].m_pShape;
+  return meet(shape.GetCanCollide(), shape.GetSensor(), shape.GetFilter());
 }
 
 } // namespace Shapes

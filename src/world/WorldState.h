@@ -136,6 +136,9 @@ struct CTouchingPair {
   friend auto operator<=>(const CTouchingPair&, const CTouchingPair&) = default;
 };
 
+/// How the two of a pair meet.
+enum class eMeeting { None, Solid, Sensor };
+
 class CWorldState {
 public:
   std::uint32_t m_nNextId = 1;
@@ -152,6 +155,8 @@ public:
   /// Index in m_stdShapes or in the ball arrays; npos if there is none. Ids ascend in both.
   std::size_t FindShape(CShapeId id) const;
   std::size_t FindBall(CShapeId id) const;
+  /// None where one of them is gone or turned off. What belongs to a game has no id, and is solid.
+  eMeeting GetMeeting(const CTouchingPair& pair) const;
 };
 
 } // namespace Shapes
