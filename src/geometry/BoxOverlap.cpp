@@ -9,7 +9,7 @@ namespace Shapes::Geometry {
 namespace {
 
 // Whether a circle crosses the outline of a box in the sector of its arc.
-bool CrossesOutline(const CShapeGeometry& arc, const CBox& box) {
+bool CrossesOutline(const CShapeGeometry& arc, const CBox2d& box) {
   for (const int axis : {0, 1})
     for (const double edge : {box.min()[axis], box.max()[axis]}) {
       const double off = edge - arc.m_vCenter[axis];
@@ -27,7 +27,7 @@ bool CrossesOutline(const CShapeGeometry& arc, const CBox& box) {
   return false;
 }
 
-bool HasPointOfCircle(const CShapeGeometry& circle, const CBox& box) {
+bool HasPointOfCircle(const CShapeGeometry& circle, const CBox2d& box) {
   const Vector2d farthest =
       (box.min() - circle.m_vCenter).cwiseAbs().cwiseMax((box.max() - circle.m_vCenter).cwiseAbs());
   return box.squaredExteriorDistance(circle.m_vCenter) <= circle.m_fRadius * circle.m_fRadius &&
@@ -36,7 +36,7 @@ bool HasPointOfCircle(const CShapeGeometry& circle, const CBox& box) {
 
 } // namespace
 
-double FindEntry(const CBox& box, const Vector2d& p, const Vector2d& d, double most) {
+double FindEntry(const CBox2d& box, const Vector2d& p, const Vector2d& d, double most) {
   double first = 0.0, last = most;
   for (const int axis : {0, 1}) {
     const double low = box.min()[axis] - p[axis], high = box.max()[axis] - p[axis], way = d[axis];
@@ -50,7 +50,7 @@ double FindEntry(const CBox& box, const Vector2d& p, const Vector2d& d, double m
   return first <= last ? first : std::numeric_limits<double>::infinity();
 }
 
-bool HasPointIn(const CShapeGeometry& shape, const CBox& box) {
+bool HasPointIn(const CShapeGeometry& shape, const CBox2d& box) {
   switch (shape.m_eShapeType) {
   case eShape::Point: return box.contains(shape.m_vCenter);
   case eShape::LineSeg: return std::isfinite(FindEntry(box, shape.m_vPt0, shape.m_vPt1 - shape.m_vPt0, 1.0));

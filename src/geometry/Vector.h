@@ -1,37 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Vectors of any scalar: double where the library needs more than float, 50 digits where tests judge it.
+// Vectors of doubles, where the library needs more than float.
 #pragma once
 
 #include <Eigen/Core>
 
 #include "Turn.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace Shapes {
 
 using Vector2d = Eigen::Vector2d;
+/// <Eigen/Geometry> has it.
+using CBox2d = Eigen::AlignedBox<double, 2>;
 
 namespace Geometry {
 
-template <class T>
-using CVec = Eigen::Matrix<T, 2, 1>;
-
 /// z component of a x b.
-template <class T>
-T Cross(const CVec<T>& a, const CVec<T>& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-inline double Cross(const Vector2d& a, const Vector2d& b) { return Cross<double>(a, b); }
-
+inline double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 /// Counterclockwise perpendicular.
-template <class T>
-CVec<T> Perp(const CVec<T>& v) {
-  return {-v.y(), v.x()};
-}
-inline Vector2d Perp(const Vector2d& v) { return Perp<double>(v); }
-
+inline Vector2d Perp(const Vector2d& v) { return {-v.y(), v.x()}; }
 /// Magnitude of the larger coordinate.
 inline double Largest(const Vector2d& v) { return v.cwiseAbs().maxCoeff(); }
 
@@ -55,6 +45,11 @@ inline Vector2d Unit(const Vector2d& v, const Vector2d& fallback) {
 inline double Quotient(double above, double below, double most) {
   const bool fits = below > 0.0 && above <= most * below;
   return (fits ? above : std::numeric_limits<double>::infinity()) / (fits ? below : 1.0);
+}
+/// Share of the way from p by d at which it is closest to q; 0 if there is no way.
+inline double ClosestShare(const Vector2d& p, const Vector2d& d, const Vector2d& q) {
+  const double dd = d.squaredNorm();
+  return dd > 0.0 ? std::clamp(d.dot(q - p) / dd, 0.0, 1.0) : 0.0;
 }
 /// v turned counterclockwise.
 inline Vector2d Turned(const Vector2d& v, const CTurn& turn) {

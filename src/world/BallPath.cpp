@@ -10,14 +10,7 @@
 namespace Shapes {
 namespace {
 
-using Geometry::Perp;
-using Geometry::Unit;
-
-// Share of the path from a by d at which it is closest to q.
-double ClosestShare(const Vector2d& a, const Vector2d& d, const Vector2d& q) {
-  const double dd = d.squaredNorm();
-  return dd > 0.0 ? std::clamp(d.dot(q - a) / dd, 0.0, 1.0) : 0.0;
-}
+using Geometry::ClosestShare, Geometry::Perp, Geometry::Unit;
 
 // A straight part of a path, and the smallest of the distances that it was offered.
 struct CPart {

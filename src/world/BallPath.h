@@ -15,8 +15,6 @@
 
 namespace Shapes {
 
-using CBox2d = Eigen::AlignedBox2d;
-
 /// Where a ball was at a time that is given as the share of the substep that was over, 0 .. 1.
 struct CPathVertex {
   double m_fTime;

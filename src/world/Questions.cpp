@@ -11,7 +11,6 @@
 
 namespace Shapes {
 
-using Geometry::CBox;
 using Geometry::CImpact;
 using Geometry::CMotion;
 using Geometry::CShapeGeometry;
@@ -38,7 +37,7 @@ CShapeGeometry GeometryOf(const CShapeEntry& entry) {
 
 CMotion At(const Vector2d& p, double r) { return {p, Vector2d::Zero(), r, 1.0}; }
 
-CBox Widened(const CAabb2D& box, double by) {
+CBox2d Widened(const CAabb2D& box, double by) {
   const Vector2d margin = Vector2d::Constant(by);
   const Vector2 low(box.GetTopLeft().x(), box.GetBottomRt().y()),
       high(box.GetBottomRt().x(), box.GetTopLeft().y());
@@ -79,7 +78,7 @@ CQuestions::CQuestions(const CWorldState& state) : m_cState(state) {
     boxes.push_back(BoxOfBall(b.m_stdPos[i], b.m_stdRadius[i]));
   }
   m_cTree.Build(boxes);
-  CBox all;
+  CBox2d all;
   for (const CAabb2D& box : boxes)
     all.extend(Widened(box, 0.0));
   if (!boxes.empty()) m_fSpacing = std::sqrt(all.volume() / static_cast<double>(boxes.size()));
@@ -194,7 +193,7 @@ std::vector<CShapeId> CQuestions::FindInCircle(const Vector2& center, float radi
 
 std::vector<CShapeId> CQuestions::FindInBox(const CAabb2D& box, const CFilter& filter) const {
   const CBallArrays& b = m_cState.m_cBalls;
-  const CBox exact = Widened(box, 0.0);
+  const CBox2d exact = Widened(box, 0.0);
   std::vector<CShapeId> found;
   ForEachInBox(box, filter, [&](const CItem& item) {
     const bool isIn = item.m_pEntry != nullptr

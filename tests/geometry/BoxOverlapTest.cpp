@@ -6,7 +6,7 @@
 namespace Shapes::Geometry {
 namespace {
 
-const CBox g_cBox(Vector2d(1, 2), Vector2d(3, 4));
+const CBox2d g_cBox(Vector2d(1, 2), Vector2d(3, 4));
 
 template <class TShape, class TDesc>
 bool IsIn(const TDesc& desc) {

@@ -20,8 +20,6 @@ bool IsBallOf(const CBody* pA, const CBody* pB) {
 } // namespace
 
 void CContactGatherer::BeginStep(const b2Vec2& g, float h, float weight) {
-  m_vGravity = g;
-  m_fStep = h;
   m_cOverride.BeginStep(g, h, weight);
   m_stdPathVertices.clear();
   if (!Follows()) return;
@@ -77,7 +75,7 @@ float CContactGatherer::RestitutionOf(const CBody& shape, const CBody& ball) con
   if (e <= 1.0f) return e;
   const b2Body &a = *shape.m_pBody, &b = *ball.m_pBody;
   const b2Vec2 v = b.GetLinearVelocity() - a.GetLinearVelocityFromWorldPoint(b.GetPosition());
-  const float fall = m_fStep * (m_vGravity.Length() + b.GetWorld()->GetGravity().Length());
+  const float fall = m_cOverride.GetStep() * (m_cOverride.GetGravity().Length() + b.GetWorld()->GetGravity().Length());
   const float speed = v.Length() + fall;
   return e * speed > g_fMaxBox2DSpeedGain ? g_fMaxBox2DSpeedGain / speed : e;
 }
@@ -130,14 +128,10 @@ void CContactGatherer::Report(const CBody& shape, const CBody& ball,
                               const CPreSolveOverride::CResolution& resolution) {
   if (!m_bContacts) return;
   const b2Vec2 &poi = resolution.m_vPOI, &n = resolution.m_vNorm;
-  CContactEvent event;
-  event.m_cShape = shape.m_cId;
-  event.m_cBall = ball.m_cId;
-  event.m_vPOI = m_cScale.FromMetres(poi);
-  event.m_vNorm = Vector2(n.x, n.y);
-  event.m_fSpeed = m_cScale.FromMetres(std::max(0.0f, resolution.m_fSpeed));
-  event.m_fImpulse = resolution.m_fUnsolved; // in metres until TakeContacts
-  m_stdEvents.push_back(event);
+  // The impulse is in metres until TakeContacts.
+  m_stdEvents.push_back({shape.m_cId, ball.m_cId, m_cScale.FromMetres(poi), Vector2(n.x, n.y), 0.0f,
+                         m_cScale.FromMetres(std::max(0.0f, resolution.m_fSpeed)), false,
+                         resolution.m_fUnsolved});
   if (!m_bPathVertices) return;
   const double part = m_cOverride.PartAt(shape, ball);
   m_stdPathVertices.push_back({ball.m_cId, poi + ball.m_fRadius * n, part});

@@ -70,8 +70,6 @@ private:
   CBodies& m_cBodies;
   CScale m_cScale;
   CTuning m_cTuning;
-  b2Vec2 m_vGravity{0.0f, 0.0f};
-  float m_fStep = 0.0f;
   CPreSolveOverride m_cOverride;
   // What the last call of PreSolve was about, as it was before.
   struct CBefore {

@@ -53,8 +53,7 @@ void IgnoreAcross(b2Contact& contact, const b2Vec2& answered, const CBody& ball)
   const b2Vec2 v = contact.GetFixtureB()->GetBody()->GetLinearVelocityFromWorldPoint(p) -
                    contact.GetFixtureA()->GetBody()->GetLinearVelocityFromWorldPoint(p);
   if (b2Dot(v, across) < 0.0f) across = -across;
-  SetManifold(contact, across, 0.0f);
-  contact.GetManifold()->points[0].normalImpulse = 0.0f;
+  Ignore(contact, -across);
 }
 
 // The ball's part of an impact: the share of the other's mass in that of both.

@@ -28,6 +28,8 @@ public:
   /// @param h  length of the step, seconds
   /// @param weight  of all balls in lasting contact, newtons
   void BeginStep(const b2Vec2& g, float h, float weight);
+  const b2Vec2& GetGravity() const { return m_vGravity; }
+  float GetStep() const { return m_fStep; }
   /// After PostSolve of any contact.
   void AfterSolve();
 
@@ -41,7 +43,7 @@ public:
   /// @param contact  its restitution is that of the pair already
   /// @param canWait  false if Box2D may throw the ball another way in its first pass, which resolves contacts
   /// with the game's bodies: a contact that waits with the wrong normal would hold it
-  std::optional<CResolution> Override(b2Contact& contact, CBody& shape, CBody& ball, bool canWait = true);
+  std::optional<CResolution> Override(b2Contact& contact, CBody& shape, CBody& ball, bool canWait);
 
   /// After the step: puts a ball on its parabola, but not through a shape that it has bounced off.
   static void Land(CBody& ball);

@@ -7,7 +7,6 @@
 
 #include <box2d/box2d.h>
 
-#include <cstddef>
 #include <functional>
 #include <new>
 #include <type_traits>

@@ -17,22 +17,6 @@ CTuning GetGuestTuning(eProfile e) {
   return tuning;
 }
 
-namespace {
-
-class CBusy {
-public:
-  explicit CBusy(bool& b) : m_bIs(b), m_bBefore(std::exchange(b, true)) {}
-  ~CBusy() { m_bIs = m_bBefore; }
-  CBusy(const CBusy&) = delete;
-  CBusy& operator=(const CBusy&) = delete;
-
-private:
-  bool& m_bIs;
-  bool m_bBefore;
-};
-
-} // namespace
-
 CGuestEngine::CGuestEngine(b2World& b2, CWorldCore& world)
     : m_pWorld(&b2), m_cWorld(world), m_cWatch([this](CShapeId id) { OnLost(id); }) {
   const CWorldDesc& desc = world.GetDesc();
@@ -54,7 +38,7 @@ CGuestEngine::CGuestEngine(b2World& b2, CWorldCore& world)
 CGuestEngine::~CGuestEngine() {
   m_pChain->SetGatherer(nullptr);
   if (!IsAlive() || IsBox2DAtWork()) return;
-  const CBusy busy(m_bIsBusy);
+  const CDuring busy(m_bIsBusy, true);
   m_pStepper->RemoveAll();
   if (m_pSentinel != nullptr) m_pWorld->DestroyBody(m_pSentinel);
   m_pChain->TakeOut(*m_pWorld);
@@ -66,7 +50,7 @@ void CGuestEngine::PreStep(float dt) {
   if (m_fStep > 0.0f)
     throw std::logic_error("PreStep was called twice: call b2World::Step, and then PostStep, in between");
   RemoveLost();
-  const CBusy busy(m_bIsBusy);
+  const CDuring busy(m_bIsBusy, true);
   PlaceSentinel();
   if (m_pSentinel->GetPosition() != b2Vec2_zero)
     throw std::logic_error(
@@ -94,7 +78,7 @@ void CGuestEngine::PostStep() {
   if (!(m_fStep > 0.0f))
     throw std::logic_error("PostStep was called without PreStep: call PreStep(dt) before b2World::Step");
   RemoveLost();
-  const CBusy busy(m_bIsBusy);
+  const CDuring busy(m_bIsBusy, true);
   m_pChain->SetGatherer(nullptr);
   m_pStepper->AfterStep();
   m_pStepper->AddPathVertices([](float part) { return part; });
@@ -125,17 +109,17 @@ void CGuestEngine::Access(eAccess access) {
 }
 
 void CGuestEngine::Added(CShapeId id) {
-  const CBusy busy(m_bIsBusy);
+  const CDuring busy(m_bIsBusy, true);
   m_pStepper->Added(id);
 }
 
 void CGuestEngine::Removed(CShapeId id, std::unique_ptr<CShape>) {
-  const CBusy busy(m_bIsBusy);
+  const CDuring busy(m_bIsBusy, true);
   m_pStepper->Removed(id);
 }
 
 void CGuestEngine::Changed(CShapeId id, eChange change) {
-  const CBusy busy(m_bIsBusy);
+  const CDuring busy(m_bIsBusy, true);
   m_pStepper->Changed(id, change);
 }
 

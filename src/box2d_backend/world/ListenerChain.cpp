@@ -3,7 +3,6 @@
 
 #include <mutex>
 #include <unordered_map>
-#include <utility>
 
 namespace Shapes::Box2D {
 namespace {
@@ -67,13 +66,7 @@ void CListenerChain::PassOn(b2Contact* pContact, F f) {
   // A listener that passes on to this one, and to which this one passes on, would go round for ever. Where a
   // game destroys a body while it is told of the end of a contact, it is told of the ends of others.
   if (m_pNext == nullptr || m_pInside == pContact) return;
-  struct CInside {
-    b2Contact*& m_pInside;
-    b2Contact* m_pBefore;
-    CInside(b2Contact*& pInside, b2Contact* pNow)
-        : m_pInside(pInside), m_pBefore(std::exchange(pInside, pNow)) {}
-    ~CInside() { m_pInside = m_pBefore; }
-  } const inside(m_pInside, pContact);
+  const CDuring inside(m_pInside, pContact);
   f(*m_pNext);
 }
 

@@ -3,9 +3,25 @@
 
 #include <box2d/box2d.h>
 
+#include <utility>
+
 #include "../contact/ContactGatherer.h"
 
 namespace Shapes::Box2D {
+
+/// As long as it lives a variable has this value, and then the one of before.
+template <class T>
+class CDuring {
+public:
+  CDuring(T& variable, T value) : m_cVariable(variable), m_cBefore(std::exchange(variable, value)) {}
+  ~CDuring() { m_cVariable = m_cBefore; }
+  CDuring(const CDuring&) = delete;
+  CDuring& operator=(const CDuring&) = delete;
+
+private:
+  T& m_cVariable;
+  T m_cBefore;
+};
 
 /// Stands before the contact listener of a game, and passes everything on to it. A b2World, or
 /// another listener that passes on in turn, may keep its address and call it at any time: it is never

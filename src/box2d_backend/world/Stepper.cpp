@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace Shapes::Box2D {
 namespace {
@@ -52,14 +53,12 @@ CStepper::CStepper(b2World& b2, CWorldCore& world, const CTuning& tuning, CDestr
   std::map<CShapeId, CSharedEnds> sharedEnds;
   if (m_cTuning.m_bGhostVertices) sharedEnds = FindSharedEnds(m_cState, m_cScale.FromMetres(b2_linearSlop));
   // In the order of ids, balls and other shapes alike.
-  std::size_t i = 0, j = 0;
-  while (i < m_cState.m_stdShapes.size() || j < m_cState.m_cBalls.Size()) {
-    const bool ballIsNext =
-        i == m_cState.m_stdShapes.size() ||
-        (j < m_cState.m_cBalls.Size() && m_cState.m_cBalls.m_stdId[j] < m_cState.m_stdShapes[i].m_cId);
-    const CShapeId id = ballIsNext ? m_cState.m_cBalls.m_stdId[j++] : m_cState.m_stdShapes[i++].m_cId;
+  std::vector<CShapeId> ids = m_cState.m_cBalls.m_stdId;
+  for (const CShapeEntry& entry : m_cState.m_stdShapes)
+    ids.push_back(entry.m_cId);
+  std::sort(ids.begin(), ids.end());
+  for (const CShapeId id : ids)
     m_cBodies.Create(m_cState, id, sharedEnds[id]);
-  }
   m_cStats.m_nArcPieces = m_cBodies.GetArcPieces();
 }
 

@@ -6,7 +6,6 @@
 #include <box2d/box2d.h>
 
 #include <utility>
-#include <vector>
 
 #include "../Convert.h"
 #include "../contact/ContactGatherer.h"

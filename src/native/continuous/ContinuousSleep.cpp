@@ -42,9 +42,7 @@ void CContinuous::WakeDisturbed() {
 bool CContinuous::IsOnWay(std::size_t sleeper, std::size_t ball) const {
   const CMotion motion = GetFreeMotion(ball), sleeping = GetFreeMotion(sleeper);
   const Vector2d d = motion.PosAt(motion.m_fDuration) - motion.m_vPos, q = sleeping.m_vPos - motion.m_vPos;
-  const double dd = d.squaredNorm();
-  const double share = dd > 0.0 ? std::clamp(d.dot(q) / dd, 0.0, 1.0) : 0.0;
-  return Norm(q - share * d) <= sleeping.m_fRadius + motion.m_fRadius + motion.GetSagitta() +
+  return Norm(q - ClosestShare(Vector2d::Zero(), d, q) * d) <= sleeping.m_fRadius + motion.m_fRadius + motion.GetSagitta() +
                                     m_cResting.GetSlow() * m_fStep +
                                     Rounding(SizeOf(motion.m_vPos, motion.m_fRadius));
 }
