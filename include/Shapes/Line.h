@@ -33,11 +33,9 @@ public:
 private:
   friend class CLineSeg;
   CLine() : m_vPt(Vector2::Zero()), m_vDir(1.0f, 0.0f) {}
-  // The line through p along the unit vector dir.
-  void SetLine(const Vector2& p, const Vector2& dir);
 
   Vector2 m_vPt;
-  Vector2 m_vDir;
+  Vector2 m_vDir; // unit; of a segment from end 0 to end 1
 };
 
 } // namespace Shapes

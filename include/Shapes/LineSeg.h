@@ -63,7 +63,6 @@ private:
 
   Vector2 m_vPt0;
   Vector2 m_vPt1;
-  Vector2 m_vTangent; // unit, from end 0 to end 1
   Vector2 m_vNormal;
   eSides m_eSides;
   Vector2 m_vStartPt0; // at construction

@@ -14,11 +14,6 @@ constexpr float g_fInf = std::numeric_limits<float>::infinity();
 CLine::CLine(const Vector2& p, float m)
     : m_vPt(p), m_vDir(std::isinf(m) ? Vector2(0.0f, 1.0f) : Normalize(Vector2(1.0f, m))) {}
 
-void CLine::SetLine(const Vector2& p, const Vector2& dir) {
-  m_vPt = p;
-  m_vDir = dir;
-}
-
 Vector2 CLine::Intersect(const CLine& line) const {
   const float sine = Cross(m_vDir, line.m_vDir);
   if (sine == 0.0f) return {g_fInf, g_fInf};

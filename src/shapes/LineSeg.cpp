@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/LineSeg.h>
 
-#include "../Tolerances.h"
 #include "../geometry/Vector.h"
 
 #include "Validate.h"
@@ -79,13 +78,13 @@ void CLineSeg::GetEndPts(Vector2& p0, Vector2& p1) const {
 }
 
 void CLineSeg::GetTangents(Vector2& t0, Vector2& t1) const {
-  t0 = m_vTangent;
-  t1 = -m_vTangent;
+  t0 = m_vDir;
+  t1 = -m_vDir;
 }
 
 Vector2 CLineSeg::ClosestPt(const Vector2& q) const {
-  if (!((q - m_vPt0).dot(m_vTangent) > 0.0f)) return m_vPt0;
-  if (!((q - m_vPt1).dot(m_vTangent) < 0.0f)) return m_vPt1;
+  if (!((q - m_vPt0).dot(m_vDir) > 0.0f)) return m_vPt0;
+  if (!((q - m_vPt1).dot(m_vDir) < 0.0f)) return m_vPt1;
   return CLine::ClosestPt(q);
 }
 
@@ -112,12 +111,12 @@ void CLineSeg::BackToStart() {
 }
 
 void CLineSeg::Update() {
-  m_vTangent = Tangent(m_vPt0, m_vPt1);
+  m_vPt = m_vPt0;
+  m_vDir = Tangent(m_vPt0, m_vPt1);
   // From the ends as they were rounded: a normal that is not across the segment would see balls that are far
   // from it. The former m_vNormal selects one of the two.
-  const Vector2 left = perp(m_vTangent);
+  const Vector2 left = perp(m_vDir);
   m_vNormal = left.dot(m_vNormal) < 0.0f ? Vector2(-left) : left;
-  SetLine(m_vPt0, m_vTangent);
   m_cAabb = m_vPt0;
   m_cAabb += m_vPt1;
 }
