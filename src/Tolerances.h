@@ -346,12 +346,5 @@ inline constexpr float g_fLeastPart = 1.0f / 256.0f;
 inline constexpr double g_fStopRounding = 1e-5;
 /// A ball that is let through may get deeper by this share of its overlap until its approach is found.
 inline constexpr double g_fDeeper = 1e-4;
-/// How far from its parabola a ball lands after a bounce on tuned Box2D, as a share of its move in a step,
-/// and the error of its velocity as a share of that: what is left of the time of impact where the ball meets
-/// the surface at least twice as fast as gravity makes it in a step. Rounding to the floats of Box2D is
-/// added.
-inline constexpr double g_fParabolaError = 1e-6;
-/// Error of FindExactContact: a few roundings in double.
-inline constexpr double g_fExactContactError = 0x1p-50;
 
 } // namespace Shapes

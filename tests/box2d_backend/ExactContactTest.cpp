@@ -88,6 +88,7 @@ Vector2d GradientAt(const CContactGeometry& o, const Vector2d& p) {
 
 // A normal that is given is compared with that of a place, which errs by as much.
 constexpr double g_fSlack = 4;
+constexpr double g_fExactContactError = 0x1p-50; // a few roundings in double
 
 /// A ball near a geometry that goes there, or not.
 struct CApproach {

@@ -12,6 +12,10 @@ using Box2D::CParabolicCorrection;
 
 constexpr std::uint64_t g_nFlightSeed = 65;
 constexpr double g_fSlack = 2;
+// How far from its parabola a ball lands after a bounce on tuned Box2D, as a share of its move in a step, and
+// the error of its velocity as a share of that: what is left of the time of impact where the ball meets the
+// surface at least twice as fast as gravity makes it in a step. Rounding to the floats of Box2D is added.
+constexpr double g_fParabolaError = 1e-6;
 
 b2Vec2 ToFloat(const Vector2d& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
 Vector2d ToDouble(const b2Vec2& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }

@@ -42,9 +42,9 @@ struct CExactContact {
 /// Near is nearer than half of the smallest of these: the radius of the ball, of an arc and of what is left
 /// of it for a ball inside, the length of a segment. Farther ahead what is first is not looked for.
 ///
-/// Moved on by m_fTime the ball touches the shape, or what is joined to it, within g_fExactContactError of
-/// the sum of all coordinates and radii; the normal is that of the place, within the same share of that sum
-/// over the smallest of those. Traced back out of two parts of a shape at once it touches one of them.
+/// Moved on by m_fTime the ball touches the shape, or what is joined to it, within 2^-50 of the sum of
+/// all coordinates and radii; the normal is that of the place, within the same share of that sum over the
+/// smallest of those. Traced back out of two parts of a shape at once it touches one of them.
 /// @param q  centre of the ball in the frame of the geometry, metres; on the side that it comes from
 /// @param w  its velocity relative to the surface, metres per second
 /// @param r  its radius, metres
