@@ -61,7 +61,6 @@ void CAabbTree::Refit(std::span<const CAabb2D> boxes) {
 }
 
 void CAabbTree::Grow(std::uint32_t item, const CAabb2D& box) {
-  if (m_stdNodes.empty()) return;
   for (std::uint32_t i = m_stdLeaves[item];; i = m_stdParents[i]) {
     m_stdNodes[i].m_cBox = Union(m_stdNodes[i].m_cBox, box);
     if (i == 0) return;

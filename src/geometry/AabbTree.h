@@ -29,7 +29,7 @@ public:
   std::size_t Size() const { return m_stdLeaves.size(); }
   /// Takes new boxes for the same items and keeps the tree: O(n), for shapes that turn a little.
   void Refit(std::span<const CAabb2D> boxes);
-  /// Lets the box of an item reach as far as this one, too: O(log n). An empty tree stays empty.
+  /// Lets the box of an item reach as far as this one, too: O(log n).
   void Grow(std::uint32_t item, const CAabb2D& box);
   /// Appends to found every item whose box meets this one, in no order.
   void Query(const CAabb2D& box, std::vector<std::uint32_t>& found) const;

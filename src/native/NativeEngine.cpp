@@ -82,8 +82,6 @@ void CNativeEngine::Substep(float dt) {
     const std::vector<float>& radius = m_cState.m_cBalls.m_stdRadius;
     m_fLargestRadius = radius.empty() ? 0.0f : *std::max_element(radius.begin(), radius.end());
     m_bFilters = HasFilters();
-    for (CLane& lane : m_stdLanes)
-      lane.m_cContinuous.SetFilters(m_bFilters);
   }
   // Rounded as in CollideWithShapesOf.
   const float near = m_fLargestRadius + g_fCandidateSlack * m_fLargestRadius;
@@ -257,7 +255,6 @@ void CNativeEngine::CollectBalls(std::uint32_t i, std::uint32_t first) {
     const float reach = (b.m_stdRadius[i] + b.m_stdRadius[j]) * (1.0f + g_fBoxPadding);
     if (j >= first && b.IsSolid(j) && (b.m_stdPos[j] - b.m_stdPos[i]).cwiseAbs().maxCoeff() <= reach)
       balls.push_back(j);
-    return false;
   });
   if (balls.empty()) return;
   if (m_bFilters)
@@ -309,7 +306,8 @@ void CNativeEngine::Sweep(float dt) {
   if (Runs(eEffect::Gravity)) Stats().m_nBallsAccelerated += m_cState.m_cBalls.Size();
   const bool pairs = Runs(eEffect::BallPairs);
   for (CLane& lane : m_stdLanes)
-    lane.m_cContinuous.Begin(m_cState.m_cBalls, m_cBroadPhase, pairs, gravity, dt, *lane.m_pStats);
+    lane.m_cContinuous.Begin(m_cState.m_cBalls, m_cBroadPhase, pairs, m_bFilters, gravity, dt,
+                             *lane.m_pStats);
   CContinuous& all = First().m_cContinuous;
   const bool moves = all.Prepare();
   if (moves && pairs) all.MoveTogether();

@@ -44,9 +44,9 @@ public:
   /// Discs in it, and places that some have left: those are looked at, too, until it is built anew.
   std::size_t Size() const { return m_stdEntries.size(); }
   /// Calls f(index) for every disc that overlaps the disc of radius r about p, maybe more than once, in no
-  /// order, until f returns true; whether it did.
+  /// order.
   template <class F>
-  bool FindNear(const Vector2& p, float r, const F& f) const;
+  void FindNear(const Vector2& p, float r, const F& f) const;
 
 private:
   struct CLevel {
@@ -95,19 +95,18 @@ inline std::uint32_t CDiscGrid::GetBucket(std::size_t level, std::int64_t x, std
 }
 
 template <class F>
-bool CDiscGrid::FindNear(const Vector2& p, float r, const F& f) const {
+void CDiscGrid::FindNear(const Vector2& p, float r, const F& f) const {
   const auto px = static_cast<double>(p.x()), py = static_cast<double>(p.y()), pr = static_cast<double>(r);
   const CEntry* const pEntries = m_stdEntries.data();
   const CDisc asked{p, r};
-  const auto visit = [=, &f](std::size_t k) {
-    return asked.Overlaps(pEntries[k].m_cDisc) && f(pEntries[k].m_nIndex);
+  const auto visit = [=, &f](const CEntry& entry) {
+    if (asked.Overlaps(entry.m_cDisc)) f(entry.m_nIndex);
   };
-  const auto visitRange = [&visit](std::size_t begin, std::size_t end) {
+  const auto visitRange = [=](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e)
-      if (visit(e)) return true;
-    return false;
+      visit(pEntries[e]);
   };
-  const auto visitAll = [&] { return visitRange(0, m_stdEntries.size()); };
+  const auto visitAll = [&] { visitRange(0, m_stdEntries.size()); };
   if (m_bIsFew) return visitAll();
   const bool hasAdded = m_stdEntries.size() > m_stdEntryOf.size();
   for (std::size_t k = 0; k < m_nLevels; ++k) {
@@ -122,14 +121,13 @@ bool CDiscGrid::FindNear(const Vector2& p, float r, const F& f) const {
       // The buckets of a row follow each other, maybe round the end.
       const std::uint32_t first = GetBucket(k, x0, y), last = GetBucket(k, x1, y);
       const bool isRound = last < first;
-      if (visitRange(m_stdBegins[first], m_stdBegins[isRound ? m_stdAdded.size() : last + 1])) return true;
-      if (isRound && visitRange(0, m_stdBegins[last + 1])) return true;
+      visitRange(m_stdBegins[first], m_stdBegins[isRound ? m_stdAdded.size() : last + 1]);
+      if (isRound) visitRange(0, m_stdBegins[last + 1]);
       for (std::int64_t x = x0; hasAdded && x <= x1; ++x)
         for (std::uint32_t e = m_stdAdded[GetBucket(k, x, y)]; e != g_nNone; e = m_stdEntries[e].m_nNext)
-          if (visit(e)) return true;
+          visit(m_stdEntries[e]);
     }
   }
-  return false;
 }
 
 } // namespace Shapes::Native

@@ -38,7 +38,6 @@ void CNearDiscs::MakeList(std::uint32_t disc) {
   const auto begin = static_cast<std::uint32_t>(m_stdNear.size());
   m_cGrid.FindNear(d.m_vCenter, d.m_fRadius + 2.0f * m_fSlack, [&](std::uint32_t other) {
     if (other != disc) m_stdNear.push_back(other);
-    return false;
   });
   Order(m_stdNear, begin);
   m_stdLists[disc] = {begin, static_cast<std::uint32_t>(m_stdNear.size()), g_nNone};

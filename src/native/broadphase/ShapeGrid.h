@@ -45,8 +45,12 @@ public:
   /// @param r  at most GetReach()
   template <class F>
   void ForEachNear(const Vector2& p, float r, const F& f) {
-    CSpot spot;
-    if (!Find(p, spot) || IsBeyond(spot.m_pCell->m_fClearance, r, spot)) return;
+    // Outside of the grid no shape is within reach. A NaN is outside.
+    const Vector2 from = p - m_vOrigin;
+    if (!(from.x() >= 0.0f && from.x() < m_vExtent.x() && from.y() >= 0.0f && from.y() < m_vExtent.y()))
+      return;
+    const CSpot spot = FindWithin(from);
+    if (IsBeyond(spot.m_pCell->m_fClearance, r, spot)) return;
     const CEntry* const pBegin = m_stdEntries.data() + spot.m_pCell->m_nBegin;
     for (const CEntry& entry : std::span(pBegin, spot.m_pCell->m_nSize))
       if (!IsBeyond(entry.m_fDistance, r, spot) && !f(entry.m_nOrder)) return;
@@ -75,14 +79,6 @@ private:
     float m_fSquare; // of its distance from the centre of the cell
   };
 
-  // None outside of the grid, where no shape is within reach. A NaN is outside.
-  bool Find(const Vector2& p, CSpot& spot) {
-    const Vector2 from = p - m_vOrigin;
-    if (!(from.x() >= 0.0f && from.x() < m_vExtent.x() && from.y() >= 0.0f && from.y() < m_vExtent.y()))
-      return false;
-    spot = FindWithin(from);
-    return true;
-  }
   // From the origin.
   CSpot FindWithin(const Vector2& from) {
     const auto column = static_cast<std::uint32_t>(m_fCellsPerUnit * from.x());

@@ -213,15 +213,10 @@ bool CStaticBroadPhase::IsClearOfOthers(const Vector2& p, float r) const {
                       [&](const CLoose& loose) { return loose.m_cBox && box; });
 }
 
-// Also where the grid does not say all.
-void CStaticBroadPhase::FindNearOfAll(const Vector2& p, float r, std::vector<std::uint32_t>& orders) {
+// Those that the grid does not tell, to those that it does.
+void CStaticBroadPhase::FindOthers(const Vector2& p, float r, bool isInGrid,
+                                   std::vector<std::uint32_t>& orders) {
   CountQuestion();
-  const bool isInGrid = m_cGrid.IsBuilt() && r <= m_cGrid.GetReach();
-  if (isInGrid)
-    m_cGrid.ForEachNear(p, r, [&orders](std::uint32_t order) {
-      orders.push_back(order);
-      return true;
-    });
   const CAabb2D box = Padded(CAabb2D(p, p), r);
   if (!isInGrid) Query(m_cStatic, box, orders);
   Query(m_cKinematic, box, orders);

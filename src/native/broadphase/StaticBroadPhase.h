@@ -61,17 +61,19 @@ public:
   /// The orders of all shapes that come within r of p, and maybe some others, ascending.
   void FindNear(const Vector2& p, float r, std::vector<std::uint32_t>& orders) {
     orders.clear();
-    if (!CanGridTell(r)) return FindNearOfAll(p, r, orders);
-    m_cGrid.ForEachNear(p, r, [&orders](std::uint32_t order) {
-      orders.push_back(order);
-      return true;
-    });
+    const bool isInGrid = m_cGrid.IsBuilt() && r <= m_cGrid.GetReach();
+    if (isInGrid)
+      m_cGrid.ForEachNear(p, r, [&orders](std::uint32_t order) {
+        orders.push_back(order);
+        return true;
+      });
+    if (!isInGrid || !m_bIsGridComplete) FindOthers(p, r, isInGrid, orders);
   }
   /// Calls f(order) for each of them until it returns false.
   /// @param orders  room to work in
   template <class F>
   void ForEachNear(const Vector2& p, float r, std::vector<std::uint32_t>& orders, const F& f) {
-    if (CanGridTell(r)) return m_cGrid.ForEachNear(p, r, f);
+    if (m_bIsGridComplete && r <= m_cGrid.GetReach()) return m_cGrid.ForEachNear(p, r, f);
     FindNear(p, r, orders);
     for (const std::uint32_t order : orders)
       if (!f(order)) return;
@@ -104,8 +106,7 @@ private:
   const CShape& GetShape(std::uint32_t order) const { return *m_stdByOrder[order].m_pShape; }
   bool IsAnyKinematic(bool (CShape::*is)() const) const;
   static void Query(const CGroup& group, const CAabb2D& box, std::vector<std::uint32_t>& orders);
-  bool CanGridTell(float r) const { return m_bIsGridComplete && r <= m_cGrid.GetReach(); }
-  void FindNearOfAll(const Vector2& p, float r, std::vector<std::uint32_t>& orders);
+  void FindOthers(const Vector2& p, float r, bool isInGrid, std::vector<std::uint32_t>& orders);
   void DropGrid();
   void Loosen(std::uint32_t order, const CAabb2D& box);
   /// Whether no grid is to be made: its shapes have not changed.

@@ -5,7 +5,6 @@
 #include "Rounding.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -15,20 +14,20 @@ bool CContinuous::CEvent::operator<(const CEvent& other) const {
   return std::tie(m_fTime, m_nOrder) > std::tie(other.m_fTime, other.m_nOrder);
 }
 
-void CContinuous::Begin(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravity,
-                        float dt, CWorldStats& stats) {
+void CContinuous::Begin(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, bool filters,
+                        const Vector2& gravity, float dt, CWorldStats& stats) {
   m_pBalls = &balls;
   m_pShapes = &shapes;
   m_pStats = &stats;
   m_bPairs = pairs;
+  m_bFilters = filters;
   m_fStep = static_cast<double>(dt);
   m_vGravity = gravity.cast<double>();
   m_bIsFalling = !gravity.isZero(0.0f);
   m_bCapsSpeeds = CanExceedMaxSpeed(gravity * dt);
   m_fSagitta = CMotion{Vector2d::Zero(), Vector2d::Zero(), 0.0, m_fStep, m_vGravity}.GetSagitta();
   m_fFall = Norm(m_vGravity) * m_fStep;
-  m_fSleepSpeed = static_cast<float>(g_fSleepSpeed * m_fFall);
-  m_cEnergy.Begin(m_vGravity);
+  m_cEnergy.Begin();
   m_stdContacts.clear();
   m_stdTimes.clear();
   m_stdPathVertices.clear();

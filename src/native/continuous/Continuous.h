@@ -52,10 +52,11 @@ public:
   /// each other: each has one of these, and all begin.
   /// @param shapes  as they are at the beginning of the substep
   /// @param pairs   whether balls meet each other
+  /// @param filters  whether any ball or shape meets not all
   /// @param gravity  user units per second squared
   /// @param stats  of this one alone
-  void Begin(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, const Vector2& gravity, float dt,
-             CWorldStats& stats);
+  void Begin(CBallArrays& balls, CStaticBroadPhase& shapes, bool pairs, bool filters, const Vector2& gravity,
+             float dt, CWorldStats& stats);
   /// One of them, before any moves balls.
   /// @returns whether anything moves
   bool Prepare();
@@ -66,8 +67,6 @@ public:
   /// Takes over the contacts, path vertices and halted balls of the next range of balls.
   void Append(const CContinuous& next);
 
-  /// Whether any ball or shape meets not all.
-  void SetFilters(bool b) { m_bFilters = b; }
   /// A game has put a shape somewhere else, perhaps into balls.
   void ShapeWasPut() { m_bAnyPut = true; }
 
@@ -275,7 +274,6 @@ private:
   Vector2d m_vGravity = Vector2d::Zero();
   double m_fFall = 0.0;    // speed that gravity gives in it
   double m_fSagitta = 0.0; // of a motion that nothing deflects
-  float m_fSleepSpeed = 0.0f;
   bool m_bIsFalling = false;
   bool m_bCapsSpeeds = false; // gravity can take a ball beyond g_fMaxSpeed
   bool m_bPairs = false;

@@ -284,7 +284,7 @@ void CContinuous::PutBalls() {
 void CContinuous::PutTaken() {
   for (CMoving& ball : m_stdBalls)
     if (ball.m_bIsMoved) Advance(ball, m_fStep - ball.m_fTime);
-  m_cEnergy.Keep(m_stdBalls);
+  m_cEnergy.Keep(m_stdBalls, m_vGravity);
   for (const CMoving& ball : m_stdBalls)
     if (ball.m_bIsMoved)
       Put(ball.m_vPos, ball.m_vVel, ball.m_nBall);

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace Shapes::Native {
@@ -332,15 +331,9 @@ void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, doub
 void CContinuous::Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n,
                          double speed, float impulse) {
   ++m_pStats->m_nContacts;
-  CContactEvent event;
-  event.m_cShape = shape;
-  event.m_cBall = GetId(ball);
-  event.m_vPOI = ToFloat(poi);
-  event.m_vNorm = n.cast<float>();
-  event.m_fSpeed = static_cast<float>(speed);
-  event.m_fImpulse = impulse;
   m_stdTimes.emplace_back(ball.m_fTime, static_cast<std::uint32_t>(m_stdContacts.size()));
-  m_stdContacts.push_back(event);
+  m_stdContacts.push_back(
+      {shape, GetId(ball), ToFloat(poi), n.cast<float>(), 0.0f, static_cast<float>(speed), false, impulse});
 }
 
 void CContinuous::EndMotion(CMoving& ball) {

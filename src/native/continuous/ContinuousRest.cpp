@@ -6,7 +6,6 @@
 #include "Rounding.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace Shapes::Native {
@@ -78,12 +77,12 @@ void CContinuous::SolveRestingContacts() {
   for (std::uint32_t i = 0; i < n; ++i)
     m_cEnergy.Join(i, m_cResting.GetPile(i));
   m_cResting.Solve(m_stdBalls);
-  m_cResting.ForEach(
-      [this](std::uint32_t i, std::uint32_t other, bool isBall, const Vector2d& norm, double impulse) {
-        const CMoving& ball = m_stdBalls[i];
-        Report(isBall ? GetId(m_stdBalls[other]) : m_pShapes->Get(other).m_cId, ball,
-               ball.m_vPos - ball.m_fRadius * norm, norm, 0.0, ImpulseOf(1.0, 0.0, impulse));
-      });
+  for (const auto& c : m_cResting.GetContacts()) {
+    if (!(c.m_fImpulse > 0.0)) continue;
+    const CMoving& ball = m_stdBalls[c.m_nBall];
+    Report(c.m_bIsBall ? GetId(m_stdBalls[c.m_nOther]) : m_pShapes->Get(c.m_nOther).m_cId, ball,
+           ball.m_vPos - ball.m_fRadius * c.m_vNorm, c.m_vNorm, 0.0, ImpulseOf(1.0, 0.0, c.m_fImpulse));
+  }
   for (std::uint32_t i = 0; i < n; ++i) {
     if (!m_stdBalls[i].m_bIsInPile) continue;
     m_stdBalls[i].m_fHoldTime = GetHoldTime(m_stdBalls[i]);

@@ -42,9 +42,9 @@ void CContinuous::WakeDisturbed() {
 bool CContinuous::IsOnWay(std::size_t sleeper, std::size_t ball) const {
   const CMotion motion = GetFreeMotion(ball), sleeping = GetFreeMotion(sleeper);
   const Vector2d d = motion.PosAt(motion.m_fDuration) - motion.m_vPos, q = sleeping.m_vPos - motion.m_vPos;
-  return Norm(q - ClosestShare(Vector2d::Zero(), d, q) * d) <= sleeping.m_fRadius + motion.m_fRadius + motion.GetSagitta() +
-                                    m_cResting.GetSlow() * m_fStep +
-                                    Rounding(SizeOf(motion.m_vPos, motion.m_fRadius));
+  return Norm(q - ClosestShare(Vector2d::Zero(), d, q) * d) <=
+         sleeping.m_fRadius + motion.m_fRadius + motion.GetSagitta() + m_cResting.GetSlow() * m_fStep +
+             Rounding(SizeOf(motion.m_vPos, motion.m_fRadius));
 }
 
 // Seconds for which a ball that was taken has been at rest, those in which it is pressed as less.
@@ -57,7 +57,7 @@ float CContinuous::GetCalm(const CMoving& ball) const {
   const bool lies = ball.m_bIsAsleep || ball.m_bIsInPile || ball.m_bIsStuck || !holds.empty();
   const bool isInCrowd = ball.m_cFarthestDeep != g_cFarthest; // which comes apart little by little
   const bool isCalm = lies && !isInCrowd && ball.m_bIsHalted == ball.m_bIsStuck &&
-                      b.m_stdVel[ball.m_nBall].norm() <= m_fSleepSpeed &&
+                      b.m_stdVel[ball.m_nBall].norm() <= static_cast<float>(g_fSleepSpeed * m_fFall) &&
                       std::none_of(holds.begin(), holds.end(), isCarried);
   const double share = ball.m_bIsPressed ? g_fSleepTime / g_fPressedSleepTime : 1.0;
   return isCalm ? b.m_stdCalm[ball.m_nBall] + static_cast<float>(m_fStep * share) : 0.0f;

@@ -90,7 +90,7 @@ Vector2d CHolds::ConstrainAcc(const Vector2d& a) const {
 Vector2d CHolds::KeepVel(const Vector2d& v) const {
   const auto holds = Get();
   const auto isOfBall = [](const CHold& hold) { return hold.m_bIsBall; };
-  if (holds.empty() || std::any_of(holds.begin(), holds.end(), isOfBall)) return v;
+  if (std::any_of(holds.begin(), holds.end(), isOfBall)) return v;
   const Vector2d& n = holds[0].m_vNorm;
   const double b = holds[0].m_fSpeed;
   for (const CHold& other : holds.subspan(1)) {

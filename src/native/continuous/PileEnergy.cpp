@@ -11,7 +11,7 @@ void CPileEnergy::Add(const CMoving& ball) {
   m_cGroups.Add();
 }
 
-void CPileEnergy::Keep(std::vector<CMoving>& balls) {
+void CPileEnergy::Keep(std::vector<CMoving>& balls, const Vector2d& gravity) {
   if (IsEmpty()) return;
   m_stdGroups.assign(balls.size(), {});
   for (std::uint32_t i = 0; i < balls.size(); ++i) {
@@ -20,7 +20,7 @@ void CPileEnergy::Keep(std::vector<CMoving>& balls) {
     group.m_bHasPile |= ball.m_bIsInPile;
     group.m_bIsDriven |= ball.m_bIsDriven || ball.m_nLastMoving != g_nNobody;
     group.m_fKinetic += ball.GetKinetic();
-    const double fall = ball.m_fMass * m_vGravity.dot(ball.m_vPos - m_stdBegin[i].m_vPos);
+    const double fall = ball.m_fMass * gravity.dot(ball.m_vPos - m_stdBegin[i].m_vPos);
     group.m_fMost += m_stdBegin[i].m_fKinetic + fall;
   }
   for (std::uint32_t i = 0; i < balls.size(); ++i) {

@@ -17,8 +17,7 @@ namespace Shapes::Native {
 class CPileEnergy {
 public:
   /// Begins a substep.
-  void Begin(const Vector2d& gravity) {
-    m_vGravity = gravity;
+  void Begin() {
     m_stdBegin.clear();
     m_cGroups.Reset(0);
   }
@@ -30,7 +29,7 @@ public:
     if (!IsEmpty()) m_cGroups.Join(ball, other);
   }
   /// At the end of the substep. All balls of `balls` were added.
-  void Keep(std::vector<CMoving>& balls);
+  void Keep(std::vector<CMoving>& balls, const Vector2d& gravity);
 
 private:
   struct CBegin {
@@ -43,7 +42,6 @@ private:
     bool m_bHasPile = false, m_bIsDriven = false;
   };
 
-  Vector2d m_vGravity = Vector2d::Zero();
   std::vector<CBegin> m_stdBegin;
   CGroups m_cGroups;
   std::vector<CGroup> m_stdGroups; // by the lowest of each

@@ -6,10 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <tuple>
-#include <utility>
 
 namespace Shapes::Native {
 

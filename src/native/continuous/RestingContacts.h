@@ -4,7 +4,6 @@
 
 #include <Shapes/Events.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -42,6 +41,17 @@ namespace Shapes::Native {
 /// moves.
 class CRestingContacts {
 private:
+  struct CContact {
+    std::uint32_t m_nBall, m_nOther;
+    bool m_bIsBall;
+    Vector2d m_vNorm;
+    double m_fGap, m_fSpeed, m_fRadius;
+    double m_fBend; // second derivative of the gap, without the accelerations of the balls
+    double m_fImpulse = 0.0;
+    std::uint64_t m_nPair;
+    double m_fKey = 0.0;       // of sorting: the height against gravity, and then the pile
+    std::uint32_t m_nNear = 0; // where m_stdNear has it
+  };
   // A pair that was within reach, and its impulse.
   struct CKnown {
     std::uint64_t m_nPair;
@@ -121,26 +131,10 @@ public:
   void FindPiles(std::vector<CMoving>& balls);
   /// Sets the velocities of all balls of piles; the shapes that push become holds.
   void Solve(std::vector<CMoving>& balls);
-  /// Calls f(ball, other, isBall, normal, impulse) for each contact that pushes, pile by pile from the bottom
-  /// up.
-  template <class F>
-  void ForEach(const F& f) const {
-    for (const CContact& c : m_stdContacts)
-      if (c.m_fImpulse > 0.0) f(c.m_nBall, c.m_nOther, c.m_bIsBall, c.m_vNorm, c.m_fImpulse);
-  }
+  /// Pile by pile from the bottom up. Those that push have an impulse.
+  const std::vector<CContact>& GetContacts() const { return m_stdContacts; }
 
 private:
-  struct CContact {
-    std::uint32_t m_nBall, m_nOther;
-    bool m_bIsBall;
-    Vector2d m_vNorm;
-    double m_fGap, m_fSpeed, m_fRadius;
-    double m_fBend; // second derivative of the gap, without the accelerations of the balls
-    double m_fImpulse = 0.0;
-    std::uint64_t m_nPair;
-    double m_fKey = 0.0;       // of sorting: the height against gravity, and then the pile
-    std::uint32_t m_nNear = 0; // where m_stdNear has it
-  };
   // Of a pile.
   struct CEnergy {
     double m_fBefore = 0.0;    // kinetic, without the work of lifting balls as they were moved apart
