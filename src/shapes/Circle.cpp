@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/Circle.h>
 
-#include "../Tolerances.h"
-
 #include "Validate.h"
 
 #include <cmath>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/Compound.h>
 
-#include "../Tolerances.h"
-
 #include "Validate.h"
 
 namespace Shapes {

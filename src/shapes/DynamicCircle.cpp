@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/DynamicCircle.h>
 
-#include "../Tolerances.h"
 #include <Shapes/Contact.h>
 
 #include "Response.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/Shape.h>
 
-#include "../Tolerances.h"
 #include "../geometry/Vector.h"
 
 #include "Validate.h"

@@ -9,7 +9,6 @@
 #include "../geometry/Vector.h"
 #include "WorldState.h"
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 

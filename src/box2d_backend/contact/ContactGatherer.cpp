@@ -75,7 +75,8 @@ float CContactGatherer::RestitutionOf(const CBody& shape, const CBody& ball) con
   if (e <= 1.0f) return e;
   const b2Body &a = *shape.m_pBody, &b = *ball.m_pBody;
   const b2Vec2 v = b.GetLinearVelocity() - a.GetLinearVelocityFromWorldPoint(b.GetPosition());
-  const float fall = m_cOverride.GetStep() * (m_cOverride.GetGravity().Length() + b.GetWorld()->GetGravity().Length());
+  const float fall =
+      m_cOverride.GetStep() * (m_cOverride.GetGravity().Length() + b.GetWorld()->GetGravity().Length());
   const float speed = v.Length() + fall;
   return e * speed > g_fMaxBox2DSpeedGain ? g_fMaxBox2DSpeedGain / speed : e;
 }

@@ -3,7 +3,6 @@
 
 #include "../../geometry/Vector.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace Shapes::Box2D {

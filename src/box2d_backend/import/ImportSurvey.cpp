@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ImportSurvey.h"
 
-#include "../../Tolerances.h"
-
 #include "../../shapes/Validate.h"
 
 #include <algorithm>
