@@ -36,8 +36,6 @@ ePair GetPair(const CScene& scene, const CEvent& event) {
   case eShape::LineSeg: return end ? ePair::SegmentEnd : ePair::Segment;
   case eShape::Circle: return ePair::Circle;
   case eShape::Arc: return end ? ePair::ArcEnd : ePair::Arc;
-  case eShape::Unknown:
-  case eShape::Line: break;
   }
   throw std::logic_error("a shape has no type that a ball can hit");
 }

@@ -24,9 +24,7 @@ T Distance(const CShapeGeometry<T>& f, const CVec<T>& p) {
   }
   case eShape::Circle: return abs(Norm(x) - f.m_fRadius);
   case eShape::Arc: return InSector(f, x, T(0)) ? T(abs(Norm(x) - f.m_fRadius)) : ends();
-  case eShape::Point:
-  case eShape::Unknown:
-  case eShape::Line: break; // no shape that can be made has these two types
+  case eShape::Point: break;
   }
   return Norm(x);
 }

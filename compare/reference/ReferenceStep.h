@@ -55,9 +55,7 @@ void CReference<T>::CSolid::SetBox() {
     break;
   case eShape::Point:
   case eShape::Circle:
-  case eShape::Arc:
-  case eShape::Unknown:
-  case eShape::Line: // no shape that can be made has these two types
+  case eShape::Arc: // as the whole circle
     m_vLow = f.m_vCenter - r;
     m_vHigh = f.m_vCenter + r;
   }

@@ -60,8 +60,6 @@ CShapeGeometry<double> MakeShapeGeometry(const CAnyShapeDesc& desc) {
   case eShape::LineSeg: return ToGeometry(static_cast<const CLineSeg&>(*pShape));
   case eShape::Circle: return ToGeometry(static_cast<const CCircle&>(*pShape));
   case eShape::Arc: return ToGeometry(static_cast<const CArc&>(*pShape));
-  case eShape::Unknown:
-  case eShape::Line: break;
   }
   throw std::invalid_argument("shapes has a shape that the reference does not know");
 }

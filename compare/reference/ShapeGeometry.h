@@ -12,7 +12,7 @@ namespace Shapes::Compare {
 /// arc runs counterclockwise from end 0 to end 1, both on its circle.
 template <class T>
 struct CShapeGeometry {
-  eShape m_eShapeType = eShape::Unknown;
+  eShape m_eShapeType = eShape::Point;
   eSides m_eSides = eSides::Both;
   bool m_bFull = false; ///< The arc is the full circle.
   bool m_bWide = false; ///< The arc spans more than half the circle.

@@ -96,8 +96,6 @@ public:
     case eShape::LineSeg: LineSeg(f); break;
     case eShape::Circle: Ring(f); break;
     case eShape::Arc: Arc(f); break;
-    case eShape::Unknown:
-    case eShape::Line: throw std::invalid_argument("a figure has no type that a ball can hit");
     }
     return Finish();
   }

@@ -14,7 +14,7 @@ namespace Shapes {
 
 class CContactDesc;
 
-enum class eShape { Unknown, Point, Line, LineSeg, Circle, Arc };
+enum class eShape { Point, LineSeg, Circle, Arc };
 
 /// Static shapes stay, kinematic shapes move and turn at given speeds, dynamic shapes (balls) move and
 /// respond. Size counts them.
@@ -39,9 +39,9 @@ protected:
 /// value; CWorld::Add also refuses a static shape with a speed or stops.
 class CShapeDesc {
 public:
-  eShape m_eShapeType = eShape::Unknown; ///< Set by the constructors of the derived descriptors.
-  Vector2 m_vPos = Vector2::Zero();      ///< Position, user units. Segments: the midpoint, follows the ends.
-  float m_fElasticity = 1.0f;            ///< 0 keeps no normal speed, 1 all of it, above 1 adds (bumpers).
+  eShape m_eShapeType;              ///< Set by the constructors of the derived descriptors.
+  Vector2 m_vPos = Vector2::Zero(); ///< Position, user units. Segments: the midpoint, follows the ends.
+  float m_fElasticity = 1.0f;       ///< 0 keeps no normal speed, 1 all of it, above 1 adds (bumpers).
   eMotion m_eMotionType = eMotion::Static; ///< Static or Kinematic; balls have a descriptor of their own.
   bool m_bIsSensor = false;                ///< Detects, but neither responds nor causes a response.
   CFilter m_cFilter;                       ///< What it meets.

@@ -58,8 +58,6 @@ bool HasPointIn(const CShapeGeometry& shape, const CBox2d& box) {
   case eShape::Arc:
     if (shape.m_bFull) return HasPointOfCircle(shape, box);
     return box.contains(shape.m_vPt0) || box.contains(shape.m_vPt1) || CrossesOutline(shape, box);
-  case eShape::Unknown:
-  case eShape::Line: break; // no shape that can be made has these types
   }
   return false;
 }

@@ -13,7 +13,7 @@ namespace Shapes::Geometry {
 /// from end 0 to end 1, which are moved onto its circle (by less than their rounding), so that they do not
 /// stick out.
 struct CShapeGeometry {
-  eShape m_eShapeType = eShape::Unknown;
+  eShape m_eShapeType = eShape::Point;
   eSides m_eSides = eSides::Both;
   bool m_bFull = false;                      ///< The arc is the full circle.
   bool m_bWide = false;                      ///< The arc spans more than half the circle.

@@ -25,8 +25,6 @@ eSweep Run(const CShapeGeometry& shape, const TMotion& motion, double end, CImpa
   case eShape::LineSeg: ImpactLineSegCircle(search); break;
   case eShape::Circle: ImpactCircleCircle(search); break;
   case eShape::Arc: ImpactCircleArc(search); break;
-  case eShape::Unknown:
-  case eShape::Line: break; // no shape that can be made has these types
   }
   return search.GetFound();
 }
@@ -90,9 +88,7 @@ bool IsOutOfWay(const CShapeGeometry& shape, const CMotion& moving, double start
   }
   case eShape::Point: // a circle without radius
   case eShape::Circle:
-  case eShape::Arc:
-  case eShape::Unknown:
-  case eShape::Line: break; // no shape that can be made has these two types
+  case eShape::Arc: break;
   }
   const Vector2d w = p - shape.m_vCenter;
   if (isPassed(w, shape.m_fRadius + far)) return true;

@@ -30,10 +30,8 @@ decltype(auto) VisitShape(const CShape& shape, const F& visit) {
   case eShape::LineSeg: return visit(static_cast<const CLineSeg&>(shape));
   case eShape::Circle: return visit(static_cast<const CCircle&>(shape));
   case eShape::Arc: return visit(static_cast<const CArc&>(shape));
-  case eShape::Unknown:
-  case eShape::Line: break;
   }
-  std::abort(); // no shape that can be made has these types
+  std::abort(); // no shape that can be made has another type
 }
 
 } // namespace Shapes

@@ -164,9 +164,7 @@ CBox2d CZone::GetBox() const {
   case eShape::LineSeg: box = CBox2d(m_vPt0).extend(m_vPt1); break;
   case eShape::Arc: box.extend(m_vPt0).extend(m_vPt1); break; // rounded off the circle
   case eShape::Point:
-  case eShape::Circle:
-  case eShape::Unknown:
-  case eShape::Line: break; // no shape that can be made has these two types
+  case eShape::Circle: break;
   }
   return box;
 }
@@ -193,8 +191,6 @@ CZone::CApproach CZone::Approach(CBallPath path) const {
       break;
     case eShape::Point:
     case eShape::Circle: part.KeepPt(m_vPos, m_fRadius); break;
-    case eShape::Unknown:
-    case eShape::Line: break; // no shape that can be made has these types
     }
     if (!(part.m_fDistance < best.m_fDistance)) continue;
     const double t0 = path[i].m_fTime, t1 = path[i + 1].m_fTime, share = part.m_fShare;
@@ -226,9 +222,7 @@ CZone::CTouch CZone::TouchAt(const CApproach& at, const Vector2d& velocity, bool
     return fromCurve(m_vPos + m_fRadius * out, out, (p - m_vPos).norm() - m_fRadius);
   }
   case eShape::Point:
-  case eShape::Circle:
-  case eShape::Unknown:
-  case eShape::Line: break; // no shape that can be made has these two types
+  case eShape::Circle: break;
   }
   CTouch touch = fromPt(m_vPos);
   touch.m_vPOI += m_fRadius * touch.m_vNorm;

@@ -41,8 +41,8 @@ struct CTrials {
   bool m_bFalls = false; ///< Under an acceleration of any direction.
 
   std::uint64_t GetSeed() const {
-    return 20240 + static_cast<std::uint64_t>(m_eShapeType) * 8 + m_bOneSided * 2 + m_bTurns +
-           m_bFalls * 1000;
+    constexpr std::uint64_t seeds[] = {20248, 20264, 20272, 20280};
+    return seeds[static_cast<std::size_t>(m_eShapeType)] + m_bOneSided * 2 + m_bTurns + m_bFalls * 1000;
   }
   eSides GetSides(CRandom& random) const {
     return !m_bOneSided ? eSides::Both : random.Coin() ? eSides::Front : eSides::Back;

@@ -40,8 +40,8 @@ public:
   /// is squeezed: into balls sooner than into shapes.
   Vector2d ConstrainVel(const Vector2d& v) const;
   Vector2d ConstrainAcc(const Vector2d& a) const;
-  /// Where there is any: the velocity of a ball that none of the shapes lets go: it neither goes into the
-  /// first nor leaves it, nor another one that crosses that.
+  /// The velocity of a ball that none of the shapes lets go, of which there is at least one: it neither goes
+  /// into the first nor leaves it, nor another one that crosses that.
   Vector2d KeepVel(const Vector2d& v) const;
   /// Takes out those that would have to pull a ball that is accelerated by `acc` instead of by `free`.
   /// @returns whether there are any
