@@ -267,6 +267,9 @@ inline constexpr double g_fLiftSpeed = 0.25;
 /// Two unit tangents that are closer than that are one: rounding of rotation, dimensionless.
 inline constexpr float g_fSameTangent = 1e-4f;
 
+/// How far a body of Box2D may be from its shape by rounding, as a share of their coordinates.
+inline constexpr float g_fBodyRounding = 32.0f * 1.1920929e-7f;
+
 /// Most chords for one arc on Box2D: bounds memory where an arc is huge and the tolerance small. The arc is
 /// coarser than the tolerance then.
 inline constexpr int g_nMaxArcPieces = 4096;

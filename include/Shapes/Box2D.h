@@ -41,18 +41,15 @@ namespace Shapes {
 ///   of Shapes' own collide by the product of their elasticities.
 /// - Where BallPairs is forbidden, the fixtures of balls have the group index -32768.
 /// - The user data of a fixture is the user pointer of its shape, that of a body 0. Sensors, and what is
-/// turned
-///   off, are sensors of Box2D that meet nothing.
-/// - A game may put joints and fixtures of its own on bodies of Shapes, and change the type of a body, turn
-/// it
-///   off or let it sleep. A ball keeps its mass. SetRotCenter and Reset make a body anew, without what a game
-///   has put on it, and so does in a tuned world a segment or an arc that comes to an end of another one, or
-///   goes from it.
+///   turned off, are sensors of Box2D that meet nothing.
+/// - A game may put joints and sensors of its own on bodies of Shapes, change the type of a body, turn it off
+///   or let it sleep. (Its solid fixtures on them have no effect in tuned worlds.) A ball keeps its mass.
+///   SetRotCenter and Reset make a body anew, without what a game has put on it; so does in a tuned world a
+///   segment or an arc that comes to an end of another one, or goes from it.
 /// - It listens to contacts before the game's listener and passes all of them on, those of Shapes' bodies
 ///   included. PreStep notices a listener that the game has installed since, and includes it.
-/// - A contact between two of Shapes' own that the game's listener disables in PreSolve has no effect
-/// (one-way
-///   platforms), and is reported all the same.
+/// - A contact between two of Shapes' own that the game's listener disables in PreSolve has no effect, as for
+///   one-way platforms, and is reported all the same.
 /// - b2World::ShiftOrigin does not move shapes: PreStep throws std::logic_error after it, unless all were
 ///   removed before.
 ///

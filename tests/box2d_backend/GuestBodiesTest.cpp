@@ -252,6 +252,79 @@ TEST_P(CGuestBodies, WhatLiesOnAShapeThatGoesAwayFalls) {
   EXPECT_LT(pBox->GetPosition().y, -3);
 }
 
+TEST_P(CGuestBodies, WhatLiesOnAShapeThatIsTurnedOffFalls) {
+  m_cGame.SetGravity({0, -g_fGravity});
+  const std::vector<std::function<void(CWorld&, CShapeId)>> changes = {
+      [](CWorld& world, CShapeId id) { world.SetCanCollide(id, false); },
+      [](CWorld& world, CShapeId id) { world.SetSensor(id, true); },
+      [](CWorld& world, CShapeId id) {
+        world.SetFilter(id, {1, 0});
+      },
+      [](CWorld& world, CShapeId id) { world.Remove(id); }};
+  for (const auto& change : changes) {
+    const CShapeId floor = Join().Add(CLineSegDesc({-1, 0}, {1, 0}));
+    b2Body* pBox = AddBox(m_cGame, {0, 0.5f});
+    Steps(120);
+    EXPECT_FALSE(pBox->IsAwake()); // the control
+    change(World(), floor);
+    Steps(60);
+    EXPECT_LT(pBox->GetPosition().y, -3);
+    m_cGame.DestroyBody(pBox);
+  }
+}
+
+// One that stands still sleeps, and so does the box.
+TEST_P(CGuestBodies, AShapeThatIsPutOnABodyPushesIt) {
+  m_cGame.SetGravity({0, -g_fGravity});
+  AddGround(m_cGame);
+  b2Body* pBox = AddBox(m_cGame, {0, 0.51f});
+  const CShapeId wall = Join().Add(Turning(CLineSegDesc({-5, 5}, {-5, 6})));
+  Steps(120);
+  EXPECT_FALSE(pBox->IsAwake()); // the control
+  World().SetPos(wall, {0.3f, 0.5f});
+  Steps(60);
+  EXPECT_GT((pBox->GetPosition() - b2Vec2(0, 0.5f)).Length(), 0.1f);
+}
+
+// The shape turns about its new centre from where it was made.
+TEST_P(CGuestBodies, AShapeIsMetWhereItIsAfterItsCentreHasChanged) {
+  for (const bool isDriven : {false, true}) {
+    const CShapeId wall = Join().Add(Turning(CLineSegDesc({0, 0}, {1, 0})));
+    World().SetOrientation(wall, 0.5f * g_fPi);
+    World().SetRotCenter(wall, {5, 5});
+    if (isDriven) {
+      World().SetRotSpeed(wall, 0.01f);
+      Steps(1);
+      World().SetRotSpeed(wall, 0);
+    } else {
+      World().SetOrientation(wall, g_fPi);
+    }
+    const Vector2 at = World().GetPos(wall);
+    const float angle = World().GetOrientation(wall);
+    const Vector2 side(-std::sin(angle), std::cos(angle));
+    const Vector2 v = Throw(CDynamicCircleDesc(at + side, 0.1f, -3 * side), 30);
+    EXPECT_GT(v.dot(side), 0) << isDriven;
+  }
+}
+
+// Another ball falls on it.
+TEST_P(CGuestBodies, ABallThatIsHeldIsNotMovedByAnother) {
+  m_cGame.SetGravity({0, -g_fGravity});
+  for (const b2BodyType type : {b2_kinematicBody, b2_staticBody})
+    for (const bool isFirst : {false, true}) {
+      Join();
+      const CDynamicCircleDesc falling({0.02f, 6}, 0.1f), resting({0, 5}, 0.1f);
+      const CShapeId first = World().Add(isFirst ? resting : falling);
+      const CShapeId second = World().Add(isFirst ? falling : resting);
+      const CShapeId held = isFirst ? first : second, other = isFirst ? second : first;
+      BodyOf(held)->SetType(type);
+      Steps(32);
+      EXPECT_EQ(World().GetPos(held), Vector2(0, 5));
+      EXPECT_EQ(World().GetVel(held), Vector2(0, 0));
+      EXPECT_GT(World().GetVel(other).y(), 0);
+    }
+}
+
 TEST_P(CGuestBodies, BodiesOfTheGameSleepOnAShapeThatDoesNotMove) {
   m_cGame.SetGravity({0, -g_fGravity});
   Join().Add(Turning(CLineSegDesc({-1, 0}, {1, 0})));

@@ -41,8 +41,6 @@ void CContactGatherer::PreSolve(b2Contact* pContact, const b2Manifold*) {
   if (pA == nullptr || pB == nullptr) return;
   ++m_nAsked;
   if (IsBallOf(pA, pB)) std::swap(pA, pB);
-  m_stdBefore[0] = {pA, pA->m_cCorrection, pA->m_pBouncedOff};
-  m_stdBefore[1] = {pB, pB->m_cCorrection, pB->m_pBouncedOff};
   pContact->SetRestitution(RestitutionOf(*pA, *pB));
   if (!m_cTuning.m_bExactContacts)
     ReportAsIs(*pContact, *pA, *pB);
@@ -50,17 +48,33 @@ void CContactGatherer::PreSolve(b2Contact* pContact, const b2Manifold*) {
     Report(*pA, *pB, *resolution);
 }
 
-void CContactGatherer::Pass(const b2Contact& contact) {
-  CBody* pA = m_cBodies.Find(*contact.GetFixtureA()->GetBody());
-  CBody* pB = m_cBodies.Find(*contact.GetFixtureB()->GetBody());
+void CContactGatherer::Remember(const b2Contact& contact) {
+  if (!m_cTuning.m_bExactContacts) return;
+  const b2Fixture* fixtures[2] = {contact.GetFixtureA(), contact.GetFixtureB()};
+  for (int i = 0; i < 2; ++i) {
+    CBefore& before = m_cBefore[i];
+    before.m_pBody = m_cBodies.Find(*fixtures[i]->GetBody());
+    if (before.m_pBody == nullptr) continue;
+    before.m_cCorrection = before.m_pBody->m_cCorrection;
+    before.m_pBouncedOff = before.m_pBody->m_pBouncedOff;
+    before.m_bIsSupported = before.m_pBody->m_bIsSupported;
+    before.m_bLiesOnOwn = before.m_pBody->m_bLiesOnOwn;
+  }
+  m_cMark = m_cOverride.GetMark();
+}
+
+void CContactGatherer::Pass() {
+  CBody *const pA = m_cBefore[0].m_pBody, *const pB = m_cBefore[1].m_pBody;
   if (pA == nullptr || pB == nullptr) return;
-  for (const CBefore& before : m_stdBefore)
-    if (before.m_pBody == pA || before.m_pBody == pB) {
-      before.m_pBody->m_cCorrection = before.m_cCorrection;
-      before.m_pBody->m_pBouncedOff = before.m_pBouncedOff;
-    }
-  pA->m_stdPassed.push_back(pB);
-  pB->m_stdPassed.push_back(pA);
+  for (const CBefore& before : m_cBefore) {
+    before.m_pBody->m_cCorrection = before.m_cCorrection;
+    before.m_pBody->m_pBouncedOff = before.m_pBouncedOff;
+    before.m_pBody->m_bIsSupported = before.m_bIsSupported;
+    before.m_pBody->m_bLiesOnOwn = before.m_bLiesOnOwn;
+  }
+  m_cOverride.GoBack(m_cMark);
+  if (pA->m_bIsBall) pA->m_stdPassed.push_back(pB);
+  if (pB->m_bIsBall) pB->m_stdPassed.push_back(pA);
 }
 
 bool CContactGatherer::CanWait(const CBody& shape, const CBody& ball) {

@@ -36,8 +36,10 @@ public:
   void BeginStep(const b2Vec2& g, float h, float weight);
 
   void PreSolve(b2Contact* pContact, const b2Manifold* pOld) override;
-  /// After PreSolve, in a game's b2World: its listener has disabled the contact, so the ball passes.
-  void Pass(const b2Contact& contact);
+  /// In a game's b2World, before PreSolve; and after it, if the game's listener has disabled that contact, so
+  /// that the ball passes.
+  void Remember(const b2Contact& contact);
+  void Pass();
   /// After PreSolve, in a game's b2World: one of our balls hits a body of the game. Box2D, or the game,
   /// resolves it.
   void CollideWithOther(b2Contact& contact);
@@ -71,12 +73,14 @@ private:
   CScale m_cScale;
   CTuning m_cTuning;
   CPreSolveOverride m_cOverride;
-  // What the last call of PreSolve was about, as it was before.
   struct CBefore {
     CBody* m_pBody = nullptr;
     CParabolicCorrection m_cCorrection;
     const CBody* m_pBouncedOff = nullptr;
-  } m_stdBefore[2];
+    bool m_bIsSupported = false, m_bLiesOnOwn = false;
+  };
+  CBefore m_cBefore[2]; // the last call of PreSolve: of both bodies
+  CPreSolveOverride::CMark m_cMark;
   bool m_bContacts = true, m_bPathVertices = true;
   std::uint64_t m_nAsked = 0;
   /// The impulse with which the solver has pushed a ball and another one apart.

@@ -58,9 +58,12 @@ void IgnoreAcross(b2Contact& contact, const b2Vec2& answered, const CBody& ball)
 
 // The ball's part of an impact: the share of the other's mass in that of both.
 double ShareOf(const CBody& shape, const CBody& ball) {
+  // A game may hold a ball.
+  if (ball.m_pBody->GetType() != b2_dynamicBody) return 0.0;
+  if (shape.m_pBody->GetType() != b2_dynamicBody) return 1.0;
   const double m = static_cast<double>(ball.m_pBody->GetMass()),
                m1 = static_cast<double>(shape.m_pBody->GetMass());
-  return shape.m_bIsBall ? m1 / (m + m1) : 1.0;
+  return m1 / (m + m1);
 }
 
 // Of a ball so small that rounding decides on which side of a shape it lies: how far off it is kept.
@@ -179,6 +182,7 @@ std::optional<CPreSolveOverride::CResolution> CPreSolveOverride::Override(b2Cont
 }
 
 void CPreSolveOverride::Land(CBody& ball) {
+  if (ball.m_pBody->GetType() != b2_dynamicBody) return;
   const b2Vec2 from = ball.m_pBody->GetPosition();
   ball.m_cCorrection.Land(*ball.m_pBody);
   if (ball.m_pBouncedOff == nullptr) return;

@@ -45,6 +45,19 @@ public:
   /// with the game's bodies: a contact that waits with the wrong normal would hold it
   std::optional<CResolution> Override(b2Contact& contact, CBody& shape, CBody& ball, bool canWait);
 
+  /// What a call of Override changes here: for the case that the game's listener disables the contact.
+  struct CMark {
+    bool m_bIsIslandOpen = false;
+    b2Vec2 m_vIslandNormal;
+    std::size_t m_nEarly = 0;
+  };
+  CMark GetMark() const { return {m_bIsIslandOpen, m_vIslandNormal, m_stdEarly.size()}; }
+  void GoBack(const CMark& mark) {
+    m_bIsIslandOpen = mark.m_bIsIslandOpen;
+    m_vIslandNormal = mark.m_vIslandNormal;
+    m_stdEarly.erase(m_stdEarly.begin() + static_cast<std::ptrdiff_t>(mark.m_nEarly), m_stdEarly.end());
+  }
+
   /// After the step: puts a ball on its parabola, but not through a shape that it has bounced off.
   static void Land(CBody& ball);
 

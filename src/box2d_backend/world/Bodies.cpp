@@ -70,6 +70,12 @@ std::vector<CBody*>::iterator FindIn(std::vector<CBody*>& bodies, CShapeId id) {
                           [](const CBody* pBody, CShapeId i) { return pBody->m_cId < i; });
 }
 
+// All that touch the body.
+void WakeAll(const b2Body& body) {
+  for (const b2ContactEdge* p = body.GetContactList(); p != nullptr; p = p->next)
+    p->other->SetAwake(true);
+}
+
 // Where its body is.
 Vector2 GetOrigin(const CShape& shape) {
   return shape.GetMotionType() == eMotion::Kinematic ? shape.GetRotCenter() : shape.GetPos();
@@ -216,32 +222,43 @@ void CBodies::SetProperties(const CWorldState& state, CShapeId id) {
   filter.maskBits = isSolid ? given.m_nMask : uint16(0);
   const b2Filter before = body.m_stdFixtures.front()->GetFilterData();
   filter.groupIndex = before.groupIndex;
-  const bool changed = before.maskBits != filter.maskBits || before.categoryBits != filter.categoryBits;
+  const bool changed = before.maskBits != filter.maskBits || before.categoryBits != filter.categoryBits ||
+                       body.m_stdFixtures.front()->IsSensor() == isSolid;
+  if (changed) WakeAll(*body.m_pBody);
+  // Shapes respond by the product of both elasticities; Box2D's own rule, the larger of both, remains for
+  // bodies of the game, and there a shape adds nothing.
+  const float restitution = body.m_bIsBall ? body.m_fElasticity : 0.0f;
+  const bool bounces = body.m_stdFixtures.front()->GetRestitution() != restitution;
   for (b2Fixture* p : body.m_stdFixtures) {
     p->GetUserData().pointer = reinterpret_cast<uintptr_t>(pUser);
-    // Shapes respond by the product of both elasticities; Box2D's own rule, the larger of both, remains for
-    // bodies of the game, and there a shape adds nothing.
-    p->SetRestitution(body.m_bIsBall ? body.m_fElasticity : 0.0f);
+    p->SetRestitution(restitution);
     if (!changed) continue;
     p->SetFilterData(filter);
     p->SetSensor(!isSolid); // a game's contact filter may not ask for the bits
   }
-  for (b2ContactEdge* p = body.m_pBody->GetContactList(); p != nullptr; p = p->next)
-    p->contact->ResetRestitution(); // it has that of the time when they came near each other
+  // A contact has that of the time when they came near each other.
+  for (b2ContactEdge* p = body.m_pBody->GetContactList(); p != nullptr && bounces; p = p->next)
+    p->contact->ResetRestitution();
   if (!changed || !body.m_pBody->IsEnabled()) return;
   // Box2D would look for what touches already at the end of the next step only; this makes it look before.
   body.m_pBody->SetEnabled(false);
   body.m_pBody->SetEnabled(true);
 }
 
-void CBodies::SetPose(const CWorldState& state, CShapeId id) {
+bool CBodies::Follow(const CShape& shape, const CBody& body) const {
+  const b2Vec2 origin = m_cScale.ToMetres(GetOrigin(shape)), wanted = m_cScale.ToMetres(shape.GetPos());
+  body.m_pBody->SetTransform(origin, shape.GetOrientation() - body.m_fBaseOrientation);
+  const b2Vec2 arm = ToFloat(body.m_cGeometry.m_vCentre), place = b2Mul(body.m_pBody->GetTransform(), arm);
+  return (place - wanted).Length() <= g_fBodyRounding * (origin.Length() + arm.Length());
+}
+
+bool CBodies::SetPose(const CWorldState& state, CShapeId id) {
   CBody& body = Get(id);
-  const CShape& shape = *state.m_stdShapes[state.FindShape(id)].m_pShape;
-  for (b2ContactEdge* p = body.m_pBody->GetContactList(); p != nullptr; p = p->next)
-    p->other->SetAwake(true); // what lies there may lie on nothing
-  body.m_pBody->SetTransform(m_cScale.ToMetres(GetOrigin(shape)),
-                             shape.GetOrientation() - body.m_fBaseOrientation);
+  WakeAll(*body.m_pBody); // what lies there may lie on nothing
+  body.m_pBody->SetAwake(true);
+  const bool follows = Follow(*state.m_stdShapes[state.FindShape(id)].m_pShape, body);
   body.m_cStart = body.m_pBody->GetTransform();
+  return follows;
 }
 
 void CBodies::SetMoving(const CWorldState& state, CShapeId id) {

@@ -90,8 +90,12 @@ public:
   void Forget(CShapeId id);
   /// Elasticity, sensor, can-collide and user pointer as they are now.
   void SetProperties(const CWorldState& state, CShapeId id);
-  /// Where a shape is, as it is now, but for its rotation centre.
-  void SetPose(const CWorldState& state, CShapeId id);
+  /// Puts a body to where its shape is.
+  /// @returns false if that is not to be had: the shape has another place about its rotation centre than when
+  ///          its fixtures were made
+  bool Follow(const CShape& shape, const CBody& body) const;
+  /// The same for a shape that was put somewhere else by the user.
+  bool SetPose(const CWorldState& state, CShapeId id);
   /// Gives the balls their masses back, which Box2D computes from the densities of fixtures when a game
   /// changes the type of a body, or takes a fixture from it.
   void KeepMasses(const CBallArrays& balls);

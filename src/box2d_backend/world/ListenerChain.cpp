@@ -80,7 +80,10 @@ void CListenerChain::EndContact(b2Contact* pContact) {
 
 void CListenerChain::PreSolve(b2Contact* pContact, const b2Manifold* pOld) {
   if (m_pInside != nullptr) return;
-  if (m_pGatherer != nullptr) m_pGatherer->PreSolve(pContact, pOld);
+  if (m_pGatherer != nullptr) {
+    m_pGatherer->Remember(*pContact);
+    m_pGatherer->PreSolve(pContact, pOld);
+  }
   const bool wasEnabled = pContact->IsEnabled();
   PassOn(pContact, [&](b2ContactListener& next) { next.PreSolve(pContact, pOld); });
   // The game may disable contacts, and may have destroyed the gatherer, too.
@@ -88,7 +91,7 @@ void CListenerChain::PreSolve(b2Contact* pContact, const b2Manifold* pOld) {
   if (pContact->IsEnabled())
     m_pGatherer->CollideWithOther(*pContact);
   else if (wasEnabled)
-    m_pGatherer->Pass(*pContact);
+    m_pGatherer->Pass();
 }
 
 void CListenerChain::PostSolve(b2Contact* pContact, const b2ContactImpulse* pImpulse) {

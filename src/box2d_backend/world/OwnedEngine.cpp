@@ -32,7 +32,7 @@ void COwnedEngine::Removed(CShapeId id, std::unique_ptr<CShape>) {
 
 void COwnedEngine::Changed(CShapeId id, eChange change) {
   m_pStepper->Changed(id, change);
-  // A shape in another place has a new body, which has to get its restitution again.
+  // A shape in another place may have a new body, which has to get its restitution again.
   const bool isBall = m_cWorld.GetState().FindBall(id) != CWorldState::npos;
   m_bPlanIsOld |= change != eChange::Motion && !(change == eChange::Pose && isBall);
 }

@@ -86,10 +86,9 @@ void CStepper::Changed(CShapeId id, eChange what) {
     } else {
       body.SetLinearVelocity(m_cScale.ToMetres(m_cState.m_cBalls.m_stdVel[i]));
     }
-  } else if (what == eChange::Pose) {
-    m_cBodies.SetPose(m_cState, id);
+  } else if (what == eChange::Pose && m_cBodies.SetPose(m_cState, id)) {
     NoteSharedEnds(id);
-  } else if (what == eChange::RotCenter || what == eChange::Reset) {
+  } else if (what != eChange::Motion) {
     Removed(id);
     Added(id);
   } else {
@@ -111,6 +110,7 @@ void CStepper::NoteSharedEnds(CShapeId id) {
 }
 
 void CStepper::UpdateSharedEnds() {
+  m_bSharedEndsChanged = false;
   auto sharedEnds = FindSharedEnds(m_cState, m_cScale.FromMetres(b2_linearSlop));
   for (const CShapeEntry& entry : m_cState.m_stdShapes) {
     if (!m_cBodies.Contains(entry.m_cId)) continue; // a listener has just destroyed it
@@ -120,7 +120,6 @@ void CStepper::UpdateSharedEnds() {
     m_cBodies.Remove(entry.m_cId);
     m_cBodies.Create(m_cState, entry.m_cId, sharedEnds[entry.m_cId]);
   }
-  m_bSharedEndsChanged = false;
 }
 
 void CStepper::Plan(CEffects running) {
@@ -245,13 +244,17 @@ void CStepper::TakeBalls() {
 }
 
 void CStepper::MoveShapes(float dt) {
+  std::vector<CShapeId> elsewhere;
   for (const CBody* pBody : m_cBodies.GetMoving()) {
     CShape& shape = *m_cState.m_stdShapes[m_cState.FindShape(pBody->m_cId)].m_pShape;
     shape.Advance(dt, m_cState.m_cLimits.m_fMaxLength);
     // Box2D adds up places and angles in its own way; from here on both have the same ones, the angle reduced
     // to one turn.
-    pBody->m_pBody->SetTransform(m_cScale.ToMetres(shape.GetRotCenter()),
-                                 shape.GetOrientation() - pBody->m_fBaseOrientation);
+    if (!m_cBodies.Follow(shape, *pBody)) elsewhere.push_back(pBody->m_cId);
+  }
+  for (const CShapeId id : elsewhere) {
+    Removed(id);
+    Added(id);
   }
   m_cStats.m_nShapesTurned += m_cBodies.GetMoving().size();
 }

@@ -27,10 +27,9 @@ void CContinuous::WakeDisturbed() {
     std::fill(b.m_stdCalm.begin(), b.m_stdCalm.end(), 0.0f);
   else if (!disturbed.m_stdBoxes.empty() && AnySleeps()) {
     m_cDisturbed.Build(disturbed.m_stdBoxes);
-    // What a pair has between them that rests on each other.
-    const auto reach = static_cast<float>(g_fRestingSteps * m_fFall * m_fStep);
     for (std::size_t i = 0; i < b.Size(); ++i) {
-      const CAabb2D near = Geometry::Padded(b.GetAABB(i), reach);
+      // As far as what it touches may be from it.
+      const CAabb2D near = Geometry::Padded(b.GetAABB(i), g_fTouchReach * b.m_stdRadius[i]);
       m_cDisturbed.Visit([&](const CAabb2D& box) { return box && near; },
                          [&](std::uint32_t) { b.m_stdCalm[i] = 0.0f; });
     }
