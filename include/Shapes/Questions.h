@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What queries of a world find: hits of casts, and closest points.
+// The results of queries of a world: hits of casts, and closest points.
 #pragma once
 
 #include <Shapes/Events.h>

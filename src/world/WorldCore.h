@@ -96,7 +96,7 @@ private:
   void UpdateContent(const CContent& before, const CContent& after);
   void PlanSubsteps();
   void CountEffects();
-  // What rests near a shape or a ball.
+  // Whether a change may move balls that rest near it.
   static bool DoesDisturb(eChange what) {
     return what != eChange::RotCenter && what != eChange::Motion && what != eChange::Properties;
   }

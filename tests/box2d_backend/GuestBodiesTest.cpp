@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a game does to the bodies of Shapes in its b2World: lets balls through, weighs them, holds, freezes,
-// destroys them, puts fixtures and joints on them.
+// A game does to the bodies of Shapes in its b2World as it likes: lets balls through, weighs them, holds,
+// freezes, destroys them, puts fixtures and joints on them.
 #include "GuestTesting.h"
 
 namespace Shapes::Tests {

@@ -24,8 +24,6 @@ struct CHeaps {
     Steps(*m_pWorld, 400);
   }
 
-  std::size_t GetHeapOf(std::size_t ball) const { return ball / 6; }
-  Vector2 GetBall(std::size_t i) const { return m_pWorld->GetBallPositions()[i]; }
   /// Of the balls that have moved since these were the places, how far they are.
   static float GetFarthest(std::span<const Vector2> before, std::span<const Vector2> after) {
     float farthest = 0.0f;
@@ -153,7 +151,7 @@ TEST(Sleep, AChangeWakesAllThatItCouldMove) {
       const auto [before, woken] = play(true);
       const auto [same, after] = play(false);
       farthest = std::max(farthest, CHeaps::GetFarthest(before, woken));
-      // What hangs in the air is off by 1.4; and of what is woken earlier some meet others elsewhere.
+      // A ball that hangs in the air is off by 1.4 radii; some that are woken earlier meet others elsewhere.
       EXPECT_LT(CHeaps::GetFarthest(woken, after), 0.3f * g_fHeapBall);
     }
     EXPECT_EQ(farthest > 0.1f * g_fHeapBall, change.m_bMoves) << change.m_sName; // the control

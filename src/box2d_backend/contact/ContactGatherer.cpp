@@ -27,7 +27,7 @@ void CContactGatherer::BeginStep(const b2Vec2& g, float h, float weight) {
     pBall->m_cStart = pBall->m_pBody->GetTransform();
     pBall->m_pBouncedOff = nullptr;
     pBall->m_stdPassed.clear();
-    const bool isFollowed = pBall->IsFree() && !pBall->m_bIsLasting && !pBall->m_bHasWeight;
+    const bool isFollowed = pBall->IsFree() && !pBall->m_bHasWeight;
     pBall->m_cCorrection.Begin(isFollowed ? ToDouble(g) : Vector2d(Vector2d::Zero()), static_cast<double>(h));
     pBall->m_bWasSupported = std::exchange(pBall->m_bIsSupported, false);
   }

@@ -45,7 +45,7 @@ public:
   /// with the game's bodies: a contact that waits with the wrong normal would hold it
   std::optional<CResolution> Override(b2Contact& contact, CBody& shape, CBody& ball, bool canWait);
 
-  /// What a call of Override changes here: for the case that the game's listener disables the contact.
+  /// The state before a call of Override, which is taken back if the game's listener disables the contact.
   struct CMark {
     bool m_bIsIslandOpen = false;
     b2Vec2 m_vIslandNormal;
