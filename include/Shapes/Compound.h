@@ -36,6 +36,7 @@ public:
 private:
   std::vector<CShape*> m_stdShapes;
   float m_fOrientation = 0.0f;
+  double m_fAngle = 0.0; // the same before it was rounded, but for whole turns
   Vector2 m_vVel = Vector2::Zero();
   float m_fRotSpeed = 0.0f;
   Vector2 m_vRotCenter = Vector2::Zero();

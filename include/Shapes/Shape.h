@@ -109,8 +109,8 @@ public:
   /// its centre, a ball moves.
   virtual void move() { Advance(m_fTimeStep); }
   /// Moves and turns a kinematic shape for dt seconds. Others stay. Of many steps only the last one is
-  /// rounded: the place errs by at most 2 ulp of itself. A shape whose position or rotation centre would get
-  /// beyond `maxLength` stays where it is.
+  /// rounded: the place errs by at most 2 ulp of itself, the orientation by 1 ulp of 2 pi. A shape whose
+  /// position or rotation centre would get beyond `maxLength` stays where it is.
   void Advance(float dt, float maxLength = g_fMaxLength);
 
   /// Whether the shape turns by itself: kinematic with a rotation speed other than 0.
@@ -178,6 +178,7 @@ private:
   float m_fElasticity;
   float m_fRotSpeed;
   float m_fOrientation = 0.0f;
+  double m_fAngle = 0.0; // the same before it was rounded, but for whole turns
   float m_fLastTurn = 0.0f;
   Vector2 m_vLastMove = Vector2::Zero();
   Vector2 m_vVel;

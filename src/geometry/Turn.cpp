@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <numbers>
 
 namespace Shapes::Geometry {
 namespace {
@@ -53,6 +54,12 @@ CTurn GetTurn(double angle) {
   case 2: return {-c, -s};
   default: return {s, -c};
   }
+}
+
+double TurnOn(double angle, float revsPerSecond, float dt) {
+  constexpr double wholeTurn = 2.0 * std::numbers::pi;
+  return std::fmod(angle + wholeTurn * static_cast<double>(revsPerSecond) * static_cast<double>(dt),
+                   wholeTurn);
 }
 
 } // namespace Shapes::Geometry

@@ -14,4 +14,8 @@ struct CTurn {
 /// Waite 1980), and what is left is summed as a Taylor series.
 CTurn GetTurn(double angle);
 
+/// An angle, radians, after dt seconds at this speed, whole turns left out: between -2 pi and 2 pi. What
+/// turns for long keeps it in double, as a float loses a slow turn in each step.
+double TurnOn(double angle, float revsPerSecond, float dt);
+
 } // namespace Shapes::Geometry

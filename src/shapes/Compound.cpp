@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/Compound.h>
 
+#include "../geometry/Turn.h"
 #include "Validate.h"
 
 namespace Shapes {
@@ -17,13 +18,13 @@ void CCompoundShape::AddShape(CShape* pShape) {
 void CCompoundShape::Rotate(const Vector2& center, float angle) {
   RequireVector("center", center, g_fMaxLength);
   RequireFinite("angle", angle);
-  m_fOrientation = NormalizeAngle(angle);
+  m_fAngle = m_fOrientation = NormalizeAngle(angle);
   for (CShape* pShape : m_stdShapes)
     pShape->Rotate(center, angle);
 }
 
 void CCompoundShape::Reset() {
-  m_fOrientation = 0.0f;
+  m_fAngle = m_fOrientation = 0.0f;
   m_vMoved.setZero();
   m_vRotCenter = m_vStartRotCenter.cast<float>();
   for (CShape* pShape : m_stdShapes)
@@ -33,7 +34,8 @@ void CCompoundShape::Reset() {
 void CCompoundShape::move() {
   for (CShape* pShape : m_stdShapes)
     pShape->move();
-  m_fOrientation = NormalizeAngle(m_fOrientation + g_fTwoPi * m_fRotSpeed * m_fTimeStep);
+  m_fAngle = Geometry::TurnOn(m_fAngle, m_fRotSpeed, m_fTimeStep);
+  m_fOrientation = NormalizeAngle(static_cast<float>(m_fAngle));
   m_vMoved += m_vVel.cast<double>() * static_cast<double>(m_fTimeStep);
   m_vRotCenter = (m_vStartRotCenter + m_vMoved).cast<float>();
 }

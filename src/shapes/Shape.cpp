@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Shapes/Shape.h>
 
+#include "../geometry/Turn.h"
 #include "../geometry/Vector.h"
 
 #include "Validate.h"
@@ -83,7 +84,7 @@ void CShape::Rotate(const Vector2& center, float angle) {
   if (m_eMotionType != eMotion::Kinematic) return;
   RequireVector("center", center, g_fMaxLength);
   RequireFinite("angle", angle);
-  m_fOrientation = NormalizeAngle(angle);
+  m_fAngle = m_fOrientation = NormalizeAngle(angle);
   m_fLastTurn = 0.0f;
   m_vLastMove.setZero();
   m_vPos = TurnFromStart(center, m_fOrientation);
@@ -100,7 +101,7 @@ void CShape::SetPose(const Vector2& center, float angle) {
 
 void CShape::Reset() {
   if (m_eMotionType != eMotion::Kinematic) return;
-  m_fOrientation = m_fLastTurn = 0.0f;
+  m_fAngle = m_fOrientation = m_fLastTurn = 0.0f;
   m_vLastMove.setZero();
   m_vMoved.setZero();
   m_vRotCenter = m_vStartRotCenter.cast<float>();
@@ -128,9 +129,10 @@ void CShape::Advance(float dt, float maxLength) {
     m_vMoved += way;
     m_vRotCenter = center.cast<float>();
   }
-  const float turn = g_fTwoPi * m_fRotSpeed * dt;
-  Rotate(m_vRotCenter, m_fOrientation + turn);
-  m_fLastTurn = turn;
+  const double angle = Geometry::TurnOn(m_fAngle, m_fRotSpeed, dt);
+  Rotate(m_vRotCenter, static_cast<float>(angle));
+  m_fAngle = angle; // that Rotate has rounded
+  m_fLastTurn = g_fTwoPi * m_fRotSpeed * dt;
   if (!stays) m_vLastMove = way.cast<float>();
 }
 

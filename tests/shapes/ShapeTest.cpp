@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The members that all shapes share, tried on each kind.
 
+#include <numbers>
 #include <typeinfo>
 
 #include "../Testing.h"
@@ -176,6 +177,21 @@ TEST_P(Shape, AdvanceTurnsBySpeedTimesTime) {
   m_pShape->Advance(1.0f);
   EXPECT_EQ(m_pShape->GetLastTurn(), 0.0f);
   EXPECT_FALSE(m_pShape->GetRotating());
+}
+
+// In floats, slow turns would be lost in each step and others wrong: a clock's hand by several percent.
+TEST_P(KinematicShape, ManySmallTurnsAreAsRightAsOne) {
+  for (const float speed : {1e-5f, -1e-4f, 1.0f / 3600.0f, 0.01f, -0.1f}) {
+    SCOPED_TRACE(speed);
+    m_pShape->SetOrientation(4.5f);
+    m_pShape->SetRotSpeed(speed);
+    const float dt = 1.0f / 6000.0f;
+    for (int i = 0; i < 100000; ++i)
+      m_pShape->Advance(dt);
+    const double turned = 2.0 * std::numbers::pi * static_cast<double>(speed) * static_cast<double>(dt) * 1e5;
+    const double error = static_cast<double>(m_pShape->GetOrientation()) - 4.5 - turned;
+    EXPECT_NEAR(std::remainder(error, 2.0 * std::numbers::pi), 0.0, 0x1p-21); // an ulp of 2 pi
+  }
 }
 
 TEST_P(KinematicShape, MoveIsAdvanceByTheTimeStep) {
