@@ -124,19 +124,19 @@ std::vector<CCastHit> CQuestions::CastAll(const Vector2& from, const Vector2& to
   return hits;
 }
 
-// The spot of an item closest to a circle about p, if their gap is less than `reach`.
-bool CQuestions::FindAt(const CItem& item, const Vector2d& p, double radius, double reach,
-                        CClosestHit& hit) const {
+// The spot of an item closest to p, if it is closer than `reach`. Of a circle about p less than its radius
+// away is what overlaps it: as a disc that touches, it would not fit into a small arc, and so not touch that.
+bool CQuestions::FindAt(const CItem& item, const Vector2d& p, double reach, CClosestHit& hit) const {
   const CBallArrays& b = m_cState.m_cBalls;
   CImpact impact;
   double gap;
   if (item.m_pEntry != nullptr) {
     CShapeGeometry geometry = GeometryOf(*item.m_pEntry);
     geometry.m_eSides = eSides::Both;
-    FailIf(!Geometry::Near(geometry, At(p, radius), 0.0, reach, impact, gap));
+    FailIf(!Geometry::Near(geometry, At(p, 0.0), 0.0, reach, impact, gap));
   } else {
     FailIf(!Geometry::NearBallBall(At(b.m_stdPos[item.m_nBall].cast<double>(), b.m_stdRadius[item.m_nBall]),
-                                   At(p, radius), reach, impact, gap));
+                                   At(p, 0.0), reach, impact, gap));
   }
   hit = {item.m_cId, static_cast<float>(gap), impact.m_vPOI.cast<float>(), impact.m_vNorm.cast<float>()};
   return true;
@@ -154,7 +154,7 @@ std::optional<CClosestHit> CQuestions::FindClosest(const Vector2& p, float reach
         [&](std::uint32_t k) {
           CClosestHit hit;
           if (!DoMeet(m_stdItems[k].m_cFilter, filter) ||
-              !FindAt(m_stdItems[k], place, 0.0, std::nextafter(least, reach), hit))
+              !FindAt(m_stdItems[k], place, std::nextafter(least, reach), hit))
             return;
           const bool isCloser = !closest || std::tie(hit.m_fDistance, hit.m_cShape) <
                                                 std::tie(closest->m_fDistance, closest->m_cShape);
@@ -184,8 +184,7 @@ std::vector<CShapeId> CQuestions::FindInCircle(const Vector2& center, float radi
   std::vector<CShapeId> found;
   ForEachInBox(BoxOfBall(center, radius), filter, [&](const CItem& item) {
     CClosestHit hit;
-    if (FindAt(item, center.cast<double>(), static_cast<double>(radius), 0.0, hit))
-      found.push_back(item.m_cId);
+    if (FindAt(item, center.cast<double>(), static_cast<double>(radius), hit)) found.push_back(item.m_cId);
   });
   std::sort(found.begin(), found.end());
   return found;

@@ -37,7 +37,7 @@ private:
   };
   struct CWay;
   std::optional<CCastHit> CastAt(const CItem& item, const CWay& way) const;
-  bool FindAt(const CItem& item, const Vector2d& p, double radius, double reach, CClosestHit& hit) const;
+  bool FindAt(const CItem& item, const Vector2d& p, double reach, CClosestHit& hit) const;
   template <class F>
   void ForEachInBox(const CAabb2D& box, const CFilter& filter, const F& f) const;
 

@@ -56,8 +56,10 @@ void RequireState(const CWorldLimits& limits, const CWorldState& state) {
   // A world can load any state of another one with the same limits.
   if (state.m_cLimits == limits) return;
   RequireVector("m_vGravity", state.m_vGravity, limits.m_fMaxSpeed);
-  for (const CShapeEntry& entry : state.m_stdShapes)
+  for (const CShapeEntry& entry : state.m_stdShapes) {
     RequireShape(limits, *entry.m_pShape);
+    RequireVector("m_vVel", entry.m_vVel, limits.m_fMaxSpeed); // of one that is held, or at a stop
+  }
   const CBallArrays& b = state.m_cBalls;
   for (std::size_t i = 0; i < b.Size(); ++i)
     RequireBall(limits, b.m_stdPos[i], b.m_stdRadius[i], b.m_stdVel[i], b.m_stdMass[i]);
@@ -196,9 +198,10 @@ std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, 
         any));
   for (const auto& pShape : shapes)
     RequireShape(m_pImpl->GetLimits(), *pShape);
+  const CMotionLimits stops = limits; // may be those of a shape of this world, which Add moves
   std::vector<CShapeId> ids;
   for (auto& pShape : shapes)
-    ids.push_back(m_pImpl->Add(std::move(pShape), limits));
+    ids.push_back(m_pImpl->Add(std::move(pShape), stops));
   return ids;
 }
 

@@ -314,8 +314,9 @@ void CWorld::CImpl::LoadState(const CWorldState& state) {
   NoteStops();
   m_cState.m_nNextId = nextId;
   m_cState.m_cLimits = m_cLimits;
+  // What is at a stop still rests.
   for (CShapeEntry& entry : m_cState.m_stdShapes)
-    entry.SetHeld(IsForbidden(eEffect::Kinematics));
+    if (entry.m_bIsHeld != IsForbidden(eEffect::Kinematics)) entry.SetHeld(!entry.m_bIsHeld);
   m_cDesc.m_vGravity = m_cState.m_vGravity;
   ClearReports();
   m_cSensors.Invalidate();

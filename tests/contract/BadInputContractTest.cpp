@@ -133,6 +133,22 @@ TEST_P(CBadInputContract, AStateThatTheEngineCannotHoldIsNotLoaded) {
     ExpectRefused([&] { m_pWorld->LoadState(saved); }, "corner of the box", "1e+17");
 }
 
+// Also of a shape that only waits for its speed, as Kinematics is forbidden.
+TEST_P(CBadInputContract, AStateWithASpeedThatTheEngineCannotHoldIsNotLoaded) {
+  CWorldDesc still;
+  still.m_cEffects = {{}, {eEffect::Kinematics}};
+  auto pFast = GetBackend(eBackend::Native)->MakeWorld(still);
+  CLineSegDesc paddle({0, 0}, {1, 0});
+  paddle.m_eMotionType = eMotion::Kinematic;
+  paddle.m_vVel = {1e17f, 0};
+  pFast->Add(paddle);
+  const CSavedState saved = pFast->SaveState();
+  if (!IsBox2D())
+    EXPECT_NO_THROW(m_pWorld->LoadState(saved));
+  else
+    ExpectRefused([&] { m_pWorld->LoadState(saved); }, "m_vVel", "1e+17");
+}
+
 TEST_P(CBadInputContract, TheLargestKickIsFiniteAndInTheRightDirection) {
   auto pWorld = Backend().MakeWorld(CWorldDesc());
   pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}, g_fMaxElasticity));

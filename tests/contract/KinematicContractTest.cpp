@@ -100,6 +100,21 @@ TEST_P(CStopContract, AtItsStopItIsAsGoodAsStatic) {
   }
 }
 
+TEST_P(CStopContract, StillRestsThereWhenItsStateIsLoaded) {
+  const CShapeId flipper = m_pWorld->Add(StoppedFlipper(7));
+  Steps(*m_pWorld, 20);
+  const auto pOther = Make(g_cAutomatic, eProfile::Tuned);
+  for (CWorld* pWorld : {m_pWorld.get(), pOther.get()}) {
+    pWorld->LoadState(m_pWorld->SaveState());
+    EXPECT_FALSE(pWorld->GetEffects().Has(eEffect::Kinematics));
+    EXPECT_EQ(pWorld->GetShape(flipper).GetSurfaceVelocity({1, 1}), Vector2(0, 0));
+    EXPECT_EQ(pWorld->GetRotSpeed(flipper), 7); // the drive
+  }
+  m_pWorld->SetRotSpeed(flipper, -7);
+  Steps(*m_pWorld, 1);
+  EXPECT_NE(m_pWorld->GetOrientation(flipper), g_fHigh);
+}
+
 TEST_P(CStopContract, StopsAtTwoPlaces) {
   CLineSegDesc plunger = Moving(CLineSegDesc({-0.1f, 0}, {0.1f, 0}), {0, 5});
   plunger.m_cLimits = CMotionLimits::OfCenter({0, 0.3f}, {0, -1});
@@ -133,6 +148,19 @@ TEST_P(CStopContract, ACompoundStopsAsOne) {
   Steps(*m_pWorld, 60);
   for (const CShapeId id : ids)
     EXPECT_EQ(m_pWorld->GetOrientation(id), NormalizeAngle(g_fLow));
+}
+
+// The stops that are asked for lie where the parts come to be.
+TEST_P(CStopContract, ACompoundTakesTheStopsOfAnotherShape) {
+  const CMotionLimits stops = CMotionLimits::OfAngle(g_fLow, g_fHigh);
+  for (CShapeId first = m_pWorld->Add(StoppedFlipper(1)); first.m_nValue < 500;) {
+    const CAnyShapeDesc descs[] = {CPointDesc(Vector2(0, 0)), CPointDesc(Vector2(1, 0)),
+                                   CPointDesc(Vector2(2, 0))};
+    const auto ids = m_pWorld->AddCompound(descs, {0, 0}, 6, {0, 0}, m_pWorld->GetLimits(first));
+    for (const CShapeId id : ids)
+      ASSERT_EQ(m_pWorld->GetLimits(id), stops);
+    first = ids.front();
+  }
 }
 
 TEST_P(CStopContract, WhatIsBeyondItsStopsMovesTowardsThemOnly) {
