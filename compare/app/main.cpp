@@ -17,8 +17,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -141,11 +143,21 @@ std::vector<std::string> GetEngineNames() {
   return names;
 }
 
+// "" or what is wrong with it.
+std::string CheckSeed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [pEnd, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error == std::errc() && pEnd == text.data() + text.size()) return "";
+  return fmt::format("expected a whole number from 0 to {}, got '{}'",
+                     std::numeric_limits<std::uint64_t>::max(), text);
+}
+
 void AddRunOptions(CLI::App& app, COptions& options) {
   app.add_option("--engines", options.m_stdEngines,
                  fmt::format("Only these engines, separated by commas: {} (default: all)",
                              fmt::join(GetEngineNames(), ", ")))
       ->delimiter(',')
+      ->allow_extra_args(false) // or the scene file that follows would be one
       ->type_name("NAME,...");
   app.add_option("--out", options.m_cOut, "Folder for report.html, run.json and contacts.csv")
       ->type_name("FOLDER")
@@ -155,7 +167,7 @@ void AddRunOptions(CLI::App& app, COptions& options) {
   app.add_flag("--browse", options.m_bBrowse, "Open the report in the default browser");
   app.add_option("--seed", options.m_nSeed, "Seed of the random trials")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Validator(&CheckSeed, "", ""))
       ->type_name("N");
   app.add_option("--contacts", options.m_nContacts,
                  fmt::format("Impacts in each scene (default: {}, or {} with --full)",
@@ -229,6 +241,7 @@ int Main(int argc, char** argv) {
   CLI::App* pRun = app.add_subcommand("run", "Run the bundled scenes");
   pRun->add_option("--scenes", options.m_stdScenes, "Only these scenes, by name, separated by commas")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("NAME,...");
   pRun->add_option("--folder", options.m_cFolder, "Folder of scene files (default: the bundled ones)")
       ->type_name("FOLDER");

@@ -138,6 +138,9 @@ TEST_F(CommandTest, EnginesAreChosen) {
   };
   EXPECT_EQ(engines("box2d,native-approximate,native"), "native native-approximate box2d ");
   EXPECT_EQ(engines("box2d-tuned,box2d-tuned"), "box2d-tuned ");
+  EXPECT_EQ(engines("box2d --engines native"), "native box2d ");
+  // What follows is the file.
+  EXPECT_EQ(Run("scene --contacts 20 --engines native " SHAPES_SCENES_DIR "/bowl.json").m_nExit, 0);
 }
 
 // The line of the README that asks in CI whether a setting is good enough, of a bundled table.
@@ -273,7 +276,9 @@ TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
       {"run --engines ''", "there is no engine ''. Known: native, native-approximate, box2d, box2d-tuned"},
       {"run --fail-above tunnelled=0", "there is no metric 'tunnelled': did you mean 'tunneled'?"},
       {"run --fail-above missed=-1", "missed=VALUE: expected a finite number of at least 0, got '-1'"},
-      {"run --seed -1", "--seed"},
+      {"run --seed -1", "--seed: expected a whole number from 0 to 18446744073709551615, got '-1'"},
+      {"run --seed 18446744073709551616", "--seed: expected a whole number"},
+      {"run --seed 1.5", "--seed: expected a whole number"},
       {"run --folder " + (m_cFolder / "empty").string(), "empty: expected a folder of scenes"},
       {"run --contacts 0", "--contacts"},
       {"rum", "there is no command 'rum': did you mean 'run'? Known: run, scene, list"},
