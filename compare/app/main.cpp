@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <exception>
 #include <limits>
 #include <string>
@@ -293,7 +294,17 @@ int Main(int argc, char** argv) {
   }
 }
 
+// What was printed may still be on its way to a disk that is full.
+int CheckOutput(int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  fmt::print(stderr, "shapes-compare: the standard output cannot be written\n");
+  return g_nBadInput;
+}
+
 } // namespace
 } // namespace Shapes::Compare
 
-int main(int argc, char** argv) { return Shapes::Compare::Main(argc, argv); }
+int main(int argc, char** argv) {
+  using namespace Shapes::Compare;
+  return CheckOutput(Main(argc, argv));
+}

@@ -316,6 +316,14 @@ TEST_F(CommandTest, HelpAndListSucceed) {
   }
 }
 
+TEST_F(CommandTest, OutputThatCannotBeWrittenIsNoSuccess) {
+  for (const char* pArguments : {"list", "run --help"}) {
+    const CResult result = Call(std::string("-c '" SHAPES_COMPARE " ") + pArguments + " >/dev/full'", "sh");
+    EXPECT_EQ(result.m_nExit, 2) << pArguments;
+    EXPECT_TRUE(result.Says("standard output cannot be written"));
+  }
+}
+
 // compare/run.sh answers these without a compiler; PATH has nothing to build with.
 TEST_F(CommandTest, TheScriptKnowsTheOptionsWithoutABuild) {
   fs::create_directories(m_cFolder / "bin");
