@@ -30,8 +30,13 @@ CLimit ParseLimit(std::string_view text);
 /// 95% confidence); empty if they can.
 std::string WarnOfFew(const CLimit& limit, std::size_t contacts);
 
+/// The same after a run, for each scene in which fewer were found than asked for, although as many as asked
+/// for would do; and a sentence for each such scene without a limit, too.
+std::vector<std::string> WarnOfFewFound(const CRunReport& report, std::span<const CLimit> limits);
+
 /// A sentence for every limit, scene and engine of the run that is above, naming the three and the value;
-/// and for a limit whose metric was measured on no scene at all, because that is no pass.
+/// for an engine without a value where another one has one, or that lost every impact;
+/// and for a limit whose metric was measured on no scene at all, because none of this is a pass.
 std::vector<std::string> FindAbove(const CRunReport& report, std::span<const CLimit> limits);
 
 } // namespace Shapes::Compare

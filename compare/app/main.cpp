@@ -131,6 +131,8 @@ int Run(const std::vector<CScene>& scenes, const COptions& options, const std::s
 
   const std::vector<std::string> above = FindAbove(report, limits);
   std::fflush(stdout);
+  for (const std::string& warning : WarnOfFewFound(report, limits))
+    fmt::print(stderr, "shapes-compare: {}\n", warning);
   for (const std::string& sentence : above)
     fmt::print(stderr, "shapes-compare: {}\n", sentence);
   if (report.m_bInterrupted) return g_nInterruptedExit;

@@ -123,9 +123,57 @@ TEST(FailAboveTest, WhatWasMeasuredNowhereIsNoPass) {
 
 TEST(FailAboveTest, FewImpactsShowNoSmallRate) {
   EXPECT_EQ(WarnOfFew({"tunneled", 0.001}, 3000), "");
-  EXPECT_TRUE(Says(WarnOfFew({"tunneled", 0.001}, 100), "takes 3000"));
+  EXPECT_EQ(WarnOfFew({"tunneled", 0.001}, 100), "tunneled=0.001: even with none, 100 impacts show only "
+                                                 "that the rate is below 0.03; 3,000 are needed "
+                                                 "(--contacts)");
   EXPECT_EQ(WarnOfFew({"tunneled", 0.0}, 100), "");          // no number of impacts would
   EXPECT_EQ(WarnOfFew({"direction_error", 0.001}, 100), ""); // no rate
+}
+
+// The sample has one contact, and says 1,000 of each engine; of quiet steps there are 800.
+TEST(FailAboveTest, ASceneWithFewerImpactsThanAskedForIsNamed) {
+  CRunReport report = MakeSampleReport();
+  CImpactTrialResult& trials = report.m_stdScenes[0].m_cImpactTrials;
+  trials.m_nTrials = 20000;
+  const auto warn = [&](const std::string& limit) {
+    const CLimit limits[] = {ParseLimit(limit)};
+    return WarnOfFewFound(report, limits);
+  };
+  const std::string found = "spinner: 1 of 1,000 impacts were found in 20,000 trials";
+  EXPECT_EQ(warn("tunneled=0.003"), std::vector{found});
+  for (CEngineReport& engine : report.m_stdScenes[0].m_stdEngines)
+    engine.m_cTotals.m_nContacts = 22;
+  EXPECT_EQ(
+      warn("tunneled=0.003"),
+      (std::vector<std::string>{found, "spinner: tunneled=0.003: even with none, 22 impacts show only that "
+                                       "the rate is below 0.14; 1,000 are needed"}));
+  EXPECT_EQ(warn("tunneled=0.001"), std::vector{found}); // said before the run
+  EXPECT_EQ(warn("direction_error=0.001"), std::vector{found});
+  trials.m_stdContacts.resize(1000, trials.m_stdContacts[0]);
+  EXPECT_TRUE(warn("direction_error=0.001").empty()); // the control
+}
+
+TEST(FailAboveTest, AnEngineWithoutAFigureThatAnotherOneHasIsNoPass) {
+  using CTexts = std::vector<std::string>;
+  CRunReport report = MakeSampleReport({Tests::g_nNative, Tests::g_nBox2D});
+  report.m_stdScenes.push_back(report.m_stdScenes[0]);
+  CSceneReport& scene = report.m_stdScenes[1];
+  scene.m_cScene.m_sName = "slope";
+  scene.m_stdEngines[1].m_cTotals["direction_error"] = {};
+  scene.m_stdEngines[1].m_cLasting.m_fRestTime = {};
+  EXPECT_EQ(Find(report, "direction_error=3"),
+            CTexts{"direction_error was not measured on slope with box2d: it cannot be held against 3"});
+  EXPECT_EQ(Find(report, "rest_time=60"), CTexts{"rest_time is never on slope with box2d: above 60"});
+  // Where none has it there was nothing to measure, unless all impacts were lost.
+  CEngineReport& native = scene.m_stdEngines[0];
+  native.m_cTotals["direction_error"] = {};
+  native.m_cLasting.m_fRestTime = {};
+  EXPECT_TRUE(Find(report, "direction_error=3").empty());
+  EXPECT_TRUE(Find(report, "rest_time=60").empty());
+  native.m_cTotals.m_nMissed = native.m_cTotals.m_nContacts;
+  native.m_cTotals.m_nWrongSide = 0;
+  EXPECT_EQ(Find(report, "direction_error=3"),
+            CTexts{"direction_error was not measured on slope with native: it cannot be held against 3"});
 }
 
 } // namespace
