@@ -91,6 +91,7 @@ int Run(const std::vector<CScene>& scenes, const COptions& options, const std::s
   for (const std::string& text : options.m_stdLimits)
     limits.push_back(ParseLimit(text));
   RequireWritable(options.m_cOut);
+  if (!options.m_cSvg.empty()) RequireChart(options.m_cSvg, options.m_cOut, scenes);
   for (const CLimit& limit : limits)
     if (const std::string warning = WarnOfFew(limit, options.GetSizes().m_nContacts); !warning.empty())
       fmt::print(stderr, "shapes-compare: {}\n", warning);

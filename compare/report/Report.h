@@ -105,7 +105,8 @@ std::string MakeChartsJson(const CRunReport& report);
 /// report.html, which needs nothing but itself, from the three JSON texts.
 std::string MakeHtml(const std::string& run, const std::string& replay, const std::string& charts);
 
-/// Writes report.html, run.json and contacts.csv into a folder, which is made if it is not there.
+/// Writes report.html, run.json and contacts.csv into a folder, which is made if it is not there; none of
+/// them if one cannot be written whole.
 /// @throws std::runtime_error naming the file that cannot be written
 void WriteReport(const CRunReport& report, const std::filesystem::path& folder);
 
@@ -115,5 +116,10 @@ void WriteChart(const CRunReport& report, const std::filesystem::path& file);
 /// Whether the folder can be written to, before any work is done; makes it.
 /// @throws std::runtime_error naming the folder and the reason
 void RequireWritable(const std::filesystem::path& folder);
+
+/// The same for a chart beside a report in the folder: neither one of its files nor one of the scenes.
+/// @throws std::runtime_error naming the file and the reason
+void RequireChart(const std::filesystem::path& file, const std::filesystem::path& folder,
+                  const std::vector<CScene>& scenes);
 
 } // namespace Shapes::Compare

@@ -293,6 +293,7 @@ TEST_F(CommandTest, BadInputIsRefusedWithTheReason) {
        "box2d (--engines takes others)"},
       {fast + " --engines native", "none met anything"}, // which holds it
       {"", "subcommand"},
+      {"run --scenes bowl --svg " + (m_cFolder / "no/chart.svg").string(), "no/chart.svg: cannot be written"},
       {"run --out " + Write("file", "") + "/below", "file/below"},
   };
   for (const auto& [arguments, reason] : cases) {

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <sys/stat.h>
+
 namespace Shapes::Compare::Tests {
 namespace {
 
@@ -146,6 +148,50 @@ TEST_F(CWriteTest, WhatCannotBeWrittenIsKnownBefore) {
   fs::create_directory(m_cFolder / "report.html"); // a folder in the place of a file
   EXPECT_TRUE(Says(MessageOf<std::runtime_error>([&] { RequireWritable(m_cFolder); }), "report.html"));
   EXPECT_THROW(RequireWritable(m_cFolder / "run.json"), std::runtime_error);
+}
+
+// A pipe would be waited for.
+TEST_F(CWriteTest, AChartTakesNoOtherFilesPlace) {
+  CScene scene = LoadBundled("bowl");
+  scene.m_cPath = Write("mine.json", "scene");
+  const auto refusal = [&](const fs::path& file) {
+    return MessageOf<std::runtime_error>([&] { RequireChart(m_cFolder / file, m_cFolder, {scene}); });
+  };
+  fs::create_symlink("mine.json", m_cFolder / "link.svg");
+  ASSERT_EQ(mkfifo((m_cFolder / "pipe").c_str(), 0600), 0);
+  for (const auto& [pFile, pReason] : {std::pair("mine.json", "mine.json: is a scene of this run"),
+                                       {"link.svg", "link.svg: is a scene of this run"},
+                                       {"run.json", "run.json: is a file of the report"},
+                                       {"pipe", "pipe: cannot be written (expected a regular file"},
+                                       {".", "cannot be written (expected a regular file"},
+                                       {"no/chart.svg", "chart.svg: cannot be written (No such file"}})
+    EXPECT_TRUE(Says(refusal(pFile), pReason)) << pFile;
+  RequireChart(m_cFolder / "chart.svg", m_cFolder, {scene});
+  EXPECT_FALSE(fs::exists(m_cFolder / "chart.svg")); // nothing is left by the look
+  EXPECT_EQ(Read("mine.json"), "scene");
+}
+
+TEST_F(CWriteTest, LinksStayAndWhatTheyLeadToIsWritten) {
+  fs::create_directory(m_cFolder / "far");
+  fs::create_symlink("far/chart.svg", m_cFolder / "link.svg"); // leads to nothing yet
+  for (int i = 0; i < 2; ++i) {
+    RequireChart(m_cFolder / "link.svg", m_cFolder, {});
+    WriteChart(MakeSampleReport(), m_cFolder / "link.svg");
+    EXPECT_TRUE(fs::is_symlink(m_cFolder / "link.svg"));
+    EXPECT_TRUE(Read("far/chart.svg").starts_with("<svg "));
+  }
+}
+
+// The name of one part is taken by a folder that is not empty.
+TEST_F(CWriteTest, WhereOneFileCannotBeWrittenAllStayAsTheyAre) {
+  for (const char* pName : {"report.html", "run.json", "contacts.csv"})
+    Write(pName, "old");
+  fs::create_directories(m_cFolder / "contacts.csv.part" / "full");
+  EXPECT_TRUE(Says(MessageOf<std::runtime_error>([&] { WriteReport(MakeSampleReport(), m_cFolder); }),
+                   "contacts.csv: cannot be written"));
+  for (const char* pName : {"report.html", "run.json", "contacts.csv"})
+    EXPECT_EQ(Read(pName), "old");
+  EXPECT_FALSE(fs::exists(m_cFolder / "report.html.part") || fs::exists(m_cFolder / "run.json.part"));
 }
 
 std::size_t Count(const std::string& text, const std::string& part) {
