@@ -26,6 +26,7 @@ struct CCase {
   std::size_t m_nLost;
   std::optional<double> m_fDirection; // radians, p95
   double m_fNs;
+  const CCost* m_pCost; // of one scene; nullptr over all of them
 
   std::string GetName() const { return m_pRow->m_sSpoken; }
 };
@@ -38,17 +39,25 @@ bool IsLessExact(const CCase& a, const CCase& b) {
          *a.m_fDirection > g_fSameDirection;
 }
 
-// "loses 1 in 40", "bounces up to 8 degrees off": the worst that there is to say of a, against b.
+// How many times the time of b a takes: in one scene as its table has it.
+double Times(const CCase& a, const CCase& b) {
+  return a.m_pCost != nullptr ? CompareCosts(*a.m_pCost, *b.m_pCost).m_fMedian : a.m_fNs / b.m_fNs;
+}
+
+// "loses 1 in 40", "5% of its bounces are more than 8 degrees off": the worst that there is to say of a,
+// against b.
 std::string Flaw(const CCase& a, const CCase& b, std::size_t n) {
   if (LosesMore(a, b)) return "loses " + LossText(a.m_nLost, n);
-  return IsLessExact(a, b) ? fmt::format("bounces up to {} off", DegreesText(*a.m_fDirection)) : "";
+  return IsLessExact(a, b)
+             ? fmt::format("5% of its bounces are more than {} off", DegreesText(*a.m_fDirection))
+             : "";
 }
 
 // The fastest of the engines that are faster than `than` by more than can be overlooked; nullptr if none is.
 const CCase* FindFaster(const std::vector<CCase>& cases, const CCase& than) {
   const CCase* pBest = nullptr;
   for (const CCase& c : cases)
-    if (c.m_fNs < 0.95 * than.m_fNs && (pBest == nullptr || c.m_fNs < pBest->m_fNs)) pBest = &c;
+    if (Times(c, than) < 0.95 && (pBest == nullptr || c.m_fNs < pBest->m_fNs)) pBest = &c;
   return pBest;
 }
 
@@ -68,7 +77,7 @@ std::string Price(const std::vector<CCase>& cases, const CCase& take, std::size_
   if (pFaster == nullptr) return "";
   const std::string flaw = Flaw(*pFaster, take, n);
   if (flaw.empty()) return "";
-  return fmt::format("; {} is {} as {} but {}", pFaster->GetName(), FasterText(take.m_fNs / pFaster->m_fNs),
+  return fmt::format("; {} is {} as {} but {}", pFaster->GetName(), FasterText(Times(take, *pFaster)),
                      take.GetName(), flaw);
 }
 
@@ -79,7 +88,7 @@ public:
       const CSummary& direction = Totals(e)["direction_error"];
       m_stdCases.push_back({&GetEngineRow(Name(e)), Totals(e).GetTunneled(),
                             direction.m_nCount == 0 ? std::nullopt : std::optional(direction.m_fP95),
-                            Cost(e).m_cNsPerBallStep.m_fMedian});
+                            Cost(e).m_cNsPerBallStep.m_fMedian, &Cost(e)});
     }
   }
 
@@ -164,8 +173,7 @@ private:
     if (pBox2D == &take) return "Use Box2D: no faster engine is as good here" + price;
     const bool isBetter = LosesMore(*pBox2D, take) || IsLessExact(*pBox2D, take);
     return fmt::format("Use {}: {} Box2D here and {}{}", take.GetName(),
-                       isBetter ? "better than" : "as good as", FasterText(pBox2D->m_fNs / take.m_fNs),
-                       price);
+                       isBetter ? "better than" : "as good as", FasterText(Times(*pBox2D, take)), price);
   }
 
   // Its figures, beside those of Box2D.
@@ -221,7 +229,7 @@ std::string MakeResult(const CRunReport& report, const COverall& overall) {
     const CEngineOverall& engine = overall.m_stdEngines[e];
     cases.push_back({&GetEngineRow(report.m_stdEngines[e].m_sName), engine.m_nLost,
                      engine.m_nCompared == 0 ? std::nullopt : std::optional(engine.m_cDirection.m_fValue),
-                     engine.m_cNs.m_fMedian});
+                     engine.m_cNs.m_fMedian, nullptr});
   }
   const CCase& take = cases[*overall.m_nTake];
   const CCase* pBox2D = FindBox2D(cases);
