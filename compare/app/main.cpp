@@ -99,6 +99,8 @@ int Run(const std::vector<CScene>& scenes, const COptions& options, const std::s
   for (const CScene& scene : scenes) {
     RequireHeld(scene, engines);
     RequireImpact(scene, options.m_nSeed);
+    if (const std::string warning = WarnOfSpeed(scene, engines); !warning.empty())
+      fmt::print(stderr, "shapes-compare: {}\n", warning);
   }
   AnnounceDuration(options, scenes.size());
 

@@ -7,10 +7,12 @@
 namespace Shapes::Compare {
 namespace {
 
-std::optional<double> GetDirection(const CTotals& totals) {
-  const CSummary& summary = totals["direction_error"];
+std::optional<double> GetP95(const CTotals& totals, const char* pFigure) {
+  const CSummary& summary = totals[pFigure];
   return summary.m_nCount == 0 ? std::nullopt : std::optional(summary.m_fP95);
 }
+
+std::optional<double> GetDirection(const CTotals& totals) { return GetP95(totals, "direction_error"); }
 
 // The least and the most of some values.
 CInterval Extremes(const std::vector<double>& values) {
@@ -78,7 +80,7 @@ bool IsJudged(const CSceneReport& scene) {
 
 CEngineOverall MakeEngineOverall(const CRunReport& report, std::size_t e) {
   CEngineOverall overall;
-  std::vector<double> directions, ofScenes, ns, times;
+  std::vector<double> directions, speeds, ofScenes, ns, times;
   std::vector<std::vector<double>> repeats, ratios;
   const auto box2d = FindEngine(report.m_stdEngines, g_sBox2D);
   for (const CSceneReport& scene : report.m_stdScenes) {
@@ -92,12 +94,15 @@ CEngineOverall MakeEngineOverall(const CRunReport& report, std::size_t e) {
       times.push_back(MedianWithInterval(ratios.back()).m_fMedian);
     }
     for (const CContact& contact : scene.m_cImpactTrials.m_stdContacts)
-      if (contact.m_stdEngines[e].m_bCompared)
-        directions.push_back(static_cast<double>(contact.m_stdEngines[e].m_fDirectionError));
+      if (const CEngineContact& c = contact.m_stdEngines[e]; c.m_bCompared) {
+        directions.push_back(static_cast<double>(c.m_fDirectionError));
+        speeds.push_back(static_cast<double>(c.m_fSpeedError));
+      }
     if (const auto direction = GetDirection(engine.m_cTotals)) ofScenes.push_back(*direction);
   }
   overall.m_nCompared = directions.size();
   overall.m_cDirection = QuantileWithInterval(std::move(directions), 0.95);
+  overall.m_fSpeed = SummariseSigned(std::move(speeds)).m_fP95;
   overall.m_cDirectionScenes = Extremes(ofScenes);
   overall.m_cNs = OverScenes(repeats);
   overall.m_cNsScenes = Extremes(ns);
@@ -120,18 +125,20 @@ const char* GetName(eGrade grade) {
   return "unknown";
 }
 
-eGrade GradeOf(std::size_t lost, std::size_t impacts, std::optional<double> direction) {
+eGrade GradeOf(std::size_t lost, std::size_t impacts, std::optional<double> direction,
+               std::optional<double> speed) {
   if (impacts == 0) return eGrade::Unknown;
   const double rate = static_cast<double>(lost) / static_cast<double>(impacts),
                error = direction.value_or(0.0);
   const auto isWithin = [&](const CGradeBound& bound) {
-    return rate <= bound.m_fLost && error <= bound.m_fDirection;
+    return rate <= bound.m_fLost && error <= bound.m_fDirection && speed.value_or(0.0) <= bound.m_fSpeed;
   };
   return isWithin(g_cGood) ? eGrade::Good : isWithin(g_cRough) ? eGrade::Rough : eGrade::Poor;
 }
 
 eGrade GradeOf(const CTotals& totals) {
-  return GradeOf(totals.GetTunneled(), totals.m_nContacts, GetDirection(totals));
+  return GradeOf(totals.GetTunneled(), totals.m_nContacts, GetDirection(totals),
+                 GetP95(totals, "speed_error"));
 }
 
 bool AreTimesApart(const CCost& a, const CCost& b) {
@@ -153,7 +160,8 @@ std::optional<std::size_t> FindTake(const CRunReport& report, const CSceneReport
 eGrade COverall::GetGrade(std::size_t e) const {
   const CEngineOverall& engine = m_stdEngines[e];
   return GradeOf(engine.m_nLost, m_nImpacts,
-                 engine.m_nCompared == 0 ? std::nullopt : std::optional(engine.m_cDirection.m_fValue));
+                 engine.m_nCompared == 0 ? std::nullopt : std::optional(engine.m_cDirection.m_fValue),
+                 engine.m_fSpeed);
 }
 
 COverall MakeOverall(const CRunReport& report) {

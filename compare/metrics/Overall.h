@@ -15,13 +15,16 @@ enum class eGrade { Good, Rough, Poor, Unknown };
 /// "good", "rough", "poor", "unknown".
 const char* GetName(eGrade grade);
 
-/// The most that a grade allows: share of the balls that are lost, and radians by which 95% of the directions
-/// after an impact are off. A degree is two centimetres aside for each metre that the ball flies on.
+/// The most that a grade allows: share of the balls that are lost, radians and share by which 95% of the
+/// directions and of the speeds after an impact are off. A degree is two centimetres aside for each metre
+/// that the ball flies on.
 struct CGradeBound {
-  double m_fLost, m_fDirection;
+  double m_fLost, m_fDirection, m_fSpeed;
 };
-inline constexpr CGradeBound g_cGood{0.001, 1.0 * g_fDegree}, g_cRough{0.01, 10.0 * g_fDegree};
-eGrade GradeOf(std::size_t lost, std::size_t impacts, std::optional<double> direction);
+inline constexpr CGradeBound g_cGood{0.001, 1.0 * g_fDegree, 0.1}, g_cRough{0.01, 10.0 * g_fDegree, 0.3};
+/// What is not known is not held against an engine.
+eGrade GradeOf(std::size_t lost, std::size_t impacts, std::optional<double> direction,
+               std::optional<double> speed);
 eGrade GradeOf(const CTotals& totals);
 
 /// Whether the times of two engines differ by more than their scatter.
@@ -40,6 +43,7 @@ struct CEngineOverall {
   std::size_t m_nLost = 0;
   CQuantile m_cDirection;          ///< 95th percentile over all impacts that were compared, radians.
   std::size_t m_nCompared = 0;     ///< how many these are
+  double m_fSpeed = 0.0;           ///< The same of the sizes of the relative errors of the speed.
   CInterval m_cDirectionScenes;    ///< The least and the most of the scenes.
   CMedian m_cNs;                   ///< Nanoseconds for a ball-step: geometric mean of the scenes.
   CInterval m_cNsScenes;           ///< The least and the most of the scenes.

@@ -91,7 +91,7 @@ public:
       AddBars(p);
     // The first one lies above.
     for (auto p = m_cChart.m_stdPoints.rbegin(); p != m_cChart.m_stdPoints.rend(); ++p)
-      AddMark(X(*p), Y(*p), g_fMark, *p->m_pRow, GradeOf(p->m_nLost, p->m_nOf, std::nullopt));
+      AddMark(X(*p), Y(*p), g_fMark, *p->m_pRow, GradeOf(p->m_nLost, p->m_nOf, std::nullopt, std::nullopt));
     for (const CChartPoint& p : m_cChart.m_stdPoints)
       AddLabel(p);
     AddLegend();

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -19,6 +20,7 @@ constexpr double g_fDisturbed = 1.5;
 // Least values that a sentence mentions: a rate of ghosts, of late responses, a relative change of the
 // energy.
 constexpr double g_fGhostsToTell = 0.001, g_fLateToTell = 0.02, g_fChangeToTell = 0.001;
+constexpr double g_fLeastSpeed = 0.001; // relative errors of speeds below it are alike
 
 // Figures of an engine for a sentence, of one scene or over all of them.
 struct CCase {
@@ -124,6 +126,11 @@ public:
         "Of the steps in which a ball only passes by, it is turned all the same in",
         [&](std::size_t e) { return Wilson(engines[e].m_nGhosts, quiet).m_fLow > g_fGhostsToTell; },
         [&](std::size_t e) { return RateText(engines[e].m_nGhosts, quiet); });
+    const auto speed = [&](std::size_t e) { return Totals(e)["speed_error"]; };
+    add(
+        "95% of the speeds after an impact are within",
+        [&](std::size_t e) { return speed(e).m_nCount > 0 && speed(e).m_fP95 > g_cGood.m_fSpeed; },
+        [&](std::size_t e) { return SpeedText(speed(e)); });
     add(
         "Energy over many bounces",
         [&](std::size_t e) {
@@ -195,6 +202,11 @@ private:
     if (lasting.m_fOverlap) text += fmt::format(" and ends {} radii deep", SizeText(*lasting.m_fOverlap));
     if (lasting.m_fFlow) text += fmt::format(", {} balls pass in a second", TwoDigits(*lasting.m_fFlow));
     return text + fmt::format(", at {} ns a step", TimeText(lasting.m_cNsPerBallStep.m_fMedian));
+  }
+
+  static std::string SpeedText(const CSummary& error) {
+    if (error.m_nCount == 0) return "not known";
+    return TwoDigits(100.0 * std::max(error.m_fP95, g_fLeastSpeed)) + "%";
   }
 
   static std::string EnergyText(const CLongRun& run) {

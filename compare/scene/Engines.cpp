@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace Shapes::Compare {
@@ -20,6 +21,8 @@ constexpr CEngineRow g_stdRows[] = {
     {"box2d-tuned", "tuned Box2D", "tuned", "Box2D set for accuracy", "box2d", g_cAutomatic, eProfile::Tuned,
      "rectRot", "#7b1d84", "#d68cff"},
 };
+
+constexpr float g_fMostMetres = 2.0f; // b2_maxTranslation of a step
 
 } // namespace
 
@@ -79,6 +82,21 @@ void RequireHeld(const CScene& scene, const std::vector<CEngine>& engines) {
     } catch (const CSceneError& e) {
       throw CSceneError(fmt::format("{} on {} (--engines takes others)", e.what(), engine.m_sName));
     }
+}
+
+std::string WarnOfSpeed(const CScene& scene, const std::vector<CEngine>& engines) {
+  float way = 0.0f; // the longest of a step
+  for (const CSceneBall& ball : scene.m_stdBalls)
+    way = std::max(way, ball.m_cDesc.m_vVel.stableNorm() * scene.m_cWorld.m_fTimeStep);
+  const float unit = scene.m_cWorld.m_cBox2D.m_fLengthUnit;
+  const bool hasBox2D = std::any_of(engines.begin(), engines.end(), [](const CEngine& engine) {
+    return engine.m_pBackend == GetBackend(GetEngineRow(g_sBox2D).m_sBackend);
+  });
+  if (!hasBox2D || way <= g_fMostMetres * unit) return "";
+  return fmt::format(
+      "{}: a ball moves by {:.3g} units in a step, and Box2D moves none by more than {:g} length_units ({:g} "
+      "each): set length_unit",
+      scene.m_sName, way, g_fMostMetres, unit);
 }
 
 std::optional<std::size_t> FindOther(const std::vector<CEngine>& engines) {

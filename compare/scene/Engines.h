@@ -68,6 +68,9 @@ std::vector<CEngine> GetEngines();
 /// @throws CSceneError naming the field and the engine, if one of them cannot hold the scene
 void RequireHeld(const CScene& scene, const std::vector<CEngine>& engines);
 
+/// A warning about a ball that starts faster than Box2D moves any, if that is among the engines; else empty.
+std::string WarnOfSpeed(const CScene& scene, const std::vector<CEngine>& engines);
+
 /// The first engine that has another backend than the first of all; none if there is no such. Settings of one
 /// backend share their CollisionDetected, with any effects and profile, so these two are compared
 /// with each other.

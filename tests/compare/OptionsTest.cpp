@@ -88,7 +88,7 @@ TEST(FailAboveTest, EveryMetricIsTheRightOne) {
   const std::size_t alike = expect(
       0, 2,
       "overlapped=0.02 ghost=0.0025 late=0.005 setback=0.9 setback_error=0.75 setback_error_normal=0.5 "
-      "poi_error=0.12 time_error=0.04 normal_error=0.15 speed_error=0.18 energy_error=0.22 "
+      "poi_error=0.12 time_error=0.04 normal_error=0.15 speed_error=0.08 energy_error=0.22 "
       "position_error=0.26 penetration=0.005 energy_drift=0.03 free_path_error=0.01 "
       "angular_momentum_drift=0.02 escaped=3 not_finite=1 lasting_lost=0.015 lasting_overlap=0.06 "
       "lasting_speed=0.7 lasting_energy_gained=0.05 rest_time=1.8 flow=2.5 lasting_ns_per_ball_step=654");

@@ -24,7 +24,8 @@ TEST(CsvTest, HasAColumnForEveryFieldAndLeavesEmptyWhatWasNotMeasured) {
           "poi_error_radii", "normal_error_rad", "direction_error_rad", "speed_error_relative",
           "energy_error_relative", "position_error_radii", "penetration_radii"})
       names += std::string(",") + row.m_sName + "_" + pField;
-  const std::string sizes = ",0.5,0.03125,-0.015625,-0.0019531,0.0078125,0.0039062,", bounce = ",-3,4,5,6";
+  const std::string sizes = ",0.5,0.03125,-0.015625,-0.0019531,0.0078125,0.0039062,",
+                    bounce = ",-0.0625,4,5,6";
   const std::string late = ",late" + sizes + "0" + bounce, correct = ",correct" + sizes + "2" + bounce;
   const std::vector<std::string> lines = Lines(MakeCsv(MakeSampleReport()));
   ASSERT_EQ(lines.size(), 2u);

@@ -53,6 +53,21 @@ TEST(RunTest, TheProgressOfWhatIsMeasuredMayEndIt) {
   EXPECT_THROW(MeasureCost(scene, GetEngines(), 7, 3, 100, stop), CStop);
 }
 
+TEST(RunTest, BallsThatBox2DHoldsBackAreNamed) {
+  CScene scene = LoadBundled("bowl");
+  scene.m_cWorld.m_fTimeStep = 0.0625f;
+  scene.m_cWorld.m_cBox2D.m_fLengthUnit = 1.0f;
+  scene.m_stdBalls[0].m_cDesc.m_vVel = {0.0f, -32.0f};
+  EXPECT_EQ(WarnOfSpeed(scene, GetEngines()), "");
+  scene.m_stdBalls[0].m_cDesc.m_vVel = {0.0f, -96.0f};
+  EXPECT_EQ(WarnOfSpeed(scene, GetEngines()),
+            "bowl: a ball moves by 6 units in a step, and Box2D moves none by more than 2 length_units (1 "
+            "each): set length_unit");
+  EXPECT_EQ(WarnOfSpeed(scene, {GetEngines()[g_nNative]}), "");
+  scene.m_cWorld.m_cBox2D.m_fLengthUnit = 3.0f;
+  EXPECT_EQ(WarnOfSpeed(scene, GetEngines()), "");
+}
+
 TEST(RunTest, AnErrorNamesItsScene) {
   CScene scene = LoadBundled("corner");
   scene.m_cWorld.m_fTimeStep = -1.0f;

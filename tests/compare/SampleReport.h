@@ -28,7 +28,7 @@ inline CContact MakeSampleContact() {
                              .m_fNormalError = 0.00390625f,
                              .m_bCompared = true,
                              .m_fDirectionError = 2.0f,
-                             .m_fSpeedError = -3.0f,
+                             .m_fSpeedError = -0.0625f,
                              .m_fEnergyError = 4.0f,
                              .m_fPositionError = 5.0f,
                              .m_fPenetration = 6.0f};
@@ -66,7 +66,7 @@ inline CEngineReport MakeSampleEngine(std::size_t tunneled, double ns, double di
   t["poi_error"] = {895, 0.11, 0.12, 0.13};
   t["normal_error"] = {895, 0.14, 0.15, 0.16};
   t["direction_error"] = {890, direction / 2, direction, direction * 2};
-  t["speed_error"] = {890, 0.17, 0.18, 0.19};
+  t["speed_error"] = {890, 0.07, 0.08, 0.09};
   t["energy_error"] = {890, 0.21, 0.22, 0.23};
   t["position_error"] = {890, 0.24, 0.26, 0.27};
   t["penetration"] = {899, 0.0, 0.005, 0.02};

@@ -97,6 +97,8 @@ TEST(VerdictTest, TellsOfWhatElseIsWrongAndOnlyThen) {
   scene.m_stdEngines[0].m_cLongRun.m_fEnergyDrift = 0.0321;
   scene.m_stdEngines[1].m_cLongRun = {1000, 60.0, 2.5, {}, {}};
   scene.m_stdEngines[1].m_cTotals.m_nLate = 300;
+  scene.m_stdEngines[0].m_cTotals["speed_error"] = {890, 0.0, 1e-7, 1e-6};
+  scene.m_stdEngines[1].m_cTotals["speed_error"] = {890, -0.6, 0.67, 0.7};
   scene.m_stdEngines[1].m_nGhosts = 80;
   scene.m_stdEngines[0].m_cCost.m_nNotFinite = 3;
   scene.m_stdEngines[1].m_cCost.m_cNsPerBallStep.m_cInterval = {300.0, 600.0};
@@ -107,6 +109,7 @@ TEST(VerdictTest, TellsOfWhatElseIsWrongAndOnlyThen) {
           "Turned back one or two steps late: native 0.50%, box2d 30.0%.",
           "Of the steps in which a ball only passes by, it is turned all the same in: native <0.38%, box2d "
           "10.0%.",
+          "95% of the speeds after an impact are within: native 0.1%, box2d 67%.",
           "Energy over many bounces: native +3.2% in 10,000, box2d times 3.5 in 1,000.",
           "The times were disturbed, by nanoseconds between: native 67 and 73, box2d 300 and 600."}));
 }
@@ -126,13 +129,35 @@ TEST(VerdictTest, WhatWasNotMeasuredIsNotJudged) {
 }
 
 TEST(OverallTest, GradesAreWhatTheBoundsAllow) {
-  EXPECT_EQ(GradeOf(1, 1000, 1.0 * g_fDegree), eGrade::Good);
-  EXPECT_EQ(GradeOf(2, 1000, {}), eGrade::Rough);
-  EXPECT_EQ(GradeOf(0, 1000, 1.001 * g_fDegree), eGrade::Rough);
-  EXPECT_EQ(GradeOf(10, 1000, 10.0 * g_fDegree), eGrade::Rough);
-  EXPECT_EQ(GradeOf(11, 1000, 0.0), eGrade::Poor);
-  EXPECT_EQ(GradeOf(0, 1000, 0.2), eGrade::Poor);
-  EXPECT_EQ(GradeOf(0, 0, 0.0), eGrade::Unknown);
+  EXPECT_EQ(GradeOf(1, 1000, 1.0 * g_fDegree, 0.1), eGrade::Good);
+  EXPECT_EQ(GradeOf(2, 1000, {}, {}), eGrade::Rough);
+  EXPECT_EQ(GradeOf(0, 1000, 1.001 * g_fDegree, {}), eGrade::Rough);
+  EXPECT_EQ(GradeOf(0, 1000, 0.0, 0.101), eGrade::Rough);
+  EXPECT_EQ(GradeOf(10, 1000, 10.0 * g_fDegree, 0.3), eGrade::Rough);
+  EXPECT_EQ(GradeOf(11, 1000, 0.0, {}), eGrade::Poor);
+  EXPECT_EQ(GradeOf(0, 1000, 0.2, {}), eGrade::Poor);
+  EXPECT_EQ(GradeOf(0, 1000, 0.0, 0.301), eGrade::Poor);
+  EXPECT_EQ(GradeOf(0, 0, 0.0, {}), eGrade::Unknown);
+}
+
+// The bounces of both go the right way, but those of Box2D are too slow.
+TEST(OverallTest, SpeedsCountOfASceneAndOverAll) {
+  CRunReport report = MakeSampleReport({g_nNative, g_nBox2D});
+  CSceneReport& scene = report.m_stdScenes[0];
+  for (std::size_t e = 0; e < 2; ++e) {
+    scene.m_stdEngines[e] = MakeSampleEngine(0, e == 0 ? 500.0 : 50.0, 0.0002);
+    CEngineContact& contact = scene.m_cImpactTrials.m_stdContacts[0].m_stdEngines[e];
+    contact.m_bCompared = true;
+    contact.m_fDirectionError = 0.0f;
+  }
+  EXPECT_EQ(GradeOf(scene.m_stdEngines[1].m_cTotals), eGrade::Good); // the control
+  EXPECT_EQ(MakeOverall(report).GetGrade(1), eGrade::Good);
+  EXPECT_EQ(FindTake(report, scene), 1u);
+  scene.m_stdEngines[1].m_cTotals["speed_error"] = {890, -0.6, 0.67, 0.7};
+  scene.m_cImpactTrials.m_stdContacts[0].m_stdEngines[1].m_fSpeedError = -0.25f;
+  EXPECT_EQ(GradeOf(scene.m_stdEngines[1].m_cTotals), eGrade::Poor);
+  EXPECT_EQ(MakeOverall(report).GetGrade(1), eGrade::Rough);
+  EXPECT_EQ(FindTake(report, scene), 0u);
 }
 
 // Two scenes, in one of which everything takes four times as long.

@@ -43,8 +43,8 @@ const Matrix = (() => {
         engines.map(({name}) => cell(scene, name)));
     place.append(
         el('p', {class: 'legend'}, el('span', {class: 'good'}, '\u2713 good'),
-           ': a ball lost in at most 1 of 1,000 impacts, 95% of bounces within 1\u00b0. ',
-           el('span', {class: 'rough'}, '~ rough'), ': 1 of 100, 10\u00b0. ',
+           ': a ball lost in at most 1 of 1,000 impacts, 95% of bounces within 1\u00b0 and 10% of the speed. ',
+           el('span', {class: 'rough'}, '~ rough'), ': 1 of 100, 10\u00b0, 30%. ',
            el('span', {class: 'poor'}, '\u2717 poor'),
            ': worse. The number is nanoseconds for one step of one ball; ',
            el('span', {class: 'take'}, 'framed'), ': what to take.'),
