@@ -383,6 +383,7 @@ std::string MakeJson(const CRunReport& report) { return Dump(RunToJson(report), 
 std::string MakePageJson(const CRunReport& report) {
   ordered_json json = RunToJson(report);
   RoundFigures(json);
+  json["seed"] = std::to_string(report.m_nSeed); // numbers of JavaScript are whole up to 2^53 only
   return Dump(json, -1);
 }
 

@@ -84,7 +84,7 @@ inline constexpr int g_nRunVersion = 5;
 
 /// run.json, as compare/run.schema.json describes it.
 std::string MakeJson(const CRunReport& report);
-/// The same for the page: in one line, and figures with six digits.
+/// The same for the page: in one line, figures with six digits, the seed as text.
 std::string MakePageJson(const CRunReport& report);
 
 /// The shapes and trajectories of all scenes, for the replay in the report: `engines` (names, the last is

@@ -119,10 +119,12 @@ TEST(ReplayJsonTest, SmallBallsKeepTwoDigitsAndWhoFliesAlikeSharesATrackInAllCli
 
 TEST(PageJsonTest, IsTheRunWithSixDigits) {
   CRunReport report = MakeSampleReport();
-  report.m_nSeed = 1234567890123;
+  report.m_nSeed = 12345678901234567890u;
   report.m_stdScenes[0].m_stdEngines[0].m_cTotals["direction_error"].m_fP95 = 0.123456789;
-  const auto run = json::parse(MakeJson(report)), page = json::parse(MakePageJson(report));
-  EXPECT_EQ(page.at("seed"), 1234567890123); // no figure
+  const auto run = json::parse(MakeJson(report));
+  auto page = json::parse(MakePageJson(report));
+  EXPECT_EQ(page.at("seed"), "12345678901234567890"); // too large for a number of JavaScript
+  page["seed"] = run.at("seed");
   const json::json_pointer p95("/scenes/0/engines/0/direction_error/p95");
   EXPECT_EQ(page.at(p95), 0.123457);
   EXPECT_EQ(run.at(p95), 0.123456789);

@@ -82,7 +82,8 @@ TEST(RunJsonTest, TheSampleFitsTheSchema) {
   report.m_stdScenes.push_back(MakeUndecidedScene());
   report.m_bInterrupted = true;
   report.m_nSeed = std::numeric_limits<std::uint64_t>::max();
-  report.m_sCommand = "shapes-compare run --out \xff"; // no text
+  report.m_sCommand = "shapes-compare run --out \xff";                                  // no text
+  report.m_stdScenes[0].m_cHeatMap.m_fTravel = std::numeric_limits<double>::infinity(); // of radius 0
   EXPECT_EQ(FindFault(json::parse(MakeJson(report))), "");
   report.m_stdScenes.clear();
   EXPECT_EQ(FindFault(json::parse(MakeJson(report))), "");

@@ -36,7 +36,7 @@ const Summary = (() => {
            isTaken ? el('span', {class: 'chosen'}, 'take this')
                    : el('span', {class: 'grade'}, engine.grade)),
         el('dl', null,
-           part('balls lost', lossText(engine.tunneled, n).replace(/ of .*/, ''),
+           part('impacts lost', lossText(engine.tunneled, n).replace(/ of .*/, ''),
                 `${count(engine.tunneled?.count)} of ${count(n)} impacts`),
            part('off by', degrees(engine.direction_error_p95), '95% of the bounces are no farther off'),
            part('per ball', `${num(engine.ns_per_ball_step)} ns`,
@@ -50,7 +50,7 @@ const Summary = (() => {
     const machine = run.machine ?? {};
     const facts = [
       isNumber(run.contacts_per_scene) ? `${count(run.contacts_per_scene)} contacts a scene` : null,
-      isNumber(run.seed) ? `seed ${run.seed}` : null,
+      run.seed ? `seed ${run.seed}` : null,
       machine.shapes ? `Shapes ${machine.shapes}` : null,
       machine.box2d ? `Box2D ${machine.box2d}` : null,
       machine.compiler,

@@ -51,8 +51,9 @@ inline CSceneReport MakePageScene(const std::string& name) {
        Turning(CLineSegDesc({-0.4f, 0.5f}, {0.4f, 0.5f}), 1, {0, 0.5f})},
       {CDynamicCircleDesc({-1, 0}, 0.1f), CDynamicCircleDesc({0.3f, 0}, 0.15f)}, {0, -10});
   report.m_cScene.m_sName = name;
-  report.m_cScene.m_sDescription =
-      "Made up: two balls in a box with a bar that turns, </script><b>1 < 2</b> & \"quotes\".";
+  report.m_cScene.m_sDescription = "Made up: two balls in a box with a bar that turns, </script><b>1 < 2</b> "
+                                   "& \"quotes\", and a word of many letters: " +
+                                   std::string(300, 'y');
   report.m_stdEngines[Tests::g_nNative].m_nGhosts = 0;
   // So that Box2D has a direction too, and its mark and label in the overview.
   auto& engines = report.m_cImpactTrials.m_stdContacts[0].m_stdEngines;
