@@ -39,6 +39,9 @@ namespace {
 // So many that none of them lost shows the rate to be below.
 double NeededFor(const CLimit& limit) { return 3.0 / limit.m_fMost; }
 
+// The share of balls that are lost where contact lasts is of other trials than those of impacts.
+bool IsOfBalls(const CLimit& limit) { return limit.m_sMetric == "lasting_lost"; }
+
 bool AreFew(const CLimit& limit, std::size_t impacts) {
   return FindFigure(limit.m_sMetric)->m_pRate != nullptr && limit.m_fMost > 0.0 &&
          static_cast<double>(impacts) < NeededFor(limit);
@@ -48,10 +51,10 @@ std::string FewText(const CLimit& limit, std::size_t n) {
   const std::string& metric = limit.m_sMetric;
   return fmt::format("{}={:g}: even with none, {} {} show only that the rate is below {:.2g}; {} are needed",
                      metric, limit.m_fMost, CountText(n),
-                     metric == "lasting_lost" ? "balls"
-                     : metric == "ghost"      ? "quiet steps"
-                                              : "impacts",
-                     3.0 / static_cast<double>(n),
+                     IsOfBalls(limit)    ? "balls"
+                     : metric == "ghost" ? "quiet steps"
+                                         : "impacts",
+                     std::min(1.0, 3.0 / static_cast<double>(n)),
                      CountText(static_cast<std::size_t>(std::ceil(std::min(NeededFor(limit), 1e18)))));
 }
 
@@ -70,7 +73,7 @@ bool IsLacking(const CFigure& figure, const CSceneReport& scene, const CEngineRe
 } // namespace
 
 std::string WarnOfFew(const CLimit& limit, std::size_t contacts) {
-  return AreFew(limit, contacts) ? FewText(limit, contacts) + " (--contacts)" : "";
+  return !IsOfBalls(limit) && AreFew(limit, contacts) ? FewText(limit, contacts) + " (--contacts)" : "";
 }
 
 std::vector<std::string> WarnOfFewFound(const CRunReport& report, std::span<const CLimit> limits) {
@@ -84,7 +87,8 @@ std::vector<std::string> WarnOfFewFound(const CRunReport& report, std::span<cons
                                      CountText(trials.m_nTrials)));
     for (const CLimit& limit : limits) {
       const auto pRate = FindFigure(limit.m_sMetric)->m_pRate;
-      if (pRate == nullptr || scene.m_stdEngines.empty() || AreFew(limit, report.m_nContacts)) continue;
+      if (pRate == nullptr || scene.m_stdEngines.empty() || !WarnOfFew(limit, report.m_nContacts).empty())
+        continue;
       // The same for all engines; where there are none, nothing was measured.
       const std::size_t n = pRate(scene, scene.m_stdEngines.front()).m_nOf;
       if (n > 0 && AreFew(limit, n)) warnings.push_back(name + ": " + FewText(limit, n));
@@ -105,10 +109,12 @@ std::vector<std::string> FindAbove(const CRunReport& report, std::span<const CLi
             fmt::format("on {} with {}", scene.m_cScene.m_sName, report.m_stdEngines[e].m_sName);
         if (IsLacking(figure, scene, scene.m_stdEngines[e])) {
           measured = true; // said here, for this engine
-          above.push_back(limit.m_sMetric == "rest_time"
-                              ? fmt::format("rest_time is never {}: above {:.6g}", where, limit.m_fMost)
-                              : fmt::format("{} was not measured {}: it cannot be held against {:.6g}",
-                                            figure.m_sKey, where, limit.m_fMost));
+          above.push_back(
+              limit.m_sMetric == "rest_time"
+                  ? fmt::format("rest_time: not all balls come to rest {}: it cannot be held against {:.6g}",
+                                where, limit.m_fMost)
+                  : fmt::format("{} was not measured {}: it cannot be held against {:.6g}", figure.m_sKey,
+                                where, limit.m_fMost));
         }
         measured |= value.has_value();
         // Written so that a NaN is above.

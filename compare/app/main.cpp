@@ -242,7 +242,8 @@ int Main(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", &Version, "Print the versions of the tool, Box2D and the compiler");
   app.set_help_all_flag("--help-all", "Print the options of all commands");
-  app.footer("Exit codes: 0 done, 1 above a limit of --fail-above, 2 bad input, 130 interrupted (what was "
+  app.footer("Exit codes: 0 done, 1 above a limit of --fail-above, 2 bad input or output that cannot be "
+             "written, 130 interrupted (what was "
              "finished is reported).");
   CLI::App* pRun = app.add_subcommand("run", "Run the bundled scenes");
   pRun->add_option("--scenes", options.m_stdScenes, "Only these scenes, by name, separated by commas")

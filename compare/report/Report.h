@@ -106,7 +106,7 @@ std::string MakeChartsJson(const CRunReport& report);
 std::string MakeHtml(const std::string& run, const std::string& replay, const std::string& charts);
 
 /// Writes report.html, run.json and contacts.csv into a folder, which is made if it is not there; none of
-/// them if one cannot be written whole.
+/// those that are there is replaced before all are written whole.
 /// @throws std::runtime_error naming the file that cannot be written
 void WriteReport(const CRunReport& report, const std::filesystem::path& folder);
 

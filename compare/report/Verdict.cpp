@@ -27,6 +27,7 @@ struct CCase {
   const CEngineRow* m_pRow;
   std::size_t m_nLost;
   std::optional<double> m_fDirection; // radians, p95
+  double m_fSpeed;                    // error, relative, p95; 0 where none was compared
   double m_fNs;
   const CCost* m_pCost; // of one scene; nullptr over all of them
 
@@ -40,6 +41,14 @@ bool IsLessExact(const CCase& a, const CCase& b) {
   return a.m_fDirection && b.m_fDirection && *a.m_fDirection > *b.m_fDirection &&
          *a.m_fDirection > g_fSameDirection;
 }
+// Beyond a bound of the grades that b keeps.
+bool HasWorseSpeeds(const CCase& a, const CCase& b) {
+  const auto isBetween = [&](double bound) { return b.m_fSpeed <= bound && bound < a.m_fSpeed; };
+  return isBetween(g_cGood.m_fSpeed) || isBetween(g_cRough.m_fSpeed);
+}
+
+// The relative error of a speed, as "67%".
+std::string SpeedText(double error) { return TwoDigits(100.0 * std::max(error, g_fLeastSpeed)) + "%"; }
 
 // How many times the time of b a takes: in one scene as its table has it.
 double Times(const CCase& a, const CCase& b) {
@@ -50,9 +59,10 @@ double Times(const CCase& a, const CCase& b) {
 // against b.
 std::string Flaw(const CCase& a, const CCase& b, std::size_t n) {
   if (LosesMore(a, b)) return "loses " + LossText(a.m_nLost, n);
-  return IsLessExact(a, b)
-             ? fmt::format("5% of its bounces are more than {} off", DegreesText(*a.m_fDirection))
-             : "";
+  if (IsLessExact(a, b))
+    return fmt::format("5% of its bounces are more than {} off", DegreesText(*a.m_fDirection));
+  return HasWorseSpeeds(a, b) ? fmt::format("5% of its speeds are more than {} off", SpeedText(a.m_fSpeed))
+                              : "";
 }
 
 // The fastest of the engines that are faster than `than` by more than can be overlooked; nullptr if none is.
@@ -90,7 +100,7 @@ public:
       const CSummary& direction = Totals(e)["direction_error"];
       m_stdCases.push_back({&GetEngineRow(Name(e)), Totals(e).GetTunneled(),
                             direction.m_nCount == 0 ? std::nullopt : std::optional(direction.m_fP95),
-                            Cost(e).m_cNsPerBallStep.m_fMedian, &Cost(e)});
+                            Totals(e)["speed_error"].m_fP95, Cost(e).m_cNsPerBallStep.m_fMedian, &Cost(e)});
     }
   }
 
@@ -128,9 +138,9 @@ public:
         [&](std::size_t e) { return RateText(engines[e].m_nGhosts, quiet); });
     const auto speed = [&](std::size_t e) { return Totals(e)["speed_error"]; };
     add(
-        "95% of the speeds after an impact are within",
+        "95% of the speeds after an impact are this close to the exact ones",
         [&](std::size_t e) { return speed(e).m_nCount > 0 && speed(e).m_fP95 > g_cGood.m_fSpeed; },
-        [&](std::size_t e) { return SpeedText(speed(e)); });
+        [&](std::size_t e) { return speed(e).m_nCount == 0 ? "not known" : SpeedText(speed(e).m_fP95); });
     add(
         "Energy over many bounces",
         [&](std::size_t e) {
@@ -178,7 +188,8 @@ private:
     if (m_stdCases.size() == 1) return fmt::format("{} is alone here", take.GetName());
     if (pBox2D == nullptr) return fmt::format("Use {}{}", take.GetName(), price);
     if (pBox2D == &take) return "Use Box2D: no faster engine is as good here" + price;
-    const bool isBetter = LosesMore(*pBox2D, take) || IsLessExact(*pBox2D, take);
+    const bool isBetter =
+        LosesMore(*pBox2D, take) || IsLessExact(*pBox2D, take) || HasWorseSpeeds(*pBox2D, take);
     return fmt::format("Use {}: {} Box2D here and {}{}", take.GetName(),
                        isBetter ? "better than" : "as good as", FasterText(Times(*pBox2D, take)), price);
   }
@@ -202,11 +213,6 @@ private:
     if (lasting.m_fOverlap) text += fmt::format(" and ends {} radii deep", SizeText(*lasting.m_fOverlap));
     if (lasting.m_fFlow) text += fmt::format(", {} balls pass in a second", TwoDigits(*lasting.m_fFlow));
     return text + fmt::format(", at {} ns a step", TimeText(lasting.m_cNsPerBallStep.m_fMedian));
-  }
-
-  static std::string SpeedText(const CSummary& error) {
-    if (error.m_nCount == 0) return "not known";
-    return TwoDigits(100.0 * std::max(error.m_fP95, g_fLeastSpeed)) + "%";
   }
 
   static std::string EnergyText(const CLongRun& run) {
@@ -241,7 +247,7 @@ std::string MakeResult(const CRunReport& report, const COverall& overall) {
     const CEngineOverall& engine = overall.m_stdEngines[e];
     cases.push_back({&GetEngineRow(report.m_stdEngines[e].m_sName), engine.m_nLost,
                      engine.m_nCompared == 0 ? std::nullopt : std::optional(engine.m_cDirection.m_fValue),
-                     engine.m_cNs.m_fMedian, nullptr});
+                     engine.m_fSpeed, engine.m_cNs.m_fMedian, nullptr});
   }
   const CCase& take = cases[*overall.m_nTake];
   const CCase* pBox2D = FindBox2D(cases);

@@ -35,8 +35,10 @@ std::filesystem::path FollowLinks(std::filesystem::path file) {
 
 bool AreSame(const std::filesystem::path& a, const std::filesystem::path& b) {
   std::error_code error;
-  return std::filesystem::equivalent(a, b, error) ||
-         std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+  const auto full = [&](const std::filesystem::path& file) { // also of one that is not there yet
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(FollowLinks(file), error), error);
+  };
+  return std::filesystem::equivalent(a, b, error) || full(a) == full(b);
 }
 
 // Opened as it will be, but kept as it is if it is there. Devices and pipes are not even opened.
@@ -58,6 +60,7 @@ void WriteFiles(const CTexts& files) {
   try {
     for (const auto& [name, text] : files) {
       const std::filesystem::path file = FollowLinks(name), part = file.string() + ".part";
+      std::filesystem::remove(part, error); // of a run that was killed
       errno = 0;
       std::ofstream out(part, std::ios::binary);
       if (!out) Refuse(name);

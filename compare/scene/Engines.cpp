@@ -87,12 +87,11 @@ void RequireHeld(const CScene& scene, const std::vector<CEngine>& engines) {
 std::string WarnOfSpeed(const CScene& scene, const std::vector<CEngine>& engines) {
   float way = 0.0f; // the longest of a step
   for (const CSceneBall& ball : scene.m_stdBalls)
-    way = std::max(way, ball.m_cDesc.m_vVel.stableNorm() * scene.m_cWorld.m_fTimeStep);
+    way = std::max(way, ball.m_cDesc.m_vVel.stableNorm() * (1.0f + ball.m_fSpeedSpread) *
+                            scene.m_cWorld.m_fTimeStep);
   const float unit = scene.m_cWorld.m_cBox2D.m_fLengthUnit;
-  const bool hasBox2D = std::any_of(engines.begin(), engines.end(), [](const CEngine& engine) {
-    return engine.m_pBackend == GetBackend(GetEngineRow(g_sBox2D).m_sBackend);
-  });
-  if (!hasBox2D || way <= g_fMostMetres * unit) return "";
+  // The tuned profile cuts such steps.
+  if (!FindEngine(engines, g_sBox2D) || way <= g_fMostMetres * unit) return "";
   return fmt::format(
       "{}: a ball moves by {:.3g} units in a step, and Box2D moves none by more than {:g} length_units ({:g} "
       "each): set length_unit",

@@ -147,8 +147,9 @@ public:
 
   /// The first hit of a circle of this radius on the segment between two points (a ray, if the radius is 0),
   /// as a ball would: circles are rings from inside, one-sided shapes let through what comes from their open
-  /// side, and what overlaps at the beginning is met at once if the circle approaches, else where it has
-  /// turned back, as in a ring. Of several at the same time, to the rounding of m_fShare, the lowest id.
+  /// side, and what overlaps at the beginning is met at once if the circle approaches, else only
+  /// where it comes to it again, as from inside a ring. Of several at the same time, to the rounding of
+  /// m_fShare, the lowest id.
   std::optional<CCastHit> Cast(const Vector2& from, const Vector2& to, float radius = 0.0f,
                                const CFilter& filter = {}) const;
   /// All that it would meet if it went through, each shape and ball once, in the order in which it does.

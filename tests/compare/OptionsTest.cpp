@@ -163,7 +163,9 @@ TEST(FailAboveTest, AnEngineWithoutAFigureThatAnotherOneHasIsNoPass) {
   scene.m_stdEngines[1].m_cLasting.m_fRestTime = {};
   EXPECT_EQ(Find(report, "direction_error=3"),
             CTexts{"direction_error was not measured on slope with box2d: it cannot be held against 3"});
-  EXPECT_EQ(Find(report, "rest_time=60"), CTexts{"rest_time is never on slope with box2d: above 60"});
+  EXPECT_EQ(
+      Find(report, "rest_time=60"),
+      CTexts{"rest_time: not all balls come to rest on slope with box2d: it cannot be held against 60"});
   // Where none has it there was nothing to measure, unless all impacts were lost.
   CEngineReport& native = scene.m_stdEngines[0];
   native.m_cTotals["direction_error"] = {};

@@ -161,10 +161,12 @@ TEST_F(CWriteTest, AChartTakesNoOtherFilesPlace) {
     return MessageOf<std::runtime_error>([&] { RequireChart(m_cFolder / file, m_cFolder, {scene}); });
   };
   fs::create_symlink("mine.json", m_cFolder / "link.svg");
+  fs::create_symlink("run.json", m_cFolder / "to_run.svg"); // leads to nothing yet
   ASSERT_EQ(mkfifo((m_cFolder / "pipe").c_str(), 0600), 0);
   for (const auto& [pFile, pReason] : {std::pair("mine.json", "mine.json: is a scene of this run"),
                                        {"link.svg", "link.svg: is a scene of this run"},
                                        {"run.json", "run.json: is a file of the report"},
+                                       {"to_run.svg", "to_run.svg: is a file of the report"},
                                        {"pipe", "pipe: cannot be written (expected a regular file"},
                                        {".", "cannot be written (expected a regular file"},
                                        {"no/chart.svg", "chart.svg: cannot be written (No such file"}})

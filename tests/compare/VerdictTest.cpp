@@ -109,7 +109,7 @@ TEST(VerdictTest, TellsOfWhatElseIsWrongAndOnlyThen) {
           "Turned back one or two steps late: native 0.50%, box2d 30.0%.",
           "Of the steps in which a ball only passes by, it is turned all the same in: native <0.38%, box2d "
           "10.0%.",
-          "95% of the speeds after an impact are within: native 0.1%, box2d 67%.",
+          "95% of the speeds after an impact are this close to the exact ones: native 0.1%, box2d 67%.",
           "Energy over many bounces: native +3.2% in 10,000, box2d times 3.5 in 1,000.",
           "The times were disturbed, by nanoseconds between: native 67 and 73, box2d 300 and 600."}));
 }
@@ -158,6 +158,9 @@ TEST(OverallTest, SpeedsCountOfASceneAndOverAll) {
   EXPECT_EQ(GradeOf(scene.m_stdEngines[1].m_cTotals), eGrade::Poor);
   EXPECT_EQ(MakeOverall(report).GetGrade(1), eGrade::Rough);
   EXPECT_EQ(FindTake(report, scene), 0u);
+  EXPECT_EQ(Use(report),
+            "Use native: better than Box2D here and 0.10 times as fast; Box2D is 10 times as fast as native "
+            "but 5% of its speeds are more than 67% off.");
 }
 
 // Two scenes, in one of which everything takes four times as long.
