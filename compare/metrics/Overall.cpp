@@ -128,8 +128,8 @@ const char* GetName(eGrade grade) {
 eGrade GradeOf(std::size_t lost, std::size_t impacts, std::optional<double> direction,
                std::optional<double> speed) {
   if (impacts == 0) return eGrade::Unknown;
-  const double rate = static_cast<double>(lost) / static_cast<double>(impacts),
-               error = direction.value_or(0.0);
+  // One that is lost of 300 does not show that more than 1 of 1,000 are.
+  const double rate = Wilson(lost, impacts).m_fLow, error = direction.value_or(0.0);
   const auto isWithin = [&](const CGradeBound& bound) {
     return rate <= bound.m_fLost && error <= bound.m_fDirection && speed.value_or(0.0) <= bound.m_fSpeed;
   };

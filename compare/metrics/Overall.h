@@ -15,7 +15,8 @@ enum class eGrade { Good, Rough, Poor, Unknown };
 /// "good", "rough", "poor", "unknown".
 const char* GetName(eGrade grade);
 
-/// The most that a grade allows: share of the balls that are lost, radians and share by which 95% of the
+/// The most that a grade allows: share of the balls that are lost, where what is judged shows that it is not
+/// less (Wilson, 95%), radians and share by which 95% of the
 /// directions and of the speeds after an impact are off. A degree is two centimetres aside for each metre
 /// that the ball flies on.
 struct CGradeBound {

@@ -116,7 +116,7 @@ TEST(RunJsonTest, FiguresAreWhereTheyBelongAndNullWhereNoneWasMeasured) {
                         "first_undecided": null}})"},
       {"/scenes/0/apart", R"({"p95": 0.5})"},
       {"/scenes/0/engines/0", R"({"contacts": 1000, "correct": 983, "features": ["kinematics", "continuous"],
-          "grade": "poor", "energy_drift": -0.03, "free_path_error": null})"},
+          "grade": "rough", "energy_drift": -0.03, "free_path_error": null})"},
       {"/scenes/0/engines/0/ghost", R"({"rate": 0.0025})"},
       {"/scenes/0/engines/0/settings", R"({"forced": [], "forbidden": []})"},
       {"/scenes/0/engines/1", R"({"features": ["kinematics"], "ns_per_contact": 5000.0})"},
