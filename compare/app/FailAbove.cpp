@@ -58,10 +58,9 @@ std::string FewText(const CLimit& limit, std::size_t n) {
                      CountText(static_cast<std::size_t>(std::ceil(std::min(NeededFor(limit), 1e18)))));
 }
 
-// Whether an engine has no value of a figure although there was something to measure: another engine has one,
-// or the engine lost every impact.
+// Whether there was something to measure where an engine has no value of a figure: another engine has one, or
+// the engine lost every impact.
 bool IsLacking(const CFigure& figure, const CSceneReport& scene, const CEngineReport& engine) {
-  if (GetLimited(figure, scene, engine)) return false;
   const CTotals& totals = engine.m_cTotals;
   const bool isAllLost = totals.m_nContacts > 0 && totals.GetTunneled() == totals.m_nContacts;
   return (figure.m_pOfImpact != nullptr && isAllLost) ||
@@ -107,7 +106,7 @@ std::vector<std::string> FindAbove(const CRunReport& report, std::span<const CLi
         const std::optional<double> value = GetLimited(figure, scene, scene.m_stdEngines[e]);
         const std::string where =
             fmt::format("on {} with {}", scene.m_cScene.m_sName, report.m_stdEngines[e].m_sName);
-        if (IsLacking(figure, scene, scene.m_stdEngines[e])) {
+        if (!value && IsLacking(figure, scene, scene.m_stdEngines[e])) {
           measured = true; // said here, for this engine
           above.push_back(
               limit.m_sMetric == "rest_time"

@@ -243,8 +243,7 @@ int Main(int argc, char** argv) {
   app.set_version_flag("--version", &Version, "Print the versions of the tool, Box2D and the compiler");
   app.set_help_all_flag("--help-all", "Print the options of all commands");
   app.footer("Exit codes: 0 done, 1 above a limit of --fail-above, 2 bad input or output that cannot be "
-             "written, 130 interrupted (what was "
-             "finished is reported).");
+             "written, 130 interrupted (what was finished is reported).");
   CLI::App* pRun = app.add_subcommand("run", "Run the bundled scenes");
   pRun->add_option("--scenes", options.m_stdScenes, "Only these scenes, by name, separated by commas")
       ->delimiter(',')
@@ -300,7 +299,7 @@ int Main(int argc, char** argv) {
   }
 }
 
-// What was printed may still be on its way to a disk that is full.
+// The text that was printed may still be on its way to a disk that is full.
 int CheckOutput(int code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   fmt::print(stderr, "shapes-compare: the standard output cannot be written\n");

@@ -176,10 +176,7 @@ std::optional<double> GetLimited(const CFigure& figure, const CSceneReport& scen
     if (rate.m_nOf == 0) return {};
     return static_cast<double>(rate.m_nHits) / static_cast<double>(rate.m_nOf);
   }
-  if (IsOfImpact(figure)) {
-    const CSummary& summary = engine.m_cTotals[figure.m_sKey];
-    return summary.m_nCount == 0 ? std::optional<double>() : summary.m_fP95;
-  }
+  if (IsOfImpact(figure)) return engine.m_cTotals[figure.m_sKey].GetP95();
   const auto value = figure.m_pOfRun(scene, engine);
   return value ? std::optional(std::abs(*value)) : value;
 }

@@ -7,12 +7,7 @@
 namespace Shapes::Compare {
 namespace {
 
-std::optional<double> GetP95(const CTotals& totals, const char* pFigure) {
-  const CSummary& summary = totals[pFigure];
-  return summary.m_nCount == 0 ? std::nullopt : std::optional(summary.m_fP95);
-}
-
-std::optional<double> GetDirection(const CTotals& totals) { return GetP95(totals, "direction_error"); }
+std::optional<double> GetDirection(const CTotals& totals) { return totals["direction_error"].GetP95(); }
 
 // The least and the most of some values.
 CInterval Extremes(const std::vector<double>& values) {
@@ -138,7 +133,7 @@ eGrade GradeOf(std::size_t lost, std::size_t impacts, std::optional<double> dire
 
 eGrade GradeOf(const CTotals& totals) {
   return GradeOf(totals.GetTunneled(), totals.m_nContacts, GetDirection(totals),
-                 GetP95(totals, "speed_error"));
+                 totals["speed_error"].GetP95());
 }
 
 bool AreTimesApart(const CCost& a, const CCost& b) {

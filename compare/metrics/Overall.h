@@ -23,7 +23,7 @@ struct CGradeBound {
   double m_fLost, m_fDirection, m_fSpeed;
 };
 inline constexpr CGradeBound g_cGood{0.001, 1.0 * g_fDegree, 0.1}, g_cRough{0.01, 10.0 * g_fDegree, 0.3};
-/// What is not known is not held against an engine.
+/// A figure that is not known is not held against an engine.
 eGrade GradeOf(std::size_t lost, std::size_t impacts, std::optional<double> direction,
                std::optional<double> speed);
 eGrade GradeOf(const CTotals& totals);

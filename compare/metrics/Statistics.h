@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace Shapes::Compare {
@@ -16,6 +17,9 @@ struct CSummary {
   double m_fMedian = 0.0;
   double m_fP95 = 0.0;
   double m_fMax = 0.0;
+
+  /// None of an empty sample.
+  std::optional<double> GetP95() const { return m_nCount == 0 ? std::nullopt : std::optional(m_fP95); }
 };
 
 /// Summary of the finite values of a sample by nearest rank; all 0 if there are none.

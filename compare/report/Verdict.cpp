@@ -97,10 +97,9 @@ class CVerdict {
 public:
   CVerdict(const CRunReport& report, const CSceneReport& scene) : m_cReport(report), m_cScene(scene) {
     for (std::size_t e = 0; e < m_cScene.m_stdEngines.size(); ++e) {
-      const CSummary& direction = Totals(e)["direction_error"];
       m_stdCases.push_back({&GetEngineRow(Name(e)), Totals(e).GetTunneled(),
-                            direction.m_nCount == 0 ? std::nullopt : std::optional(direction.m_fP95),
-                            Totals(e)["speed_error"].m_fP95, Cost(e).m_cNsPerBallStep.m_fMedian, &Cost(e)});
+                            Totals(e)["direction_error"].GetP95(), Totals(e)["speed_error"].m_fP95,
+                            Cost(e).m_cNsPerBallStep.m_fMedian, &Cost(e)});
     }
   }
 

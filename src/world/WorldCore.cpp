@@ -314,7 +314,7 @@ void CWorld::CImpl::LoadState(const CWorldState& state) {
   NoteStops();
   m_cState.m_nNextId = nextId;
   m_cState.m_cLimits = m_cLimits;
-  // What is at a stop still rests.
+  // A shape at its stop still rests.
   for (CShapeEntry& entry : m_cState.m_stdShapes)
     if (entry.m_bIsHeld != IsForbidden(eEffect::Kinematics)) entry.SetHeld(!entry.m_bIsHeld);
   m_cDesc.m_vGravity = m_cState.m_vGravity;

@@ -139,7 +139,7 @@ TEST_F(CommandTest, EnginesAreChosen) {
   EXPECT_EQ(engines("box2d,native-approximate,native"), "native native-approximate box2d ");
   EXPECT_EQ(engines("box2d-tuned,box2d-tuned"), "box2d-tuned ");
   EXPECT_EQ(engines("box2d --engines native"), "native box2d ");
-  // What follows is the file.
+  // The next word is the file.
   EXPECT_EQ(Run("scene --contacts 20 --engines native " SHAPES_SCENES_DIR "/bowl.json").m_nExit, 0);
 }
 
