@@ -74,7 +74,7 @@ public:
   const Vector2& GetPos() const { return m_vPos; }
   /// Moves the shape so that its position is p; the ends of segments and arcs go with it. With its next move
   /// a kinematic shape jumps back to where it comes from its pose at construction: Relocate keeps the new
-  /// place.
+  /// place. Far away points are rounded, and the shape comes back as another; Relocate brings back the same.
   /// @throws std::invalid_argument if p is not finite or too large (g_fMaxLength)
   void SetPos(const Vector2& p);
 
@@ -92,7 +92,8 @@ public:
   void SetUserPtr(void* p) { m_pUser = p; }
 
   /// Moves the shape so that its position is p, until Reset: its rotation centre moves along, and rotations
-  /// start from the moved pose.
+  /// start from the moved pose. Every point, and the centre, are within 3 ulp of |p| + |centre| of where they
+  /// belong, wherever the shape has been before.
   /// @throws std::invalid_argument if p or the moved centre is not finite or too large (g_fMaxLength)
   void Relocate(const Vector2& p);
 

@@ -40,13 +40,25 @@ void CShape::SetPos(const Vector2& p) {
 }
 
 void CShape::Relocate(const Vector2& p) {
-  if (m_eMotionType != eMotion::Kinematic) return SetPos(p);
-  const Vector2 d = p - m_vPos, center = m_vRotCenter + d;
+  if (m_eMotionType == eMotion::Dynamic) return SetPos(p);
   RequireVector("m_vPos", p, g_fMaxLength);
-  RequireVector("m_vRotCenter", center, g_fMaxLength);
-  SetPos(p);
-  m_vRotCenter = center;
-  m_vMoved += d.cast<double>();
+  // From the pose at construction, and not by adding the way to each point: far away points are rounded, and
+  // would come back as others.
+  const Vector2d start = m_vStartPos.cast<double>(), arm = start - m_vStartRotCenter;
+  const Vector2d moved =
+      p.cast<double>() - start - (Geometry::Turned(arm, static_cast<double>(m_fOrientation)) - arm);
+  Vector2 center = p; // of a static shape, which does not turn
+  if (m_eMotionType == eMotion::Kinematic) {
+    center = (m_vStartRotCenter + moved).cast<float>();
+    RequireVector("m_vRotCenter", center, g_fMaxLength);
+    m_vRotCenter = center;
+  }
+  m_vMoved = moved;
+  m_fLastTurn = 0.0f;
+  m_vLastMove.setZero();
+  TurnFromStart(center, m_fOrientation);
+  m_vPos = p;
+  Update();
 }
 
 Vector2 CShape::TurnFromStart(const Vector2& center, float angle) {

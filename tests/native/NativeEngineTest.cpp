@@ -135,11 +135,11 @@ TEST(NativeWorldTest, HasTheBitsOfThePlainLoopFarFromTheOrigin) {
 }
 
 TEST(NativeWorldTest, AShapeThatWentFarAndCameBackIsMetAsByThePlainLoop) {
-  // Its ends were rounded out there; normal and box have to follow the rounded ones.
+  // As it was made, though its ends were rounded out there.
   CBoth both;
   const CShapeId id = both.Add(CLineSegDesc({0, 0}, {0.05f, 0.05f}));
   for (const Vector2& p : {Vector2(1e6f, 2.5e6f), Vector2(0, 0)}) {
-    both.m_stdShapes[0]->SetPos(p);
+    both.m_stdShapes[0]->Relocate(p);
     both.m_pWorld->SetPos(id, p);
   }
   const CShapeId ball = both.Add(CDynamicCircleDesc({0, 0}, 1));

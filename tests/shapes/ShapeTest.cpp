@@ -126,7 +126,7 @@ TEST_P(Shape, RelocateOutlivesRotationsUntilReset) {
     pShape->SetOrientation(1.0f);
   m_pShape->Relocate(m_pShape->GetPos() + d);
   if (IsKinematic()) {
-    EXPECT_EQ(m_pShape->GetRotCenter(), Vector2(1.0f, 0.0f) + d);
+    EXPECT_LE((m_pShape->GetRotCenter() - Vector2(1.0f, 0.0f) - d).norm(), 64 * 3 * g_fUlp);
   }
   const auto expectMoved = [&, &shape = *m_pShape] {
     CAabb2D moved = pStill->GetAABB();
@@ -143,6 +143,25 @@ TEST_P(Shape, RelocateOutlivesRotationsUntilReset) {
   m_pShape->Reset();
   EXPECT_EQ(m_pShape->GetPos(), Vector2(1.0f, 2.0f));
   EXPECT_EQ(m_pShape->GetRotCenter(), Vector2(1.0f, 0.0f));
+}
+
+// A shape that is kept far from the table between games.
+TEST_P(Shape, RelocateFarAndBackGivesTheSameShape) {
+  m_pShape->SetRotCenter({1.3f, 0.1f});
+  m_pShape->SetOrientation(0.7f);
+  const Vector2 home(1.1f, 2.7f);
+  m_pShape->Relocate(home);
+  const auto pStayed = m_pShape->Clone();
+  for (const Vector2& far : {Vector2(1e5f, -3e5f), Vector2(-7e8f, 1e3f)}) {
+    m_pShape->Relocate(far);
+    EXPECT_EQ(m_pShape->GetPos(), far);
+    m_pShape->SetOrientation(0.7f); // as its next step does, which rounds it there
+    m_pShape->Relocate(home);
+    EXPECT_EQ(m_pShape->GetPos(), home);
+    EXPECT_EQ(m_pShape->GetRotCenter(), pStayed->GetRotCenter());
+    EXPECT_EQ(m_pShape->GetAABB().GetTopLeft(), pStayed->GetAABB().GetTopLeft());
+    EXPECT_EQ(m_pShape->GetAABB().GetBottomRt(), pStayed->GetAABB().GetBottomRt());
+  }
 }
 
 TEST(StaticShape, IsRelocatedWithoutItsUnusedCentre) {
