@@ -29,7 +29,7 @@ make_tests() { # COMPILER FLAGS...: prints the program
   # shellcheck disable=SC2046,SC2086 # several flags, or none
   "$compiler" -std=c++20 "$@" -ffp-contract=off $traps -DSHAPES_SCENES_DIR="\"$root/compare/scenes\"" \
     -I"$root/include" -I"$root/tests" -I"$root/compare" $(pkg-config --cflags eigen3) \
-    "$root/tests/golden/GoldenTest.cpp" "$root/tests/Played.cpp" "$build/compare/libshapes-compare-parts.a" \
+    "$root/tests/golden/GoldenTest.cpp" "$root/tests/Played.cpp" "$build"/compare/libshapes-{compare-parts,scenes}.a \
     "$work/$name/libShapes.a" $(pkg-config --libs fmt gtest_main) -o "$work/$name/golden-tests"
   echo "$work/$name/golden-tests"
 }
