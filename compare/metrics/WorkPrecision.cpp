@@ -78,7 +78,7 @@ std::vector<CEngine> GetParameterSweep() {
 namespace {
 
 // Shares of the time of a sweep, for the progress.
-constexpr double g_fRestartShare = 0.5, g_fTimingShare = 0.3;
+constexpr double g_fRestartShare = 0.5, g_fTimingShare = 0.3, g_fProofShare = 0.2;
 
 void MeasureErrors(const CScene& scene, const std::vector<CEngine>& sweep,
                    const CParameterSweepOptions& options, std::vector<CSetting>& settings) {
@@ -122,7 +122,14 @@ void MeasureCosts(const CScene& scene, const CParameterSweepOptions& options,
 void Prove(const CScene& scene, const CParameterSweepOptions& options, std::vector<CSetting*> settings) {
   CImpactTrialOptions restart{options, false, false};
   restart.m_nContacts = std::max<std::size_t>(options.m_nContacts, 1);
-  restart.m_stdProgress = [&](double) { options.m_stdProgress(g_fRestartShare + g_fTimingShare); };
+  restart.m_stdProgress = [&](double share) {
+    std::size_t fewest = options.m_nConfirmation;
+    for (const CSetting* pSetting : settings)
+      fewest = std::min(fewest, pSetting->GetAllContacts());
+    const double had = static_cast<double>(fewest) + share * static_cast<double>(restart.m_nContacts);
+    const double proven = std::min(1.0, had / static_cast<double>(options.m_nConfirmation));
+    options.m_stdProgress(1.0 - g_fProofShare * (1.0 - proven));
+  };
   for (restart.m_nSeed = options.m_nSeed + 1;; ++restart.m_nSeed) {
     std::erase_if(settings, [&](const CSetting* pSetting) {
       return pSetting->GetAllContacts() >= options.m_nConfirmation || pSetting->GetAllTunneled() > 0;

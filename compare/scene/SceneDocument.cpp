@@ -20,7 +20,12 @@ constexpr std::size_t g_nMaxValueText = 60; // characters of a wrong value in a 
 // Bytes of a scene file: some hundred thousand shapes.
 constexpr std::uintmax_t g_nMaxFileSize = 64u << 20;
 
-std::string PathText(const CJsonPath& path) { return path.empty() ? "/" : path.to_string(); }
+// As JSON writes it, because a name may hold anything, and a terminal obeys some of it.
+std::string PathText(const CJsonPath& path) {
+  if (path.empty()) return "/";
+  const std::string quoted = CJson(path.to_string()).dump();
+  return quoted.substr(1, quoted.size() - 2);
+}
 
 std::string ValueText(const CJson& value) {
   std::string text = value.dump(-1, ' ', true);

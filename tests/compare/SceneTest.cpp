@@ -152,6 +152,10 @@ TEST_F(SceneTest, AWrongFieldIsNamedWithWhatWasExpected) {
       {"/shapes/1", R"({"a/b: 'c'": true})",
        "/shapes/1/a~1b: 'c': expected no such field (known are drain, elasticity, filter, flip, motion, "
        "name, p0, p1, rotation_center, rotation_speed, sensor, shuttle, sides, type, velocity), got true"},
+      // A name that would colour the terminal.
+      {"/shapes/1", R"({"\u001b[31m": 1})",
+       R"(/shapes/1/\u001b[31m: expected no such field (known are drain, elasticity, filter, flip, motion, )"
+       R"(name, p0, p1, rotation_center, rotation_speed, sensor, shuttle, sides, type, velocity), got 1)"},
       {"/shapes/1/type", R"("square")",
        R"(expected one of "point", "line_segment", "circle", "arc", "capsule", got "square")"},
       {"/shapes/1", "5", "expected an object that describes a shape, got 5"},

@@ -5,6 +5,8 @@
 #include "metrics/Cost.h"
 #include "metrics/HeatMap.h"
 
+#include <algorithm>
+
 namespace Shapes::Compare::Tests {
 namespace {
 
@@ -86,14 +88,16 @@ TEST(WorkPrecision, SubstepsBuyPrecisionWithTime) {
   options.m_nConfirmation = 1000;
   options.m_nBallSteps = 2000;
   options.m_nRepeats = 7;
-  double last = 0.0;
+  double last = 0.0, longest = 0.0;
   options.m_stdProgress = [&](double done) {
-    EXPECT_GE(done, 0.0);
+    EXPECT_GE(done, last);
     EXPECT_LE(done, 1.0);
+    longest = std::max(longest, done - last);
     last = done;
   };
   const CWorkPrecision work = MeasureWorkPrecision(scene, ladder, options);
   EXPECT_EQ(last, 1.0);
+  EXPECT_LT(longest, 0.1); // the proof goes on before one's eyes, too
   ASSERT_EQ(work.m_stdSettings.size(), 6u);
   const CSetting &one = work.m_stdSettings[g_nApproximate], &box2d = work.m_stdSettings[g_nBox2D];
   const CSetting &eight = work.m_stdSettings[4], &exact = work.m_stdSettings[5];
