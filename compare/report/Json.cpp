@@ -35,6 +35,7 @@ ordered_json Rate(std::size_t hits, std::size_t n) {
   const CInterval i = Wilson(hits, n);
   return {
       {"count", hits},
+      {"of", n},
       {"rate", n == 0 ? ordered_json(nullptr) : Number(static_cast<double>(hits) / static_cast<double>(n))},
       {"low", i.m_fLow},
       {"high", i.m_fHigh}};

@@ -50,7 +50,7 @@ const Effects = (() => {
     {
       head: 'lost',
       unit: '%',
-      cell: (row, scene) => figure(row, scene, (world) => rate(world.tunneled, world.contacts))
+      cell: (row, scene) => figure(row, scene, (world) => rate(world.tunneled))
     },
     {
       head: 'flight error',
@@ -70,7 +70,7 @@ const Effects = (() => {
     {
       head: 'touches missed',
       unit: '%',
-      cell: (row, scene) => figure(row, scene, (world) => rate(world.touches_missed, scene.sensor_touches)),
+      cell: (row, scene) => figure(row, scene, (world) => rate(world.touches_missed)),
       isThere: (rows, scene) => scene.sensor_touches > 0
     },
   ];

@@ -79,13 +79,13 @@ const Format = (() => {
     return `${num(scale * pair[0])}${dash}${num(scale * pair[1])}`;
   }
 
-  /** A rate in percent, of n events. None seen in n is no zero: at 95% it is below 3 in n. */
-  function rate(r, n) {
-    if (!r || !isNumber(r.count) || !(n > 0)) return dash;
-    if (r.count > 0) return percent(r.rate ?? r.count / n);
-    return n > 3 ? `< ${percent(3 / n)}` : `none in ${count(n)}`;
+  /** A rate in percent. None seen in n is no zero: at 95% it is below 3 in n. */
+  function rate(r) {
+    if (!r || !isNumber(r.count) || !(r.of > 0)) return dash;
+    if (r.count > 0) return percent(r.count / r.of);
+    return r.of > 3 ? `< ${percent(3 / r.of)}` : `none in ${count(r.of)}`;
   }
-  const rateInterval = (r, n) => (r && r.count > 0 && n > 0 ? interval([r.low, r.high], 100) : '');
+  const rateInterval = (r) => (r && r.count > 0 && r.of > 0 ? interval([r.low, r.high], 100) : '');
 
   /** Nanoseconds in the unit that suits. */
   const time = (ns) => withUnit(ns, num);
@@ -117,9 +117,9 @@ const Format = (() => {
   /** A figure with its interval, if there is one. */
   const withInterval = (text, range) =>
       (range ? [text, ' ', el('span', {class: 'interval'}, `(${range})`)] : [text]);
-  const rateWithInterval = (r, n) => {
-    const of = r && isNumber(r.count) && n > 0 ? `${count(r.count)} of ${count(n)}` : '';
-    return withInterval(rate(r, n), [rateInterval(r, n), of].filter(Boolean).join('; '));
+  const rateWithInterval = (r) => {
+    const of = r && isNumber(r.count) && r.of > 0 ? `${count(r.count)} of ${count(r.of)}` : '';
+    return withInterval(rate(r), [rateInterval(r), of].filter(Boolean).join('; '));
   };
   /** Median and 95th percentile. */
   const summary = (s, format = num) => (s && s.count > 0 ? `${format(s.median)} / ${format(s.p95)}` : dash);

@@ -26,8 +26,7 @@ const Metrics = (() => {
   // How a figure is drawn follows from its kind and its unit; run.json lists them.
   function figureCell({key, kind, unit, signed: isSigned}) {
     if (kind === 'rate')
-      return (e, scene) => [`${count(e[key]?.count)}: `,
-                            rateWithInterval(e[key], key === 'ghost' ? scene.quiet_steps : e.contacts)];
+      return (e) => [`${count(e[key]?.count)}: `, rateWithInterval(e[key])];
     if (kind === 'impact')
       return (e) => summaryText(e[key], unit === 'rad' ? bothAngles : num, isSigned ? signed : undefined);
     if (unit === 'change') return (e) => change(e[key]);

@@ -26,9 +26,9 @@ const Plots = (() => {
   /** The tunneled rate with the further impacts of the proof; the interval is known without them only. */
   function tunneledOf(row) {
     const r = row.tunneled_rate;
-    if (!r || !isNumber(r.count) || !(row.contacts > 0)) return null;
-    if (!row.proof) return {...r, n: row.contacts};
-    return {count: r.count + row.proof.tunneled, n: row.contacts + row.proof.contacts};
+    if (!r || !isNumber(r.count) || !(r.of > 0)) return null;
+    if (!row.proof) return r;
+    return {count: r.count + row.proof.tunneled, of: r.of + row.proof.contacts};
   }
   const isNone = (row) => tunneledOf(row)?.count === 0;
 
@@ -48,7 +48,7 @@ const Plots = (() => {
       note: 'share of impacts at which the ball passes; bars are 95% intervals',
       value: (row) => {
         const r = tunneledOf(row);
-        return r && r.count / r.n;
+        return r && r.count / r.of;
       },
       range: (row) => (isNone(row) ? null : [tunneledOf(row).low, tunneledOf(row).high]),
       front: 'front_by_misses',
@@ -136,11 +136,10 @@ const Plots = (() => {
          (row.ns_per_ball_second_interval ? ` (${row.ns_per_ball_second_interval.map(time).join(' to ')})`
                                           : '')];
     lines.push(`direction error, p95: ${bothAngles(row.direction_error_p95)} rad`);
-    for (const [name, r, n] of [['tunneled', tunneledOf(row), tunneledOf(row)?.n],
-                                ['missed', row.miss_rate, row.contacts]]) {
-      if (!r || !(n > 0)) continue;
-      const range = rateInterval(r, n);
-      lines.push(`${name}: ${rate(r, n)} %${range ? ` (${range})` : ''}, ${count(r.count)} of ${count(n)}`);
+    for (const [name, r] of [['tunneled', tunneledOf(row)], ['missed', row.miss_rate]]) {
+      if (!r || !(r.of > 0)) continue;
+      const range = rateInterval(r);
+      lines.push(`${name}: ${rate(r)} %${range ? ` (${range})` : ''}, ${count(r.count)} of ${count(r.of)}`);
     }
     if (row.proof) lines.push(`of these in the proof: ${proofText(row)}`);
     if (row.front_by_error) lines.push('on the front of error');
@@ -252,8 +251,8 @@ const Plots = (() => {
                                withInterval(time(row.ns_per_ball_second),
                                             list(row.ns_per_ball_second_interval).map(time).join(dash)),
                                bothAngles(isExact(row) ? 0 : row.direction_error_p95),
-                               rateWithInterval(tunneledOf(row), tunneledOf(row)?.n),
-                               rate(row.miss_rate, row.contacts),
+                               rateWithInterval(tunneledOf(row)),
+                               rate(row.miss_rate),
                                count(row.contacts),
                                proofText(row),
                                [row.front_by_error ? 'error' : null, row.front_by_misses ? 'tunneling' : null]

@@ -11,7 +11,7 @@ const Tables = (() => {
     {key: 'missed', name: 'missed', style: 'outcome-missed', of: (e) => e.missed?.count},
   ];
 
-  const share = (n, total) => (total > 0 && isNumber(n) ? `${rate({count: n}, total)}%` : dash);
+  const share = (n, total) => (total > 0 && isNumber(n) ? `${rate({count: n, of: total})}%` : dash);
 
   function outcomeRow(engine, scene) {
     const shown = outcomes.filter((o) => o.of(engine) > 0);
@@ -119,7 +119,7 @@ const Tables = (() => {
     const find = (engine, {by, label}) =>
         engine.bins.find((bin) => bin.by === by && bin.label === label) ?? {};
     const columns = [
-      ['tunneled', '%', (bin) => rateWithInterval(bin.tunneled, bin.contacts)],
+      ['tunneled', '%', (bin) => rateWithInterval(bin.tunneled)],
       ['setback error', 'radii, median / p95', (bin) => summary(bin.setback_error)],
       ['direction error', 'rad (degrees), median / p95', (bin) => angles(bin.direction_error)],
     ];
