@@ -31,16 +31,12 @@ CPlay PlayExact(const CScene& scene, const CStart& start, std::size_t steps) {
   CPlay play;
   CExactGame game(scene, start);
   const CStopwatch stopwatch;
-  try {
-    while (play.m_nSteps < steps && game.IsInBounds()) {
-      ++play.m_nSteps; // one that cannot be decided has taken its time too
-      game.Step();
-      play.m_nContacts += static_cast<std::size_t>(
-          std::count_if(game.GetEvents().begin(), game.GetEvents().end(),
-                        [](const CExactEvent<double>& event) { return !event.m_bIsSensor; }));
-    }
-  } catch (const std::runtime_error&) {
-    // The reference cannot decide what happens: the trial is over.
+  while (play.m_nSteps < steps && game.IsInBounds()) {
+    ++play.m_nSteps; // one that cannot be decided has taken its time too
+    if (!game.TryStep()) break;
+    play.m_nContacts += static_cast<std::size_t>(
+        std::count_if(game.GetEvents().begin(), game.GetEvents().end(),
+                      [](const CExactEvent<double>& event) { return !event.m_bIsSensor; }));
   }
   play.m_cElapsed = stopwatch.GetElapsed();
   return play;

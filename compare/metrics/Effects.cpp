@@ -17,7 +17,7 @@ constexpr std::size_t g_nLook = 2000;
 // Shares of the time, for the progress.
 constexpr double g_fImpactShare = 0.3, g_fCostShare = 0.3;
 
-// "Kinematics: runs; 2 shapes rotate" is "2 shapes rotate".
+// "Kinematics: runs; 2 shapes move or rotate" is "2 shapes move or rotate".
 std::string GetReason(const std::string& explanation, eEffect e) {
   const std::size_t line = explanation.find(std::string(GetName(e)) + ": "),
                     from = explanation.find("; ", line);
@@ -92,13 +92,9 @@ private:
   void PlayTrial(const CStart& start) {
     CExactGame exact(m_cScene, start);
     std::size_t steps = 0;
-    try {
-      do
-        exact.Step();
-      while (exact.GetEvents().empty() && exact.IsInBounds() && ++steps < GetStepsPerTrial(m_cScene));
-    } catch (const std::runtime_error&) {
-      return; // The reference cannot decide what happens.
-    }
+    do
+      if (!exact.TryStep()) return;
+    while (exact.GetEvents().empty() && exact.IsInBounds() && ++steps < GetStepsPerTrial(m_cScene));
     if (exact.GetEvents().empty()) return;
     for (std::size_t i = 0; i < m_stdWorlds.size(); ++i) {
       CGame game(m_cScene, m_stdWorlds[i], start);
@@ -150,13 +146,9 @@ private:
 
   void PlayTrial(std::uint64_t trial) {
     CExactGame game(m_cScene, MakeStart(m_cScene, m_cOptions.m_nSeed, trial));
-    try {
-      for (std::size_t i = 0; i < GetStepsPerTrial(m_cScene) && game.IsInBounds() && !HasEnough(); ++i) {
-        game.Step();
-        if (!game.GetEvents().empty() && game.GetEvents().front().m_bIsSensor) Judge(game);
-      }
-    } catch (const std::runtime_error&) {
-      // The reference cannot decide what happens: the trial is over.
+    for (std::size_t i = 0; i < GetStepsPerTrial(m_cScene) && game.IsInBounds() && !HasEnough(); ++i) {
+      if (!game.TryStep()) break;
+      if (!game.GetEvents().empty() && game.GetEvents().front().m_bIsSensor) Judge(game);
     }
     m_cOptions.m_stdProgress(0.0);
   }

@@ -3,7 +3,9 @@
 
 #include "report/Report.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -127,20 +129,6 @@ constexpr CFigure g_stdFigures[] = {
 
 constexpr bool IsOfImpact(const CFigure& figure) { return figure.m_pOfImpact != nullptr; }
 
-constexpr std::size_t CountImpactFigures() {
-  std::size_t n = 0;
-  for (const CFigure& figure : g_stdFigures)
-    n += IsOfImpact(figure);
-  return n;
-}
-
-constexpr std::size_t FindFirstImpactFigure() {
-  std::size_t i = 0;
-  while (!IsOfImpact(g_stdFigures[i]))
-    ++i;
-  return i;
-}
-
 } // namespace
 
 const char* GetKind(const CFigure& figure) {
@@ -151,9 +139,10 @@ const char* GetKind(const CFigure& figure) {
 std::span<const CFigure> GetFigures() { return g_stdFigures; }
 
 std::span<const CFigure> GetImpactFigures() {
-  constexpr std::size_t first = FindFirstImpactFigure(), n = CountImpactFigures();
-  static_assert(IsOfImpact(g_stdFigures[first + n - 1]), "one after the other");
-  return std::span(g_stdFigures).subspan(first, n);
+  constexpr auto pFirst = std::find_if(std::begin(g_stdFigures), std::end(g_stdFigures), IsOfImpact);
+  constexpr auto n = std::count_if(std::begin(g_stdFigures), std::end(g_stdFigures), IsOfImpact);
+  static_assert(IsOfImpact(pFirst[n - 1]), "one after the other");
+  return {pFirst, static_cast<std::size_t>(n)};
 }
 
 const CFigure* FindFigure(std::string_view key) {

@@ -19,24 +19,16 @@ std::string Quoted(const std::string& field) {
 
 // Each field with the comma before it; what was not measured is empty. Five digits: more than any figure is
 // worth, and no two impacts are alike in them.
-class CRow {
-public:
-  explicit CRow(std::string& text) : m_sText(text) {}
-  void Add(bool isMeasured, float x) {
-    m_sText += ',';
-    if (isMeasured) fmt::format_to(std::back_inserter(m_sText), "{:.5g}", x);
-  }
-
-private:
-  std::string& m_sText;
-};
+void Add(bool isMeasured, float x, std::string& text) {
+  text += ',';
+  if (isMeasured) fmt::format_to(std::back_inserter(text), "{:.5g}", x);
+}
 
 void Append(const CEngineContact& e, std::string& text) {
   text += ',';
   text += GetName(e.m_eOutcome);
-  CRow row(text);
   for (const CFigure& figure : GetImpactFigures())
-    row.Add(figure.m_pIsMeasured(e), e.*figure.m_pOfImpact);
+    Add(figure.m_pIsMeasured(e), e.*figure.m_pOfImpact, text);
 }
 
 } // namespace
@@ -55,10 +47,9 @@ std::string MakeCsv(const CRunReport& report) {
     for (const CContact& c : scene.m_cImpactTrials.m_stdContacts) {
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{}", name, c.m_nTrial, c.m_nStep, c.m_nBall,
                      GetName(c.m_ePair));
-      CRow row(text);
       for (const float x : {c.m_fTime, c.m_fTravel, c.m_fApproach, c.m_fIncidence, c.m_fElasticity})
-        row.Add(true, x);
-      row.Add(c.m_bHasDifference, c.m_fDifference);
+        Add(true, x, text);
+      Add(c.m_bHasDifference, c.m_fDifference, text);
       for (const CEngineContact& e : c.m_stdEngines)
         Append(e, text);
       text += '\n';

@@ -67,7 +67,7 @@ public:
       }
     }
     for (std::size_t i = 0; i < frames; ++i) {
-      if (i > 0 && !TryStep(exact)) break;
+      if (i > 0 && !(exact.TryStep() && exact.IsInBounds())) break;
       for (std::size_t b = 0; b < balls.size(); ++b)
         clip.m_stdTracks.back().push_back(exact.GetReference().GetBall(b).m_vPos.cast<float>());
     }
@@ -88,15 +88,6 @@ public:
   }
 
 private:
-  static bool TryStep(CExactGame& exact) {
-    try {
-      exact.Step();
-      return exact.IsInBounds();
-    } catch (const std::runtime_error&) {
-      return false; // the clip ends where the reference gives up
-    }
-  }
-
   // All tracks as long as the shortest.
   static void Cut(CClip& clip, std::size_t balls) {
     std::size_t shortest = clip.m_stdTracks.front().size();

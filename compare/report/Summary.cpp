@@ -34,7 +34,7 @@ std::string Degrees(bool isKnown, double radians) {
 
 std::string Times(const std::optional<CMedian>& times) { return times ? TwoDigits(times->m_fMedian) : ""; }
 
-// "good", and as a sign.
+// Nothing for good.
 std::string_view Sign(eGrade grade) {
   return grade == eGrade::Good ? "" : grade == eGrade::Rough ? " ~" : " !";
 }

@@ -43,6 +43,15 @@ void CExactGame::Step() {
   ++m_nSteps;
 }
 
+bool CExactGame::TryStep() {
+  try {
+    Step();
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
 bool CExactGame::IsInBounds() const {
   for (std::size_t i = 0; i < m_stdBalls.size(); ++i)
     if (!(m_cScene.m_cBounds && Vector2(m_cReference.GetBall(i).m_vPos.cast<float>()))) return false;

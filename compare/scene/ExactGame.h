@@ -20,6 +20,8 @@ public:
   /// given.
   /// @throws std::runtime_error naming the place, if the reference cannot decide what happens
   void Step();
+  /// The same. @returns false, and no more can be played, if it cannot decide
+  bool TryStep();
 
   /// The number of steps so far.
   std::size_t GetSteps() const { return m_nSteps; }

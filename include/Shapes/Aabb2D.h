@@ -28,6 +28,7 @@ public:
   }
   /// Grows the box just enough to contain the point p.
   CAabb2D& operator+=(const Vector2& p);
+  CAabb2D& operator+=(const CAabb2D& box) { return (*this += box.m_vTopLeft) += box.m_vBottomRt; }
 
   /// Whether the boxes share at least one point.
   friend bool operator&&(const CAabb2D& a, const CAabb2D& b);

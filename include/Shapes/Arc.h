@@ -46,7 +46,7 @@ public:
   float GetSpan() const { return m_fSpan; }
   bool IsFullCircle() const { return m_bFull; }
   /// Error at most 2 ulp of |centre| + radius at construction.
-  void GetEndPts(Vector2& p0, Vector2& p1) const;
+  void GetEndPts(Vector2& p0, Vector2& p1) const { p0 = m_vPt0, p1 = m_vPt1; }
   const Vector2& GetEndPt0() const { return m_vPt0; }
   const Vector2& GetEndPt1() const { return m_vPt1; }
   /// Unit tangents that point from each end into the arc: across the ways to the ends as these were rounded,
@@ -70,7 +70,6 @@ protected:
 private:
   void Translate(const Vector2& d) override;
   Vector2 TurnFromStart(const Vector2& center, float angle) override;
-  void BackToStart() override;
   void Update() override;
 
   float m_fAngle0;
@@ -85,10 +84,6 @@ private:
 };
 
 /// An arc that turns about its rotation centre.
-class CKinematicArc : public CArc {
-public:
-  explicit CKinematicArc(const CArcDesc& desc) : CArc(desc, eMotion::Kinematic) {}
-  std::unique_ptr<CShape> Clone() const override;
-};
+using CKinematicArc = CKinematic<CArc, CArcDesc>;
 
 } // namespace Shapes

@@ -21,7 +21,7 @@ public:
 class CCircle : public CShape {
 public:
   /// @throws std::invalid_argument naming the field that is not finite, negative or too large
-  explicit CCircle(const CCircleDesc& desc) : CCircle(desc, eShape::Circle, eMotion::Static) {}
+  explicit CCircle(const CCircleDesc& desc) : CCircle(desc, eMotion::Static) {}
   std::unique_ptr<CShape> Clone() const override;
 
   float GetRadius() const { return m_fRadius; }
@@ -60,7 +60,7 @@ public:
   bool Tangent(const CCircle* pCircle, CLineSegDesc& t) const;
 
 protected:
-  CCircle(const CCircleDesc& desc, eShape type, eMotion motion);
+  CCircle(const CCircleDesc& desc, eMotion motion, eShape type = eShape::Circle);
 
 private:
   friend class CArc;
@@ -71,10 +71,6 @@ private:
 };
 
 /// A circle that turns about its rotation centre.
-class CKinematicCircle : public CCircle {
-public:
-  explicit CKinematicCircle(const CCircleDesc& desc) : CCircle(desc, eShape::Circle, eMotion::Kinematic) {}
-  std::unique_ptr<CShape> Clone() const override;
-};
+using CKinematicCircle = CKinematic<CCircle, CCircleDesc>;
 
 } // namespace Shapes

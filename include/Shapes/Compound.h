@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Shapes/Shape.h>
+#include <Shapes/Point.h>
 
 #include <vector>
 
@@ -24,24 +24,18 @@ public:
   /// Moves all shapes by one step.
   void move();
 
-  float GetOrientation() const { return m_fOrientation; } ///< Radians in [0, 2 pi).
-  void SetOrientation(float angle) { Rotate(m_vRotCenter, angle); }
-  const Vector2& GetVel() const { return m_vVel; } ///< Units per second.
+  float GetOrientation() const { return m_cPose.GetOrientation(); } ///< Radians in [0, 2 pi).
+  void SetOrientation(float angle) { Rotate(GetRotCenter(), angle); }
+  const Vector2& GetVel() const { return m_cPose.GetVel(); } ///< Units per second.
   void SetVel(const Vector2& v);
-  float GetRotSpeed() const { return m_fRotSpeed; } ///< Revolutions per second.
+  float GetRotSpeed() const { return m_cPose.GetRotSpeed(); } ///< Revolutions per second.
   void SetRotSpeed(float revsPerSecond);
-  const Vector2& GetRotCenter() const { return m_vRotCenter; }
+  const Vector2& GetRotCenter() const { return m_cPose.GetRotCenter(); }
   void SetRotCenter(const Vector2& center);
 
 private:
   std::vector<CShape*> m_stdShapes;
-  float m_fOrientation = 0.0f;
-  double m_fAngle = 0.0; // the same before it was rounded, but for whole turns
-  Vector2 m_vVel = Vector2::Zero();
-  float m_fRotSpeed = 0.0f;
-  Vector2 m_vRotCenter = Vector2::Zero();
-  Eigen::Vector2d m_vMoved = Eigen::Vector2d::Zero();          // of m_vRotCenter, by m_vVel
-  Eigen::Vector2d m_vStartRotCenter = Eigen::Vector2d::Zero(); // without it
+  CKinematicPoint m_cPose{CPointDesc(Vector2::Zero())}; // moves and turns as they do
 };
 
 } // namespace Shapes

@@ -53,11 +53,6 @@ struct CTouchEvent {
 /// comes when they part, and in the next Step where one of the two was removed or turned off, is no sensor
 /// any more, or does not meet the other's filter. Only LoadState ends them without telling. In a substep they
 /// touch once at most: a ball that passes, bounces off and passes again within it begins once.
-struct CSensorEvent {
-  CShapeId m_cShape; ///< As in CContactEvent.
-  CShapeId m_cBall;
-  bool m_bBegin = false;
-  friend bool operator==(const CSensorEvent&, const CSensorEvent&) = default;
-};
+using CSensorEvent = CTouchEvent;
 
 } // namespace Shapes

@@ -15,7 +15,7 @@ public:
 
   /// Sets the ends, given in any order, and the position, their midpoint: within 1 ulp of |end 0| + length.
   void SetEndPts(const Vector2& p0, const Vector2& p1);
-  void GetEndPts(Vector2& p0, Vector2& p1) const;
+  void GetEndPts(Vector2& p0, Vector2& p1) const { p0 = m_vPt0, p1 = m_vPt1; }
   const Vector2& GetEndPt0() const { return m_vPt0; }
   const Vector2& GetEndPt1() const { return m_vPt1; }
   /// Unit vector to the left of the way from end 0 to end 1; (0, 1) for a segment of no length. Error
@@ -38,12 +38,12 @@ public:
   explicit CLineSeg(const CLineSegDesc& desc) : CLineSeg(desc, eMotion::Static) {}
   std::unique_ptr<CShape> Clone() const override;
 
-  void GetEndPts(Vector2& p0, Vector2& p1) const;
+  void GetEndPts(Vector2& p0, Vector2& p1) const { p0 = m_vPt0, p1 = m_vPt1; }
   const Vector2& GetEndPt0() const { return m_vPt0; }
   const Vector2& GetEndPt1() const { return m_vPt1; }
   /// Unit tangents that point from each end into the segment: t0 from end 0, t1 = -t0 from end 1. Error as of
   /// the normal.
-  void GetTangents(Vector2& t0, Vector2& t1) const;
+  void GetTangents(Vector2& t0, Vector2& t1) const { t0 = m_vDir, t1 = -m_vDir; }
   /// Unit normal, the counterclockwise perpendicular of t0 at construction. It turns with a kinematic segment
   /// and does not flip when the ends change order. Error at most 2 ulp of 1, against the ends as they are
   /// now; its length is within 1 ulp of 1.
@@ -58,7 +58,6 @@ protected:
 private:
   void Translate(const Vector2& d) override;
   Vector2 TurnFromStart(const Vector2& center, float angle) override;
-  void BackToStart() override;
   void Update() override;
 
   Vector2 m_vPt0;
@@ -71,10 +70,6 @@ private:
 };
 
 /// A line segment that turns about its rotation centre: flippers, spinners, gates.
-class CKinematicLineSeg : public CLineSeg {
-public:
-  explicit CKinematicLineSeg(const CLineSegDesc& desc) : CLineSeg(desc, eMotion::Kinematic) {}
-  std::unique_ptr<CShape> Clone() const override;
-};
+using CKinematicLineSeg = CKinematic<CLineSeg, CLineSegDesc>;
 
 } // namespace Shapes

@@ -28,10 +28,6 @@ private:
 };
 
 /// A point that turns about its rotation centre.
-class CKinematicPoint : public CPoint {
-public:
-  explicit CKinematicPoint(const CPointDesc& desc) : CPoint(desc, eMotion::Kinematic) {}
-  std::unique_ptr<CShape> Clone() const override;
-};
+using CKinematicPoint = CKinematic<CPoint, CPointDesc>;
 
 } // namespace Shapes

@@ -17,8 +17,8 @@ class CContactDesc;
 enum class eShape { Point, LineSeg, Circle, Arc };
 
 /// Static shapes stay, kinematic shapes move and turn at given speeds, dynamic shapes (balls) move and
-/// respond. Size counts them.
-enum class eMotion { Static, Kinematic, Dynamic, Size };
+/// respond.
+enum class eMotion { Static, Kinematic, Dynamic };
 
 /// Which faces of a segment or an arc are solid. Front is the side to which the normal points: to the left of
 /// the way from the first end of a segment to its second, and the outside of an arc. Back is the other one. A
@@ -166,8 +166,8 @@ private:
   virtual void Translate(const Vector2&) { Update(); } // moves them by d, after m_vPos
   // Puts them where a turn of the pose at construction, moved by m_vMoved, leaves them. Returns the position.
   virtual Vector2 TurnFromStart(const Vector2& center, float angle);
-  virtual void BackToStart();
   Vector2 Moved(const Vector2& start) const { return (start.cast<double>() + m_vMoved).cast<float>(); }
+  void ForgetMove() { m_fLastTurn = 0.0f, m_vLastMove.setZero(); }
   // Recomputes the box and all that depends on the pose; ends every change of it.
   virtual void Update() = 0;
 
@@ -190,6 +190,14 @@ private:
   Eigen::Vector2d m_vStartRotCenter; // without m_vMoved
   void* m_pUser = nullptr;
   CAabb2D m_cAabb;
+};
+
+/// The kinematic one of a class of shapes: it moves and turns about its rotation centre.
+template <class TStatic, class TDesc>
+class CKinematic : public TStatic {
+public:
+  explicit CKinematic(const TDesc& desc) : TStatic(desc, eMotion::Kinematic) {}
+  std::unique_ptr<CShape> Clone() const override { return std::make_unique<CKinematic>(*this); }
 };
 
 } // namespace Shapes

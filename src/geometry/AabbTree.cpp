@@ -5,15 +5,6 @@
 #include <numeric>
 
 namespace Shapes::Geometry {
-namespace {
-
-CAabb2D Union(CAabb2D a, const CAabb2D& b) {
-  a += b.GetTopLeft();
-  a += b.GetBottomRt();
-  return a;
-}
-
-} // namespace
 
 void CAabbTree::Build(std::span<const CAabb2D> boxes) {
   m_stdNodes.clear();
@@ -31,7 +22,7 @@ void CAabbTree::BuildNode(std::span<const CAabb2D> boxes, std::span<std::uint32_
                           std::uint32_t parent) {
   CAabb2D box = boxes[items[0]];
   for (const std::uint32_t i : items.subspan(1))
-    box = Union(box, boxes[i]);
+    box += boxes[i];
   const auto node = static_cast<std::uint32_t>(m_stdNodes.size());
   m_stdNodes.push_back({box, node + 1, items[0]});
   m_stdParents.push_back(parent);
@@ -55,14 +46,14 @@ void CAabbTree::BuildNode(std::span<const CAabb2D> boxes, std::span<std::uint32_
 void CAabbTree::Refit(std::span<const CAabb2D> boxes) {
   for (std::size_t i = m_stdNodes.size(); i-- > 0;) {
     CNode& node = m_stdNodes[i];
-    node.m_cBox = IsLeaf(i) ? boxes[node.m_nItem]
-                            : Union(m_stdNodes[i + 1].m_cBox, m_stdNodes[m_stdNodes[i + 1].m_nEnd].m_cBox);
+    node.m_cBox = IsLeaf(i) ? boxes[node.m_nItem] : m_stdNodes[i + 1].m_cBox;
+    if (!IsLeaf(i)) node.m_cBox += m_stdNodes[m_stdNodes[i + 1].m_nEnd].m_cBox;
   }
 }
 
 void CAabbTree::Grow(std::uint32_t item, const CAabb2D& box) {
   for (std::uint32_t i = m_stdLeaves[item];; i = m_stdParents[i]) {
-    m_stdNodes[i].m_cBox = Union(m_stdNodes[i].m_cBox, box);
+    m_stdNodes[i].m_cBox += box;
     if (i == 0) return;
   }
 }

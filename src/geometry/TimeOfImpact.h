@@ -75,7 +75,7 @@ eSweep Sweep(const CShapeGeometry& shape, const CMotion& motion, double start, C
 bool IsOutOfWay(const CShapeGeometry& shape, const CMotion& motion, double start, double reach);
 
 /// Two balls on motions that begin at the same time, until the shorter one ends. The normal points to `ball`,
-/// the surface is that of `other`. None or Impact. Swapping the balls changes signs only.
+/// the surface is that of `other`. Swapping the balls changes signs only.
 eSweep ImpactBallBall(const CMotion& other, const CMotion& ball, CImpact& impact);
 
 /// Whether the ball overlaps the shape at the beginning of the motion, and if so how deep: moving it by

@@ -2,7 +2,6 @@
 #include "Turn.h"
 
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 
 namespace Shapes::Geometry {
@@ -16,19 +15,15 @@ constexpr double Term(int n) {
   return 1.0 / product;
 }
 
-// Of -pi/4 to pi/4: the first term that is left out is below a thousandth of an ulp.
-double SumOfSine(double z) {
-  double sum = Term(17);
-  for (const double term : {Term(15), Term(13), Term(11), Term(9), Term(7), Term(5), Term(3)})
-    sum = term + z * sum;
-  return sum;
-}
-
-double SumOfCosine(double z) {
-  double sum = Term(18);
-  for (const double term : {Term(16), Term(14), Term(12), Term(10), Term(8), Term(6), Term(4)})
-    sum = term + z * sum;
-  return sum;
+// Terms of every other power of z from n on. Of -pi/4 to pi/4: the first that is left out is below a
+// thousandth of an ulp.
+template <int n, int last>
+double Sum(double z) {
+  constexpr double term = Term(n);
+  if constexpr (n == last)
+    return term;
+  else
+    return term + z * Sum<n + 2, last>(z);
 }
 
 } // namespace
@@ -46,8 +41,8 @@ CTurn GetTurn(double angle) {
   const double tail = (rest - (x - back)) - (next + back) - quarters * third;
 
   const double z = x * x, half = 0.5 * z, most = 1.0 - half;
-  const double s = x + (x * z * SumOfSine(z) + tail * most);
-  const double c = most + (((1.0 - most) - half) + (z * z * SumOfCosine(z) - x * tail));
+  const double s = x + (x * z * Sum<3, 17>(z) + tail * most);
+  const double c = most + (((1.0 - most) - half) + (z * z * Sum<4, 18>(z) - x * tail));
   switch (static_cast<int>(quarters) & 3) {
   case 0: return {c, s};
   case 1: return {-s, c};

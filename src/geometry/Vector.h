@@ -60,6 +60,7 @@ inline Vector2d Turned(const Vector2d& v, const CTurn& turn) {
 inline Vector2d Turned(const Vector2d& v, double angle) { return Turned(v, GetTurn(angle)); }
 /// p turned about center, as by Shapes::RotatePt: for several points that turn by the same angle.
 inline Eigen::Vector2f RotatePt(const Eigen::Vector2f& p, const Eigen::Vector2f& center, const CTurn& turn) {
+  if (turn.m_fSin == 0.0 && turn.m_fCos == 1.0) return p; // as the sum may be rounded
   const Vector2d c = center.cast<double>();
   return (c + Turned(p.cast<double>() - c, turn)).cast<float>();
 }

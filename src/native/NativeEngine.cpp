@@ -52,19 +52,14 @@ void CNativeEngine::Changed(CShapeId id, eChange change) {
   if (!m_bShapesChanged && change <= eChange::Motion) m_cBroadPhase.Update(entry);
 }
 
-struct CNativeMemory final : CEngineMemory {
-  CContinuous::CMemory m_cContinuous;
-  explicit CNativeMemory(const CContinuous::CMemory& continuous) : m_cContinuous(continuous) {}
-};
-
 std::shared_ptr<const CEngineMemory> CNativeEngine::Save() {
-  return std::make_shared<CNativeMemory>(First().m_cContinuous.GetMemory());
+  return std::make_shared<CContinuous::CMemory>(First().m_cContinuous.GetMemory());
 }
 
 void CNativeEngine::Loaded(const CEngineMemory* pMemory) {
   m_bShapesChanged = m_bBallsChanged = true;
-  const auto* const pNative = dynamic_cast<const CNativeMemory*>(pMemory);
-  First().m_cContinuous.SetMemory(pNative != nullptr ? pNative->m_cContinuous : CContinuous::CMemory());
+  const auto* const pNative = dynamic_cast<const CContinuous::CMemory*>(pMemory);
+  First().m_cContinuous.SetMemory(pNative != nullptr ? *pNative : CContinuous::CMemory());
 }
 
 void CNativeEngine::UpdateBroadPhase() {

@@ -39,7 +39,7 @@ void CArcDesc::GetTangents(Vector2& t0, Vector2& t1) const {
 }
 
 CArc::CArc(const CArcDesc& desc, eMotion motion)
-    : CCircle(desc, eShape::Arc, motion),
+    : CCircle(desc, motion, eShape::Arc),
       m_fAngle0(desc.GetAngle0()),
       m_fSpan(g_fTwoPi),
       m_bFull(desc.GetAngle0() == desc.GetAngle1()),
@@ -59,11 +59,6 @@ CArc::CArc(const CArcDesc& desc, eMotion motion)
 std::unique_ptr<CShape> CArc::Clone() const { return std::make_unique<CArc>(*this); }
 
 float CArc::GetAngle1() const { return m_bFull ? m_fAngle0 : NormalizeAngle(m_fAngle0 + m_fSpan); }
-
-void CArc::GetEndPts(Vector2& p0, Vector2& p1) const {
-  p0 = m_vPt0;
-  p1 = m_vPt1;
-}
 
 void CArc::GetTangents(Vector2& t0, Vector2& t1) const {
   t0 = perp(Normalize(m_vPt0 - m_vPos));
@@ -106,13 +101,6 @@ Vector2 CArc::TurnFromStart(const Vector2& center, float angle) {
   return CCircle::TurnFromStart(center, angle);
 }
 
-void CArc::BackToStart() {
-  CCircle::BackToStart();
-  m_vPt0 = m_vStartPt0;
-  m_vPt1 = m_vStartPt1;
-  m_fAngle0 = m_fStartAngle0;
-}
-
 void CArc::Update() {
   m_cAabb = m_vPt0;
   m_cAabb += m_vPt1;
@@ -128,7 +116,5 @@ void CArc::Update() {
     if (PtInSector(quadrant)) m_cAabb += quadrant;
   }
 }
-
-std::unique_ptr<CShape> CKinematicArc::Clone() const { return std::make_unique<CKinematicArc>(*this); }
 
 } // namespace Shapes

@@ -13,7 +13,7 @@ CCircleDesc::CCircleDesc(const Vector2& p, float r, float e) : CCircleDesc() {
   m_fElasticity = e;
 }
 
-CCircle::CCircle(const CCircleDesc& desc, eShape type, eMotion motion)
+CCircle::CCircle(const CCircleDesc& desc, eMotion motion, eShape type)
     : CShape(desc, type, motion), m_fRadius(desc.m_fRadius) {
   RequireRange("m_fRadius", m_fRadius, 0.0f, g_fMaxLength);
   CCircle::Update();
@@ -69,7 +69,5 @@ void CCircle::Update() {
   const Vector2 r(-m_fRadius, m_fRadius); // to the top left
   m_cAabb = CAabb2D(m_vPos + r, m_vPos - r);
 }
-
-std::unique_ptr<CShape> CKinematicCircle::Clone() const { return std::make_unique<CKinematicCircle>(*this); }
 
 } // namespace Shapes

@@ -15,7 +15,7 @@ CDynamicCircleDesc::CDynamicCircleDesc(const Vector2& p, float r, const Vector2&
 }
 
 CDynamicCircle::CDynamicCircle(const CDynamicCircleDesc& desc)
-    : CCircle(desc, eShape::Circle, eMotion::Dynamic), m_vPrevPos(desc.m_vPos), m_fMass(desc.m_fMass) {
+    : CCircle(desc, eMotion::Dynamic), m_vPrevPos(desc.m_vPos), m_fMass(desc.m_fMass) {
   RequireRange("m_fMass", m_fMass, g_fMinMass, g_fMaxMass);
   if (desc.m_eMotionType != eMotion::Dynamic)
     Refuse("m_eMotionType", "not Dynamic", "Dynamic; a circle that is no ball is made from CCircleDesc");

@@ -48,11 +48,6 @@ void CLineSegDesc::SetEndPts(const Vector2& p0, const Vector2& p1) {
   m_vPos = Midpoint(m_vPt0, m_vPt1);
 }
 
-void CLineSegDesc::GetEndPts(Vector2& p0, Vector2& p1) const {
-  p0 = m_vPt0;
-  p1 = m_vPt1;
-}
-
 Vector2 CLineSegDesc::GetNormal() const { return perp(Tangent(m_vPt0, m_vPt1)); }
 
 float CLineSegDesc::GetGradient() const { return CLineSeg(*this).GetGradient(); }
@@ -71,16 +66,6 @@ CLineSeg::CLineSeg(const CLineSegDesc& desc, eMotion motion)
 }
 
 std::unique_ptr<CShape> CLineSeg::Clone() const { return std::make_unique<CLineSeg>(*this); }
-
-void CLineSeg::GetEndPts(Vector2& p0, Vector2& p1) const {
-  p0 = m_vPt0;
-  p1 = m_vPt1;
-}
-
-void CLineSeg::GetTangents(Vector2& t0, Vector2& t1) const {
-  t0 = m_vDir;
-  t1 = -m_vDir;
-}
 
 Vector2 CLineSeg::ClosestPt(const Vector2& q) const {
   if (!((q - m_vPt0).dot(m_vDir) > 0.0f)) return m_vPt0;
@@ -103,13 +88,6 @@ Vector2 CLineSeg::TurnFromStart(const Vector2& center, float angle) {
   return Midpoint(m_vPt0, m_vPt1);
 }
 
-void CLineSeg::BackToStart() {
-  m_vPos = m_vStartPos;
-  m_vPt0 = m_vStartPt0;
-  m_vPt1 = m_vStartPt1;
-  m_vNormal = m_vStartNormal;
-}
-
 void CLineSeg::Update() {
   m_vPt = m_vPt0;
   m_vDir = Tangent(m_vPt0, m_vPt1);
@@ -119,10 +97,6 @@ void CLineSeg::Update() {
   m_vNormal = left.dot(m_vNormal) < 0.0f ? Vector2(-left) : left;
   m_cAabb = m_vPt0;
   m_cAabb += m_vPt1;
-}
-
-std::unique_ptr<CShape> CKinematicLineSeg::Clone() const {
-  return std::make_unique<CKinematicLineSeg>(*this);
 }
 
 } // namespace Shapes

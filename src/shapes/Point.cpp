@@ -16,6 +16,4 @@ std::unique_ptr<CShape> CPoint::Clone() const { return std::make_unique<CPoint>(
 
 void CPoint::Update() { m_cAabb = m_vPos; }
 
-std::unique_ptr<CShape> CKinematicPoint::Clone() const { return std::make_unique<CKinematicPoint>(*this); }
-
 } // namespace Shapes

@@ -34,8 +34,7 @@ void CShape::SetPos(const Vector2& p) {
   RequireVector("m_vPos", p, g_fMaxLength);
   const Vector2 d = p - m_vPos;
   m_vPos = p;
-  m_fLastTurn = 0.0f;
-  m_vLastMove.setZero();
+  ForgetMove();
   Translate(d);
 }
 
@@ -47,15 +46,13 @@ void CShape::Relocate(const Vector2& p) {
   const Vector2d start = m_vStartPos.cast<double>(), arm = start - m_vStartRotCenter;
   const Vector2d moved =
       p.cast<double>() - start - (Geometry::Turned(arm, static_cast<double>(m_fOrientation)) - arm);
-  Vector2 center = p; // of a static shape, which does not turn
-  if (m_eMotionType == eMotion::Kinematic) {
-    center = (m_vStartRotCenter + moved).cast<float>();
+  const Vector2 center = (m_vStartRotCenter + moved).cast<float>();
+  if (m_eMotionType == eMotion::Kinematic) { // others do not turn
     RequireVector("m_vRotCenter", center, g_fMaxLength);
     m_vRotCenter = center;
   }
   m_vMoved = moved;
-  m_fLastTurn = 0.0f;
-  m_vLastMove.setZero();
+  ForgetMove();
   TurnFromStart(center, m_fOrientation);
   m_vPos = p;
   Update();
@@ -64,8 +61,6 @@ void CShape::Relocate(const Vector2& p) {
 Vector2 CShape::TurnFromStart(const Vector2& center, float angle) {
   return RotatePt(Moved(m_vStartPos), center, angle);
 }
-
-void CShape::BackToStart() { m_vPos = m_vStartPos; }
 
 void CShape::SetElasticity(float e) {
   RequireRange("m_fElasticity", e, 0.0f, g_fMaxElasticity);
@@ -97,8 +92,7 @@ void CShape::Rotate(const Vector2& center, float angle) {
   RequireVector("center", center, g_fMaxLength);
   RequireFinite("angle", angle);
   m_fAngle = m_fOrientation = NormalizeAngle(angle);
-  m_fLastTurn = 0.0f;
-  m_vLastMove.setZero();
+  ForgetMove();
   m_vPos = TurnFromStart(center, m_fOrientation);
   Update();
 }
@@ -113,11 +107,11 @@ void CShape::SetPose(const Vector2& center, float angle) {
 
 void CShape::Reset() {
   if (m_eMotionType != eMotion::Kinematic) return;
-  m_fAngle = m_fOrientation = m_fLastTurn = 0.0f;
-  m_vLastMove.setZero();
+  m_fAngle = m_fOrientation = 0.0f;
+  ForgetMove();
   m_vMoved.setZero();
   m_vRotCenter = m_vStartRotCenter.cast<float>();
-  BackToStart();
+  m_vPos = TurnFromStart(m_vRotCenter, 0.0f);
   Update();
 }
 
@@ -126,11 +120,7 @@ bool CShape::GetMoving() const {
 }
 
 void CShape::Advance(float dt, float maxLength) {
-  if (!GetMoving()) {
-    m_fLastTurn = 0.0f;
-    m_vLastMove.setZero();
-    return;
-  }
+  if (!GetMoving()) return ForgetMove();
   const Vector2d way = m_vVel.cast<double>() * static_cast<double>(dt);
   const Vector2d far =
       m_cAabb.GetTopLeft().cwiseAbs().cwiseMax(m_cAabb.GetBottomRt().cwiseAbs()).cast<double>();

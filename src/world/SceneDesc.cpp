@@ -114,11 +114,6 @@ std::string WrittenBall(const CDynamicCircleDesc& ball) {
   return json.Text();
 }
 
-void Grow(CAabb2D& box, const CAabb2D& other) {
-  box += other.GetTopLeft();
-  box += other.GetBottomRt();
-}
-
 template <class TDesc>
 CAabb2D ReachOf(const TDesc& desc) {
   CAabb2D box = MakeShape(desc)->GetAABB();
@@ -133,9 +128,9 @@ CAabb2D ReachOf(const TDesc& desc) {
 CAabb2D BoundsOf(const CSceneDesc& scene) {
   CAabb2D box;
   for (const CAnyShapeDesc& any : scene.m_stdShapes)
-    Grow(box, std::visit([](const auto& desc) { return ReachOf(desc); }, any));
+    box += std::visit([](const auto& desc) { return ReachOf(desc); }, any);
   for (const CDynamicCircleDesc& ball : scene.m_stdBalls)
-    Grow(box, CDynamicCircle(ball).GetAABB());
+    box += CDynamicCircle(ball).GetAABB();
   const Vector2 &p = box.GetTopLeft(), &q = box.GetBottomRt();
   // Far from the origin a small scene would get no margin at all: coordinates are rounded there.
   const float far = std::max(p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff());

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "Sensors.h"
 
+#include "Touches.h"
+
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 namespace Shapes {
 namespace {
-
-CSensorEvent Event(const CTouchingPair& pair, bool begin) { return {pair.m_cShape, pair.m_cBall, begin}; }
 
 // Not smaller, whatever the rounding.
 CAabb2D ToFloatBox(const CBox2d& box) {
@@ -20,11 +20,7 @@ CAabb2D ToFloatBox(const CBox2d& box) {
 
 bool CSensors::Begin(CWorldState& state, std::vector<CSensorEvent>& events) {
   if (m_bIsInvalid) FindSensors(state);
-  std::erase_if(state.m_stdTouching, [&](const CTouchingPair& pair) {
-    FailIf(state.GetMeeting(pair) == eMeeting::Sensor);
-    events.push_back(Event(pair, false));
-    return true;
-  });
+  EndLost(state, eMeeting::Sensor, state.m_stdTouching, events);
   return m_bAny;
 }
 
@@ -188,7 +184,7 @@ void CSensors::ReportChanges(std::vector<CTouchingPair>& touching, std::vector<C
   auto old = touching.begin();
   const auto endBefore = [&](const auto& isBefore) {
     for (; old != touching.end() && isBefore(*old); ++old)
-      events.push_back(Event(*old, false));
+      events.push_back(TouchEvent(*old, false));
   };
   for (const CSeen& seen : m_stdSeen) {
     const CTouchingPair pair = pairOf(seen);
@@ -197,11 +193,11 @@ void CSensors::ReportChanges(std::vector<CTouchingPair>& touching, std::vector<C
     if (old != touching.end() && *old == pair)
       ++old;
     else
-      events.push_back(Event(pair, true));
+      events.push_back(TouchEvent(pair, true));
     if (seen.m_bAtEnd)
       m_stdTouching.push_back(pair);
     else
-      events.push_back(Event(pair, false));
+      events.push_back(TouchEvent(pair, false));
   }
   endBefore([](const CTouchingPair&) { return true; });
   std::swap(touching, m_stdTouching);

@@ -13,12 +13,6 @@
 namespace Shapes {
 namespace {
 
-CTouchEvent TouchEvent(const CTouchingPair& pair, bool begin) { return {pair.m_cShape, pair.m_cBall, begin}; }
-
-bool IsSolidPair(const CWorldState& state, const CTouchingPair& pair) {
-  return state.GetMeeting(pair) == eMeeting::Solid;
-}
-
 // Whether the two of a solid pair are hardly apart now.
 bool AreClose(const CWorldState& state, const CTouchingPair& pair, float reach) {
   FailIf(pair.m_cShape == CShapeId()); // nobody knows where that is
@@ -42,9 +36,12 @@ bool AreClose(const CWorldState& state, const CTouchingPair& pair, float reach) 
 
 } // namespace
 
-void EndLostTouches(CWorldState& state, std::vector<CTouchEvent>& events) {
-  std::erase_if(state.m_stdSolidTouching, [&](const CTouchingPair& pair) {
-    FailIf(IsSolidPair(state, pair));
+CTouchEvent TouchEvent(const CTouchingPair& pair, bool begin) { return {pair.m_cShape, pair.m_cBall, begin}; }
+
+void EndLost(const CWorldState& state, eMeeting meeting, std::vector<CTouchingPair>& touching,
+             std::vector<CTouchEvent>& events) {
+  std::erase_if(touching, [&](const CTouchingPair& pair) {
+    FailIf(state.GetMeeting(pair) == meeting);
     events.push_back(TouchEvent(pair, false));
     return true;
   });
@@ -66,7 +63,7 @@ void FollowTouches(std::span<const CContactEvent> contacts, float reach, CWorldS
     const bool isMet = std::binary_search(met.begin(), met.end(), pair);
     const bool touched = std::binary_search(before.begin(), before.end(), pair);
     // A game may have destroyed one of them in the middle of the step.
-    const bool touches = IsSolidPair(state, pair) && (isMet || AreClose(state, pair, reach));
+    const bool touches = state.GetMeeting(pair) == eMeeting::Solid && (isMet || AreClose(state, pair, reach));
     if (touches) state.m_stdSolidTouching.push_back(pair);
     if (touches != touched) events.push_back(TouchEvent(pair, touches));
   }

@@ -12,8 +12,10 @@
 
 namespace Shapes {
 
-/// Before the substeps of a step: ends the pairs of which one is gone, turned off, or a sensor now.
-void EndLostTouches(CWorldState& state, std::vector<CTouchEvent>& events);
+CTouchEvent TouchEvent(const CTouchingPair& pair, bool begin);
+/// Before the substeps of a step: ends the pairs of which one is gone or turned off, or that meet otherwise.
+void EndLost(const CWorldState& state, eMeeting meeting, std::vector<CTouchingPair>& touching,
+             std::vector<CTouchEvent>& events);
 
 /// After a substep: appends what began and ended in it.
 /// @param contacts  of the substep

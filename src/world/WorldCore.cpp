@@ -245,7 +245,8 @@ void CWorld::CImpl::BeginStep() {
   if (m_bPlanIsOld) PlanSubsteps();
   ClearReports();
   if (Runs(eEffect::Sensors)) m_cSensors.Begin(m_cState, m_stdSensorEvents);
-  if (Runs(eEffect::Touches)) EndLostTouches(m_cState, m_stdTouchEvents);
+  if (Runs(eEffect::Touches))
+    EndLost(m_cState, eMeeting::Solid, m_cState.m_stdSolidTouching, m_stdTouchEvents);
 }
 
 void CWorld::CImpl::EndSubstep(float dt) {

@@ -138,7 +138,7 @@ TEST(RunJsonTest, FiguresAreWhereTheyBelongAndNullWhereNoneWasMeasured) {
       {"/scenes/1", R"({"take": null})"},
       {"/scenes/1/set_aside", R"({"undecided": 40})"},
       {"/scenes/1/engines/0", R"({"ns_per_contact": null, "energy_drift": null,
-          "tunneled": {"count": 0, "rate": null, "low": 0.0, "high": 1.0},
+          "tunneled": {"count": 0, "of": 0, "rate": null, "low": 0.0, "high": 1.0},
           "setback_error": {"count": 0, "median": null, "p95": null, "max": null}})"},
       {"/engines/1", R"({"name": "native-approximate"})"},
       {"/overall", R"({"impacts": 1000, "scenes": 1, "take": "box2d-tuned"})"},

@@ -52,8 +52,7 @@ public:
     WriteFriction();
     WriteThreshold();
     WriteRestitution();
-    WriteSettings(world);
-    WriteCode(world.GetContactManager());
+    WriteSettings(world, world.GetContactManager());
     return std::move(m_stdNotes);
   }
 
@@ -203,26 +202,18 @@ private:
                            " other pairs, too, which differ by up to " + ToText(farthest) + ".");
   }
 
-  void WriteSettings(const b2World& world) {
+  void WriteSettings(const b2World& world, const b2ContactManager& manager) {
     if (!world.GetContinuousPhysics())
       m_stdNotes.push_back("The b2World has no continuous physics: here balls are swept and pass no wall.");
-  }
-
-  void WriteCode(const b2ContactManager& manager) {
-    if (manager.m_contactFilter != nullptr) {
-      const b2ContactFilter& filter = *manager.m_contactFilter;
-      if (typeid(filter) != typeid(b2ContactFilter))
-        m_stdNotes.push_back(
-            "The b2World has a contact filter of the game's own: it is not asked, filter bits and "
-            "groups are read as Box2D reads them.");
-    }
-    if (manager.m_contactListener != nullptr) {
-      const b2ContactListener& listener = *manager.m_contactListener;
-      if (typeid(listener) != typeid(b2ContactListener))
-        m_stdNotes.push_back(
-            "The b2World has a contact listener of the game's own: what it changes of contacts is "
-            "not known here.");
-    }
+    if (manager.m_contactFilter != nullptr && typeid(*manager.m_contactFilter) != typeid(b2ContactFilter))
+      m_stdNotes.push_back(
+          "The b2World has a contact filter of the game's own: it is not asked, filter bits and "
+          "groups are read as Box2D reads them.");
+    if (manager.m_contactListener != nullptr &&
+        typeid(*manager.m_contactListener) != typeid(b2ContactListener))
+      m_stdNotes.push_back(
+          "The b2World has a contact listener of the game's own: what it changes of contacts is "
+          "not known here.");
   }
 
   const CSurvey& m_cSurvey;

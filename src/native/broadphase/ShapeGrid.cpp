@@ -36,8 +36,7 @@ bool CShapeGrid::Build(std::span<const CPlaced> shapes, const Geometry::CAabbTre
   CAabb2D box = shapes.front().m_pShape->GetAABB();
   float size = 0.0f;
   for (const CPlaced& placed : shapes) {
-    box += placed.m_pShape->GetAABB().GetTopLeft();
-    box += placed.m_pShape->GetAABB().GetBottomRt();
+    box += placed.m_pShape->GetAABB();
     size = std::max(size, SizeOf(*placed.m_pShape));
   }
   const Vector2 low(box.GetTopLeft().x(), box.GetBottomRt().y()),

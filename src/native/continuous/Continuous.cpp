@@ -77,7 +77,6 @@ void CContinuous::MoveTogether() {
   FindCrowds();
   FollowBalls();
   PutBalls();
-  m_bAnyPut = false;
 }
 
 // Those that were taken, from impact to impact until the substep ends.
@@ -89,7 +88,7 @@ void CContinuous::FollowBalls() {
     FindRestingContacts();
   } else {
     // Balls that are deep in a shape would be set back from others through it.
-    for (std::uint32_t i = 0; m_bPairs && m_bAnyPut && i < m_stdBalls.size(); ++i)
+    for (std::uint32_t i = 0; m_bPairs && m_cResting.GetMemory().m_bIsAnyPut && i < m_stdBalls.size(); ++i)
       SetBackFromAll(i);
     for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i)
       SetBackFromBalls(i);

@@ -68,22 +68,16 @@ public:
   void Append(const CContinuous& next);
 
   /// A game has put a shape somewhere else, perhaps into balls.
-  void ShapeWasPut() { m_bAnyPut = true; }
+  void ShapeWasPut() { m_cResting.NoteShapePut(); }
 
   /// A ball was removed from this place in the arrays.
   void ForgetBall(std::size_t ball) { m_cResting.ForgetBall(ball); }
   /// Of a step.
   void SetSubsteps(unsigned substeps) { m_cResting.SetSubsteps(substeps); }
   /// All that the next substep depends on beyond the state.
-  struct CMemory {
-    CRestingContacts::CMemory m_cResting;
-    bool m_bAnyPut = false;
-  };
-  CMemory GetMemory() const { return {m_cResting.GetMemory(), m_bAnyPut}; }
-  void SetMemory(const CMemory& memory) {
-    m_cResting.SetMemory(memory.m_cResting);
-    m_bAnyPut = memory.m_bAnyPut;
-  }
+  using CMemory = CRestingContacts::CMemory;
+  const CMemory& GetMemory() const { return m_cResting.GetMemory(); }
+  void SetMemory(const CMemory& memory) { m_cResting.SetMemory(memory); }
 
   /// The impacts in the order of time.
   const std::vector<CContactEvent>& GetContacts();
@@ -120,7 +114,6 @@ private:
   void TakeBalls();
   void FindDiscs();
   void FindInvolved();
-  bool IsInTheOpen(const CMotion& motion, const CDiscGrid::CDisc& disc);
   bool PassesAll(const CMotion& motion, const CDiscGrid::CDisc& disc);
   bool IsFar(std::size_t i) const;
   bool MovesNear(const CDiscGrid::CDisc& disc) const;
@@ -277,7 +270,6 @@ private:
   bool m_bIsFalling = false;
   bool m_bCapsSpeeds = false; // gravity can take a ball beyond g_fMaxSpeed
   bool m_bPairs = false;
-  bool m_bAnyPut = false; // shape somewhere else, since the last substep in which balls met each other
   bool m_bFilters = false;
   bool m_bAnyCrowd = false;              // balls that do not meet all that they are deep in
   std::vector<std::uint32_t> m_stdSolid; // balls of the arrays, by k

@@ -73,7 +73,9 @@ void CContinuous::FindInvolved() {
       if (anySleeps && IsAsleep(m_stdSolid[other]) && IsOnWay(m_stdSolid[other], m_stdSolid[k])) wake(other);
     }
     const CDiscGrid::CDisc& disc = m_cNearDiscs.Get(k);
-    if (!m_stdIsInvolved[k] && !IsInTheOpen(GetFreeMotion(m_stdSolid[k]), disc)) m_stdIsInvolved[k] = 1;
+    if (!m_stdIsInvolved[k] && !m_pShapes->IsClear(disc.m_vCenter, disc.m_fRadius) &&
+        !PassesAll(GetFreeMotion(m_stdSolid[k]), disc))
+      m_stdIsInvolved[k] = 1;
   };
   for (std::uint32_t k = 0; k < m_stdSolid.size(); ++k)
     if (!anySleeps || !IsAsleep(m_stdSolid[k]))
@@ -85,11 +87,6 @@ void CContinuous::FindInvolved() {
 }
 
 // Whether surely no shape touches the ball or is on its way, where this disc is around that.
-bool CContinuous::IsInTheOpen(const CMotion& motion, const CDiscGrid::CDisc& disc) {
-  return m_pShapes->IsClear(disc.m_vCenter, disc.m_fRadius) || PassesAll(motion, disc);
-}
-
-// The same, by the shapes near the disc.
 bool CContinuous::PassesAll(const CMotion& motion, const CDiscGrid::CDisc& disc) {
   m_pShapes->FindNear(disc.m_vCenter, disc.m_fRadius, m_stdShapesFound);
   return std::all_of(m_stdShapesFound.begin(), m_stdShapesFound.end(), [&](std::uint32_t order) {

@@ -51,7 +51,7 @@ void CContinuous::FindRestingContacts() {
         m_cResting.Add(i, order, false, GetId(ball), m_pShapes->Get(order).m_cId, impact, gap);
     }
   }
-  m_cResting.Separate(m_stdBalls, m_bAnyPut);
+  m_cResting.Separate(m_stdBalls);
   for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     if (!m_stdBalls[i].m_bIsNearBall) continue;
     StayInside(i);

@@ -2,7 +2,7 @@
 // Balls that rest on each other: which accelerations they have.
 #pragma once
 
-#include <Shapes/Events.h>
+#include "../../world/Engine.h"
 
 #include <cstdint>
 #include <span>
@@ -68,14 +68,16 @@ private:
 
 public:
   /// All that the next substep has to know of those before.
-  struct CMemory {
+  struct CMemory : CEngineMemory {
     std::vector<CKnown> m_stdNear; ///< pairs of the last substep, in order
     std::vector<CLast> m_stdLast;  ///< of each ball, by the index in the arrays
     bool m_bIsAnySqueezed = false; ///< in the last substep
     std::uint32_t m_nSubstep = 0;  ///< the last one, modulo 2^32
+    bool m_bIsAnyPut = false;      ///< shape somewhere else, since the last substep in which balls met
   };
   const CMemory& GetMemory() const { return m_cMemory; }
   void SetMemory(const CMemory& memory) { m_cMemory = memory; }
+  void NoteShapePut() { m_cMemory.m_bIsAnyPut = true; }
 
   /// Begins a substep.
   void Begin(const Vector2d& gravity, double dt);
@@ -122,9 +124,9 @@ public:
   std::span<const std::uint32_t> GetNeighbours(std::uint32_t ball) const;
 
   /// Moves balls that overlap apart, and out of shapes: by less than a quarter of the largest radius of a
-  /// ball and those near it, unless a shape may have been put into them (isAnyPut). The solver finds the
-  /// velocities at which they are apart after the substep, and none of these stays (split impulses).
-  void Separate(std::vector<CMoving>& balls, bool isAnyPut);
+  /// ball and those near it, unless a shape may have been put into them. The solver finds the velocities at
+  /// which they are apart after the substep, and none of these stays (split impulses).
+  void Separate(std::vector<CMoving>& balls);
   /// A ball was moved only this share of what it was lifted by.
   void ShortenLift(std::uint32_t ball, double share) { m_stdLifts[ball] *= share; }
   /// Keeps the contacts of piles only, and tells their balls.

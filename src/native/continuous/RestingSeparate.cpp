@@ -50,7 +50,7 @@ double CRestingContacts::GetFlowError(const std::vector<CMoving>& balls) const {
   return CContactSolver::GetFlowError(std::sqrt(fastest), m_fSlow);
 }
 
-void CRestingContacts::Separate(std::vector<CMoving>& balls, bool isAnyPut) {
+void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   m_stdLifts.assign(balls.size(), 0.0);
   Order(balls);
   FindKnown();
@@ -87,7 +87,7 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls, bool isAnyPut) {
   // make room for the one before it.
   double given = 0.0;
   for (const CContact& c : m_stdContacts)
-    if (isAnyPut && !c.m_bIsBall) given = std::max(given, -g_fGivenWay * c.m_fGap);
+    if (m_cMemory.m_bIsAnyPut && !c.m_bIsBall) given = std::max(given, -g_fGivenWay * c.m_fGap);
   const auto getWay = [&](std::uint32_t i) {
     if (m_stdSolved[i] == g_nNobody) return Vector2d(Vector2d::Zero());
     const Vector2d way = m_fStep * m_cSolver.GetVel(m_stdSolved[i]);
