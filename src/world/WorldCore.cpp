@@ -82,6 +82,8 @@ void CWorld::CImpl::PlanSubsteps() {
   if (m_bHostRunsContinuous) running.Set(eEffect::Continuous, *m_bHostRunsContinuous);
   m_bEngineIsPlanned = m_bEngineIsPlanned && running == m_cRunning;
   m_cRunning = running;
+  // Balls that move without them would keep those of another place.
+  if (!running.Has(eEffect::Gravity) || !running.Has(eEffect::Continuous)) m_cState.m_cBalls.ForgetTails();
 }
 
 const CQuestions& CWorld::CImpl::Ask() {
@@ -116,8 +118,7 @@ std::string CWorld::CImpl::ExplainEffects() {
 
 void CWorld::CImpl::SetGravity(const Vector2& g) {
   m_cState.m_vGravity = m_cDesc.m_vGravity = g;
-  for (std::vector<Vector2>* pTails : {&m_cState.m_cBalls.m_stdPosTail, &m_cState.m_cBalls.m_stdVelTail})
-    std::fill(pTails->begin(), pTails->end(), Vector2::Zero());
+  m_cState.m_cBalls.ForgetTails();
   m_cState.m_cBalls.m_cDisturbed.m_bIsEverywhere = true;
   InvalidatePlan();
 }
@@ -323,6 +324,7 @@ void CWorld::CImpl::LoadState(const CWorldState& state) {
   m_cSensors.Invalidate();
   m_cContent = CountContent(m_cState);
   InvalidatePlan();
+  if (m_cState.m_pMemory == nullptr) m_cState.m_cBalls.ForgetTails(); // the engine that it is from keeps none
   m_pEngine->Loaded(std::exchange(m_cState.m_pMemory, nullptr).get());
 }
 

@@ -30,6 +30,11 @@ void CBallArrays::Remove(std::size_t i) {
              m_stdMass, m_stdElasticity, m_stdFilter, m_stdSensor, m_stdCanCollide, m_stdUser);
 }
 
+void CBallArrays::ForgetTails() {
+  m_stdPosTail.assign(m_stdId.size(), Vector2::Zero());
+  m_stdVelTail.assign(m_stdId.size(), Vector2::Zero());
+}
+
 std::size_t CWorldState::FindShape(CShapeId id) const {
   const auto it = std::lower_bound(m_stdShapes.begin(), m_stdShapes.end(), id,
                                    [](const CShapeEntry& entry, CShapeId i) { return entry.m_cId < i; });

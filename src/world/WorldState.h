@@ -41,7 +41,7 @@ struct CBallArrays {
   std::vector<Vector2> m_stdPrevPos; // at the beginning of the substep
   std::vector<Vector2> m_stdVel;
   // The rest of the doubles that an engine has computed, beyond the floats above: over many small steps their
-  // roundings would add up. Zero where a user has set the floats.
+  // roundings would add up. Of native under gravity with Continuous; zero where a user has set the floats.
   std::vector<Vector2> m_stdPosTail;
   std::vector<Vector2> m_stdVelTail;
   // Seconds for which each has been at rest, as an engine counts them: g_fSleepTime where it sleeps.
@@ -73,6 +73,7 @@ struct CBallArrays {
     m_stdVel[i] = v;
     m_stdVelTail[i] = Vector2::Zero();
   }
+  void ForgetTails();
 };
 
 /// Velocity and rotation speed of a shape.

@@ -96,5 +96,35 @@ TEST(SavedState, APileThatHasBeenOnAnotherEngineTakesOtherSteps) {
   EXPECT_FALSE(HaveSameBits(*pile.m_pWorld, *other.m_pWorld));
 }
 
+// What a place lacks of a double far away is no part of another place: a world that keeps no such rest flies
+// the ball home, and it comes to a stop there.
+TEST(SavedState, RoundingsOfAnotherPlaceAreForgotten) {
+  const auto make = [](const char* pEngine, CEffects forbidden = {}) {
+    CWorldDesc desc;
+    desc.m_vGravity = {0, -10};
+    desc.m_cEffects.m_cForbidden = forbidden;
+    return GetBackend(pEngine)->MakeWorld(desc);
+  };
+  std::vector<std::unique_ptr<CWorld>> others;
+  others.push_back(make("native", CEffects{eEffect::Continuous}));
+  others.push_back(make("native", CEffects{eEffect::Gravity}));
+  if (GetBackend("box2d") != nullptr) others.push_back(make("box2d"));
+  for (const auto& pOther : others) {
+    const auto pFar = make("native"), pHome = make("native");
+    const CShapeId ball = pFar->Add(CDynamicCircleDesc({256, 0}, 0.5f, {0.3f, 0}));
+    for (int i = 0; i < 21; ++i)
+      pFar->Step();
+    pOther->LoadState(pFar->SaveState());
+    pOther->SetVel(ball, {-90, 0});
+    while (pOther->GetPos(ball).x() > 3)
+      pOther->Step();
+    pHome->LoadState(pOther->SaveState());
+    const float x = pHome->GetPos(ball).x();
+    pHome->SetVel(ball, {0, 0});
+    pHome->Step();
+    EXPECT_EQ(pHome->GetPos(ball).x(), x);
+  }
+}
+
 } // namespace
 } // namespace Shapes
