@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numbers>
 
 namespace Shapes::Compare {
 namespace {
@@ -19,7 +20,7 @@ CInterval Extremes(const std::vector<double>& values) {
 // An engine as it is held against the others.
 struct CCandidate {
   std::size_t m_nLost;
-  double m_fDirection; // radians; 0 where it is not known
+  double m_fDirection; // radians; pi where none was compared
   double m_fNs;
   eGrade m_eGrade;
 };
@@ -171,8 +172,8 @@ COverall MakeOverall(const CRunReport& report) {
   for (std::size_t e = 0; e < report.m_stdEngines.size(); ++e) {
     overall.m_stdEngines.push_back(MakeEngineOverall(report, e));
     const CEngineOverall& engine = overall.m_stdEngines.back();
-    candidates.push_back(
-        {engine.m_nLost, engine.m_cDirection.m_fValue, engine.m_cNs.m_fMedian, overall.GetGrade(e)});
+    const double direction = engine.m_nCompared > 0 ? engine.m_cDirection.m_fValue : std::numbers::pi;
+    candidates.push_back({engine.m_nLost, direction, engine.m_cNs.m_fMedian, overall.GetGrade(e)});
   }
   for (std::size_t e = 0; e < candidates.size(); ++e)
     overall.m_stdEngines[e].m_bFront =

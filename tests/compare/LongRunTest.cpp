@@ -154,6 +154,11 @@ TEST(LastingTest, BallsOutsideOfTheBoundsAtTheEndAreLostAndAreLookedAtNoMore) {
   EXPECT_EQ(lasting.m_fSpeed, 4.25); // it is lost in the last tenth only
   scene.m_fLasting = 2;
   EXPECT_EQ(Measure(scene, g_nNative).m_fSpeed, 1.0);
+  scene.m_stdBalls[0].m_cDesc.m_vVel = {4.25f, 0}; // where all are lost there is nothing to look at
+  EXPECT_EQ(Measure(scene, g_nNative).m_nLost, 2u);
+  EXPECT_FALSE(Measure(scene, g_nNative).m_fSpeed);
+  EXPECT_FALSE(Measure(scene, g_nNative).m_fOverlap);
+  EXPECT_FALSE(Measure(scene, g_nNative).m_fRestTime);
   scene.m_fLasting = 0; // what is not asked for is not measured
   EXPECT_EQ(Measure(scene, g_nNative).m_nBalls, 0u);
   EXPECT_FALSE(Measure(scene, g_nNative).m_fSpeed);
