@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The keys that are held down on the keyboard, under the mouse, by fingers and on the pads, as the bits of a frame.
-const held = new Set(); // a name with where it comes from: "left Key", "action 3"
+const held = new Set(); // a name with where it comes from: "left KeyA", "action 3"
 const keyNames = {ArrowLeft: 'left', KeyA: 'left', ArrowRight: 'right', KeyD: 'right', Space: 'action', ArrowDown: 'action',
                   ArrowUp: 'nudge', KeyW: 'nudge'};
 const bitsOf = (names) => names.reduce((bits, name) => bits | keyBits[name], 0);
@@ -10,9 +10,9 @@ addEventListener('keydown', (event) => {
   if (!name || event.ctrlKey || event.altKey || event.metaKey) return;
   if (event.code === 'Space' && event.target instanceof HTMLButtonElement) return; // presses the button
   event.preventDefault();
-  held.add(`${name} Key`);
+  held.add(`${name} ${event.code}`);
 });
-addEventListener('keyup', (event) => held.delete(`${keyNames[event.code]} Key`));
+addEventListener('keyup', (event) => held.delete(`${keyNames[event.code]} ${event.code}`));
 addEventListener('blur', () => held.clear());
 
 // On the table: the left half is the left key, the right half the right one, the rightmost tenth the plunger. In
