@@ -59,6 +59,28 @@ function dragTo(from, to) {
   canvas.dispatchEvent(event('pointerup', to));
 }
 
+/** Keys of the next frame of breakout after the mouse has moved: by the player himself, in a new game, in a replay and while he
+    watches. */
+function exerciseMouse() {
+  const move = () => canvas.dispatchEvent(new PointerEvent('pointermove', {clientX: canvas.getBoundingClientRect().right}));
+  const breakout = games.indexOf('breakout'), seenKeys = {};
+  setWatched(false);
+  start(breakout, 0, 1);
+  move();
+  seenKeys.mine = nextKeys();
+  start(breakout, 0, 1);
+  seenKeys.started = nextKeys();
+  startReplay({...newRecord(breakout, 0, 1), events: [[0, 'k', 1], [9, 'e', 0]]});
+  setPaused(true);
+  move();
+  seenKeys.replayed = nextKeys();
+  start(breakout, 0, 1);
+  move();
+  setWatched(true);
+  seenKeys.watched = nextKeys();
+  return seenKeys;
+}
+
 /** Shapes and balls on which native and the exact answers differ, of many. */
 function exactDiffers() {
   let seed = 1;
@@ -144,6 +166,7 @@ async function exercise() {
     show();
     result.width = stickingOut();
   }
+  seen.mouse = exerciseMouse();
   seen.toy = exerciseToy();
   // Keys reach the game, a step is one frame, and links that are none are refused in words.
   start(0, 0, 1);

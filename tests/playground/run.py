@@ -25,6 +25,7 @@ PLANTED = [
     ("const keys = nextKeys();", "const keys = nextKeys() & 3;", "no points"),
     ("if (kind === 'm') setMode(value);", "", "replay ended differently"),
     ("held.delete(`${keyNames[event.code]} ${event.code}`)", "held.clear()", "one was let go"),
+    (" || state.isWatched || (state.replay && bits === 0)", "", "keys after the mouse"),
     ("normal: [nx, ny], setback,", "normal: [nx, ny], setback: 2 * setback,", "native is set back"),
     ("return (-b - sign * root) / a;", "return (-b - root) / a;", "native answers as exactly"),
     ("  makePads();\n", "  makePads();\n  console.error('planted');\n", "planted"),
@@ -126,6 +127,8 @@ def faults_of(seen, hashes):
         return faults
     expect(seen["step"] == 1 and seen["keys"] == 1, f"a step was {seen['step']} frames with the keys {seen['keys']}")
     expect(seen["stillHeld"] == 1, f"of two keys by one name one was let go, and the keys are {seen['stillHeld']}")
+    # To the right; then nothing, the left key of the replay, and the serve of the scripted player.
+    expect(seen["mouse"] == {"mine": 2, "started": 0, "replayed": 1, "watched": 4}, f"keys after the mouse has moved: {seen['mouse']}")
     expect(all("expected" in words for words in seen["refused"]), f"links: {seen['refused']}")
     faults += faults_of_toy(seen["toy"])
     expect(hashes["pinball"]["native"] != hashes["control"], "a pinball of another seed has the same trace")

@@ -58,7 +58,8 @@ function paddleX() {
 
 function heldKeys() {
   let bits = bitsOf([...held].map((name) => name.split(' ')[0]));
-  if (bits & (keyBits.left | keyBits.right)) wish = null;
+  // A mouse that moves but presses nothing takes over neither from a replay nor from the scripted player.
+  if (bits & (keyBits.left | keyBits.right) || state.isWatched || (state.replay && bits === 0)) wish = null;
   if (wish !== null && games[state.game] === 'breakout') {
     const way = wish - paddleX();
     if (Math.abs(way) > 0.2) bits |= way < 0 ? keyBits.left : keyBits.right;

@@ -5,6 +5,7 @@ const state = {isToy: false, game: 0, mode: 0, seed: 1, keys: 0, best: null, isP
 function start(game, mode, seed) {
   Object.assign(state, {game, mode, seed, keys: 0, best: null, replay: null, record: newRecord(game, mode, seed)});
   state.isToy = false;
+  wish = null;
   delete document.body.dataset.toy;
   engine._Start(game, mode, seed);
   costs.fill(null);
