@@ -132,6 +132,18 @@ function exerciseToy() {
   return result;
 }
 
+/** Whether replays run after a link was copied, and after one was pasted into the address. */
+async function exerciseAddress() {
+  const changed = () => new Promise((resolve) => addEventListener('hashchange', resolve, {once: true}));
+  start(0, 0, 1);
+  $('link').click();
+  await changed();
+  const copied = state.replay !== null;
+  location.hash = '#breakout=1.0.5K1.9E';
+  await changed();
+  return {copied, pasted: state.replay !== null, game: games[state.game]};
+}
+
 async function exercise() {
   setPaused(true);
   setWatched(true);
@@ -184,6 +196,7 @@ async function exercise() {
   seen.refused = [];
   for (const link of ['#chess=1.0.5E', '#pinball=1.9.5E', '#pinball=1.0.5Q'])
     try { fromLink(link); seen.refused.push(`${link} was taken`); } catch (error) { seen.refused.push(error.message); }
+  seen.address = await exerciseAddress();
   setWatched(true);
   for (const name of ['pinball', 'pile']) {
     start(games.indexOf(name), 0, 1);

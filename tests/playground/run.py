@@ -26,6 +26,8 @@ PLANTED = [
     ("if (kind === 'm') setMode(value);", "", "replay ended differently"),
     ("held.delete(`${keyNames[event.code]} ${event.code}`)", "held.clear()", "one was let go"),
     (" || state.isWatched || (state.replay && bits === 0)", "", "keys after the mouse"),
+    ("if (location.hash !== ownHash) openAddress();", "", "links in the address"),
+    ("location.hash = ownHash = ", "location.hash = ", "links in the address"),
     ("normal: [nx, ny], setback,", "normal: [nx, ny], setback: 2 * setback,", "native is set back"),
     ("return (-b - sign * root) / a;", "return (-b - root) / a;", "native answers as exactly"),
     ("  makePads();\n", "  makePads();\n  console.error('planted');\n", "planted"),
@@ -129,6 +131,7 @@ def faults_of(seen, hashes):
     expect(seen["stillHeld"] == 1, f"of two keys by one name one was let go, and the keys are {seen['stillHeld']}")
     # To the right; then nothing, the left key of the replay, and the serve of the scripted player.
     expect(seen["mouse"] == {"mine": 2, "started": 0, "replayed": 1, "watched": 4}, f"keys after the mouse has moved: {seen['mouse']}")
+    expect(seen["address"] == {"copied": False, "pasted": True, "game": "breakout"}, f"links in the address: {seen['address']}")
     expect(all("expected" in words for words in seen["refused"]), f"links: {seen['refused']}")
     faults += faults_of_toy(seen["toy"])
     expect(hashes["pinball"]["native"] != hashes["control"], "a pinball of another seed has the same trace")

@@ -141,8 +141,9 @@ function saveFile(name, text) {
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
+let ownHash = ''; // what the page itself has just written into the address
 $('link').addEventListener('click', async () => {
-  location.hash = toLink(state.record, engine._GetFrame());
+  location.hash = ownHash = toLink(state.record, engine._GetFrame());
   try {
     await navigator.clipboard.writeText(location.href);
     $('replay').textContent = 'The link is in the clipboard.';
@@ -161,12 +162,17 @@ $('file').addEventListener('change', async () => {
   $('file').value = '';
 });
 
-try {
-  if (location.hash.includes('=')) startReplay(fromLink(location.hash));
-  else if (location.hash === '#toy') startToy();
-  else start(0, 0, newSeed());
-} catch (error) {
-  start(0, 0, newSeed());
-  $('replay').textContent = error.message;
+/** Plays the replay, or shows the toy, that the address asks for, if any: the game that runs goes on otherwise. */
+function openAddress() {
+  try {
+    if (location.hash.includes('=')) startReplay(fromLink(location.hash));
+    else if (location.hash === '#toy') startToy();
+  } catch (error) { $('replay').textContent = error.message; }
 }
+addEventListener('hashchange', () => {
+  if (location.hash !== ownHash) openAddress();
+  ownHash = '';
+});
+start(0, 0, newSeed());
+openAddress();
 requestAnimationFrame(tick);
