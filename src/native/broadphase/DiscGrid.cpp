@@ -2,6 +2,7 @@
 #include "DiscGrid.h"
 
 #include <bit>
+#include <cstring>
 #include <limits>
 
 namespace Shapes::Native {
@@ -9,7 +10,11 @@ namespace {
 
 // Of two, that of the first bit of what is positive; of all that are subnormal the same. (std::ilogb is a
 // call.)
-int GetExponent(float x) { return static_cast<int>(std::bit_cast<std::uint32_t>(x) >> 23) - 127; }
+int GetExponent(float x) {
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &x, sizeof bits); // std::bit_cast is too new for some libraries
+  return static_cast<int>(bits >> 23) - 127;
+}
 
 } // namespace
 
