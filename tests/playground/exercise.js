@@ -59,6 +59,17 @@ function dragTo(from, to) {
   canvas.dispatchEvent(event('pointerup', to));
 }
 
+/** Whether a scene can be saved with a ball, and after the last one of pinball, which nobody plays but for the plunger. */
+function exerciseSceneButton() {
+  const pinball = games.indexOf('pinball'), canSave = [];
+  start(pinball, 0, 1);
+  canSave.push(!$('scene').disabled);
+  for (let i = 0; i < 20000 && engine._GetBallCount() > 0; ++i) engine._Frame(i % 120 < 60 ? keyBits.action : 0);
+  show();
+  canSave.push(!$('scene').disabled);
+  return canSave;
+}
+
 /** Keys of the next frame of breakout after the mouse has moved: by the player himself, in a new game, in a replay and while he
     watches. */
 function exerciseMouse() {
@@ -178,6 +189,7 @@ async function exercise() {
     show();
     result.width = stickingOut();
   }
+  seen.canSave = exerciseSceneButton();
   seen.mouse = exerciseMouse();
   seen.toy = exerciseToy();
   // Keys reach the game, a step is one frame, and links that are none are refused in words.

@@ -28,6 +28,7 @@ PLANTED = [
     (" || state.isWatched || (state.replay && bits === 0)", "", "keys after the mouse"),
     ("if (location.hash !== ownHash) openAddress();", "", "links in the address"),
     ("location.hash = ownHash = ", "location.hash = ", "links in the address"),
+    ("engine._GetBallCount() === 0; //", "false; //", "a scene can be saved"),
     ("normal: [nx, ny], setback,", "normal: [nx, ny], setback: 2 * setback,", "native is set back"),
     ("return (-b - sign * root) / a;", "return (-b - root) / a;", "native answers as exactly"),
     ("  makePads();\n", "  makePads();\n  console.error('planted');\n", "planted"),
@@ -129,6 +130,7 @@ def faults_of(seen, hashes):
         return faults
     expect(seen["step"] == 1 and seen["keys"] == 1, f"a step was {seen['step']} frames with the keys {seen['keys']}")
     expect(seen["stillHeld"] == 1, f"of two keys by one name one was let go, and the keys are {seen['stillHeld']}")
+    expect(seen["canSave"] == [True, False], f"a scene can be saved with a ball, and with none: {seen['canSave']}")
     # To the right; then nothing, the left key of the replay, and the serve of the scripted player.
     expect(seen["mouse"] == {"mine": 2, "started": 0, "replayed": 1, "watched": 4}, f"keys after the mouse has moved: {seen['mouse']}")
     expect(seen["address"] == {"copied": False, "pasted": True, "game": "breakout"}, f"links in the address: {seen['address']}")

@@ -64,6 +64,7 @@ function showScore() {
   const score = engine._GetScore(), unit = units[games[state.game]], lost = engine._GetLost();
   write('score', score.toLocaleString('en'));
   write('unit', unit === 'points' ? `points, best ${best(score).toLocaleString('en')}` : unit);
+  $('scene').disabled = engine._GetBallCount() === 0; // a scene has at least one
   write('status', textAt(engine._GetStatus()));
   write('lost', lost === 0 ? 'No ball got through a wall.' :
       `Balls that got through a wall, and were put back: ${lost.toLocaleString('en')}`);
