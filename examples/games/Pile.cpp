@@ -15,8 +15,9 @@ constexpr float g_fSpacing = 0.65f;
 CPile::CPile(const CMode& mode, std::uint32_t seed)
     : CGame(MakeDesc({0, -10}, 1), CAabb2D({-0.5f, 24.5f}, {20.5f, -0.5f}), mode, seed) {
   Add(CLineSegDesc({0, 0}, {20, 0}, 0.5f));
-  Add(CLineSegDesc({0, 0}, {0, 30}, 0.5f));
-  Add(CLineSegDesc({20, 0}, {20, 30}, 0.5f));
+  Add(CLineSegDesc({0, 0}, {0, 24}, 0.5f));
+  Add(CLineSegDesc({20, 0}, {20, 24}, 0.5f));
+  Add(CLineSegDesc({0, 24}, {20, 24}, 0.5f)); // what is thrown out would count as lost
   CLineSegDesc line({0, 11.5f}, {20, 11.5f});
   line.m_bIsSensor = true;
   m_cLine = Add(line, eRole::Sensor);

@@ -18,13 +18,14 @@ const char* const g_pHelp = R"(shapes-pinball [OPTION VALUE]...
   --frames N       frames of 1/60 s to play (3600)
   --seed S         of the scripted player and of what is random (1)
   --game NAME      pinball, pile, billiard or breakout (pinball)
+  --press N        the action key in every N-th frame, besides what the player does (0: never)
   --engine NAME    native, native-approximate, box2d or box2d-tuned (native)
   --trace FILE     a line for each frame: frame, score, and the bits of the positions and velocities of the balls
   --svg FILE       the last frame as a picture
 )";
 
 struct COptions {
-  unsigned m_nFrames = 3600, m_nSeed = 1;
+  unsigned m_nFrames = 3600, m_nSeed = 1, m_nPress = 0;
   std::string m_sGame = "pinball", m_sEngine = "native", m_sTrace, m_sSvg;
 };
 
@@ -45,6 +46,8 @@ COptions Read(const std::vector<std::string>& arguments) {
       options.m_nFrames = ReadNumber(option, value);
     else if (option == "--seed")
       options.m_nSeed = ReadNumber(option, value);
+    else if (option == "--press")
+      options.m_nPress = ReadNumber(option, value);
     else if (option == "--game")
       options.m_sGame = value;
     else if (option == "--engine")
@@ -75,7 +78,8 @@ void Run(const COptions& options) {
   std::ofstream trace;
   if (!options.m_sTrace.empty()) trace = Open(options.m_sTrace);
   for (unsigned i = 0; i < options.m_nFrames; ++i) {
-    pGame->Frame(pGame->Play());
+    const bool isPressed = options.m_nPress > 0 && i % options.m_nPress == 0;
+    pGame->Frame(pGame->Play() | (isPressed ? g_nAction : 0u));
     if (trace.is_open()) trace << pGame->GetTrace() << '\n';
   }
   if (!options.m_sSvg.empty()) Open(options.m_sSvg) << ToSvg(*pGame);
