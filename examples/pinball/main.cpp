@@ -3,7 +3,7 @@
 #include "../games/Drawing.h"
 #include "../games/Game.h"
 
-#include <cstdlib>
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
@@ -62,6 +62,12 @@ COptions Read(const std::vector<std::string>& arguments) {
   return options;
 }
 
+// What was written reaches the file when it is closed, at the latest.
+void Close(std::ofstream& file, const std::string& path) {
+  file.close();
+  if (!file) throw std::runtime_error("cannot write " + path);
+}
+
 std::ofstream Open(const std::string& path) {
   std::ofstream file(path);
   if (!file) throw std::invalid_argument("cannot write " + path);
@@ -82,7 +88,12 @@ void Run(const COptions& options) {
     pGame->Frame(pGame->Play() | (isPressed ? g_nAction : 0u));
     if (trace.is_open()) trace << pGame->GetTrace() << '\n';
   }
-  if (!options.m_sSvg.empty()) Open(options.m_sSvg) << ToSvg(*pGame);
+  if (trace.is_open()) Close(trace, options.m_sTrace);
+  if (!options.m_sSvg.empty()) {
+    std::ofstream svg = Open(options.m_sSvg);
+    svg << ToSvg(*pGame);
+    Close(svg, options.m_sSvg);
+  }
   std::cout << options.m_sGame << " on " << options.m_sEngine << ": " << pGame->GetFrame() << " frames, "
             << pGame->GetScore() << " points, " << pGame->GetLost() << " balls lost by the engine\n"
             << pGame->GetStatus() << '\n';
@@ -92,12 +103,15 @@ void Run(const COptions& options) {
 
 int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (!arguments.empty() && (arguments[0] == "--help" || arguments[0] == "-h")) {
-    std::cout << g_pHelp;
-    return 0;
-  }
+  const bool asksForHelp = std::any_of(arguments.begin(), arguments.end(), [](const std::string& text) {
+    return text == "--help" || text == "-h";
+  });
   try {
-    Run(Read(arguments));
+    if (asksForHelp)
+      std::cout << g_pHelp;
+    else
+      Run(Read(arguments));
+    if (!std::cout.flush()) throw std::runtime_error("cannot write to the standard output");
   } catch (const std::exception& error) {
     std::cerr << "shapes-pinball: " << error.what() << '\n' << g_pHelp;
     return 2;
