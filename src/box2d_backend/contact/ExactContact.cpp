@@ -8,25 +8,22 @@
 namespace Shapes::Box2D {
 namespace {
 
-using Geometry::Perp;
-using Geometry::Unit;
-
 // From outside onto a circle about c of radius D > 0, on which the centre of the ball is when they touch.
 CExactContact ContactOnDisk(const Vector2d& c, double D, const Vector2d& q, const Vector2d& w) {
   const Vector2d d = q - c;
   CExactContact contact;
   contact.m_fGap = d.norm() - D;
-  contact.m_vNorm = Unit(d, Unit(-w, Vector2d(0, 1)));
+  contact.m_vNorm = Geometry::Unit(d, Geometry::Unit(-w, Vector2d(0, 1)));
   const double a = w.squaredNorm(), b = d.dot(w), e = contact.m_fGap * (d.norm() + D);
   if (!(b < 0.0)) return contact;
   const double discriminant = D * D * a - Geometry::Cross(d, w) * Geometry::Cross(d, w);
   if (discriminant <= 0.0) {
     contact.m_bMisses = true;
-    contact.m_vNorm = Unit(d - (b / a) * w, contact.m_vNorm);
+    contact.m_vNorm = Geometry::Unit(d - (b / a) * w, contact.m_vNorm);
     return contact;
   }
   contact.m_fTime = e / (-b + std::sqrt(discriminant));
-  contact.m_vNorm = Unit(d + contact.m_fTime * w, contact.m_vNorm);
+  contact.m_vNorm = Geometry::Unit(d + contact.m_fTime * w, contact.m_vNorm);
   return contact;
 }
 
@@ -35,7 +32,7 @@ CExactContact ContactOnRing(const Vector2d& c, double D, const Vector2d& q, cons
   const Vector2d d = q - c;
   CExactContact contact;
   contact.m_fGap = D - d.norm();
-  contact.m_vNorm = Unit(-d, Unit(-w, Vector2d(0, 1)));
+  contact.m_vNorm = Geometry::Unit(-d, Geometry::Unit(-w, Vector2d(0, 1)));
   const double a = w.squaredNorm(), b = d.dot(w), e = contact.m_fGap * (d.norm() + D);
   const double discriminant = D * D * a - Geometry::Cross(d, w) * Geometry::Cross(d, w);
   if (!(a > 0.0) || discriminant <= 0.0) return contact;
@@ -43,7 +40,7 @@ CExactContact ContactOnRing(const Vector2d& c, double D, const Vector2d& q, cons
   // One that moves inward may still meet it soon, if it goes along it.
   if (!(b > 0.0) && time * std::sqrt(a) > 0.5 * D) return contact;
   contact.m_fTime = time;
-  contact.m_vNorm = Unit(-(d + contact.m_fTime * w), contact.m_vNorm);
+  contact.m_vNorm = Geometry::Unit(-(d + contact.m_fTime * w), contact.m_vNorm);
   return contact;
 }
 
@@ -75,7 +72,7 @@ CExactContact ContactOnEnd(const CContactGeometry::CEnd& end, const Vector2d& q,
   CExactContact round = ContactOnDisk(end.m_vPos, r, q, w);
   if (end.m_bIsShared) {
     // Beyond the end is the neighbour: what meets it beyond the end does not meet the end.
-    const Vector2d left = Perp(end.m_vNext);
+    const Vector2d left = Geometry::Perp(end.m_vNext);
     CExactContact beyond =
         end.m_fBend == 0.0
             ? ContactOnLine(end.m_vPos, (q - end.m_vPos).dot(left) < 0.0 ? Vector2d(-left) : left, q, w, r)
@@ -90,7 +87,8 @@ CExactContact ContactOnEnd(const CContactGeometry::CEnd& end, const Vector2d& q,
 
 CExactContact ContactOnLineSeg(const CContactGeometry& o, const Vector2d& q, const Vector2d& w, double r) {
   const Vector2d& t = o.m_cEnd1.m_vOut;
-  const Vector2d n = Geometry::Cross(t, q - o.m_cEnd0.m_vPos) < 0.0 ? Vector2d(-Perp(t)) : Perp(t);
+  const Vector2d n =
+      Geometry::Cross(t, q - o.m_cEnd0.m_vPos) < 0.0 ? Vector2d(-Geometry::Perp(t)) : Geometry::Perp(t);
   CExactContact face = ContactOnLine(o.m_cEnd0.m_vPos, n, q, w, r);
   const Vector2d foot = q + face.m_fTime * w;
   if ((foot - o.m_cEnd0.m_vPos).dot(t) < 0.0) return ContactOnEnd(o.m_cEnd0, q, w, r);

@@ -9,10 +9,6 @@
 namespace Shapes::Box2D {
 namespace {
 
-using Geometry::Cross;
-using Geometry::Perp;
-using Geometry::Unit;
-
 struct CCrossing {
   Vector2d m_vPos, m_vNorm; ///< on the shape; to the side of a
 };
@@ -24,15 +20,15 @@ std::optional<CCrossing> FindCrossing(const CContactGeometry& o, const Vector2d&
   const bool isArc = o.m_eKind == CContactGeometry::eKind::Arc;
   const Vector2d& t = o.m_cEnd1.m_vOut;
   const auto side = [&](const Vector2d& p) {
-    return isArc ? (p - o.m_vCentre).norm() - o.m_fRadius : Cross(t, p - o.m_cEnd0.m_vPos);
+    return isArc ? (p - o.m_vCentre).norm() - o.m_fRadius : Geometry::Cross(t, p - o.m_cEnd0.m_vPos);
   };
   const double before = side(a), after = side(b);
   if (!(before > 0.0 ? after <= 0.0 : before < 0.0 && after >= 0.0)) return {};
   CCrossing crossing;
   crossing.m_vPos = a + before / (before - after) * (b - a);
-  crossing.m_vNorm = Perp(t);
+  crossing.m_vNorm = Geometry::Perp(t);
   if (isArc) {
-    crossing.m_vNorm = Unit(crossing.m_vPos - o.m_vCentre, Vector2d(0, 1));
+    crossing.m_vNorm = Geometry::Unit(crossing.m_vPos - o.m_vCentre, Vector2d(0, 1));
     crossing.m_vPos = o.m_vCentre + o.m_fRadius * crossing.m_vNorm;
   }
   if (before < 0.0) crossing.m_vNorm = -crossing.m_vNorm;

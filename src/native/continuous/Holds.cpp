@@ -11,7 +11,7 @@
 namespace Shapes::Native {
 namespace {
 
-using Geometry::Cross, Geometry::Norm;
+using Geometry::Norm;
 
 // Where n . p = b and m . p = c, times the determinant of n and m.
 Vector2d GetCrossing(const Vector2d& n, double b, const Vector2d& m, double c) {
@@ -47,7 +47,7 @@ Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound
     offer(x + (bound(holds[i]) - n.dot(x)) * n);
     for (std::size_t j = 0; j < i; ++j) {
       const Vector2d& m = holds[j].m_vNorm;
-      const double det = Cross(n, m), b = bound(holds[i]), c = bound(holds[j]);
+      const double det = Geometry::Cross(n, m), b = bound(holds[i]), c = bound(holds[j]);
       const Vector2d crossing = GetCrossing(n, b, m, c);
       const bool isOfBall = holds[i].m_bIsBall || holds[j].m_bIsBall;
       // Two walls that are all but parallel hold a ball between them, as in a slot, if they cross nearby.
@@ -94,7 +94,7 @@ Vector2d CHolds::KeepVel(const Vector2d& v) const {
   const Vector2d& n = holds[0].m_vNorm;
   const double b = holds[0].m_fSpeed;
   for (const CHold& other : holds.subspan(1)) {
-    const double det = Cross(n, other.m_vNorm), c = other.m_fSpeed;
+    const double det = Geometry::Cross(n, other.m_vNorm), c = other.m_fSpeed;
     const Vector2d crossing = GetCrossing(n, b, other.m_vNorm, c);
     const bool isNearby = Norm(crossing) <= (std::abs(b) + std::abs(c) + Norm(v)) * std::abs(det);
     if (std::abs(det) >= g_fParallel && isNearby) return crossing / det;
