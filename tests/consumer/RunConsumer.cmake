@@ -44,12 +44,13 @@ if(MODE STREQUAL "add_subdirectory")
                    -DSHAPES_WITH_BOX2D=${WITH_BOX2D})
   run("configuring the consumer with the library in it" ${configure} ${subdirectory})
   # The library is compiled once more: as one file, not optimised, and the half without Box2D, whose flags and targets
-  # the other modes use.
+  # the other modes use. It is a shared one in a project that hides its own symbols.
   string(TOUPPER ${CONFIG} config)
   set(BACKEND native)
   set(WITH_BOX2D OFF)
   build_and_run(${subdirectory} -DSHAPES_BACKEND=native -DSHAPES_WITH_BOX2D=OFF -DCMAKE_UNITY_BUILD=ON
-                -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 -DCMAKE_CXX_FLAGS_${config}=-O0)
+                -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 -DBUILD_SHARED_LIBS=ON -DCMAKE_CXX_VISIBILITY_PRESET=hidden
+                -DCMAKE_VISIBILITY_INLINES_HIDDEN=ON -DCMAKE_CXX_FLAGS_${config}=-O0)
   return()
 endif()
 
