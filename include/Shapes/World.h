@@ -82,7 +82,7 @@ public:
   // Of any shape.
   eShape GetShapeType(CShapeId id) const;
   eMotion GetMotionType(CShapeId id) const;
-  const Vector2& GetPos(CShapeId id) const;
+  Vector2 GetPos(CShapeId id) const;
   /// Moves a shape or a ball for good. The rotation centre of a kinematic shape moves along, until Reset.
   /// @throws std::invalid_argument if the shape would be beyond the limits of the engine there
   void SetPos(CShapeId id, const Vector2& p);
@@ -92,7 +92,7 @@ public:
   void SetSensor(CShapeId id, bool b);
   bool GetCanCollide(CShapeId id) const;
   void SetCanCollide(CShapeId id, bool b = true);
-  const CFilter& GetFilter(CShapeId id) const;
+  CFilter GetFilter(CShapeId id) const;
   void SetFilter(CShapeId id, const CFilter& filter);
   void* GetUserPtr(CShapeId id) const;
   void SetUserPtr(CShapeId id, void* p);
@@ -113,18 +113,18 @@ public:
   /// The same of all shapes of a compound, which one alone would leave.
   /// @throws std::invalid_argument if any of them cannot turn; none does then
   void SetRotSpeed(std::span<const CShapeId> ids, float revsPerSecond);
-  const Vector2& GetRotCenter(CShapeId id) const;
+  Vector2 GetRotCenter(CShapeId id) const;
   void SetRotCenter(CShapeId id, const Vector2& center);
   /// The stops of a kinematic shape, between which it moves and turns; of a compound those of all its shapes
   /// have to be set.
-  const CMotionLimits& GetLimits(CShapeId id) const;
+  CMotionLimits GetLimits(CShapeId id) const;
   void SetLimits(CShapeId id, const CMotionLimits& limits);
   /// Puts a kinematic shape back to its pose and rotation centre when it was added.
   void Reset(CShapeId id);
 
   // Of balls and kinematic shapes.
   /// Units per second; (0, 0) of a static shape.
-  const Vector2& GetVel(CShapeId id) const;
+  Vector2 GetVel(CShapeId id) const;
   /// A kinematic shape moves by it with its rotation centre, through other shapes, and pushes balls; it stops
   /// at the limits of the engine. A shape that is moved by SetPos has no speed.
   /// @throws std::invalid_argument if v is not finite or faster than the engine can go

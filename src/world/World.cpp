@@ -94,11 +94,11 @@ constexpr const char* g_sToBeTurned = "a kinematic shape, to be turned";
 
 // A property of a shape or a ball.
 template <class T, class U>
-U GetProperty(const CWorldCore& core, CShapeId id, std::vector<T> CBallArrays::*ofBalls,
-              U (CShape::*ofShape)() const) {
+std::remove_cvref_t<U> GetProperty(const CWorldCore& core, CShapeId id, std::vector<T> CBallArrays::*ofBalls,
+                                   U (CShape::*ofShape)() const) {
   const CWorldState& state = core.ReadState();
   const std::size_t i = state.FindBall(id);
-  return i != CWorldState::npos ? static_cast<U>((state.m_cBalls.*ofBalls)[i])
+  return i != CWorldState::npos ? static_cast<std::remove_cvref_t<U>>((state.m_cBalls.*ofBalls)[i])
                                 : (FindShape(state, id).*ofShape)();
 }
 
@@ -198,10 +198,9 @@ std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, 
         any));
   for (const auto& pShape : shapes)
     RequireShape(m_pImpl->GetLimits(), *pShape);
-  const CMotionLimits stops = limits; // may be those of a shape of this world, which Add moves
   std::vector<CShapeId> ids;
   for (auto& pShape : shapes)
-    ids.push_back(m_pImpl->Add(std::move(pShape), stops));
+    ids.push_back(m_pImpl->Add(std::move(pShape), limits));
   return ids;
 }
 
@@ -225,7 +224,7 @@ eMotion CWorld::GetMotionType(CShapeId id) const {
   return IsBall(state, id) ? eMotion::Dynamic : FindShape(state, id).GetMotionType();
 }
 
-const Vector2& CWorld::GetPos(CShapeId id) const {
+Vector2 CWorld::GetPos(CShapeId id) const {
   return GetProperty(*m_pImpl, id, &CBallArrays::m_stdPos, &CShape::GetPos);
 }
 
@@ -266,7 +265,7 @@ void CWorld::SetCanCollide(CShapeId id, bool can) {
   SetProperty(*m_pImpl, id, eChange::CanCollide, &CBallArrays::m_stdCanCollide, &CShape::SetCanCollide, can);
 }
 
-const CFilter& CWorld::GetFilter(CShapeId id) const {
+CFilter CWorld::GetFilter(CShapeId id) const {
   return GetProperty(*m_pImpl, id, &CBallArrays::m_stdFilter, &CShape::GetFilter);
 }
 
@@ -291,7 +290,7 @@ std::vector<CShapeId> CWorld::GetShapeIds() const {
 
 const CShape& CWorld::GetShape(CShapeId id) const { return FindShape(m_pImpl->ReadState(), id); }
 float CWorld::GetOrientation(CShapeId id) const { return GetShape(id).GetOrientation(); }
-const Vector2& CWorld::GetRotCenter(CShapeId id) const { return GetShape(id).GetRotCenter(); }
+Vector2 CWorld::GetRotCenter(CShapeId id) const { return GetShape(id).GetRotCenter(); }
 float CWorld::GetRotSpeed(CShapeId id) const { return FindEntry(m_pImpl->ReadState(), id).m_fRotSpeed; }
 
 void CWorld::SetOrientation(CShapeId id, float angle) {
@@ -325,9 +324,7 @@ void CWorld::SetRotCenter(CShapeId id, const Vector2& center) {
                        [&](CShapeEntry& changed) { changed.m_pShape->SetRotCenter(center); });
 }
 
-const CMotionLimits& CWorld::GetLimits(CShapeId id) const {
-  return FindEntry(m_pImpl->ReadState(), id).m_cLimits;
-}
+CMotionLimits CWorld::GetLimits(CShapeId id) const { return FindEntry(m_pImpl->ReadState(), id).m_cLimits; }
 
 void CWorld::SetLimits(CShapeId id, const CMotionLimits& limits) {
   m_pImpl->Access(eAccess::Change);
@@ -346,7 +343,7 @@ void CWorld::Reset(CShapeId id) {
           eChange::Reset, [](CShape& shape) { shape.Reset(); });
 }
 
-const Vector2& CWorld::GetVel(CShapeId id) const {
+Vector2 CWorld::GetVel(CShapeId id) const {
   const CWorldState& state = m_pImpl->ReadState();
   const std::size_t i = state.FindBall(id);
   return i != CWorldState::npos ? state.m_cBalls.m_stdVel[i] : FindEntry(state, id).m_vVel;

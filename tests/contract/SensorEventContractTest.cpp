@@ -184,7 +184,7 @@ void ExpectSensed(const CRandomGame& game) {
       const bool on = world.GetCanCollide(ball) && world.GetCanCollide(id) &&
                       (world.GetSensor(ball) || world.GetSensor(id)) &&
                       DoMeet(world.GetFilter(ball), world.GetFilter(id));
-      const Vector2& p = world.GetPos(ball);
+      const Vector2 p = world.GetPos(ball);
       // An arc is a curve; ends belong to what they end.
       const float d = isBall ? GetDistance(world, id, p) : SensedDistanceFrom(world.GetShape(id), p),
                   gap = d - world.GetRadius(ball);

@@ -101,6 +101,22 @@ TEST_P(CWorldContract, ShapesAndBallsAreRemoved) {
   EXPECT_EQ(m_pWorld->GetShapeIds(), (std::vector<CShapeId>{next, last}));
 }
 
+TEST_P(CWorldContract, WhatWasAskedStaysWhenWhatItIsOfIsRemoved) {
+  auto pWorld = MakeBusyWorld(Backend());
+  const CShapeId ball = pWorld->GetBallIds()[0], blade{5};
+  const Vector2 &p = pWorld->GetPos(ball), &v = pWorld->GetVel(ball), &center = pWorld->GetRotCenter(blade);
+  const CFilter& filter = pWorld->GetFilter(ball);
+  const CMotionLimits& limits = pWorld->GetLimits(blade);
+  pWorld->SetFilter(pWorld->GetBallIds()[1], {2, 2});
+  pWorld->Remove(ball);
+  pWorld->Remove(blade);
+  EXPECT_EQ(p, Vector2(-1.5f, 1.5f));
+  EXPECT_EQ(v, Vector2(2, 0));
+  EXPECT_EQ(center, Vector2(-1.5f, 1));
+  EXPECT_EQ(filter, CFilter());
+  EXPECT_EQ(limits, g_cBladeLimits);
+}
+
 TEST_P(CWorldContract, UserPointersStayWithTheirShapes) {
   auto pWorld = MakeBusyWorld(Backend());
   int tags[2];

@@ -36,7 +36,7 @@ public:
         continue;
       }
       const CAabb2D& box = world.GetShape(id).GetAABB();
-      const CMotionLimits& limits = world.GetLimits(id);
+      const CMotionLimits limits = world.GetLimits(id);
       Add(world.GetOrientation(id), world.GetRotSpeed(id), world.GetRotCenter(id), box.GetTopLeft(),
           box.GetBottomRt(), limits.m_fLeastAngle, limits.m_fMostAngle, limits.m_vLeastCenter,
           limits.m_vMostCenter);

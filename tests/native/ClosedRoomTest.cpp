@@ -149,7 +149,7 @@ struct CShaft {
     const float floor = m_pWorld->GetShape(m_cFloor).GetAABB().GetTopLeft().y();
     float deepest = 0.0f;
     for (const CShapeId id : m_pWorld->GetBallIds()) {
-      const Vector2& p = m_pWorld->GetPos(id);
+      const Vector2 p = m_pWorld->GetPos(id);
       const float r = m_pWorld->GetRadius(id);
       deepest = std::max({deepest, (std::abs(p.x()) + r - m_fHalf) / r, (floor + r - p.y()) / r});
     }
