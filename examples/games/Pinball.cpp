@@ -104,6 +104,7 @@ void CPinball::LightSlot(CShapeId slot) {
 }
 
 void CPinball::Drain(CShapeId ball) {
+  if (!m_pWorld->Contains(ball)) return; // it came to the drain twice in the step
   m_pWorld->Remove(ball);
   if (!m_pWorld->GetBallIds().empty()) return;
   m_nNudges = 0;

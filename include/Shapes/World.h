@@ -60,7 +60,9 @@ public:
   void Step();
   /// The contacts of the last Step, in the order of their responses; those of sensors follow at the end of
   /// each substep, by ball and then by shape. This and the next three are valid until the next Step or
-  /// LoadState (in a b2World of a game, PreStep): what they tell may be answered meanwhile.
+  /// LoadState (in a b2World of a game, PreStep): what they tell may be answered meanwhile, also by Remove.
+  /// Ask Contains first: a ball or a shape may be listed more than once, and be gone when its next entry is
+  /// read. The ends of what is removed are told in the next Step, with the ids that are gone.
   std::span<const CContactEvent> GetContacts() const;
   /// Begins and ends of touches of sensors in the last Step, substep by substep, within one in the order of
   /// ball and then by shape. A ball that crosses a sensor within a step gives both.
