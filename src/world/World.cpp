@@ -73,19 +73,27 @@ std::size_t FindBall(const CWorldState& state, CShapeId id) {
   return i;
 }
 
-const CShapeEntry& FindEntry(const CWorldState& state, CShapeId id) {
+constexpr const char* g_sShape = "the id of a shape in this world that is not a ball";
+constexpr const char* g_sShapeOrBall = "the id of a shape or a ball in this world";
+
+// A shape that is not a ball.
+// @param expected  what the id should be, for the message
+const CShapeEntry& FindEntry(const CWorldState& state, CShapeId id, const char* expected = g_sShape) {
   const std::size_t k = state.FindShape(id);
-  if (k == CWorldState::npos) RefuseId(id, "the id of a shape in this world that is not a ball");
+  if (k == CWorldState::npos) RefuseId(id, expected);
   return state.m_stdShapes[k];
 }
-CShapeEntry& FindEntry(CWorldState& state, CShapeId id) {
-  return const_cast<CShapeEntry&>(FindEntry(std::as_const(state), id));
+CShapeEntry& FindEntry(CWorldState& state, CShapeId id, const char* expected = g_sShape) {
+  return const_cast<CShapeEntry&>(FindEntry(std::as_const(state), id, expected));
 }
 
-const CShape& FindShape(const CWorldState& state, CShapeId id) { return *FindEntry(state, id).m_pShape; }
+const CShape& FindShape(const CWorldState& state, CShapeId id, const char* expected = g_sShape) {
+  return *FindEntry(state, id, expected).m_pShape;
+}
 
-CShapeEntry& FindKinematic(CWorldState& state, CShapeId id, const char* expected) {
-  CShapeEntry& entry = FindEntry(state, id);
+CShapeEntry& FindKinematic(CWorldState& state, CShapeId id, const char* expected,
+                           const char* expectedId = g_sShape) {
+  CShapeEntry& entry = FindEntry(state, id, expectedId);
   if (entry.m_pShape->GetMotionType() != eMotion::Kinematic) RefuseId(id, expected);
   return entry;
 }
@@ -99,7 +107,7 @@ std::remove_cvref_t<U> GetProperty(const CWorldCore& core, CShapeId id, std::vec
   const CWorldState& state = core.ReadState();
   const std::size_t i = state.FindBall(id);
   return i != CWorldState::npos ? static_cast<std::remove_cvref_t<U>>((state.m_cBalls.*ofBalls)[i])
-                                : (FindShape(state, id).*ofShape)();
+                                : (FindShape(state, id, g_sShapeOrBall).*ofShape)();
 }
 
 template <class T, class U>
@@ -110,7 +118,7 @@ void SetProperty(CWorldCore& core, CShapeId id, eChange what, std::vector<T> CBa
   if (const std::size_t i = state.FindBall(id); i != CWorldState::npos)
     core.ChangeBall(i, what, [&](CBallArrays& b, std::size_t ball) { (b.*ofBalls)[ball] = value; });
   else
-    core.ChangeShape(FindEntry(state, id), what,
+    core.ChangeShape(FindEntry(state, id, g_sShapeOrBall), what,
                      [&](CShapeEntry& entry) { (*entry.m_pShape.*ofShape)(value); });
 }
 
@@ -206,7 +214,7 @@ std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, 
 
 void CWorld::Remove(CShapeId id) {
   m_pImpl->Access(eAccess::Change);
-  if (!m_pImpl->Remove(id)) RefuseId(id, "the id of a shape in this world");
+  if (!m_pImpl->Remove(id)) RefuseId(id, g_sShapeOrBall);
 }
 
 bool CWorld::Contains(CShapeId id) const {
@@ -216,12 +224,12 @@ bool CWorld::Contains(CShapeId id) const {
 
 eShape CWorld::GetShapeType(CShapeId id) const {
   const CWorldState& state = m_pImpl->ReadState();
-  return IsBall(state, id) ? eShape::Circle : FindShape(state, id).GetShapeType();
+  return IsBall(state, id) ? eShape::Circle : FindShape(state, id, g_sShapeOrBall).GetShapeType();
 }
 
 eMotion CWorld::GetMotionType(CShapeId id) const {
   const CWorldState& state = m_pImpl->ReadState();
-  return IsBall(state, id) ? eMotion::Dynamic : FindShape(state, id).GetMotionType();
+  return IsBall(state, id) ? eMotion::Dynamic : FindShape(state, id, g_sShapeOrBall).GetMotionType();
 }
 
 Vector2 CWorld::GetPos(CShapeId id) const {
@@ -234,7 +242,8 @@ void CWorld::SetPos(CShapeId id, const Vector2& p) {
   CWorldState& state = m_pImpl->GetState();
   const std::size_t i = state.FindBall(id);
   if (i == CWorldState::npos)
-    return SetPose(*m_pImpl, FindEntry(state, id), eChange::Pose, [&](CShape& shape) { shape.Relocate(p); });
+    return SetPose(*m_pImpl, FindEntry(state, id, g_sShapeOrBall), eChange::Pose,
+                   [&](CShape& shape) { shape.Relocate(p); });
   const Vector2 r = Vector2::Constant(state.m_cBalls.m_stdRadius[i]);
   RequireExtent(m_pImpl->GetLimits(), CAabb2D(p - r, p + r));
   m_pImpl->ChangeBall(i, eChange::Pose, [&](CBallArrays& b, std::size_t ball) { b.SetPos(ball, p); });
@@ -346,7 +355,7 @@ void CWorld::Reset(CShapeId id) {
 Vector2 CWorld::GetVel(CShapeId id) const {
   const CWorldState& state = m_pImpl->ReadState();
   const std::size_t i = state.FindBall(id);
-  return i != CWorldState::npos ? state.m_cBalls.m_stdVel[i] : FindEntry(state, id).m_vVel;
+  return i != CWorldState::npos ? state.m_cBalls.m_stdVel[i] : FindEntry(state, id, g_sShapeOrBall).m_vVel;
 }
 
 float CWorld::GetRadius(CShapeId id) const {
@@ -364,7 +373,8 @@ void CWorld::SetVel(CShapeId id, const Vector2& v) {
   RequireVector("m_vVel", v, m_pImpl->GetLimits().m_fMaxSpeed);
   const std::size_t i = m_pImpl->GetState().FindBall(id);
   if (i == CWorldState::npos) {
-    CShapeEntry& entry = FindKinematic(m_pImpl->GetState(), id, "a ball or a kinematic shape, to be moved");
+    CShapeEntry& entry =
+        FindKinematic(m_pImpl->GetState(), id, "a ball or a kinematic shape, to be moved", g_sShapeOrBall);
     if (v == entry.m_vVel) return;
     return m_pImpl->ChangeShape(entry, eChange::Motion, [&](CShapeEntry& changed) { changed.SetVel(v); });
   }

@@ -101,6 +101,25 @@ TEST_P(CBadInputContract, UnknownIdsAreRefused) {
   ExpectRefused([&] { m_pWorld->GetShape(unknown); }, "id", "77");
 }
 
+// Where a ball would do, the message does not ask for a shape that is none.
+TEST_P(CBadInputContract, AMessageSaysWhetherABallWouldDo) {
+  const CShapeId gone{77};
+  const std::function<void()> ofEither[] = {
+      [&] { m_pWorld->Remove(gone); },          [&] { m_pWorld->GetPos(gone); },
+      [&] { m_pWorld->SetPos(gone, {0, 0}); },  [&] { m_pWorld->GetVel(gone); },
+      [&] { m_pWorld->SetVel(gone, {0, 0}); },  [&] { m_pWorld->GetUserPtr(gone); },
+      [&] { m_pWorld->SetSensor(gone, true); }, [&] { m_pWorld->GetShapeType(gone); },
+      [&] { m_pWorld->GetMotionType(gone); }};
+  for (const auto& f : ofEither)
+    EXPECT_EQ(MessageOf<std::invalid_argument>(f),
+              "id is 77: expected the id of a shape or a ball in this world");
+  const std::function<void()> ofShapes[] = {[&] { m_pWorld->GetShape(m_cBall); },
+                                            [&] { m_pWorld->SetRotSpeed(gone, 1); }};
+  for (const auto& f : ofShapes)
+    EXPECT_TRUE(
+        Says(MessageOf<std::invalid_argument>(f), "the id of a shape in this world that is not a ball"));
+}
+
 TEST_P(CBadInputContract, WorldDescriptionsAreChecked) {
   const auto refuse = [&](auto change, const char* field, const char* value) {
     CWorldDesc desc;
