@@ -63,8 +63,7 @@ void CPinball::Before(unsigned keys) {
 void CPinball::MovePlunger(bool pull) {
   const float pulled = -m_pWorld->GetRotCenter(m_stdPlunger[0]).y();
   if (pull) m_fPush = g_fPushSpeed * std::max(pulled / g_fMostPull, 0.2f);
-  for (const CShapeId id : m_stdPlunger)
-    m_pWorld->SetVel(id, {0, pull ? -g_fPullSpeed : m_fPush});
+  m_pWorld->SetVel(m_stdPlunger, {0, pull ? -g_fPullSpeed : m_fPush});
 }
 
 // A push against the table: every ball gets some speed.

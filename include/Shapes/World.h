@@ -85,7 +85,8 @@ public:
   eShape GetShapeType(CShapeId id) const;
   eMotion GetMotionType(CShapeId id) const;
   Vector2 GetPos(CShapeId id) const;
-  /// Moves a shape or a ball for good. The rotation centre of a kinematic shape moves along, until Reset.
+  /// Moves a shape or a ball for good. The rotation centre of a kinematic shape moves along, until Reset. A
+  /// shape of a compound leaves the others, unless all are moved by the same way.
   /// @throws std::invalid_argument if the shape would be beyond the limits of the engine there
   void SetPos(CShapeId id, const Vector2& p);
   float GetElasticity(CShapeId id) const;
@@ -131,6 +132,9 @@ public:
   /// at the limits of the engine. A shape that is moved by SetPos has no speed.
   /// @throws std::invalid_argument if v is not finite or faster than the engine can go
   void SetVel(CShapeId id, const Vector2& v);
+  /// The same of all shapes of a compound, which one alone would leave.
+  /// @throws std::invalid_argument as for one; none of them has another velocity then
+  void SetVel(std::span<const CShapeId> ids, const Vector2& v);
 
   // Of balls.
   float GetRadius(CShapeId id) const;

@@ -99,6 +99,7 @@ CShapeEntry& FindKinematic(CWorldState& state, CShapeId id, const char* expected
 }
 
 constexpr const char* g_sToBeTurned = "a kinematic shape, to be turned";
+constexpr const char* g_sToBeMoved = "a ball or a kinematic shape, to be moved";
 
 // A property of a shape or a ball.
 template <class T, class U>
@@ -373,12 +374,21 @@ void CWorld::SetVel(CShapeId id, const Vector2& v) {
   RequireVector("m_vVel", v, m_pImpl->GetLimits().m_fMaxSpeed);
   const std::size_t i = m_pImpl->GetState().FindBall(id);
   if (i == CWorldState::npos) {
-    CShapeEntry& entry =
-        FindKinematic(m_pImpl->GetState(), id, "a ball or a kinematic shape, to be moved", g_sShapeOrBall);
+    CShapeEntry& entry = FindKinematic(m_pImpl->GetState(), id, g_sToBeMoved, g_sShapeOrBall);
     if (v == entry.m_vVel) return;
     return m_pImpl->ChangeShape(entry, eChange::Motion, [&](CShapeEntry& changed) { changed.SetVel(v); });
   }
   m_pImpl->ChangeBall(i, eChange::Motion, [&](CBallArrays& b, std::size_t ball) { b.SetVel(ball, v); });
+}
+
+void CWorld::SetVel(std::span<const CShapeId> ids, const Vector2& v) {
+  m_pImpl->Access(eAccess::Change);
+  RequireVector("m_vVel", v, m_pImpl->GetLimits().m_fMaxSpeed);
+  for (const CShapeId id : ids)
+    if (!IsBall(m_pImpl->GetState(), id))
+      FindKinematic(m_pImpl->GetState(), id, g_sToBeMoved, g_sShapeOrBall);
+  for (const CShapeId id : ids)
+    SetVel(id, v);
 }
 
 std::span<const CShapeId> CWorld::GetBallIds() const { return m_pImpl->ReadState().m_cBalls.m_stdId; }

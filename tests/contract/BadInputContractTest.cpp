@@ -89,6 +89,10 @@ TEST_P(CBadInputContract, SettersAreChecked) {
   const float speed = m_pWorld->GetRotSpeed(m_cFlipper);
   EXPECT_THROW(m_pWorld->SetRotSpeed(some, speed + 1), std::invalid_argument);
   EXPECT_EQ(m_pWorld->GetRotSpeed(m_cFlipper), speed);
+  const Vector2 v = m_pWorld->GetVel(m_cFlipper);
+  EXPECT_THROW(m_pWorld->SetVel(some, v + Vector2(1, 0)), std::invalid_argument);
+  EXPECT_THROW(m_pWorld->SetVel(std::span(some, 1), {g_fNan, 0}), std::invalid_argument);
+  EXPECT_EQ(m_pWorld->GetVel(m_cFlipper), v);
   EXPECT_THROW(m_pWorld->GetShape(m_cBall), std::invalid_argument);
 }
 

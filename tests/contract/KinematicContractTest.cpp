@@ -266,6 +266,10 @@ TEST_P(CMovingWallContract, ACompoundMovesAndTurnsAsOne) {
   EXPECT_LT(std::min((bar.GetEndPt0() - m_pWorld->GetPos(ids[1])).norm(),
                      (bar.GetEndPt1() - m_pWorld->GetPos(ids[1])).norm()),
             1e-6f);
+  m_pWorld->SetVel(ids, {0, -3});
+  Steps(*m_pWorld, 240); // a whole turn
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_LT((m_pWorld->GetPos(ids[i]) - places[i] - Vector2(0, -12)).norm(), 5e-5f) << i;
   parts.push_back(CCircleDesc({0, 0}, -1));
   EXPECT_THROW(m_pWorld->AddCompound(parts, {0, 0}), std::invalid_argument);
   EXPECT_FALSE(m_pWorld->Contains({ids[3].m_nValue + 1})); // nothing was half added
