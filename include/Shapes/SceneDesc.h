@@ -19,7 +19,8 @@ public:
 
   /// Adds everything, the shapes first, and gives the ids in this order. Gravity and time step stay those of
   /// the world: make it from m_cWorld.
-  /// @throws std::invalid_argument naming the field and the value that is not valid; nothing is added then
+  /// @throws std::invalid_argument naming the shape or the ball (by its index), the field and the value that
+  /// is not valid; nothing is added then
   std::vector<CShapeId> AddTo(CWorld& world) const;
 
   /// The text of a scene file (docs/scenes.md). Every float reads back with the same bits. The bounds are the

@@ -48,7 +48,7 @@ public:
   /// Adds a compound: kinematic shapes about one rotation centre with one rotation speed, one velocity and
   /// the same stops, whatever their descriptors say of these. All or none is added.
   /// @param rotCenter, revsPerSecond, v, limits  as the fields of CShapeDesc
-  /// @throws std::invalid_argument as Add, also for a ball among them
+  /// @throws std::invalid_argument as Add, also for a ball among them; "shape 1: ..." is of descs[1]
   /// @returns an id for each of them, in their order
   std::vector<CShapeId> AddCompound(std::span<const CAnyShapeDesc> descs, const Vector2& rotCenter,
                                     float revsPerSecond = 0.0f, const Vector2& v = Vector2::Zero(),

@@ -6,6 +6,8 @@
 #include <Shapes/Shape.h>
 
 #include <cmath>
+#include <cstddef>
+#include <stdexcept>
 #include <string>
 
 namespace Shapes {
@@ -34,6 +36,17 @@ inline void RequireVector(const char* field, const Vector2& v, float most) {
   if (!(std::islessequal(std::abs(v.x()), most) && std::islessequal(std::abs(v.y()), most)))
     RefuseVector(field, v, most);
 }
+
+/// Calls f. What it refuses is said to be of one of several: "shape 1: m_fRadius is -1: expected ..."
+template <class F>
+auto OfElement(const char* name, std::size_t i, const F& f) {
+  try {
+    return f();
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(std::string(name) + " " + std::to_string(i) + ": " + error.what());
+  }
+}
+
 /// One of the three.
 void RequireSides(eSides sides);
 

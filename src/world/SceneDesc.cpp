@@ -152,10 +152,10 @@ std::string List(const std::vector<T>& items, F write) {
 std::vector<CShapeId> CSceneDesc::AddTo(CWorld& world) const {
   std::vector<CShapeId> ids;
   try {
-    for (const CAnyShapeDesc& desc : m_stdShapes)
-      ids.push_back(world.Add(desc));
-    for (const CDynamicCircleDesc& desc : m_stdBalls)
-      ids.push_back(world.Add(desc));
+    for (std::size_t i = 0; i < m_stdShapes.size(); ++i)
+      ids.push_back(OfElement("shape", i, [&] { return world.Add(m_stdShapes[i]); }));
+    for (std::size_t i = 0; i < m_stdBalls.size(); ++i)
+      ids.push_back(OfElement("ball", i, [&] { return world.Add(m_stdBalls[i]); }));
   } catch (const std::invalid_argument&) {
     for (const CShapeId id : ids)
       world.Remove(id);

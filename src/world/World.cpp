@@ -194,19 +194,18 @@ std::vector<CShapeId> CWorld::AddCompound(std::span<const CAnyShapeDesc> descs, 
   RequireVector("m_vVel", v, m_pImpl->GetLimits().m_fMaxSpeed);
   RequireLimits(limits, eMotion::Kinematic);
   std::vector<std::unique_ptr<CShape>> shapes;
-  for (const CAnyShapeDesc& any : descs)
-    shapes.push_back(std::visit(
-        [&](auto desc) {
-          desc.m_eMotionType = eMotion::Kinematic;
-          desc.m_vRotCenter = rotCenter;
-          desc.m_fRotSpeed = revsPerSecond;
-          desc.m_vVel = v;
-          desc.m_cLimits = limits;
-          return MakeChecked(desc);
-        },
-        any));
-  for (const auto& pShape : shapes)
+  const auto make = [&](auto desc) {
+    desc.m_eMotionType = eMotion::Kinematic;
+    desc.m_vRotCenter = rotCenter;
+    desc.m_fRotSpeed = revsPerSecond;
+    desc.m_vVel = v;
+    desc.m_cLimits = limits;
+    auto pShape = MakeChecked(desc);
     RequireShape(m_pImpl->GetLimits(), *pShape);
+    return pShape;
+  };
+  for (std::size_t i = 0; i < descs.size(); ++i)
+    shapes.push_back(OfElement("shape", i, [&] { return std::visit(make, descs[i]); }));
   std::vector<CShapeId> ids;
   for (auto& pShape : shapes)
     ids.push_back(m_pImpl->Add(std::move(pShape), limits));

@@ -31,8 +31,11 @@ TEST(SceneDescTest, AddsAllOrNothing) {
   scene.m_stdBalls[1].m_fRadius = -1.0f;
   const auto pWorld = MakeWorld(scene.m_cWorld);
   const CShapeId before = pWorld->Add(CPointDesc({9, 9}));
-  EXPECT_THROW(scene.AddTo(*pWorld), std::invalid_argument);
+  const auto refusal = [&] { return MessageOf<std::invalid_argument>([&] { scene.AddTo(*pWorld); }); };
+  EXPECT_TRUE(Says(refusal(), "ball 1: m_fRadius is -1: expected"));
   EXPECT_EQ(pWorld->GetBallIds().size(), 0u);
+  std::get<CCircleDesc>(scene.m_stdShapes[2]).m_fRadius = -2.0f;
+  EXPECT_TRUE(Says(refusal(), "shape 2: m_fRadius is -2: expected"));
   EXPECT_TRUE(pWorld->Contains(before));
   for (std::uint32_t i = 0; i < 10; ++i)
     EXPECT_TRUE(CShapeId{before.m_nValue + 1 + i} > before && !pWorld->Contains({before.m_nValue + 1 + i}));
