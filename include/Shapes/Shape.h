@@ -36,7 +36,7 @@ protected:
 
 /// Base of all descriptors. Shapes check the values when they are made: what is not finite or too large, and
 /// negative radii, masses and elasticities, are refused with std::invalid_argument naming the field and the
-/// value; CWorld::Add also refuses a static shape with a speed or stops.
+/// value; CWorld::Add also refuses a static shape with a speed or stops, and a ball that turns or has stops.
 class CShapeDesc {
 public:
   eShape m_eShapeType;              ///< Set by the constructors of the derived descriptors.

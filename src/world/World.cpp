@@ -145,6 +145,8 @@ CShapeId AddTo(CWorldCore& core, const TDesc& desc) {
 CShapeId AddTo(CWorldCore& core, const CDynamicCircleDesc& desc) {
   core.Access(eAccess::Change);
   const CDynamicCircle checked(desc);
+  if (desc.m_fRotSpeed != 0.0f) Refuse("m_fRotSpeed", ToText(desc.m_fRotSpeed), "0: balls do not spin");
+  RequireLimits(desc.m_cLimits, desc.m_eMotionType);
   RequireBall(core.GetLimits(), desc.m_vPos, desc.m_fRadius, desc.m_vVel, desc.m_fMass);
   return core.Add(desc);
 }

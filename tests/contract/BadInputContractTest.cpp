@@ -54,6 +54,11 @@ TEST_P(CBadInputContract, ShapesAndBallsAreChecked) {
   refuse(CDynamicCircleDesc(above, 0.1f, rest, 0), "m_fMass", "0");
   refuse(CDynamicCircleDesc(above, 0.1f, rest, g_fNan), "m_fMass", "nan");
   refuse(CDynamicCircleDesc(above, 0.1f, rest, 1, -1), "m_fElasticity", "-1");
+  CDynamicCircleDesc spinning(above, 0.1f), stopped(above, 0.1f);
+  spinning.m_fRotSpeed = 2;
+  refuse(spinning, "m_fRotSpeed", "2");
+  stopped.m_cLimits = CMotionLimits::OfAngle(0, 1);
+  refuse(stopped, "m_cLimits", "set");
 }
 
 TEST_P(CBadInputContract, CompoundsAreCheckedAlsoWithoutAShape) {
