@@ -20,9 +20,10 @@ enum class eShape { Point, LineSeg, Circle, Arc };
 /// respond.
 enum class eMotion { Static, Kinematic, Dynamic };
 
-/// Which faces of a segment or an arc are solid. Front is the side to which the normal points: to the left of
-/// the way from the first end of a segment to its second, and the outside of an arc. Back is the other one. A
-/// ball that comes from the open side passes (one-way gates).
+/// Which faces of a segment or an arc are solid. Front is the side to which the normal points: of a segment
+/// as it is made upward, of a vertical one to the left, in whatever order its ends are given (CLineSeg); of
+/// an arc outward. Back is the other one. A ball that comes from the open side passes (one-way gates). The
+/// front of MakePolyline is to the left of the way along its points.
 enum class eSides { Both, Front, Back };
 
 /// Gravity and time step that CShape::move uses. A game sets them by deriving from this class. A CWorld has
