@@ -23,6 +23,8 @@ public:
     limits.m_fMostAngle = most;
     return limits;
   }
+  /// A paddle has its rotation centre in its middle: desc.m_vRotCenter = desc.m_vPos, which of a segment is
+  /// the midpoint. The centre is (0, 0) unless given, and one beyond the box never moves away from it.
   /// @param a, b  opposite corners of the box in which the rotation centre stays, user units
   static CMotionLimits OfCenter(const Vector2& a, const Vector2& b) {
     CMotionLimits limits;
