@@ -11,9 +11,12 @@ class CContactDesc;
 class CDynamicCircleDesc : public CCircleDesc {
 public:
   CDynamicCircleDesc() { m_eMotionType = eMotion::Dynamic; }
-  /// @param p centre  @param r radius, user units  @param v velocity, units per second  @param m mass, above
-  /// 0
-  /// @param e elasticity
+  /// @param p  centre, user units
+  /// @param r  radius, user units; of 0 only sensors that are disks notice it, and in the approximate mode
+  ///           only balls
+  /// @param v  velocity, units per second
+  /// @param m  mass, above 0
+  /// @param e  elasticity
   CDynamicCircleDesc(const Vector2& p, float r, const Vector2& v = Vector2::Zero(), float m = 1.0f,
                      float e = 1.0f);
 
