@@ -172,12 +172,14 @@ std::vector<CLasting> MeasureLasting(const CScene& scene, const std::vector<CEng
       CLastingGame game(scene, engines[e], start);
       game.Play();
       lasting.m_nBalls += start.m_stdBalls.size();
-      lasting.m_nLost += game.CountLost();
-      const bool isAnyLeft = game.CountLost() < start.m_stdBalls.size();
-      if (isAnyLeft) KeepGreater(lasting.m_fOverlap, game.GetDeepest());
-      if (isAnyLeft) KeepGreater(lasting.m_fSpeed, game.GetFastest());
+      const std::size_t lost = game.CountLost();
+      lasting.m_nLost += lost;
+      if (lost < start.m_stdBalls.size()) {
+        KeepGreater(lasting.m_fOverlap, game.GetDeepest());
+        KeepGreater(lasting.m_fSpeed, game.GetFastest());
+        if (const auto t = game.GetRestTime()) restTimes[e].push_back(*t);
+      }
       if (hasEnergy) KeepGreater(lasting.m_fEnergyGained, game.GetEnergyGained());
-      if (const auto t = game.GetRestTime(); t && isAnyLeft) restTimes[e].push_back(*t);
       flows[e].push_back(game.GetFlow());
       ns[e].push_back(TimeOfBallStep(scene, engines[e], start));
       if (progress)

@@ -15,10 +15,9 @@ enum class eGrade { Good, Rough, Poor, Unknown };
 /// "good", "rough", "poor", "unknown".
 const char* GetName(eGrade grade);
 
-/// The most that a grade allows: share of the balls that are lost, where what is judged shows that it is not
-/// less (Wilson, 95%), radians and share by which 95% of the
-/// directions and of the speeds after an impact are off. A degree is two centimetres aside for each metre
-/// that the ball flies on.
+/// The most that a grade allows: share of the balls that are lost, as the lower end of its interval (Wilson,
+/// 95%), radians and share by which 95% of the directions and of the speeds after an impact are off. A degree
+/// is two centimetres aside for each metre that the ball flies on.
 struct CGradeBound {
   double m_fLost, m_fDirection, m_fSpeed;
 };

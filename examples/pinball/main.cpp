@@ -62,7 +62,7 @@ COptions Read(const std::vector<std::string>& arguments) {
   return options;
 }
 
-// What was written reaches the file when it is closed, at the latest.
+// A full disk may show only when the file is closed.
 void Close(std::ofstream& file, const std::string& path) {
   file.close();
   if (!file) throw std::runtime_error("cannot write " + path);

@@ -198,7 +198,7 @@ TEST(OverallTest, TimesAreGeometricMeansAndCountsAreSums) {
   const bool front[] = {true, true, false, false};
   for (std::size_t e = 0; e < 4; ++e)
     EXPECT_EQ(overall.m_stdEngines[e].m_bFront, front[e]) << e;
-  // What has lost all has no direction, and beats nobody.
+  // An engine that has lost all has no direction, and beats nobody.
   for (CSceneReport& scene : report.m_stdScenes)
     for (CContact& contact : scene.m_cImpactTrials.m_stdContacts)
       contact.m_stdEngines[g_nApproximate].m_bCompared = false;

@@ -96,8 +96,8 @@ TEST(SavedState, APileThatHasBeenOnAnotherEngineTakesOtherSteps) {
   EXPECT_FALSE(HaveSameBits(*pile.m_pWorld, *other.m_pWorld));
 }
 
-// What a place lacks of a double far away is no part of another place: a world that keeps no such rest flies
-// the ball home, and it comes to a stop there.
+// The rest of a double, beyond the float of a place far away, is no part of another place: a world that keeps
+// no such rest flies the ball home, and it comes to a stop there.
 TEST(SavedState, RoundingsOfAnotherPlaceAreForgotten) {
   const auto make = [](const char* pEngine, CEffects forbidden = {}) {
     CWorldDesc desc;
