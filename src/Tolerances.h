@@ -170,6 +170,11 @@ inline constexpr int g_nShockRounds = 2;
 /// approach over the sine of the angle between them, which is small for an instant only.
 inline constexpr unsigned g_nSqueezed = 8;
 inline constexpr double g_fSqueezed = 2.0;
+/// Approach of two balls, as a share of what is slow, up to which they do not meet again in a substep in
+/// which one of them has had g_nSqueezed impacts: inelastic ones would ever more slowly, without end. They
+/// overlap by that in the next one, at 60 substeps a second by less than a thousandth of a radius of .2.
+/// Without it nine of ten impacts in a box of 200 inelastic balls approach at less than 1/256.
+inline constexpr double g_fLeastApproach = 0x1p-5;
 /// Change of the velocity of a ball between two substeps, as a share of it and above what gravity
 /// gives in one, by which a game steers it: less may be a drag.
 inline constexpr double g_fSteered = 0.1;

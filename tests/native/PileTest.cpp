@@ -88,6 +88,17 @@ TEST(Pile, APileComesToRestAndLosesNone) {
   EXPECT_LT(gain, 4e-5 * piles); // what lifts balls that have no speed to lose
 }
 
+// Balls that stay together after an impact, and are pressed on each other, would meet at half the speed
+// again, and so on: 12 to 14 searches for an impact each in every step.
+TEST(Pile, InelasticBallsDoNotMeetWithoutEnd) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    CPile pile = MakePile({eVessel::Box, 100, 0.0f}, seed);
+    for (int step = 0; step < 120; ++step)
+      pile.Step(step);
+    EXPECT_LT(pile.m_pWorld->GetStats().m_nSweeps, 5u * 100 * 120) << "seed " << seed;
+  }
+}
+
 // 10 to 200 balls of any mixture and elasticity in any vessel.
 CPile MakeRandomPile(std::uint64_t seed, const CEffectChoice& effects) {
   CRandom random(seed);

@@ -107,7 +107,7 @@ void CContinuous::FollowBalls() {
   if (!m_cResting.IsEmpty()) SolveRestingContacts();
   for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     if (m_stdBalls[i].m_bIsAsleep) continue;
-    if (m_bPairs) FindBallImpacts(i);
+    if (m_bPairs) FindBallImpacts(i, i);
     Queue(i);
   }
 

@@ -226,7 +226,9 @@ private:
   const CHold* GetCurve(const CMoving& ball) const;
   Vector2d GetBend(const CMoving& ball) const;
   void Free(CMoving& ball) const;
-  void FindBallImpacts(std::uint32_t i);
+  bool IsOver(const CMoving& ball, const CMoving& other, const CMotion& motion, const CMotion& otherMotion,
+              const CImpact& impact) const;
+  void FindBallImpacts(std::uint32_t i, std::uint32_t first = 0);
   void KeepEarliest(const CNext& found, CMoving& ball) const;
   void Queue(std::uint32_t i);
   void Advance(CMoving& ball, double motion);

@@ -76,11 +76,23 @@ bool CContinuous::AreAtRest(std::uint32_t i, std::uint32_t j) const {
          other.m_cHolds.HasBall(i, ball.m_nVersion);
 }
 
-void CContinuous::FindBallImpacts(std::uint32_t i) {
+// Whether the impact of two balls, as they move now, is one of a series in which they come upon each other
+// ever more slowly, without end: inelastic balls that are pressed on each other.
+bool CContinuous::IsOver(const CMoving& ball, const CMoving& other, const CMotion& motion,
+                         const CMotion& otherMotion, const CImpact& impact) const {
+  FailIf(std::max(ball.m_nImpacts, other.m_nImpacts) < g_nSqueezed);
+  const double t = impact.m_fTime, left = motion.m_fDuration - t;
+  const double approach = ApproachSpeed(motion.VelAt(t), otherMotion.VelAt(t), impact.m_vNorm);
+  return approach + std::max(0.0, impact.m_fClosing) * left <= g_fLeastApproach * m_cResting.GetSlow();
+}
+
+// But for those before `first` that are awake: they know what they have with this one.
+void CContinuous::FindBallImpacts(std::uint32_t i, std::uint32_t first) {
   FindBalls(i);
   CMoving& ball = m_stdBalls[i];
   for (const std::uint32_t j : m_stdBallsFound) {
     const CMoving& other = m_stdBalls[j];
+    if (j < first && !other.m_bIsAsleep) continue;
     if (!ball.m_cDisc.Overlaps(other.m_cDisc) || (ball.m_bIsHalted && other.m_bIsHalted) || AreAtRest(i, j))
       continue;
     ++m_pStats->m_nSweeps;
@@ -100,6 +112,8 @@ void CContinuous::FindBallImpacts(std::uint32_t i) {
     found.m_nOtherVersion = other.m_nVersion;
     found.m_eSweep = ImpactBallBall(otherMotion, motion, found.m_cImpact);
     if (found.m_eSweep == eSweep::None) continue;
+    if (found.m_eSweep == eSweep::Impact && IsOver(ball, other, motion, otherMotion, found.m_cImpact))
+      continue;
     found.m_fOtherTime = otherSince + found.m_cImpact.m_fTime;
     found.m_cImpact.m_fTime += since;
     KeepEarliest(found, ball);
