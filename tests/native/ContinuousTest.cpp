@@ -103,6 +103,18 @@ TEST_F(ContinuousTest, AHaltedBallIsReportedAndGoesOnInTheNextStep) {
   });
 }
 
+// It would have g_nMaxImpacts in each step: one that comes nowhere by them is halted after some dozens.
+TEST_F(ContinuousTest, ABallThatAShapePressesOnAnotherIsHaltedSoon) {
+  m_pWorld->Add(CLineSegDesc({0, -1}, {0, 1}, 0.5f));
+  m_pWorld->Add(Moving(CLineSegDesc({0.21f, -1}, {0.21f, 1}, 0.5f), {-1, 0}));
+  const CShapeId ball = m_pWorld->Add(CDynamicCircleDesc({0.1f, 0}, 0.1f, {0, 0}));
+  InEachStep(*m_pWorld, 5, [&](int) {
+    EXPECT_EQ(Halted(*m_pWorld), std::vector{ball});
+    EXPECT_LE(m_pWorld->GetContacts().size(), 3 * g_nStuckImpacts);
+    EXPECT_GT(m_pWorld->GetPos(ball).x(), 0);
+  });
+}
+
 TEST_F(ContinuousTest, OthersBounceOffAHaltedBall) {
   AddSlot(*m_pWorld);
   m_pWorld->Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, 80000}));

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace Shapes::Native {
 
@@ -350,21 +351,28 @@ void CContinuous::Report(CShapeId shape, const CMoving& ball, const Vector2d& po
       {shape, GetId(ball), ToFloat(poi), n.cast<float>(), 0.0f, static_cast<float>(speed), false, impulse});
 }
 
+// Whether a ball that a moving shape pushes has got nowhere with the last of its impacts.
+bool CContinuous::GetsNowhere(CMoving& ball) const {
+  FailIf(ball.m_nImpacts % g_nStuckImpacts != 0);
+  const double since = std::exchange(ball.m_fStuckSince, ball.m_fTime);
+  return ball.m_nLastMoving != g_nNobody && ball.m_fTime - since <= g_fStuckPart * m_fStep;
+}
+
 void CContinuous::EndMotion(CMoving& ball) {
   m_stdPathVertices.push_back(
       {ball.m_nBall, ToFloat(ball.m_vPos), static_cast<float>(ball.m_fTime / m_fStep)});
   ++ball.m_nImpacts;
   // Elastic balls pass on what they have, and keep it where nothing gives more.
-  const auto mayKeep = [&] {
-    return ball.m_fElasticity == 1.0 && !ball.m_bIsDriven && !m_pShapes->IsAnyMoving();
-  };
-  if (ball.m_bIsNearBall && ball.m_nImpacts >= g_nSqueezed && !mayKeep()) {
+  const bool mayKeep = ball.m_fElasticity == 1.0 && !ball.m_bIsDriven && !m_pShapes->IsAnyMoving();
+  if (ball.m_bIsNearBall && ball.m_nImpacts >= g_nSqueezed && !mayKeep) {
     const double most = m_fFastest + m_fFall, speed = Norm(ball.m_vVel);
     if (speed > most) ball.m_vVel *= most / speed;
   }
+  const bool isCrowded = ball.m_bIsInPile || (ball.m_bIsNearBall && !mayKeep);
+  const bool isJammed = GetsNowhere(ball) || (isCrowded && ball.m_nImpacts == g_nCrowded);
   // Where shapes turn, they could get past a ball that is halted.
-  const bool isCrowded = ball.m_bIsInPile && ball.m_nImpacts == g_nCrowded && !m_pShapes->IsAnyTurning();
-  if (isCrowded || ball.m_nImpacts == g_nMaxImpacts || ball.m_nBallsSeen > g_nMostBallsSeen) Halt(ball);
+  const bool isStopped = isJammed && !m_pShapes->IsAnyTurning();
+  if (isStopped || ball.m_nImpacts == g_nMaxImpacts || ball.m_nBallsSeen > g_nMostBallsSeen) Halt(ball);
 }
 
 // It keeps no velocity into the shapes that it touches, and none at all if it has got nowhere.
