@@ -210,9 +210,9 @@ CEffectCosts MeasureEffects(const CScene& scene, const std::vector<CEngine>& eng
                             const CEffectOptions& options) {
   CEffectCosts report;
   std::vector<CEngine> worlds; // of each engine first the one that the scene calls for, then one per effect
-  for (CEngine engine : engines) {
-    if (engine.m_sName != g_sNative && engine.m_sName != g_sBox2D) continue;
-    engine.m_cEffects = g_cAutomatic;
+  for (const CEngine& engine : engines) {
+    const auto isOfIt = [&](const CEngine& world) { return world.m_pBackend == engine.m_pBackend; };
+    if (engine.m_cEffects != g_cAutomatic || std::any_of(worlds.begin(), worlds.end(), isOfIt)) continue;
     worlds.push_back(engine);
     const CLook look(scene, engine, options.m_nSeed);
     for (const CEffectCost& cost : look.GetCosts()) {

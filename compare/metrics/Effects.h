@@ -55,8 +55,8 @@ struct CEffectOptions : CTrials {
 /// The engine with one effect forced, or forbidden, and nothing said of the others.
 CEngine WithEffect(CEngine engine, eEffect e, bool forced);
 
-/// Measures native and Box2D as it ships, as far as they are among `engines`; their own choice of effects
-/// does not matter.
+/// Measures of each backend the first among `engines` that leaves the choice of effects to the scene: native,
+/// and Box2D as it ships.
 CEffectCosts MeasureEffects(const CScene& scene, const std::vector<CEngine>& engines,
                             const CEffectOptions& options);
 

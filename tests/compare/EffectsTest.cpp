@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <set>
 
 namespace Shapes::Compare::Tests {
 namespace {
@@ -49,7 +50,16 @@ TEST(EffectsTest, WhatAsceneCallsForIsKnownWithTheReason) {
     EXPECT_FALSE(Get(none, e).IsCalledFor());
   }
   EXPECT_EQ(Get(none, eEffect::BallPairs).m_sWhy, "1 solid ball");
-  EXPECT_TRUE(Measure(LoadBundled("corner"), "box2d-tuned").m_stdCosts.empty());
+}
+
+TEST(EffectsTest, OfEachBackendTheFirstIsMeasuredThatLeavesTheChoiceToTheScene) {
+  std::set<std::string> measured;
+  for (const CEffectCost& cost :
+       MeasureEffects(LoadBundled("corner"), GetEngines(), MakeEffectOptions()).m_stdCosts)
+    measured.insert(cost.m_sEngine);
+  EXPECT_EQ(measured, (std::set<std::string>{g_sNative, g_sBox2D}));
+  EXPECT_FALSE(Measure(LoadBundled("corner"), "box2d-tuned").m_stdCosts.empty());
+  EXPECT_TRUE(Measure(LoadBundled("corner"), g_sNativeApproximate).m_stdCosts.empty());
 }
 
 TEST(EffectsTest, WhatIsNotCalledForChangesNothingAndWhatIsDoes) {
