@@ -222,8 +222,8 @@ TEST(SqueezedBalls, GoThroughNoShape) {
   const float most = 0.25f;
   for (auto [radius, seeds] :
        {std::pair<float, CSeeds>(0.05f, {56, 62, 265, 332, 377, 417, 498, 530, 639, 1141, 2259, 2427}),
-        {0.1f, {49, 96, 179, 199, 263, 270, 500, 502, 972, 990, 1074, 2085}},
-        {0.2f, {17, 48, 224, 305, 463, 656, 688, 972, 1030, 1211}}}) {
+        {0.1f, {49, 96, 179, 199, 263, 270, 500, 502, 972, 990, 1074, 2085, 2923}},
+        {0.2f, {17, 48, 224, 263, 305, 463, 656, 688, 972, 1030, 1211, 2660}}}) {
     for (std::uint64_t seed = 0; seed < 10; ++seed)
       seeds.push_back(seed);
     for (const std::uint64_t seed : seeds)
@@ -258,7 +258,7 @@ float PushHeap(float speed, float e, std::uint64_t seed) {
 // Seeds in which one left at 2.8 to 7.6 when many impacts gave any speed to a ball between others that go
 // along with the piston, and at 6 to 15 when the solver did. (With e = .9 one may be faster, as on Box2D.)
 TEST(SqueezedBalls, LeaveAPistonAtItsSpeedNotAtThatOverASine) {
-  for (const auto seed : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u, 11u, 19u, 26u, 34u, 38u, 39u, 42u, 43u})
+  for (const auto seed : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u, 11u, 19u, 26u, 34u, 38u, 39u, 42u, 43u, 286u, 691u})
     EXPECT_LT(PushHeap(10.0f, 0.3f, seed), 2.7f) << "seed " << seed;
   for (const auto seed : {4u, 9u, 10u, 21u, 33u, 57u})
     EXPECT_LT(PushHeap(2.0f, 0.0f, seed), 2.7f) << "seed " << seed;
