@@ -89,9 +89,13 @@ inline constexpr unsigned g_nCrowded = 64;
 /// A ball that is halted within this share of a substep has got nowhere in it: it is stuck, and has no
 /// velocity. In slots that are too narrow by a rounding they are halted within 6e-6 at most.
 inline constexpr double g_fStuckPart = 1e-4;
-/// Impacts in that share of a substep of a ball that a moving shape pushes, after which it is halted, where
-/// no shape turns: it is pressed on another one, and would bounce between them without end.
+/// Impacts in that share of a substep, all along one line, of a ball that a moving shape pushes, after which
+/// it is halted, where no shape turns: it is pressed on another one, and would bounce between them without
+/// end.
 inline constexpr unsigned g_nStuckImpacts = 16;
+/// By how much the cosine of the angle of two normals on one line may differ from 1 or -1. Between surfaces
+/// that differ by .001 radians a ball gets out at a side.
+inline constexpr double g_fOnLine = 1e-12;
 /// A ball that has found so many others near it in a substep, again after each impact, is halted at its next
 /// one: bounds the time of balls in one place. In a pile, which leaves each a few neighbours, it has had
 /// g_nCrowded impacts before.
@@ -173,11 +177,11 @@ inline constexpr int g_nShockRounds = 2;
 /// approach over the sine of the angle between them, which is small for an instant only.
 inline constexpr unsigned g_nSqueezed = 8;
 inline constexpr double g_fSqueezed = 2.0;
-/// Approach of two balls, as a share of what is slow, up to which they do not meet again in a substep in
-/// which one of them has had g_nSqueezed impacts: inelastic ones would ever more slowly, without end. They
-/// overlap by that in the next one, at 60 substeps a second by less than a thousandth of a radius of .2.
-/// Without it nine of ten impacts in a box of 200 inelastic balls approach at less than 1/256.
-inline constexpr double g_fLeastApproach = 0x1p-5;
+/// Approach of two balls, as a share of what gravity gives in a substep, up to which they do not meet again
+/// in one in which one of them has had g_nSqueezed impacts: inelastic ones would ever more slowly, without
+/// end. They overlap by that in the next one, at 60 substeps a second by less than a thousandth of a radius
+/// of .2. Without it nine of ten impacts in a box of 200 inelastic balls approach at less than 1/128.
+inline constexpr double g_fLeastApproach = 0x1p-4;
 /// Change of the velocity of a ball between two substeps, as a share of it and above what gravity
 /// gives in one, by which a game steers it: less may be a drag.
 inline constexpr double g_fSteered = 0.1;

@@ -115,6 +115,21 @@ TEST_F(ContinuousTest, ABallThatAShapePressesOnAnotherIsHaltedSoon) {
   });
 }
 
+// But not one that gets out at a side, as along a slope, if only after many impacts at once.
+TEST_F(ContinuousTest, ABallThatAShapePressesOnASlopeGetsOut) {
+  for (const float angle : {0.2f, 0.3f, 0.5f}) {
+    SCOPED_TRACE(angle);
+    const auto pWorld = MakeContinuous(10);
+    const Vector2 along(std::sin(angle), std::cos(angle));
+    pWorld->Add(CLineSegDesc(-2 * along, 2 * along, 0.5f));
+    const CShapeId wall = pWorld->Add(Moving(CLineSegDesc({-0.8f, -2}, {-0.8f, 2}, 0.5f), {3, 0}));
+    const CShapeId ball = pWorld->Add(CDynamicCircleDesc({-0.45f, 0}, 0.1f, {0, 0}, 1, 0.5f));
+    Steps(*pWorld, 15);
+    EXPECT_NEAR(pWorld->GetPos(ball).x(), pWorld->GetPos(wall).x() + 0.1f, 1e-3);
+    EXPECT_EQ(pWorld->GetStats().m_nBallsHalted, 0u);
+  }
+}
+
 TEST_F(ContinuousTest, OthersBounceOffAHaltedBall) {
   AddSlot(*m_pWorld);
   m_pWorld->Add(CDynamicCircleDesc({0, 0.12f}, 0.1f, {0, 80000}));

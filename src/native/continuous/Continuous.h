@@ -248,8 +248,8 @@ private:
   void Slide(CMoving& ball, const CImpact& impact) const;
   void Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n, double speed,
               float impulse);
-  bool GetsNowhere(CMoving& ball) const;
-  void EndMotion(CMoving& ball);
+  bool GetsNowhere(CMoving& ball, const Vector2d& n) const;
+  void EndMotion(CMoving& ball, const Vector2d& n);
   void StopAtTouching(CMoving& ball);
   void Halt(CMoving& ball);
 

@@ -41,7 +41,7 @@ void CContinuous::HoldAnew(CMoving& ball) {
   const CHolds holds = ball.m_cHolds;
   Free(ball);
   HoldAllTouching(ball, holds);
-  EndMotion(ball);
+  EndMotion(ball, Vector2d::Zero());
 }
 
 // A ball comes to stay on a shape: alone, so that it may leave what has held it before, or only together with

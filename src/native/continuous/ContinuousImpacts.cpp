@@ -84,7 +84,7 @@ bool CContinuous::IsOver(const CMoving& ball, const CMoving& other, const CMotio
   FailIf(std::max(ball.m_nImpacts, other.m_nImpacts) < g_nSqueezed);
   const double t = impact.m_fTime, left = motion.m_fDuration - t;
   const double approach = ApproachSpeed(motion.VelAt(t), otherMotion.VelAt(t), impact.m_vNorm);
-  return approach + std::max(0.0, impact.m_fClosing) * left <= g_fLeastApproach * m_cResting.GetSlow();
+  return approach + std::max(0.0, impact.m_fClosing) * left <= g_fLeastApproach * m_fFall;
 }
 
 // But for those before `first` that are awake: they know what they have with this one.
@@ -256,7 +256,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   if (GetPush(n, surface) != 0.0) ball.m_nLastMoving = order;
   ball.m_bIsDriven |= e > 1.0;
   Report(solid.m_cId, ball, impact.m_vPOI, n, approach, ImpulseOf(ball.m_fMass, stays ? 0.0 : e, approach));
-  EndMotion(ball);
+  EndMotion(ball, n);
 }
 
 // A ball that stays on a surface that curves towards it would meet it again at once, and again.
@@ -340,7 +340,7 @@ void CContinuous::Collide(CMoving& ball, CMoving& other, const Vector2d& n, doub
   Report(GetId(second), first, second.m_vPos + second.m_fRadius * nhat, nhat, approach,
          ImpulseOf(mass, e, approach));
   for (CMoving* pBall : {&ball, &other})
-    if (!pBall->m_bIsHalted) EndMotion(*pBall);
+    if (!pBall->m_bIsHalted) EndMotion(*pBall, n);
 }
 
 void CContinuous::Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n,
@@ -351,14 +351,18 @@ void CContinuous::Report(CShapeId shape, const CMoving& ball, const Vector2d& po
       {shape, GetId(ball), ToFloat(poi), n.cast<float>(), 0.0f, static_cast<float>(speed), false, impulse});
 }
 
-// Whether a ball that a moving shape pushes has got nowhere with the last of its impacts.
-bool CContinuous::GetsNowhere(CMoving& ball) const {
-  FailIf(ball.m_nImpacts % g_nStuckImpacts != 0);
-  const double since = std::exchange(ball.m_fStuckSince, ball.m_fTime);
-  return ball.m_nLastMoving != g_nNobody && ball.m_fTime - since <= g_fStuckPart * m_fStep;
+// Whether a ball that a moving shape pushes has got nowhere with the last of its impacts: all along one line,
+// so that it gets out at no side either.
+bool CContinuous::GetsNowhere(CMoving& ball, const Vector2d& n) const {
+  const bool isOnLine = std::abs(n.dot(std::exchange(ball.m_vLastNorm, n))) >= 1.0 - g_fOnLine;
+  ball.m_nOnLine = isOnLine ? ball.m_nOnLine + 1 : 0;
+  FailIf(ball.m_nOnLine % g_nStuckImpacts != 0);
+  const double since = std::exchange(ball.m_fOnLineSince, ball.m_fTime);
+  return isOnLine && ball.m_nLastMoving != g_nNobody && ball.m_fTime - since <= g_fStuckPart * m_fStep;
 }
 
-void CContinuous::EndMotion(CMoving& ball) {
+// After an impact with this normal; none where only what holds the ball is another one.
+void CContinuous::EndMotion(CMoving& ball, const Vector2d& n) {
   m_stdPathVertices.push_back(
       {ball.m_nBall, ToFloat(ball.m_vPos), static_cast<float>(ball.m_fTime / m_fStep)});
   ++ball.m_nImpacts;
@@ -369,7 +373,7 @@ void CContinuous::EndMotion(CMoving& ball) {
     if (speed > most) ball.m_vVel *= most / speed;
   }
   const bool isCrowded = ball.m_bIsInPile || (ball.m_bIsNearBall && !mayKeep);
-  const bool isJammed = GetsNowhere(ball) || (isCrowded && ball.m_nImpacts == g_nCrowded);
+  const bool isJammed = GetsNowhere(ball, n) || (isCrowded && ball.m_nImpacts == g_nCrowded);
   // Where shapes turn, they could get past a ball that is halted.
   const bool isStopped = isJammed && !m_pShapes->IsAnyTurning();
   if (isStopped || ball.m_nImpacts == g_nMaxImpacts || ball.m_nBallsSeen > g_nMostBallsSeen) Halt(ball);

@@ -55,7 +55,9 @@ struct CMoving {
   double m_fTime = 0.0;                    // when the motion begins, seconds in the substep
   std::uint32_t m_nVersion = 0;            // changes with the motion
   unsigned m_nImpacts = 0;                 // in this substep
-  double m_fStuckSince = 0.0;              // the time of the last whole g_nStuckImpacts of them
+  Vector2d m_vLastNorm = Vector2d::Zero(); // of the last one
+  unsigned m_nOnLine = 0;                  // how many before it were along its line
+  double m_fOnLineSince = 0.0;             // the time of the last of these that g_nStuckImpacts divides
   std::uint32_t m_nLastOrder = g_nNobody;  // of the shape that it has just left
   std::uint32_t m_nLastMoving = g_nNobody; // of the shape that it has met last and that pushed it
   bool m_bIsAsleep = false;                // at rest, and nothing is near that is not
