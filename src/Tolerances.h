@@ -93,8 +93,8 @@ inline constexpr double g_fStuckPart = 1e-4;
 /// it is halted, where no shape turns: it is pressed on another one, and would bounce between them without
 /// end.
 inline constexpr unsigned g_nStuckImpacts = 16;
-/// By how much the cosine of the angle of two normals on one line may differ from 1 or -1. Between surfaces
-/// that differ by .001 radians a ball gets out at a side.
+/// By how much the cosine of the angle of two normals on one line may differ from 1 or -1: roundings of them.
+/// Between surfaces that are not parallel a ball gets out at a side.
 inline constexpr double g_fOnLine = 1e-12;
 /// A ball that has found so many others near it in a substep, again after each impact, is halted at its next
 /// one: bounds the time of balls in one place. In a pile, which leaves each a few neighbours, it has had

@@ -367,13 +367,16 @@ void CContinuous::EndMotion(CMoving& ball, const Vector2d& n) {
       {ball.m_nBall, ToFloat(ball.m_vPos), static_cast<float>(ball.m_fTime / m_fStep)});
   ++ball.m_nImpacts;
   // Elastic balls pass on what they have, and keep it where nothing gives more.
-  const bool mayKeep = ball.m_fElasticity == 1.0 && !ball.m_bIsDriven && !m_pShapes->IsAnyMoving();
-  if (ball.m_bIsNearBall && ball.m_nImpacts >= g_nSqueezed && !mayKeep) {
+  const auto mayKeep = [&] {
+    return ball.m_fElasticity == 1.0 && !ball.m_bIsDriven && !m_pShapes->IsAnyMoving();
+  };
+  if (ball.m_bIsNearBall && ball.m_nImpacts >= g_nSqueezed && !mayKeep()) {
     const double most = m_fFastest + m_fFall, speed = Norm(ball.m_vVel);
     if (speed > most) ball.m_vVel *= most / speed;
   }
-  const bool isCrowded = ball.m_bIsInPile || (ball.m_bIsNearBall && !mayKeep);
-  const bool isJammed = GetsNowhere(ball, n) || (isCrowded && ball.m_nImpacts == g_nCrowded);
+  const bool isCrowded =
+      ball.m_nImpacts == g_nCrowded && (ball.m_bIsInPile || (ball.m_bIsNearBall && !mayKeep()));
+  const bool isJammed = GetsNowhere(ball, n) || isCrowded;
   // Where shapes turn, they could get past a ball that is halted.
   const bool isStopped = isJammed && !m_pShapes->IsAnyTurning();
   if (isStopped || ball.m_nImpacts == g_nMaxImpacts || ball.m_nBallsSeen > g_nMostBallsSeen) Halt(ball);
