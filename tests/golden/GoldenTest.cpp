@@ -40,7 +40,7 @@ constexpr CGolden g_stdGolden[] = {
     {"naked_ends", 0x9CAD17C9E53BCF61u, 0xD58DFBD198CC696Eu},
     {"open_arc_inside", 0x64EC58454D46B18Cu, 0x23681290D7246F88u},
     {"open_arc_outside", 0x48A06C3E901AF299u, 0x8E4331ECDF797DD1u},
-    {"pinball", 0x2A25F4534457EE76u, 0x54956987B48BFE73u},
+    {"pinball", 0x2A25F4534457EE76u, 0x8BA5BE39BA1A55C4u},
     {"point_off_centre", 0x124388FF97AE8863u, 0xD847742D4786AF3Au},
     {"spinner", 0x56A3D35EEA79E444u, 0x409998423EA23948u},
     {"tangent_joint", 0xB399D01D85470B63u, 0x1160B11FC7451883u},

@@ -343,5 +343,20 @@ TEST(LastingContact, AClosedBoxThatTurnsKeepsWhatIsInIt) {
   EXPECT_GT(halted, 0u);
 }
 
+// The upper one is deep in the gate, and the lower one near it: it was moved out of the gate as out of a
+// pile.
+TEST(LastingContact, TwoBallsComeThroughAOneWayGateTogether) {
+  const auto pWorld = MakeNative(g_cAutomatic, 10);
+  CLineSegDesc gate({-1, 0}, {1, 0});
+  gate.m_eSides = eSides::Front; // from above
+  pWorld->Add(gate);
+  const CShapeId upper = pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.2f, {0, 12}));
+  const CShapeId lower = pWorld->Add(CDynamicCircleDesc({0, -0.3001f}, 0.2f, {0, 12}));
+  pWorld->Step();
+  const float way = 12 * g_fDt - 5 * g_fDt * g_fDt;
+  EXPECT_NEAR(pWorld->GetPos(upper).y(), 0.1f + way, 1e-6);
+  EXPECT_NEAR(pWorld->GetPos(lower).y(), -0.3001f + way, 1e-6);
+}
+
 } // namespace
 } // namespace Shapes

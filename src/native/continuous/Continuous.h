@@ -161,6 +161,7 @@ private:
   void CorrectPosition(std::uint32_t i, const Vector2d& n, double depth);
   void FindNext(std::uint32_t i);
   void FindNextShape(CMoving& ball);
+  bool IsPassing(const CMoving& ball, std::uint32_t order, const CImpact& impact, double gap) const;
   void FindRestingContacts();
   void StayInside(std::uint32_t i);
   void SolveRestingContacts();

@@ -10,6 +10,13 @@
 
 namespace Shapes::Native {
 
+// Whether the ball is deep in a one-sided shape through which it has come from behind.
+bool CContinuous::IsPassing(const CMoving& ball, std::uint32_t order, const CImpact& impact,
+                            double gap) const {
+  FailIf(m_pShapes->GetGeometry(order).m_eSides == eSides::Both || gap >= -GetRounding(ball, order));
+  return impact.m_vNorm.dot(ball.m_vVel - impact.m_vSurface) > m_cResting.GetSlow();
+}
+
 // Pairs of balls that touch or could by the end of the substep, and the shapes around these balls. They are
 // separated where they overlap.
 void CContinuous::FindRestingContacts() {
@@ -47,7 +54,8 @@ void CContinuous::FindRestingContacts() {
       const Vector2d surface = m_pShapes->GetGeometry(order).GetSurfaceVelocity(ball.m_vPos, 0.0);
       const double far = getReach(Norm(ball.m_vVel - surface));
       if (m_pShapes->Get(order).m_pShape->GetCanCollide() &&
-          IsNearShape(order, GetMotion(ball), 0.0, far, impact, gap) && CanFollow(ball, order, impact))
+          IsNearShape(order, GetMotion(ball), 0.0, far, impact, gap) && CanFollow(ball, order, impact) &&
+          !IsPassing(ball, order, impact, gap))
         m_cResting.Add(i, order, false, GetId(ball), m_pShapes->Get(order).m_cId, impact, gap);
     }
   }
