@@ -103,7 +103,7 @@ TEST_F(ContinuousTest, AHaltedBallIsReportedAndGoesOnInTheNextStep) {
   });
 }
 
-// It would have g_nMaxImpacts in each step: one that comes nowhere by them is halted after some dozens.
+// Without that bound the ball would have g_nMaxImpacts in each step, and be where it is now.
 TEST_F(ContinuousTest, ABallThatAShapePressesOnAnotherIsHaltedSoon) {
   m_pWorld->Add(CLineSegDesc({0, -1}, {0, 1}, 0.5f));
   m_pWorld->Add(Moving(CLineSegDesc({0.21f, -1}, {0.21f, 1}, 0.5f), {-1, 0}));

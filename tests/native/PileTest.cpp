@@ -23,6 +23,7 @@ struct CResult {
   std::ptrdiff_t m_nLost = 0;
   double m_fGain = 0; // largest one in a step, in energies at the start
   float m_fFastest = 0;
+  bool m_bIsCalm = false;
 };
 
 CResult Play(CPile& pile) {
@@ -42,23 +43,22 @@ CResult Play(CPile& pile) {
 }
 
 // Without friction a pile swings in a bowl as one, like a pendulum.
-void ExpectCalm(const CPile& pile) {
-  if (pile.m_eVessel == eVessel::Bowl) return;
-  EXPECT_LT(GetFastest(*pile.m_pWorld), 2 * g_fPileGravity * g_fDt);
-  EXPECT_LE(GetOverlap(*pile.m_pWorld), g_fSleepOverlap * 1.01); // measured in floats
+bool IsCalm(const CPile& pile) {
+  return pile.m_eVessel == eVessel::Bowl ||
+         (GetFastest(*pile.m_pWorld) < 2 * g_fPileGravity * g_fDt &&
+          GetOverlap(*pile.m_pWorld) <= g_fSleepOverlap * 1.01); // measured in floats
 }
 
-/// Plays it, and looks at what has to hold for every pile. An hourglass takes up to 20 s to run through, and
-/// as long a ball bounces with e = .9.
+/// Plays it, and looks at what has to hold for every pile. An hourglass takes up to 20 s to run through.
 CResult ExpectRest(CPile& pile) {
   SCOPED_TRACE(testing::Message() << pile.m_nBalls << " balls, e = " << pile.m_fElasticity << ", vessel "
                                   << static_cast<int>(pile.m_eVessel));
-  const CResult result = Play(pile);
+  CResult result = Play(pile);
   EXPECT_EQ(result.m_nLost, 0);
-  if (pile.m_eVessel != eVessel::Hourglass && pile.m_fElasticity <= 0.5f) ExpectCalm(pile);
+  result.m_bIsCalm = pile.m_eVessel == eVessel::Hourglass || IsCalm(pile);
   for (int step = 900; step < 1200; ++step)
     pile.Step(step);
-  ExpectCalm(pile);
+  EXPECT_TRUE(IsCalm(pile)) << GetFastest(*pile.m_pWorld) << ", overlap " << GetOverlap(*pile.m_pWorld);
   return result;
 }
 
@@ -68,9 +68,10 @@ TEST(Pile, APileComesToRestAndLosesNone) {
   const auto play = [&](const CPileDesc& desc, std::uint64_t seed) {
     SCOPED_TRACE(seed);
     CPile pile = MakePile(desc, seed);
-    const double most = ExpectRest(pile).m_fGain;
-    EXPECT_LT(most, g_fMostGain);
-    gain += most;
+    const CResult result = ExpectRest(pile);
+    EXPECT_TRUE(result.m_bIsCalm);
+    EXPECT_LT(result.m_fGain, g_fMostGain);
+    gain += result.m_fGain;
     ++piles;
     return pile.m_pWorld->GetStats().m_nBallsHalted;
   };
@@ -92,8 +93,8 @@ TEST(Pile, APileComesToRestAndLosesNone) {
   EXPECT_LT(gain, 4e-5 * piles); // what lifts balls that have no speed to lose
 }
 
-// What it presses with is found once, and remembered: if each search began anew it would sink into itself by
-// .005 radii in 10 seconds, and not come to rest.
+// The impulses of its weight are found once, and remembered: if each search began anew it would sink into
+// itself by .005 radii in 10 seconds, and not come to rest.
 TEST(Pile, ATowerStands) {
   constexpr int balls = 150;
   const auto pWorld = MakeNative(g_cAutomatic, g_fPileGravity);
@@ -136,17 +137,19 @@ TEST(RandomPiles, LoseNoBallGainNoEnergyAndComeToRest) {
   std::vector<std::uint64_t> seeds = {356, 867, 1168, 1422, 1559, 26, 281, 1526, 1361, 3446, 359};
   for (std::uint64_t seed = 0; seed < piles; ++seed)
     seeds.push_back(seed);
-  std::size_t pressed = 0; // long after the paddle: a row that it has left too long comes apart late
+  // A row that a paddle has left too long may come apart late, and a ball that bounces with e = .9 may take
+  // 20 s, as it would exactly.
+  std::size_t late = 0;
   for (const std::uint64_t seed : seeds) {
     SCOPED_TRACE(seed);
     CPile pile = MakeRandomPile(seed, g_cAutomatic);
-    const double gain = ExpectRest(pile).m_fGain;
-    if (pile.m_eVessel == eVessel::Paddle && gain > g_fMostGain)
-      ++pressed;
-    else
-      EXPECT_LT(gain, g_fMostGain);
+    const CResult result = ExpectRest(pile);
+    const bool comesApart = result.m_fGain >= g_fMostGain, bounces = !result.m_bIsCalm;
+    EXPECT_TRUE(!comesApart || pile.m_eVessel == eVessel::Paddle) << result.m_fGain;
+    EXPECT_TRUE(!bounces || pile.m_fElasticity > 0.5f);
+    late += comesApart || bounces;
   }
-  EXPECT_LE(pressed, seeds.size() / 100);
+  EXPECT_LE(late, seeds.size() / 100);
 }
 
 TEST(RandomPiles, LoseBallsGainEnergyAndMoveOnInTheApproximateMode) { // the control

@@ -49,7 +49,8 @@ private:
 struct CChange {
   const char* m_sName;
   std::function<void(CHeaps& heaps, CRandom& random)> m_stdMake;
-  bool m_bMoves = true; ///< Balls move by it, at least in some heaps.
+  bool m_bMoves = true;             ///< Balls move by it, at least in some heaps.
+  std::size_t m_nMostElsewhere = 0; ///< Of 16 heaps, as it throws balls about.
 };
 
 std::vector<CChange> GetChanges() {
@@ -68,7 +69,8 @@ std::vector<CChange> GetChanges() {
       {"a ball gets a velocity",
        [=](auto& h, auto& r) {
          h.m_pWorld->SetVel(ball(h, r), {3, 4});
-       }},
+       },
+       true, 4},
       {"a ball is elsewhere",
        [=](auto& h, auto& r) {
          h.m_pWorld->SetPos(ball(h, r), {-40, 0});
@@ -90,7 +92,8 @@ std::vector<CChange> GetChanges() {
       {"a shape is added",
        [=](auto& h, auto& r) {
          h.m_pWorld->Add(CCircleDesc(h.m_pWorld->GetPos(ball(h, r)) + Vector2(0.1f, 0.1f), 0.1f));
-       }},
+       },
+       true, 4},
       {"a shape is removed", [=](auto& h, auto& r) { h.m_pWorld->Remove(shape(h, r)); }},
       {"a floor is removed", [=](auto& h, auto& r) { h.m_pWorld->Remove(floor(h, r)); }},
       {"a floor goes down",
@@ -109,21 +112,23 @@ std::vector<CChange> GetChanges() {
       {"another shape comes",
        [=](auto& h, auto& r) {
          h.m_pWorld->SetPos(h.m_cSpare, h.m_pWorld->GetPos(ball(h, r)) + Vector2(0.2f, 0.3f));
-       }},
+       },
+       true, 4},
       {"a sensor comes",
        [=](auto& h, auto& r) { h.m_pWorld->SetPos(h.m_cSensor, h.m_pWorld->GetPos(ball(h, r))); }, false},
       {"a sensor becomes solid",
        [=](auto& h, auto& r) {
          h.m_pWorld->SetPos(h.m_cSensor, h.m_pWorld->GetPos(ball(h, r)) + Vector2(0.2f, 0.3f));
          h.m_pWorld->SetSensor(h.m_cSensor, false);
-       }},
+       },
+       true, 4},
       {"a ball is as elastic as never before",
        [=](auto& h, auto& r) { h.m_pWorld->SetElasticity(ball(h, r), 1); }, false},
   };
 }
 
-// After each change the balls go as they would if all had been woken, but for some that are woken earlier and
-// meet others elsewhere: where a shape is put into them in up to 9 of 100 heaps.
+// After each change the balls go as they would if all had been woken. Where it throws them about, some that
+// are woken earlier meet others elsewhere, in up to 9 of 100 heaps.
 TEST(Sleep, AChangeWakesAllThatItCouldMove) {
   std::vector<CHeaps> all;
   std::vector<CSavedState> saved;
@@ -134,7 +139,7 @@ TEST(Sleep, AChangeWakesAllThatItCouldMove) {
   }
   for (const CChange& change : GetChanges()) {
     float farthest = 0.0f;
-    int elsewhere = 0;
+    std::vector<std::uint64_t> elsewhere; // seeds
     for (std::uint64_t seed = 0; seed < all.size(); ++seed) {
       CHeaps& heaps = all[seed];
       CWorld& world = *heaps.m_pWorld;
@@ -153,9 +158,10 @@ TEST(Sleep, AChangeWakesAllThatItCouldMove) {
       const auto [same, after] = play(false);
       farthest = std::max(farthest, CHeaps::GetFarthest(before, woken));
       // A ball that hangs in the air is off by 1.4 radii.
-      elsewhere += CHeaps::GetFarthest(woken, after) > 0.3f * g_fHeapBall;
+      if (CHeaps::GetFarthest(woken, after) > 0.3f * g_fHeapBall) elsewhere.push_back(seed);
     }
-    EXPECT_LE(elsewhere, 4) << change.m_sName;
+    EXPECT_LE(elsewhere.size(), change.m_nMostElsewhere)
+        << change.m_sName << ", seeds " << testing::PrintToString(elsewhere);
     EXPECT_EQ(farthest > 0.1f * g_fHeapBall, change.m_bMoves) << change.m_sName; // the control
   }
 }

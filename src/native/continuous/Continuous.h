@@ -42,10 +42,11 @@ namespace Shapes::Native {
 /// - Of two balls that are each deep in more than g_nMostDeep others, one has to be among the nearest of the
 ///   other: else they do not meet.
 /// - A ball is halted that has had g_nMaxImpacts impacts, g_nCrowded among others, g_nStuckImpacts at once
-///   where a moving shape pushes it, or has found more than g_nMostBallsSeen others in all searches: for the
-///   rest of the substep it stays where it is, which is a place that it can be at, or goes along with the
-///   shape that has pushed it last. It keeps its velocity, under gravity none into the shapes that it
-///   touches, and none at all if it has got nowhere in the substep; others bounce off it as off a wall.
+///   where a moving shape presses it straight on something, or has found more than g_nMostBallsSeen others in
+///   all searches: for the rest of the substep it stays where it is, which is a place that it can be at, or
+///   goes along with the shape that has pushed it last. It keeps its velocity, under gravity none into the
+///   shapes that it touches, and none at all if it has got nowhere in the substep; others bounce off it as
+///   off a wall.
 class CContinuous {
 public:
   /// Begins to move the balls by dt seconds, and counts what is done. Threads share balls that do not meet

@@ -87,7 +87,8 @@ bool CContinuous::IsOver(const CMoving& ball, const CMoving& other, const CMotio
   return approach + std::max(0.0, impact.m_fClosing) * left <= g_fLeastApproach * m_fFall;
 }
 
-// But for those before `first` that are awake: they know what they have with this one.
+// The impacts of a ball with others, but those before `first` that are awake: these know what they have with
+// it.
 void CContinuous::FindBallImpacts(std::uint32_t i, std::uint32_t first) {
   FindBalls(i);
   CMoving& ball = m_stdBalls[i];
@@ -355,6 +356,7 @@ void CContinuous::Report(CShapeId shape, const CMoving& ball, const Vector2d& po
 // so that it gets out at no side either.
 bool CContinuous::GetsNowhere(CMoving& ball, const Vector2d& n) const {
   const bool isOnLine = std::abs(n.dot(std::exchange(ball.m_vLastNorm, n))) >= 1.0 - g_fOnLine;
+  // One along another line begins anew.
   ball.m_nOnLine = isOnLine ? ball.m_nOnLine + 1 : 0;
   FailIf(ball.m_nOnLine % g_nStuckImpacts != 0);
   const double since = std::exchange(ball.m_fOnLineSince, ball.m_fTime);

@@ -57,7 +57,7 @@ struct CMoving {
   unsigned m_nImpacts = 0;                 // in this substep
   Vector2d m_vLastNorm = Vector2d::Zero(); // of the last one
   unsigned m_nOnLine = 0;                  // how many before it were along its line
-  double m_fOnLineSince = 0.0;             // the time of the last of these that g_nStuckImpacts divides
+  double m_fOnLineSince = 0.0;             // when these were last a multiple of g_nStuckImpacts
   std::uint32_t m_nLastOrder = g_nNobody;  // of the shape that it has just left
   std::uint32_t m_nLastMoving = g_nNobody; // of the shape that it has met last and that pushed it
   bool m_bIsAsleep = false;                // at rest, and nothing is near that is not
