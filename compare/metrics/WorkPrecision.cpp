@@ -15,8 +15,8 @@ namespace Shapes::Compare {
 
 std::vector<CEngine> GetParameterSweep() {
   const std::vector<CEngine> engines = GetEngines();
-  const auto settings = [&](const char* pName) {
-    return [engine = engines.at(FindEngine(engines, pName).value())](
+  const auto settings = [&](std::string_view name) {
+    return [engine = engines.at(FindEngine(engines, name).value())](
                unsigned substeps, unsigned velocityIterations = 8, unsigned positionIterations = 3,
                float scale = 1.0f, float sagittaFactor = 1.0f) mutable {
       engine.m_nSubsteps = substeps;
@@ -31,7 +31,7 @@ std::vector<CEngine> GetParameterSweep() {
        tuned = settings("box2d-tuned");
   // A substep of Box2D is a whole step of it at a higher rate. Iterations matter where contacts act on each
   // other; the scale shrinks its skin and slop, the sagitta the error of arcs.
-  return {
+  std::vector<CEngine> sweep{
       native(1),
       native(2),
       native(4),
@@ -73,6 +73,11 @@ std::vector<CEngine> GetParameterSweep() {
       tuned(4),
       tuned(8),
   };
+  for (const CEngine& engine : engines)
+    if (FindEngine(sweep, engine.m_sName) == std::nullopt)
+      for (const unsigned substeps : {1, 2, 4, 8})
+        sweep.push_back(settings(engine.m_sName)(substeps));
+  return sweep;
 }
 
 namespace {

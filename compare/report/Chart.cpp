@@ -194,17 +194,15 @@ private:
     std::string shape;
     if (mark == "circle")
       shape = fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"", x, y, r);
-    else if (mark == "rect")
-      shape = fmt::format("<rect x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{2:.1f}\"",
-                          x - 0.88 * r, y - 0.88 * r, 1.76 * r);
+    else if (mark == "triangle")
+      shape = fmt::format("<path d=\"M{:.1f} {:.1f}l{:.1f} {:.1f}h{:.1f}z\"", x, y - 1.1 * r, 1.1 * r,
+                          2.0 * r, -2.2 * r);
     else if (mark == "rectRot")
       shape = fmt::format("<path d=\"M{0:.1f} {1:.1f}l{2:.1f} {2:.1f}l-{2:.1f} {2:.1f}l-{2:.1f} -{2:.1f}z\"",
                           x, y - 1.2 * r, 1.2 * r);
-    else {
-      const double up = mark == "triangle" ? 1.0 : -1.0;
-      shape = fmt::format("<path d=\"M{:.1f} {:.1f}l{:.1f} {:.1f}h{:.1f}z\"", x, y - up * 1.1 * r, 1.1 * r,
-                          up * 2.0 * r, -2.2 * r);
-    }
+    else
+      shape = fmt::format("<rect x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{2:.1f}\"{3}",
+                          x - 0.88 * r, y - 0.88 * r, 1.76 * r, mark == "rectRounded" ? " rx=\"4\"" : "");
     const std::string colour = fmt::format("var(--{})", row.m_sName);
     m_sSvg += fmt::format("{} fill=\"{}\" stroke=\"{}\" stroke-width=\"2.5\" data-engine=\"{}\"/>", shape,
                           loss == eGrade::Good ? colour : "var(--bg)", colour, row.m_sName);
@@ -227,8 +225,8 @@ private:
   void AddLabel(const CChartPoint& p) {
     const std::string lost =
         p.m_nLost == 0 ? "none lost" : fmt::format("loses {}", LossText(p.m_nLost, p.m_nOf));
-    const char* pName = m_cSize.m_fWidth > g_fNarrow ? p.m_pRow->m_sName : p.m_pRow->m_sShort;
-    const double width = std::max(Width(pName, g_fLarge, g_fBoldLetter), Width(lost, g_fSmall, g_fLetter));
+    const std::string& name = m_cSize.m_fWidth > g_fNarrow ? p.m_pRow->m_sName : p.m_pRow->m_sShort;
+    const double width = std::max(Width(name, g_fLarge, g_fBoldLetter), Width(lost, g_fSmall, g_fLetter));
     constexpr double height = 34.0;
     CBox best{};
     double least = 1e300;
@@ -249,7 +247,7 @@ private:
         "stroke-width=\"4\" stroke-linejoin=\"round\"><text x=\"{1:.1f}\" y=\"{2:.1f}\" font-size=\"{3}\" "
         "font-weight=\"600\" fill=\"var(--ink)\">{7}</text><text x=\"{1:.1f}\" y=\"{4:.1f}\" "
         "font-size=\"{5}\" fill=\"var(--ink)\">{6}</text></g>",
-        p.m_pRow->m_sName, x, y + 14.0, g_fLarge, y + 29.0, g_fSmall, lost, pName);
+        p.m_pRow->m_sName, x, y + 14.0, g_fLarge, y + 29.0, g_fSmall, lost, name);
   }
 
   double CostOf(const CBox& box) const {

@@ -9,18 +9,27 @@
 namespace Shapes::Compare {
 namespace {
 
-// Colours have a contrast of 3:1 to the page; those of one family
-// differ in lightness, and marks tell all of them apart without colour.
-constexpr CEngineRow g_stdRows[] = {
-    {g_sNative, "native", "native", "what a game gets by default", "native", g_cAutomatic, eProfile::Shipped,
-     "circle", "#0061a8", "#6cbcff"},
-    {g_sNativeApproximate, "native-approximate", "approx.", "no ball is swept", "native", g_cApproximate,
-     eProfile::Shipped, "triangle", "#2f8f9d", "#5fd0c5"},
-    {g_sBox2D, "Box2D", "box2d", "Box2D as it ships", "box2d", g_cAutomatic, eProfile::Shipped, "rect",
-     "#c2410c", "#ff9a52"},
-    {"box2d-tuned", "tuned Box2D", "tuned", "Box2D set for accuracy", "box2d", g_cAutomatic, eProfile::Tuned,
-     "rectRot", "#7b1d84", "#d68cff"},
-};
+std::vector<CEngineRow> MakeRows() {
+  // Colours have a contrast of 3:1 to the page; those of one family differ in lightness, and marks tell all
+  // of them apart without colour.
+  std::vector<CEngineRow> rows{
+      {g_sNative, "native", "native", "what a game gets by default", "native", g_cAutomatic,
+       eProfile::Shipped, "circle", "#0061a8", "#6cbcff"},
+      {g_sNativeApproximate, "native-approximate", "approx.", "no ball is swept", "native", g_cApproximate,
+       eProfile::Shipped, "triangle", "#2f8f9d", "#5fd0c5"},
+      {g_sBox2D, "Box2D", "box2d", "Box2D as it ships", "box2d", g_cAutomatic, eProfile::Shipped, "rect",
+       "#c2410c", "#ff9a52"},
+      {"box2d-tuned", "tuned Box2D", "tuned", "Box2D set for accuracy", "box2d", g_cAutomatic,
+       eProfile::Tuned, "rectRot", "#7b1d84", "#d68cff"},
+  };
+  for (const CBackend& backend : GetBackends()) {
+    const std::string name(backend.GetName());
+    if (std::ranges::find(rows, name, &CEngineRow::m_sBackend) == rows.end())
+      rows.push_back({name, name, name.substr(0, 7), "the engine as it comes", name, g_cAutomatic,
+                      eProfile::Shipped, "rectRounded", "#5b6570", "#a9b1bb"});
+  }
+  return rows;
+}
 
 constexpr float g_fMostMetres = 2.0f; // b2_maxTranslation of a step
 
@@ -54,17 +63,20 @@ std::string CEngine::GetLabel() const {
   return label.empty() ? "as it comes" : label;
 }
 
-std::span<const CEngineRow> GetEngineRows() { return g_stdRows; }
+std::span<const CEngineRow> GetEngineRows() {
+  static const std::vector<CEngineRow> rows = MakeRows();
+  return rows;
+}
 
 const CEngineRow& GetEngineRow(std::string_view name) {
-  for (const CEngineRow& row : g_stdRows)
+  for (const CEngineRow& row : GetEngineRows())
     if (row.m_sName == name) return row;
   throw std::out_of_range("no engine: " + std::string(name));
 }
 
 std::vector<CEngine> GetEngines() {
   std::vector<CEngine> engines;
-  for (const CEngineRow& row : g_stdRows) {
+  for (const CEngineRow& row : GetEngineRows()) {
     const CBackend* pBackend = GetBackend(row.m_sBackend);
     if (pBackend == nullptr)
       throw std::runtime_error(

@@ -43,19 +43,20 @@ inline constexpr const char* g_sBox2D = "box2d";
 
 /// A row of the table of engines.
 struct CEngineRow {
-  const char* m_sName;    ///< of --engines, run.json and every column
-  const char* m_sSpoken;  ///< in sentences
-  const char* m_sShort;   ///< above a narrow column, at most 7 characters
-  const char* m_sMeaning; ///< what it is, in some words
-  const char* m_sBackend; ///< CBackend::GetName
+  std::string m_sName;    ///< of --engines, run.json and every column
+  std::string m_sSpoken;  ///< in sentences
+  std::string m_sShort;   ///< above a narrow column, at most 7 characters
+  std::string m_sMeaning; ///< what it is, in some words
+  std::string m_sBackend; ///< CBackend::GetName
   CEffectChoice m_cEffects;
   eProfile m_eProfile;
-  const char* m_sMark;   ///< its mark in pictures: "circle", "triangle", "rect" or "rectRot"
-  const char* m_sColour; ///< of the mark on white
-  const char* m_sDark;   ///< of the mark on black
+  std::string m_sMark;   ///< its mark in pictures: "circle", "triangle", "rect", "rectRot" or "rectRounded"
+  std::string m_sColour; ///< of the mark on white
+  std::string m_sDark;   ///< of the mark on black
 };
 
-/// All rows. A new engine is a row.
+/// All rows: settings of native and of Box2D that are worth a column, and behind them each other engine of
+/// GetBackends, as it comes.
 std::span<const CEngineRow> GetEngineRows();
 /// The row of a name. @throws std::out_of_range if there is none
 const CEngineRow& GetEngineRow(std::string_view name);

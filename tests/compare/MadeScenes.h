@@ -87,4 +87,7 @@ inline std::vector<CEngine> OnlyEngine(std::string_view name) {
 inline constexpr std::size_t g_nNative = 0, g_nApproximate = 1, g_nBox2D = 2,
                              g_nTuned = 3; // in the order of GetEngines
 
+/// Of these, without other engines that were built.
+inline std::span<const CEngineRow> GetKnownRows() { return GetEngineRows().first(g_nTuned + 1); }
+
 } // namespace Shapes::Compare::Tests

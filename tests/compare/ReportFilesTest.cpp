@@ -18,7 +18,7 @@ using nlohmann::json;
 TEST(CsvTest, HasAColumnForEveryFieldAndLeavesEmptyWhatWasNotMeasured) {
   std::string names = "scene,trial,step,ball,pair,time_in_step,travel_radii,approach_speed_units_per_s,"
                       "incidence_rad,elasticity,apart_radii";
-  for (const CEngineRow& row : GetEngineRows())
+  for (const CEngineRow& row : Tests::GetKnownRows())
     for (const char* pField :
          {"outcome", "setback_radii", "setback_error_radii", "setback_error_normal_radii", "time_error_steps",
           "poi_error_radii", "normal_error_rad", "direction_error_rad", "speed_error_relative",
@@ -230,8 +230,8 @@ TEST(HtmlTest, EveryPartAndColourIsThereAndEndsWhereItShould) {
     EXPECT_EQ(Count(page, pOutside), 0u) << pOutside;
   // The colours of the table of engines, on white and on black.
   for (const CEngineRow& row : GetEngineRows())
-    for (const char* pColour : {row.m_sColour, row.m_sDark})
-      EXPECT_EQ(Count(page, std::string("--") + row.m_sName + ": " + pColour + ";"), 1u) << row.m_sName;
+    for (const std::string& colour : {row.m_sColour, row.m_sDark})
+      EXPECT_EQ(Count(page, "--" + row.m_sName + ": " + colour + ";"), 1u) << row.m_sName;
 }
 
 struct CReplay {

@@ -52,10 +52,10 @@ TEST(RunJsonTest, ARealRunMeasuresEverythingAndFitsTheSchema) {
     EXPECT_EQ(scene.m_cHeatMap.m_stdCells.empty(), scene.m_cScene.m_stdBalls.size() != 1);
     EXPECT_EQ(scene.m_stdClips.size(), 1 + GetEngineRows().size());
     EXPECT_EQ(scene.m_cEffects.m_sNotCounted, "only a full run does");
-    ASSERT_EQ(scene.m_cEffects.m_stdCosts.size(), 12u);
-    for (std::size_t i = 0; i < 12; ++i) {
+    ASSERT_EQ(scene.m_cEffects.m_stdCosts.size(), 6 * GetBackends().size());
+    for (std::size_t i = 0; i < scene.m_cEffects.m_stdCosts.size(); ++i) {
       const CEffectCost& cost = scene.m_cEffects.m_stdCosts[i];
-      EXPECT_EQ(cost.m_sEngine, i < 6 ? "native" : "box2d");
+      EXPECT_EQ(cost.m_sEngine, GetBackends()[i / 6].GetName());
       EXPECT_EQ(cost.m_eEffect, g_stdEffects[i % 6]);
       EXPECT_FALSE(cost.m_sWhy.empty());
       for (const CEffectWorld* pWorld : {&cost.m_cWith, &cost.m_cWithout}) {
@@ -214,7 +214,7 @@ TEST(RunJsonTest, AChangedDocumentIsRefused) {
   for (const auto& [pPath, value] :
        std::initializer_list<std::pair<const char*, json>>{{"/scenes/0/engines/0/missed/rate", 1.5},
                                                            {"/scenes/0/engines/0/contacts", -1},
-                                                           {"/scenes/0/engines/0/name", "jolt"},
+                                                           {"/scenes/0/engines/0/name", "a jolt"},
                                                            {"/version", 1}}) {
     json bad = good;
     bad[json::json_pointer(pPath)] = value;

@@ -21,7 +21,7 @@ const Plots = (() => {
 
   const isExact = (row) => row.engine === 'exact';
   /** Of which only the substeps vary: its points are a line. */
-  const isNative = (row) => row.engine.startsWith('native');
+  const isBySubsteps = (row) => !row.engine.startsWith('box2d');
 
   /** The tunneled rate with the further impacts of the proof; the interval is known without them only. */
   function tunneledOf(row) {
@@ -65,7 +65,7 @@ const Plots = (() => {
 
   function shortName(row) {
     const steps = row.settings?.substeps;
-    return isNative(row) && isNumber(steps) ? `\u00d7${steps}` : row.label;
+    return isBySubsteps(row) && isNumber(steps) ? `\u00d7${steps}` : row.label;
   }
 
   function toPoint(question, row, floor) {
@@ -80,7 +80,7 @@ const Plots = (() => {
       isFront,
       xs: Array.isArray(times) && isNumber(times[0]) && isNumber(times[1]) ? times : null,
       ys: range && range.every(isNumber) ? range : null,
-      name: isFront || isNative(row) ? shortName(row) : null,
+      name: isFront || isBySubsteps(row) ? shortName(row) : null,
     };
   }
 
@@ -99,7 +99,7 @@ const Plots = (() => {
       ...parts.pointMark(engine),
       pointRadius: 5,
       pointHoverRadius: 8,
-      showLine: isNative({engine}),
+      showLine: isBySubsteps({engine}),
       borderWidth: 2,
       clip: false,
     };

@@ -38,7 +38,7 @@ const Report = (() => {
         el('div', {class: 'pair'}, plots.map((plot) => plot.figure)),
         el('p', {class: 'note'},
            'Filled marks are on the Pareto line, the broken one: nothing that was tried is both cheaper and ' +
-               'better. The marks of each native engine are joined in the order of their substeps. The exact ' +
+               'better. The marks of each engine but Box2D are joined in the order of their substeps. The exact ' +
                'reference is timed too; it has no broad phase, so it is no engine for a game with many balls.'),
         Plots.settingsTable(scene),
       ],

@@ -65,7 +65,7 @@ inline CSceneReport MakePageScene(const std::string& name) {
     if (cost.IsCalledFor()) cost.m_cWithout.m_cFlightError = {12, 20, 20, 20};
   }
   report.m_stdClips = {MakeClip("start", "", 0)};
-  for (const CEngineRow& row : GetEngineRows())
+  for (const CEngineRow& row : Tests::GetKnownRows())
     report.m_stdClips.push_back(
         MakeClip(std::string("worst ") + row.m_sName, "sent off 0.61 rad", g_nWorstContact));
   return report;
