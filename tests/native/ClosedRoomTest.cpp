@@ -233,6 +233,36 @@ TEST(SqueezedBalls, GoThroughNoShape) {
   EXPECT_GT(GetDeepest(g_cApproximate, 0.1f, 49), most) << "the control";
 }
 
+// In a box of 2 by 1 a piston goes to and fro, and leaves .05 at each end. Where what had come last won, it
+// pressed balls out of 484 of 720 such boxes.
+TEST(SqueezedBalls, AreNotPressedOutOfABoxByAPistonThatLeavesThemNoRoom) {
+  for (const float gravity : {0.0f, 10.0f})
+    for (const float speed : {0.5f, 2.0f, 6.0f})
+      for (const std::uint64_t seed : {0u, 1u, 2u}) {
+        SCOPED_TRACE(testing::Message() << "gravity " << gravity << ", speed " << speed << ", seed " << seed);
+        CRandom random(seed);
+        const auto pWorld = MakeNative(g_cAutomatic, gravity);
+        AddBox(*pWorld, {-1, 0}, {1, 1}, 0.5f);
+        const CShapeId piston = pWorld->Add(Moving(CLineSegDesc({0, -0.5f}, {0, 1.5f}, 0.5f), {speed, 0}));
+        for (int i = 0; i < 10; ++i) {
+          const Vector2 p(0.2f + 0.22f * static_cast<float>(i % 4),
+                          0.15f + 0.22f * static_cast<float>(i / 4));
+          pWorld->Add(CDynamicCircleDesc(p, 0.1f, random.InSquare(1), 1, 0.5f));
+        }
+        unsigned long halted = 0;
+        InEachStep(*pWorld, 600, [&](int) {
+          halted += pWorld->GetHaltedBalls().size();
+          const float x = pWorld->GetPos(piston).x(), vx = pWorld->GetVel(piston).x();
+          if (std::abs(x + vx * g_fDt) > 0.95f) pWorld->SetVel(piston, {-vx, 0});
+          const auto isInside = [](const Vector2& p) {
+            return std::abs(p.x()) < 1 && p.y() > 0 && p.y() < 1;
+          };
+          EXPECT_TRUE(AllBalls(*pWorld, isInside));
+        });
+        EXPECT_GT(halted, 0u);
+      }
+}
+
 // The fastest of a heap of balls that a piston pushes against a wall, in its speeds.
 float PushHeap(float speed, float e, std::uint64_t seed) {
   CRandom random(seed);

@@ -39,6 +39,21 @@ TEST(ContactSolver, ASmallTowerNeedsFewRounds) { EXPECT_LT(SolveTower(10, false,
 
 TEST(ContactSolver, KnownImpulsesStay) { EXPECT_LT(SolveTower(400, true), 1e-12); }
 
+// In a corner of 45 degrees, into which a third shape comes.
+TEST(ContactSolver, NoShapeThatComesPressesABallIntoThoseThatDoNot) {
+  CContactSolver solver;
+  solver.Begin();
+  const std::uint32_t ball = solver.AddBall(Vector2d(0, 0));
+  const Vector2d left(1, 0), right = Vector2d(-1, 1).normalized(), above(0.1, -1);
+  solver.Add({left, ball, CContactSolver::g_nShape, 1.0, 0.0, 0.0}, 0.0);
+  solver.Add({right, ball, CContactSolver::g_nShape, 1.0, 0.0, 0.0}, 0.0);
+  solver.Add({above.normalized(), ball, CContactSolver::g_nPushingShape, 1.0, 0.0, 1.0}, 0.0);
+  solver.Solve(0.1, 1.0);
+  // Eight rounds between two walls of 45 degrees leave 2^-8 of the speed.
+  EXPECT_GT(solver.GetVel(ball).dot(left), -0.01);
+  EXPECT_GT(solver.GetVel(ball).dot(right), -0.01);
+}
+
 // A crystal between two walls, each ball on two of the row below and beside two of its own: more contacts
 // than velocities, so that impulses are not unique. All have the speed 1/6 that gravity has given them, and
 // up to as much as `noise` in any direction.
@@ -56,7 +71,7 @@ struct CCrystal {
     CRandom random(1);
     m_cSolver.Begin();
     for (std::uint32_t row = 0; row < rows; ++row) {
-      const std::uint32_t size = columns - row % 2, first = m_nBalls + 1,
+      const std::uint32_t size = columns - row % 2, first = m_nBalls + CContactSolver::g_nPushingShape + 1,
                           below = first - (columns - 1 + row % 2);
       for (std::uint32_t i = 0; i < size; ++i) {
         const Vector2d v = noise * random.InSquare(1).cast<double>() - g_fSpeed * Vector2d::UnitY();

@@ -23,5 +23,16 @@ TEST(Holds, ASqueezedBallGoesIntoABallSoonerThanIntoAShape) {
   }
 }
 
+// Between a wall that rests and one that comes.
+TEST(Holds, ASqueezedBallGoesIntoAShapeThatPushesSoonerThanIntoOneThatDoesNot) {
+  for (const bool pushingIsFirst : {true, false}) {
+    CHolds holds;
+    if (pushingIsFirst) holds.Add(Of(false, {1, 0}, 1));
+    holds.Add(Of(false, {-1, 0}, 0));
+    if (!pushingIsFirst) holds.Add(Of(false, {1, 0}, 1));
+    EXPECT_EQ(holds.ConstrainVel({0.5, 3}), Vector2d(0, 3));
+  }
+}
+
 } // namespace
 } // namespace Shapes::Native

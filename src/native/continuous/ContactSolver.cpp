@@ -14,7 +14,8 @@ void CContactSolver::Begin() {
   m_stdRows.clear();
   m_cImpulses.Clear();
   m_cVels.Clear();
-  AddBall(Vector2d::Zero()); // g_nShape
+  for (std::uint32_t shape = g_nShape; shape <= g_nPushingShape; ++shape)
+    AddBall(Vector2d::Zero());
 }
 
 std::uint32_t CContactSolver::AddBall(const Vector2d& vel) {
@@ -88,11 +89,21 @@ void CContactSolver::Stop(const CRow& row) {
   if (now < row.m_fLeast) m_cVels.m_stdNow[row.m_nBall] += (row.m_fLeast - now) * row.m_vNorm;
 }
 
-// Shapes last: no ball is pressed into one by others.
+void CContactSolver::StopAt(std::uint32_t shape) {
+  for (const CRow& row : m_stdRows)
+    if (row.m_nOther == shape) Stop(row);
+}
+
+// Shapes last: no ball is pressed into one by others, nor into one that stays by one that comes upon it.
 void CContactSolver::StopAtShapes() {
+  const bool anyPushes = std::any_of(m_stdRows.begin(), m_stdRows.end(),
+                                     [](const CRow& row) { return row.m_nOther == g_nPushingShape; });
+  for (int round = 0; anyPushes && round < g_nWedgeRounds; ++round) {
+    StopAt(g_nPushingShape);
+    StopAt(g_nShape);
+  }
   for (int round = 0; round < g_nWedgeRounds; ++round)
-    for (const CRow& row : m_stdRows)
-      if (row.m_nOther == g_nShape) Stop(row);
+    StopAt(g_nShape);
 }
 
 double CContactSolver::GetFlowError(double fastest, double slow) {

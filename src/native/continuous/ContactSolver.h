@@ -25,8 +25,8 @@ public:
     double m_fLeast;       ///< that the difference of velocities along the normal may be at the end
     double m_fShare = 0.0; ///< 1 / (sum of the inverse masses): set by Add
   };
-  /// A shape is a ball that nothing moves.
-  static constexpr std::uint32_t g_nShape = 0;
+  /// A shape is a ball that nothing moves: one that does not come upon the ball, and one that does.
+  static constexpr std::uint32_t g_nShape = 0, g_nPushingShape = 1;
 
   /// Begins a pile: contacts that share no ball with those of other piles.
   void Begin();
@@ -86,6 +86,7 @@ private:
   CChange Relax(double part);
   double Search(double accurate, std::size_t rounds);
   void Stop(const CRow& row);
+  void StopAt(std::uint32_t shape);
   void StopAtShapes();
 
   std::vector<CRow> m_stdRows;

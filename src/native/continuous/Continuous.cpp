@@ -155,8 +155,8 @@ void CContinuous::SetBackFromBalls(std::uint32_t i) {
     if (j <= i || !OverlapBallBall(GetMotion(m_stdBalls[j]), GetMotion(m_stdBalls[i]), impact, depth))
       continue;
     const double m0 = m_stdBalls[i].m_fMass, m1 = m_stdBalls[j].m_fMass;
-    CorrectPosition(i, impact.m_vNorm, depth * (m1 / (m0 + m1)));
-    CorrectPosition(j, -impact.m_vNorm, depth * (m0 / (m0 + m1)));
+    CorrectPosition(i, impact.m_vNorm, depth * (m1 / (m0 + m1)), eShapes::All);
+    CorrectPosition(j, -impact.m_vNorm, depth * (m0 / (m0 + m1)), eShapes::All);
   }
 }
 
@@ -175,20 +175,35 @@ void CContinuous::FindShapes(std::uint32_t i, float reach) {
 // Out of one shape may be into another: a ball in a wedge is set back in turns.
 void CContinuous::SetBackFromAll(std::uint32_t i) {
   FindShapes(i);
-  for (int turn = 0; turn < g_nSetBackRounds && SetBackFromShapes(i); ++turn)
-    FindShapes(i);
+  // Where there is no room what moves goes over the ball.
+  for (const eShapes from : {eShapes::All, eShapes::Resting})
+    for (int turn = 0; turn < g_nSetBackRounds; ++turn) {
+      if (!SetBackFromShapes(i, from)) return;
+      FindShapes(i);
+    }
+}
+
+// Whether a ball that is deep in a one-sided shape comes through it from behind. If not, balls, or what it is
+// set back from, have pressed it into that, in this substep or before.
+bool CContinuous::ComesThrough(const CMoving& ball, std::uint32_t order) const {
+  const CMotion begin = GetFreeMotion(ball.m_nBall);
+  if (ball.m_vPos == begin.m_vPos) return true;
+  CImpact impact;
+  double gap;
+  FailIf(!IsNearShape(order, begin, 0.0, 0.0, impact, gap) || gap >= -g_fSettleReach * ball.m_fRadius);
+  return gap < -ball.m_fRadius || IsPassing(ball, order, impact, gap);
 }
 
 // By order, each from where those before it have put it. Whether any had to. Under gravity those that it
 // touches are kept: it is held on them, or put onto them where it meets them.
-bool CContinuous::SetBackFromShapes(std::uint32_t i) {
+bool CContinuous::SetBackFromShapes(std::uint32_t i, eShapes from) {
   bool had = false;
   m_stdTouching.clear();
   for (std::size_t k = 0; k < m_stdShapesFound.size(); ++k) {
     const std::uint32_t order = m_stdShapesFound[k];
-    if (!m_pShapes->Get(order).m_pShape->GetCanCollide()) continue;
-    const CMoving& ball = m_stdBalls[i];
     const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
+    if (!m_pShapes->Get(order).m_pShape->GetCanCollide() || !IsAmong(geometry, from)) continue;
+    const CMoving& ball = m_stdBalls[i];
     const double rounding = GetRounding(ball, order);
     const double reach = IsFalling() ? rounding : 0.0;
     CImpact impact;
@@ -201,8 +216,8 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i) {
       m_stdTouching.push_back({order, gap, impact});
       continue;
     }
-    if (!isRounding && geometry.m_eSides != eSides::Both) continue;
-    CorrectPosition(i, impact.m_vNorm, -gap);
+    if (!isRounding && geometry.m_eSides != eSides::Both && ComesThrough(ball, order)) continue;
+    CorrectPosition(i, impact.m_vNorm, -gap, from);
     had = true;
     m_stdTouching.clear();
     FindShapes(i);
@@ -212,10 +227,10 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i) {
   return had;
 }
 
-// The share of a push of a ball from p by `way`, all at once, that no shape is in the way of, as they are at
-// `time`; those that move together with `along` are not.
+// The share of a push of a ball from p by `way`, all at once, that none of the shapes is in the way of, as
+// they are at `time`; those that move together with `along` are not.
 double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const Vector2d& way, double time,
-                                 const CShapeGeometry* along) {
+                                 const CShapeGeometry* along, eShapes among) {
   const double radius = ball.m_fRadius;
   CAabb2D box(ToFloat(p), ToFloat(p));
   box += ToFloat(p + way);
@@ -227,7 +242,7 @@ double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const V
   CMotion motion{p, way / g_fInstant, radius, g_fInstant};
   for (const std::uint32_t order : orders) {
     const CShapeGeometry& o = m_pShapes->GetGeometry(order);
-    if (along != nullptr && o.MovesAs(*along)) continue;
+    if (!IsAmong(o, among) || (along != nullptr && o.MovesAs(*along))) continue;
     CImpact impact;
     if (MeetsShape(ball, order) && m_pShapes->Get(order).m_pShape->GetCanCollide() &&
         Sweep(o, motion, time, impact) != eSweep::None)
@@ -237,14 +252,14 @@ double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const V
 }
 
 // Moves a ball along n; if it could get through something by that, or by the sum of such moves in the
-// substep, only up to what is in the way.
-void CContinuous::CorrectPosition(std::uint32_t i, const Vector2d& n, double depth) {
+// substep, only up to what of these is in the way.
+void CContinuous::CorrectPosition(std::uint32_t i, const Vector2d& n, double depth, eShapes among) {
   CMoving& ball = m_stdBalls[i];
   const Vector2d from = m_pBalls->m_stdPos[ball.m_nBall].cast<double>();
   const Vector2d way = ball.m_vPos + depth * n - from;
   if (std::max(depth, 0.5 * Norm(way)) > g_fFarCorrection * ball.m_fRadius) {
     const Vector2d clear = ball.m_vPos + Clear(SizeOf(ball.m_vPos, ball.m_fRadius), depth) * n;
-    depth *= GetFreeShare(ball, clear, depth * n, 0.0, nullptr);
+    depth *= GetFreeShare(ball, clear, depth * n, 0.0, nullptr, among);
   }
   ball.m_vPos += depth * n;
   ball.m_bIsMoved = true;

@@ -152,14 +152,20 @@ private:
   void FindShapes(std::uint32_t i, float reach = 0.0f);
   void FindFirst(std::uint32_t i);
   void SetBackFromAll(std::uint32_t i);
-  bool SetBackFromShapes(std::uint32_t i);
+  // The shapes that a ball may be set back from, or that may be in its way.
+  enum class eShapes { All, Resting };
+  static bool IsAmong(const CShapeGeometry& o, eShapes shapes) {
+    return shapes == eShapes::All || !o.IsMoving();
+  }
+  bool SetBackFromShapes(std::uint32_t i, eShapes from);
+  bool ComesThrough(const CMoving& ball, std::uint32_t order) const;
   void SetBackFromBalls(std::uint32_t i);
   double GetFreeShare(const CMoving& ball, const Vector2d& p, const Vector2d& way, double time,
-                      const CShapeGeometry* along);
+                      const CShapeGeometry* along, eShapes among);
   bool MeetsShape(const CMoving& ball, std::uint32_t order) const {
     return DoMeet(m_pBalls->m_stdFilter[ball.m_nBall], m_pShapes->Get(order).m_pShape->GetFilter());
   }
-  void CorrectPosition(std::uint32_t i, const Vector2d& n, double depth);
+  void CorrectPosition(std::uint32_t i, const Vector2d& n, double depth, eShapes among);
   void FindNext(std::uint32_t i);
   void FindNextShape(CMoving& ball);
   bool IsPassing(const CMoving& ball, std::uint32_t order, const CImpact& impact, double gap) const;
@@ -192,6 +198,7 @@ private:
   void SettleOnCurve(CMoving& ball, const CHold& curve, const CMotion& before, double time) const;
   bool SlideOnto(CMoving& ball, std::uint32_t order, const CMotion& before, CImpact& impact) const;
   void KeepEnergy(CMoving& ball, const CMotion& before, double time) const;
+  bool SettleOn(CMoving& ball, const CHold& hold) const;
   bool SettleOnAll(CMoving& ball) const;
   void Settle(CMoving& ball, const CMotion& before, double time);
   double GetTimeToEnd(const CMoving& ball, const CHold& hold) const;

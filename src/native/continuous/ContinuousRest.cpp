@@ -60,6 +60,7 @@ void CContinuous::FindRestingContacts() {
     }
   }
   m_cResting.Separate(m_stdBalls);
+  m_cResting.NotePlaces(m_stdBalls);
   for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i) {
     if (!m_stdBalls[i].m_bIsNearBall) continue;
     StayInside(i);
@@ -73,7 +74,7 @@ void CContinuous::StayInside(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   const Vector2d from = GetFreeMotion(ball.m_nBall).m_vPos, way = ball.m_vPos - from;
   if (Norm(way) <= g_fFarCorrection * ball.m_fNearRadius) return;
-  const double share = GetFreeShare(ball, from, way, 0.0, nullptr);
+  const double share = GetFreeShare(ball, from, way, 0.0, nullptr, eShapes::All);
   ball.m_vPos = from + share * way;
   m_cResting.ShortenLift(i, share);
 }

@@ -19,8 +19,8 @@ Vector2d GetCrossing(const Vector2d& n, double b, const Vector2d& m, double c) {
 }
 
 // The point closest to x with n . point >= b for all: it is x, on one of the lines, or where two cross. What
-// rounding violates is no violation. If there is none, the one that goes into shapes least, and then into
-// balls.
+// rounding violates is no violation. If there is none, the one that goes into shapes that do not push least,
+// then into those that push, and then into balls.
 template <class F>
 Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound) {
   const auto getExcess = [&](const CHold& hold, const Vector2d& p) {
@@ -30,18 +30,20 @@ Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound
   };
   if (holds.size() == 1) return x + getExcess(holds[0], x) * holds[0].m_vNorm;
 
-  using CRank = std::array<double, 3>; // excess into shapes and into balls, and how far from x
+  using CRank = std::array<double, 4>; // excess into each of these, and how far from x
   Vector2d best = x;
   CRank bestRank;
   bestRank.fill(std::numeric_limits<double>::infinity());
   const auto offer = [&](const Vector2d& p) {
-    CRank rank{0.0, 0.0, (p - x).squaredNorm()};
-    for (const CHold& hold : holds)
-      rank[hold.m_bIsBall] = std::max(rank[hold.m_bIsBall], getExcess(hold, p));
+    CRank rank{0.0, 0.0, 0.0, (p - x).squaredNorm()};
+    for (const CHold& hold : holds) {
+      double& excess = rank[hold.m_bIsBall ? 2 : hold.m_fSpeed > 0.0 ? 1 : 0];
+      excess = std::max(excess, getExcess(hold, p));
+    }
     if (rank < bestRank) best = p, bestRank = rank;
   };
   offer(x);
-  if (bestRank[0] == 0.0 && bestRank[1] == 0.0) return x;
+  if (std::max({bestRank[0], bestRank[1], bestRank[2]}) == 0.0) return x;
   for (std::size_t i = 0; i < holds.size(); ++i) {
     const Vector2d& n = holds[i].m_vNorm;
     offer(x + (bound(holds[i]) - n.dot(x)) * n);

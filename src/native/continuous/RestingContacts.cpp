@@ -124,6 +124,19 @@ bool CRestingContacts::IsPair(const CContact& c, const std::vector<CMoving>& bal
   return c.m_fGap <= GetReach(speed, isSqueezed);
 }
 
+void CRestingContacts::NotePlaces(const std::vector<CMoving>& balls) {
+  m_stdPlaces.clear();
+  for (const CMoving& ball : balls)
+    m_stdPlaces.push_back(ball.m_vPos);
+}
+
+// Now, along the normal.
+double CRestingContacts::GetGap(const CContact& c, const std::vector<CMoving>& balls) const {
+  Vector2d way = balls[c.m_nBall].m_vPos - m_stdPlaces[c.m_nBall];
+  if (c.m_bIsBall) way -= balls[c.m_nOther].m_vPos - m_stdPlaces[c.m_nOther];
+  return c.m_fGap + c.m_vNorm.dot(way);
+}
+
 void CRestingContacts::FindPiles(std::vector<CMoving>& balls) {
   std::erase_if(m_stdContacts, [&](const CContact& c) { return !IsPair(c, balls); });
   m_cPiles.Reset(balls.size());
@@ -233,7 +246,7 @@ void CRestingContacts::SolvePile(std::span<CContact> pile, std::vector<CMoving>&
     double bend = 0.5 * c.m_fBend * dt;
     // Of two balls that slide along each other it is less at the end than at these velocities.
     if (c.m_bIsBall) bend = std::min(bend, g_fPassedOverlap * GetSmallerRadius(c, balls) / dt);
-    row.m_fLeast = c.m_fSpeed - bend - std::max(0.0, c.m_fGap) / dt;
+    row.m_fLeast = c.m_fSpeed - bend - std::max(0.0, GetGap(c, balls)) / dt;
     m_cSolver.Add(row, c.m_fImpulse);
     surface = std::max(surface, std::abs(c.m_fSpeed));
   }

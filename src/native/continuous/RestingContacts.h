@@ -127,6 +127,8 @@ public:
   /// ball and those near it, unless a shape may have been put into them. The solver finds the velocities at
   /// which they are apart after the substep, and none of these stays (split impulses).
   void Separate(std::vector<CMoving>& balls);
+  /// Notes where balls are, with the gaps as they are known: whatever moves a ball until Solve changes them.
+  void NotePlaces(const std::vector<CMoving>& balls);
   /// A ball was moved only this share of what it was lifted by.
   void ShortenLift(std::uint32_t ball, double share) { m_stdLifts[ball] *= share; }
   /// Keeps the contacts of piles only, and tells their balls.
@@ -157,6 +159,7 @@ private:
     return !m_bIsFalling || ball.IsSteered() || other.IsSteered();
   }
   bool IsPair(const CContact& c, const std::vector<CMoving>& balls) const;
+  double GetGap(const CContact& c, const std::vector<CMoving>& balls) const;
   void Order(std::vector<CMoving>& balls);
   static double GetSmallerRadius(const CContact& c, const std::vector<CMoving>& balls);
   bool IsJammed(const CContact& c, const std::vector<CMoving>& balls) const;
@@ -180,7 +183,8 @@ private:
       return solved;
     };
     const std::uint32_t ball = take(c.m_nBall);
-    const std::uint32_t other = c.m_bIsBall ? take(c.m_nOther) : CContactSolver::g_nShape;
+    const std::uint32_t shape = c.m_fSpeed > 0.0 ? CContactSolver::g_nPushingShape : CContactSolver::g_nShape;
+    const std::uint32_t other = c.m_bIsBall ? take(c.m_nOther) : shape;
     return {c.m_vNorm,
             ball,
             other,
@@ -204,6 +208,7 @@ private:
   std::vector<std::uint32_t> m_stdNeighbours; // of each ball on balls, ball by ball
   std::vector<std::uint32_t> m_stdFirst;      // of each ball among them, and where the last one's end
   std::vector<double> m_stdLifts;             // the work of lifting each ball as they were moved apart
+  std::vector<Vector2d> m_stdPlaces;          // of each ball, as NotePlaces has found it
   std::vector<CEnergy> m_stdEnergies;         // of each pile, by its ball
   unsigned m_nSubsteps = 1;                   // of a step
   CMemory m_cMemory;                          // of this substep from its beginning on
