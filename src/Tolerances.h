@@ -121,7 +121,8 @@ inline constexpr double g_fMostSeparation = 0.2;
 /// 81, with 1.5 19, with 2 25, with 5 35.
 inline constexpr double g_fGivenWay = 1.5;
 /// How far a ball may be from a surface that curves, in its radii, to be put back onto it after a part of its
-/// way along it. More than the parabola leaves it; beyond it the ball has left.
+/// way along it. More than the parabola leaves it; beyond it the ball has left, or is deep in what has left
+/// it no room.
 inline constexpr double g_fSettleReach = 0.01;
 /// Sine of the angle below which two surfaces that hold a ball are parallel: they may cross far away, where
 /// they all but contradict each other.

@@ -174,11 +174,16 @@ bool LosesABallInAPress(std::uint64_t seed, const CEffectChoice& effects) {
 // them: nine through one-sided walls or under a disc that comes by several radii a step.
 TEST(RandomRooms, LoseNoBallWhereAShapeLeavesNoRoom) {
   const std::uint64_t worlds = HowMany("SHAPES_PRESSES", 300), first = 300;
-  std::size_t losing = 0;
-  std::string seeds;
+  // In the first ones a ball that was pressed into a one-sided wall came through it, in the last one a pile
+  // knew nothing of it that a ball had been set back.
+  std::vector<std::uint64_t> seeds = {89, 3456, 9774, 3274};
   for (std::uint64_t seed = first; seed < first + worlds; ++seed)
-    if (LosesABallInAPress(seed, g_cAutomatic)) ++losing, seeds += std::to_string(seed) + ' ';
-  EXPECT_LE(losing, worlds / 500) << "seeds " << seeds;
+    seeds.push_back(seed);
+  std::size_t losing = 0;
+  std::string which;
+  for (const std::uint64_t seed : seeds)
+    if (LosesABallInAPress(seed, g_cAutomatic)) ++losing, which += std::to_string(seed) + ' ';
+  EXPECT_LE(losing, worlds / 500) << "seeds " << which;
 }
 
 TEST(RandomRooms, LoseBallsWhereAShapeLeavesNoRoomInTheApproximateMode) { // the control

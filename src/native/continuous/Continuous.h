@@ -198,7 +198,6 @@ private:
   void SettleOnCurve(CMoving& ball, const CHold& curve, const CMotion& before, double time) const;
   bool SlideOnto(CMoving& ball, std::uint32_t order, const CMotion& before, CImpact& impact) const;
   void KeepEnergy(CMoving& ball, const CMotion& before, double time) const;
-  bool SettleOn(CMoving& ball, const CHold& hold) const;
   bool SettleOnAll(CMoving& ball) const;
   void Settle(CMoving& ball, const CMotion& before, double time);
   double GetTimeToEnd(const CMoving& ball, const CHold& hold) const;

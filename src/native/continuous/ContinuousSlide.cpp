@@ -90,39 +90,30 @@ bool CContinuous::SlideOnto(CMoving& ball, std::uint32_t order, const CMotion& b
   return true;
 }
 
-// Onto a surface that holds it. Whether it needed that.
-bool CContinuous::SettleOn(CMoving& ball, const CHold& hold) const {
-  const CShapeGeometry& geometry = m_pShapes->GetGeometry(hold.m_nOther);
-  const bool isFlat = geometry.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius);
-  const bool isAlone = ball.m_cHolds.Get().size() == 1;
-  const double reach = isFlat ? 0.0 : g_fSettleReach * ball.m_fRadius;
-  CImpact impact;
-  double gap;
-  FailIf(isFlat && isAlone);
-  FailIf(!Near(geometry, GetMotion(ball), ball.m_fTime, reach, impact, gap));
-  FailIf(gap < -g_fSettleReach * ball.m_fRadius);
-  const Vector2d& n = impact.m_vNorm;
-  ball.m_vPos -= gap * n;
-  if (isFlat) return false;
-  ball.m_vVel -= n.dot(ball.m_vVel - impact.m_vSurface) * n;
-  return true;
-}
-
-// Onto all of them: between two in turns, and last onto those that rest, as what moves may leave no room.
+// Onto the surfaces that hold it. Whether it needed that.
 bool CContinuous::SettleOnAll(CMoving& ball) const {
-  bool isMoved = false, anyMoves = false;
-  const auto holds = ball.m_cHolds.Get();
-  const auto settle = [&](eShapes shapes) {
-    for (int round = 0; round < (holds.size() > 1 ? g_nWedgeRounds : 1); ++round)
-      for (const CHold& hold : holds) {
-        if (hold.m_bIsBall) continue;
-        const CShapeGeometry& o = m_pShapes->GetGeometry(hold.m_nOther);
-        anyMoves |= o.IsMoving();
-        if (IsAmong(o, shapes)) isMoved |= SettleOn(ball, hold);
-      }
-  };
-  settle(eShapes::All);
-  if (anyMoves) settle(eShapes::Resting);
+  bool isMoved = false;
+  // Between two of them in turns.
+  const int rounds = ball.m_cHolds.Get().size() > 1 ? g_nWedgeRounds : 1;
+  for (int round = 0; round < rounds; ++round)
+    for (const CHold& hold : ball.m_cHolds.Get()) {
+      if (hold.m_bIsBall) continue;
+      const CShapeGeometry& geometry = m_pShapes->GetGeometry(hold.m_nOther);
+      const bool isFlat = geometry.m_fTurnSpeed == 0.0 && !std::isfinite(hold.m_fRadius);
+      if (isFlat && rounds == 1) continue;
+      CImpact impact;
+      double gap;
+      if (!Near(geometry, GetMotion(ball), ball.m_fTime, isFlat ? 0.0 : g_fSettleReach * ball.m_fRadius,
+                impact, gap))
+        continue;
+      // One that is deep in what leaves it no room stays there.
+      if (gap < -g_fSettleReach * ball.m_fRadius) continue;
+      const Vector2d& n = impact.m_vNorm;
+      ball.m_vPos -= gap * n;
+      if (isFlat) continue;
+      ball.m_vVel -= n.dot(ball.m_vVel - impact.m_vSurface) * n;
+      isMoved = true;
+    }
   return isMoved;
 }
 
