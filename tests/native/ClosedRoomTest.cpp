@@ -233,9 +233,22 @@ TEST(SqueezedBalls, GoThroughNoShape) {
   EXPECT_GT(GetDeepest(g_cApproximate, 0.1f, 49), most) << "the control";
 }
 
+// Balls that a piston is in by more than a tenth of a radius of .1, between it and the end of the box, of
+// which it leaves less than 1.9 radii.
+std::vector<CShapeId> FindPressed(const CWorld& world, CShapeId piston) {
+  std::vector<CShapeId> pressed;
+  const float x = world.GetPos(piston).x(), side = world.GetVel(piston).x() > 0 ? 1.0f : -1.0f;
+  for (const CShapeId ball : world.GetBallIds()) {
+    const float way = side * (world.GetPos(ball).x() - x);
+    if (way > 0 && way < 0.09f && 1 - side * x < 0.19f) pressed.push_back(ball);
+  }
+  return pressed;
+}
+
 // In a box of 2 by 1 a piston goes to and fro, and leaves .05 at each end. Where what had come last won, it
 // pressed balls out of 484 of 720 such boxes.
 TEST(SqueezedBalls, AreNotPressedOutOfABoxByAPistonThatLeavesThemNoRoom) {
+  std::size_t told = 0;
   for (const float gravity : {0.0f, 10.0f})
     for (const float speed : {0.5f, 2.0f, 6.0f})
       for (const std::uint64_t seed : {0u, 1u, 2u}) {
@@ -249,18 +262,21 @@ TEST(SqueezedBalls, AreNotPressedOutOfABoxByAPistonThatLeavesThemNoRoom) {
                           0.15f + 0.22f * static_cast<float>(i / 4));
           pWorld->Add(CDynamicCircleDesc(p, 0.1f, random.InSquare(1), 1, 0.5f));
         }
-        unsigned long halted = 0;
+        std::vector<CShapeId> pressed;
         InEachStep(*pWorld, 600, [&](int) {
-          halted += pWorld->GetHaltedBalls().size();
-          const float x = pWorld->GetPos(piston).x(), vx = pWorld->GetVel(piston).x();
-          if (std::abs(x + vx * g_fDt) > 0.95f) pWorld->SetVel(piston, {-vx, 0});
           const auto isInside = [](const Vector2& p) {
             return std::abs(p.x()) < 1 && p.y() > 0 && p.y() < 1;
           };
           EXPECT_TRUE(AllBalls(*pWorld, isInside));
+          const std::vector<CShapeId> halted = Halted(*pWorld);
+          EXPECT_TRUE(std::includes(halted.begin(), halted.end(), pressed.begin(), pressed.end()));
+          told += pressed.size();
+          const float x = pWorld->GetPos(piston).x(), vx = pWorld->GetVel(piston).x();
+          if (std::abs(x + vx * g_fDt) > 0.95f) pWorld->SetVel(piston, {-vx, 0});
+          pressed = FindPressed(*pWorld, piston);
         });
-        EXPECT_GT(halted, 0u);
       }
+  EXPECT_GT(told, 1000u);
 }
 
 // The fastest of a heap of balls that a piston pushes against a wall, in its speeds.

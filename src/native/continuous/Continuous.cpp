@@ -172,15 +172,38 @@ void CContinuous::FindShapes(std::uint32_t i, float reach) {
     std::erase_if(m_stdShapesFound, [&](std::uint32_t order) { return !MeetsShape(m_stdBalls[i], order); });
 }
 
-// Out of one shape may be into another: a ball in a wedge is set back in turns.
+// Out of one shape may be into another: a ball in a wedge is set back in turns. Whether it is out of all.
+bool CContinuous::SetBackInTurns(std::uint32_t i, eShapes from) {
+  for (int turn = 0; turn < g_nSetBackRounds; ++turn) {
+    if (!SetBackFromShapes(i, from)) return true;
+    FindShapes(i);
+  }
+  return false;
+}
+
 void CContinuous::SetBackFromAll(std::uint32_t i) {
   FindShapes(i);
-  // Where there is no room what moves goes over the ball.
-  for (const eShapes from : {eShapes::All, eShapes::Resting})
-    for (int turn = 0; turn < g_nSetBackRounds; ++turn) {
-      if (!SetBackFromShapes(i, from)) return;
-      FindShapes(i);
-    }
+  if (SetBackInTurns(i, eShapes::All)) return;
+  // There is no room: what moves goes over the ball.
+  SetBackInTurns(i, eShapes::Resting);
+  TellIfGoneOver(i);
+}
+
+void CContinuous::TellIfGoneOver(std::uint32_t i) {
+  CMoving& ball = m_stdBalls[i];
+  const auto goesOver = [&](std::uint32_t order) {
+    const CShapeGeometry& o = m_pShapes->GetGeometry(order);
+    FailIf(!o.IsMoving() || o.m_eSides != eSides::Both || !m_pShapes->Get(order).m_pShape->GetCanCollide());
+    CImpact impact;
+    double gap;
+    return IsNearShape(order, GetMotion(ball), 0.0, 0.0, impact, gap) &&
+           gap < -g_fSettleReach * ball.m_fRadius;
+  };
+  if (std::any_of(m_stdShapesFound.begin(), m_stdShapesFound.end(), goesOver)) TellHalted(ball);
+}
+
+void CContinuous::TellHalted(CMoving& ball) {
+  if (!std::exchange(ball.m_bIsTold, true)) m_stdHalted.push_back(GetId(ball));
 }
 
 // Whether a ball that is deep in a one-sided shape comes through it from behind. If not, balls, or what it is

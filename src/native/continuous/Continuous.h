@@ -151,12 +151,15 @@ private:
   float GetSlack() const { return static_cast<float>(0.5 * m_cResting.GetSlow() * m_fStep); }
   void FindShapes(std::uint32_t i, float reach = 0.0f);
   void FindFirst(std::uint32_t i);
-  void SetBackFromAll(std::uint32_t i);
   // The shapes that a ball may be set back from, or that may be in its way.
   enum class eShapes { All, Resting };
   static bool IsAmong(const CShapeGeometry& o, eShapes shapes) {
     return shapes == eShapes::All || !o.IsMoving();
   }
+  bool SetBackInTurns(std::uint32_t i, eShapes from);
+  void SetBackFromAll(std::uint32_t i);
+  void TellIfGoneOver(std::uint32_t i);
+  void TellHalted(CMoving& ball);
   bool SetBackFromShapes(std::uint32_t i, eShapes from);
   bool ComesThrough(const CMoving& ball, std::uint32_t order) const;
   void SetBackFromBalls(std::uint32_t i);

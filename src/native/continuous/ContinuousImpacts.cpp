@@ -399,7 +399,7 @@ void CContinuous::StopAtTouching(CMoving& ball) {
 }
 
 void CContinuous::Halt(CMoving& ball) {
-  if (!ball.m_bIsHalted) m_stdHalted.push_back(GetId(ball));
+  TellHalted(ball);
   // Gravity would give it more velocity in every substep, and so it would be halted in each.
   if (IsFalling() && !ball.m_bIsHalted) StopAtTouching(ball);
   ball.m_bIsHalted = true;

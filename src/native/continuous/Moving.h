@@ -63,6 +63,7 @@ struct CMoving {
   bool m_bIsAsleep = false;                // at rest, and nothing is near that is not
   bool m_bIsHalted = false;                // goes along with that one for the rest of the substep
   bool m_bIsStuck = false;                 // and has got nowhere in the substep, under gravity
+  bool m_bIsTold = false;                  // that it is halted, or that a shape goes over it
   bool m_bIsMoved = false;                 // by anything but its velocity and gravity
   bool m_bIsNearBall = false;              // touches one, or could in this substep
   bool m_bIsInPile = false;                // rests on other balls, or they on it
