@@ -245,37 +245,71 @@ std::vector<CShapeId> FindPressed(const CWorld& world, CShapeId piston) {
   return pressed;
 }
 
-// In a box of 2 by 1 a piston goes to and fro, and leaves .05 at each end. Where what had come last won, it
-// pressed balls out of 484 of 720 such boxes.
-TEST(SqueezedBalls, AreNotPressedOutOfABoxByAPistonThatLeavesThemNoRoom) {
+struct CPress {
+  bool m_bIsPut; // by the game, not driven by its velocity
+  float m_fTop;  // of the piston
+  float m_fGravity, m_fElasticity, m_fSpeed;
+  std::uint64_t m_nSeed;
+};
+
+// In a box of 2 by 1 a piston goes to and fro, and leaves .05 at each end. Returns how many balls were told
+// that it goes over them, each once a step.
+std::size_t PressInABox(const CPress& press) {
+  CRandom random(press.m_nSeed);
+  const auto pWorld = MakeNative(g_cAutomatic, press.m_fGravity);
+  const float e = press.m_fElasticity;
+  AddBox(*pWorld, {-1, 0}, {1, 1}, e);
+  const CShapeId piston = pWorld->Add(Moving(CLineSegDesc({0, 0.02f}, {0, press.m_fTop}, e), {0, 0}));
+  std::vector<Vector2> places;
+  while (places.size() < 10) {
+    const Vector2 p = Vector2(0.5f, 0.5f) + random.InSquare(0.38f);
+    const auto isNear = [&](const Vector2& other) { return (other - p).norm() < 0.2f; };
+    if (std::any_of(places.begin(), places.end(), isNear)) continue;
+    places.push_back(p);
+    pWorld->Add(CDynamicCircleDesc(p, 0.1f, random.InSquare(0.5f), 1, e));
+  }
   std::size_t told = 0;
-  for (const float gravity : {0.0f, 10.0f})
-    for (const float speed : {0.5f, 2.0f, 6.0f})
-      for (const std::uint64_t seed : {0u, 1u, 2u}) {
-        SCOPED_TRACE(testing::Message() << "gravity " << gravity << ", speed " << speed << ", seed " << seed);
-        CRandom random(seed);
-        const auto pWorld = MakeNative(g_cAutomatic, gravity);
-        AddBox(*pWorld, {-1, 0}, {1, 1}, 0.5f);
-        const CShapeId piston = pWorld->Add(Moving(CLineSegDesc({0, -0.5f}, {0, 1.5f}, 0.5f), {speed, 0}));
-        for (int i = 0; i < 10; ++i) {
-          const Vector2 p(0.2f + 0.22f * static_cast<float>(i % 4),
-                          0.15f + 0.22f * static_cast<float>(i / 4));
-          pWorld->Add(CDynamicCircleDesc(p, 0.1f, random.InSquare(1), 1, 0.5f));
-        }
-        std::vector<CShapeId> pressed;
-        InEachStep(*pWorld, 600, [&](int) {
-          const auto isInside = [](const Vector2& p) {
-            return std::abs(p.x()) < 1 && p.y() > 0 && p.y() < 1;
-          };
-          EXPECT_TRUE(AllBalls(*pWorld, isInside));
-          const std::vector<CShapeId> halted = Halted(*pWorld);
-          EXPECT_TRUE(std::includes(halted.begin(), halted.end(), pressed.begin(), pressed.end()));
-          told += pressed.size();
-          const float x = pWorld->GetPos(piston).x(), vx = pWorld->GetVel(piston).x();
-          if (std::abs(x + vx * g_fDt) > 0.95f) pWorld->SetVel(piston, {-vx, 0});
-          pressed = FindPressed(*pWorld, piston);
-        });
-      }
+  float vel = press.m_fSpeed;
+  const auto drive = [&] {
+    if (std::abs(pWorld->GetPos(piston).x() + vel * g_fDt) > 0.95f) vel = -vel;
+    if (press.m_bIsPut)
+      pWorld->SetPos(piston, pWorld->GetPos(piston) + Vector2(vel * g_fDt, 0));
+    else
+      pWorld->SetVel(piston, {vel, 0});
+  };
+  std::vector<CShapeId> pressed;
+  drive();
+  InEachStep(*pWorld, 600, [&](int) {
+    const auto isInside = [](const Vector2& p) { return std::abs(p.x()) < 1 && p.y() > 0 && p.y() < 1; };
+    EXPECT_TRUE(AllBalls(*pWorld, isInside));
+    const std::vector<CShapeId> halted = Halted(*pWorld);
+    if (press.m_fTop > 1 && !press.m_bIsPut) {
+      EXPECT_TRUE(std::includes(halted.begin(), halted.end(), pressed.begin(), pressed.end()));
+      told += pressed.size();
+    }
+    drive();
+    pressed = FindPressed(*pWorld, piston);
+  });
+  return told;
+}
+
+// Where what had come last won, 484 of 720 such boxes lost balls, 109 where the game puts the piston. In the
+// first one here a pile knew nothing of it that a ball had been set back.
+TEST(SqueezedBalls, AreNotPressedOutOfABoxByAPistonThatLeavesThemNoRoom) {
+  std::vector<CPress> presses = {{false, 0.7f, 0, 1, 2, 2}};
+  for (const bool isPut : {false, true})
+    for (const float top : {0.7f, 1.5f})
+      for (const float gravity : {0.0f, 10.0f})
+        for (const float speed : {0.5f, 2.0f, 6.0f})
+          for (const std::uint64_t seed : {0u, 1u})
+            presses.push_back({isPut, top, gravity, 0.5f, speed, seed});
+  std::size_t told = 0;
+  for (const CPress& press : presses) {
+    SCOPED_TRACE(testing::Message() << "put " << press.m_bIsPut << ", top " << press.m_fTop << ", gravity "
+                                    << press.m_fGravity << ", e " << press.m_fElasticity << ", speed "
+                                    << press.m_fSpeed << ", seed " << press.m_nSeed);
+    told += PressInABox(press);
+  }
   EXPECT_GT(told, 1000u);
 }
 

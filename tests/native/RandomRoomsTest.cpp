@@ -170,13 +170,12 @@ bool LosesABallInAPress(std::uint64_t seed, const CEffectChoice& effects) {
   return room.LosesABall();
 }
 
-// SHAPES_PRESSES says how many, 300 by default. Of the first 10,000 seeds ten lose a ball, 49 and 207 among
-// them: nine through one-sided walls or under a disc that comes by several radii a step.
+// SHAPES_PRESSES says how many, 300 by default. Of 10,000 eight lose a ball: seven through one-sided walls,
+// one of a third of the room in steps of a tenth of a second.
 TEST(RandomRooms, LoseNoBallWhereAShapeLeavesNoRoom) {
   const std::uint64_t worlds = HowMany("SHAPES_PRESSES", 300), first = 300;
-  // In the first ones a ball that was pressed into a one-sided wall came through it, in the last one a pile
-  // knew nothing of it that a ball had been set back.
-  std::vector<std::uint64_t> seeds = {89, 3456, 9774, 3274};
+  // Balls that were pressed into a one-sided wall came through it.
+  std::vector<std::uint64_t> seeds = {89, 3456, 9774};
   for (std::uint64_t seed = first; seed < first + worlds; ++seed)
     seeds.push_back(seed);
   std::size_t losing = 0;

@@ -185,8 +185,34 @@ void CContinuous::SetBackFromAll(std::uint32_t i) {
   FindShapes(i);
   if (SetBackInTurns(i, eShapes::All)) return;
   // There is no room: what moves goes over the ball.
-  SetBackInTurns(i, eShapes::Resting);
+  if (!SetBackInTurns(i, eShapes::Resting)) StayInPlace(i);
   TellIfGoneOver(i);
+}
+
+// The deepest overlap of a ball at p with shapes that rest, of those that were found.
+double CContinuous::GetDepth(const CMoving& ball, const Vector2d& p) const {
+  CMotion motion = GetMotion(ball);
+  motion.m_vPos = p;
+  double depth = 0.0;
+  for (const std::uint32_t order : m_stdShapesFound) {
+    CImpact impact;
+    double gap;
+    if (!m_pShapes->GetGeometry(order).IsMoving() && m_pShapes->Get(order).m_pShape->GetCanCollide() &&
+        IsNearShape(order, motion, 0.0, 0.0, impact, gap))
+      depth = std::max(depth, -gap);
+  }
+  return depth;
+}
+
+// Nor is there room between shapes that rest, one of which a game may have put into the ball: it goes back to
+// where it was, unless it has got out of them a bit.
+void CContinuous::StayInPlace(std::uint32_t i) {
+  CMoving& ball = m_stdBalls[i];
+  const Vector2d begin = GetFreeMotion(ball.m_nBall).m_vPos;
+  if (GetDepth(ball, ball.m_vPos) < 0.9 * GetDepth(ball, begin)) return;
+  ball.m_vPos = begin;
+  MoveDisc(i);
+  FindShapes(i);
 }
 
 void CContinuous::TellIfGoneOver(std::uint32_t i) {

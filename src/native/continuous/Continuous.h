@@ -158,6 +158,8 @@ private:
   }
   bool SetBackInTurns(std::uint32_t i, eShapes from);
   void SetBackFromAll(std::uint32_t i);
+  double GetDepth(const CMoving& ball, const Vector2d& p) const;
+  void StayInPlace(std::uint32_t i);
   void TellIfGoneOver(std::uint32_t i);
   void TellHalted(CMoving& ball);
   bool SetBackFromShapes(std::uint32_t i, eShapes from);
