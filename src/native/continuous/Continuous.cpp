@@ -211,6 +211,7 @@ void CContinuous::StayInPlace(std::uint32_t i) {
   const Vector2d begin = GetFreeMotion(ball.m_nBall).m_vPos;
   if (GetDepth(ball, ball.m_vPos) < 0.9 * GetDepth(ball, begin)) return;
   ball.m_vPos = begin;
+  m_stdTouching.clear(); // of where it was in between
   MoveDisc(i);
   FindShapes(i);
 }
