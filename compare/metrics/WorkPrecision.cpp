@@ -75,7 +75,7 @@ std::vector<CEngine> GetParameterSweep() {
   };
   for (const CEngine& engine : engines)
     if (FindEngine(sweep, engine.m_sName) == std::nullopt)
-      for (const unsigned substeps : {1, 2, 4, 8})
+      for (const unsigned substeps : {1u, 2u, 4u, 8u})
         sweep.push_back(settings(engine.m_sName)(substeps));
   return sweep;
 }

@@ -286,8 +286,7 @@ private:
     m_fLegendHeight = line + 22.0;
   }
   void AddLegend() {
-    static constexpr CEngineRow neutral{"ink",    "", "", "", "", g_cAutomatic, eProfile::Shipped,
-                                        "circle", "", ""};
+    static const CEngineRow neutral{"ink", "", "", "", "", g_cAutomatic, eProfile::Shipped, "circle", "", ""};
     const double top = m_cSize.m_fHeight - m_fLegendHeight + 12.0;
     constexpr eGrade losses[] = {eGrade::Good, eGrade::Rough, eGrade::Poor};
     for (std::size_t i = 0; i < m_stdLegend.size(); ++i) {
