@@ -245,7 +245,7 @@ std::vector<CShapeId> FindPressed(const CWorld& world, CShapeId piston) {
   return pressed;
 }
 
-struct CPress {
+struct CPiston {
   bool m_bIsPut; // by the game, not driven by its velocity
   float m_fTop;  // of the piston
   float m_fGravity, m_fElasticity, m_fSpeed;
@@ -254,7 +254,7 @@ struct CPress {
 
 // In a box of 2 by 1 a piston goes to and fro, and leaves .05 at each end. Returns how many balls were told
 // that it goes over them, each once a step.
-std::size_t PressInABox(const CPress& press) {
+std::size_t PressInABox(const CPiston& press) {
   CRandom random(press.m_nSeed);
   const auto pWorld = MakeNative(g_cAutomatic, press.m_fGravity);
   const float e = press.m_fElasticity;
@@ -296,7 +296,7 @@ std::size_t PressInABox(const CPress& press) {
 // Where what had come last won, 484 of 720 such boxes lost balls, 109 where the game puts the piston. In the
 // first one here a pile knew nothing of it that a ball had been set back.
 TEST(SqueezedBalls, AreNotPressedOutOfABoxByAPistonThatLeavesThemNoRoom) {
-  std::vector<CPress> presses = {{false, 0.7f, 0, 1, 2, 2}};
+  std::vector<CPiston> presses = {{false, 0.7f, 0, 1, 2, 2}};
   for (const bool isPut : {false, true})
     for (const float top : {0.7f, 1.5f})
       for (const float gravity : {0.0f, 10.0f})
@@ -304,7 +304,7 @@ TEST(SqueezedBalls, AreNotPressedOutOfABoxByAPistonThatLeavesThemNoRoom) {
           for (const std::uint64_t seed : {0u, 1u})
             presses.push_back({isPut, top, gravity, 0.5f, speed, seed});
   std::size_t told = 0;
-  for (const CPress& press : presses) {
+  for (const CPiston& press : presses) {
     SCOPED_TRACE(testing::Message() << "put " << press.m_bIsPut << ", top " << press.m_fTop << ", gravity "
                                     << press.m_fGravity << ", e " << press.m_fElasticity << ", speed "
                                     << press.m_fSpeed << ", seed " << press.m_nSeed);

@@ -189,18 +189,23 @@ void CContinuous::SetBackFromAll(std::uint32_t i) {
   TellIfGoneOver(i);
 }
 
+// The overlap of a ball where its motion begins.
+double CContinuous::GetDepth(std::uint32_t order, const CMotion& motion) const {
+  CImpact impact;
+  double gap;
+  const bool isIn =
+      m_pShapes->Get(order).m_pShape->GetCanCollide() && IsNearShape(order, motion, 0.0, 0.0, impact, gap);
+  return isIn ? -gap : 0.0;
+}
+
 // The deepest overlap of a ball at p with shapes that rest, of those that were found.
-double CContinuous::GetDepth(const CMoving& ball, const Vector2d& p) const {
+double CContinuous::GetDepthInResting(const CMoving& ball, const Vector2d& p) const {
   CMotion motion = GetMotion(ball);
   motion.m_vPos = p;
   double depth = 0.0;
-  for (const std::uint32_t order : m_stdShapesFound) {
-    CImpact impact;
-    double gap;
-    if (!m_pShapes->GetGeometry(order).IsMoving() && m_pShapes->Get(order).m_pShape->GetCanCollide() &&
-        IsNearShape(order, motion, 0.0, 0.0, impact, gap))
-      depth = std::max(depth, -gap);
-  }
+  for (const std::uint32_t order : m_stdShapesFound)
+    if (IsAmong(m_pShapes->GetGeometry(order), eShapes::Resting))
+      depth = std::max(depth, GetDepth(order, motion));
   return depth;
 }
 
@@ -209,7 +214,7 @@ double CContinuous::GetDepth(const CMoving& ball, const Vector2d& p) const {
 void CContinuous::StayInPlace(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   const Vector2d begin = GetFreeMotion(ball.m_nBall).m_vPos;
-  if (GetDepth(ball, ball.m_vPos) < 0.9 * GetDepth(ball, begin)) return;
+  if (GetDepthInResting(ball, ball.m_vPos) < 0.9 * GetDepthInResting(ball, begin)) return;
   ball.m_vPos = begin;
   m_stdTouching.clear(); // of where it was in between
   MoveDisc(i);
@@ -220,11 +225,8 @@ void CContinuous::TellIfGoneOver(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   const auto goesOver = [&](std::uint32_t order) {
     const CShapeGeometry& o = m_pShapes->GetGeometry(order);
-    FailIf(!o.IsMoving() || o.m_eSides != eSides::Both || !m_pShapes->Get(order).m_pShape->GetCanCollide());
-    CImpact impact;
-    double gap;
-    return IsNearShape(order, GetMotion(ball), 0.0, 0.0, impact, gap) &&
-           gap < -g_fSettleReach * ball.m_fRadius;
+    return o.IsMoving() && o.m_eSides == eSides::Both &&
+           GetDepth(order, GetMotion(ball)) > g_fSettleReach * ball.m_fRadius;
   };
   if (std::any_of(m_stdShapesFound.begin(), m_stdShapesFound.end(), goesOver)) TellHalted(ball);
 }

@@ -158,7 +158,8 @@ private:
   }
   bool SetBackInTurns(std::uint32_t i, eShapes from);
   void SetBackFromAll(std::uint32_t i);
-  double GetDepth(const CMoving& ball, const Vector2d& p) const;
+  double GetDepth(std::uint32_t order, const CMotion& motion) const;
+  double GetDepthInResting(const CMoving& ball, const Vector2d& p) const;
   void StayInPlace(std::uint32_t i);
   void TellIfGoneOver(std::uint32_t i);
   void TellHalted(CMoving& ball);
