@@ -143,24 +143,72 @@ TEST(ContactSolver, BallsInOnePlacePressNoMoreThanTheirWeight) {
     std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.y() < b.y(); });
     CContactSolver solver;
     solver.Begin();
+    std::vector<std::uint32_t> balls;
     for (std::size_t i = 0; i < places.size(); ++i)
-      solver.AddBall(Vector2d(0, -speed) + speed * random.InSquare(1).cast<double>());
+      balls.push_back(solver.AddBall(Vector2d(0, -speed) + speed * random.InSquare(1).cast<double>()));
     std::size_t rows = 0;
     for (std::uint32_t i = 0; i < places.size(); ++i) {
       const Vector2d& p = places[i];
       const auto add = [&](const Vector2d& norm, std::uint32_t other, double mass) {
-        solver.Add({norm, i + 1, other, 1.0, mass, 0.0}, 0.0);
+        solver.Add({norm, balls[i], other, 1.0, mass, 0.0}, 0.0);
         ++rows;
       };
       if (p.y() < 0.2) add(Vector2d::UnitY(), CContactSolver::g_nShape, 0.0);
       if (p.x() < -0.3) add(Vector2d::UnitX(), CContactSolver::g_nShape, 0.0);
       if (p.x() > 0.3) add(-Vector2d::UnitX(), CContactSolver::g_nShape, 0.0);
       for (std::uint32_t j = 0; j < i; ++j)
-        if (const Vector2d d = p - places[j]; d.norm() < 0.4) add(d.normalized(), j + 1, 1.0);
+        if (const Vector2d d = p - places[j]; d.norm() < 0.4) add(d.normalized(), balls[j], 1.0);
     }
     solver.Solve(2.0 * speed, 0.0);
     for (std::size_t k = 0; k < rows; ++k)
       ASSERT_LT(solver.GetImpulse(k), speed * static_cast<double>(places.size()));
+  }
+}
+
+// Rows that are solved two at once have the bits of those that are solved one after the other.
+TEST(ContactSolver, ARoundGoesThroughItsRowsInTheirOrder) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    CRandom random(seed);
+    CContactSolver solver;
+    solver.Begin();
+    std::vector<Vector2d> vels(CContactSolver::g_nPushingShape + 1, Vector2d::Zero());
+    for (std::uint32_t i = 0, n = 2 + random.Below(20); i < n; ++i) {
+      vels.push_back(random.InSquare(1).cast<double>());
+      EXPECT_EQ(solver.AddBall(vels.back()), vels.size() - 1);
+    }
+    const auto balls = static_cast<std::uint32_t>(vels.size());
+    std::vector<CContactSolver::CRow> rows(1 + random.Below(60));
+    std::vector<double> impulses;
+    for (CContactSolver::CRow& row : rows) {
+      row.m_nBall = CContactSolver::g_nPushingShape + 1 + random.Below(balls - 2);
+      do
+        row.m_nOther = random.Below(balls);
+      while (row.m_nOther == row.m_nBall);
+      row.m_vNorm = random.InSquare(1).cast<double>().normalized();
+      row.m_fInverse = random.Uniform(0.1f, 10.0f);
+      row.m_fOtherInverse =
+          row.m_nOther > CContactSolver::g_nPushingShape ? random.Uniform(0.1f, 10.0f) : 0.0;
+      row.m_fLeast = random.Uniform(-1.0f, 1.0f);
+      impulses.push_back(random.Uniform(0.0f, 0.1f));
+      solver.Add(row, impulses.back());
+    }
+    solver.Separate(0.0, 1);
+
+    const auto push = [&](const CContactSolver::CRow& row, double impulse) {
+      vels[row.m_nBall] += impulse * row.m_fInverse * row.m_vNorm;
+      vels[row.m_nOther] -= impulse * row.m_fOtherInverse * row.m_vNorm;
+    };
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      push(rows[k], impulses[k]);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const CContactSolver::CRow& row = rows[k];
+      const double lack = row.m_fLeast - row.m_vNorm.dot(vels[row.m_nBall] - vels[row.m_nOther]);
+      const double share = 1.0 / (row.m_fInverse + row.m_fOtherInverse);
+      const double next = std::max(0.0, impulses[k] + share * lack);
+      push(row, next - impulses[k]);
+      ASSERT_EQ(solver.GetImpulse(k), next) << "row " << k;
+    }
   }
 }
 

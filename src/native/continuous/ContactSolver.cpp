@@ -5,68 +5,110 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace Shapes::Native {
 
 using Geometry::Norm;
 
+// With zeros. An assignment would allocate anew for each larger pile.
+template <class T>
+static void Fill(std::vector<T>& list, std::size_t n) {
+  list.clear();
+  list.resize(n);
+}
+
 void CContactSolver::Begin() {
   m_stdRows.clear();
-  m_cImpulses.Clear();
-  m_cVels.Clear();
+  m_stdImpulses.clear();
+  m_stdVels.clear();
   for (std::uint32_t shape = g_nShape; shape <= g_nPushingShape; ++shape)
     AddBall(Vector2d::Zero());
 }
 
 std::uint32_t CContactSolver::AddBall(const Vector2d& vel) {
-  m_cVels.Add(vel);
-  return static_cast<std::uint32_t>(m_cVels.m_stdNow.size() - 1);
+  m_stdVels.push_back(vel);
+  return static_cast<std::uint32_t>(m_stdVels.size() - 1);
 }
 
 void CContactSolver::Add(const CRow& row, double impulse) {
   m_stdRows.push_back(row);
-  m_stdRows.back().m_fShare = 1.0 / (row.m_fInverse + row.m_fOtherInverse);
-  m_cImpulses.Add(impulse);
+  m_stdImpulses.push_back(impulse);
 }
 
-// Of arrays, whose places need not be looked up again after each change.
-inline double CContactSolver::GetDifference(const CRow& row, const Vector2d* pVels) {
-  return row.m_vNorm.dot(pVels[row.m_nBall] - pVels[row.m_nOther]);
-}
-
-inline void CContactSolver::Push(const CRow& row, double impulse, Vector2d* pVels) {
-  pVels[row.m_nBall] += (impulse * row.m_fInverse) * row.m_vNorm;
-  pVels[row.m_nOther] -= (impulse * row.m_fOtherInverse) * row.m_vNorm;
-}
-
-// A round that gives each contact this part of what it lacks.
-CContactSolver::CChange CContactSolver::Relax(double part) {
-  double* const pImpulses = m_cImpulses.m_stdNow.data();
-  const double* const pBefore = m_cImpulses.m_stdBefore.data();
-  Vector2d* const pVels = m_cVels.m_stdNow.data();
-  CChange change{0.0, 0.0};
-  for (std::size_t k = 0; k < m_stdRows.size(); ++k) {
-    const CRow& row = m_stdRows[k];
-    const double now = pImpulses[k];
-    // No impulse pulls. Without a branch, as it cannot be foreseen which rows change.
-    const double wanted = now + part * row.m_fShare * (row.m_fLeast - GetDifference(row, pVels));
-    const double next = 0.5 * (wanted + std::abs(wanted));
-    const double more = next - now, mass = row.m_fInverse + row.m_fOtherInverse; // inverse
-    pImpulses[k] = next;
-    Push(row, more, pVels);
-    change.m_fMost = std::max(change.m_fMost, std::abs(more) * mass);
-    change.m_fBack -= more * (next - pBefore[k]) * mass;
+// By level: a row comes after those before it that share a ball with it, so that a round has the same bits as
+// one in the order of the rows (level scheduling, as triangular systems are solved).
+void CContactSolver::MakePairs() {
+  const std::size_t n = m_stdRows.size();
+  Fill(m_stdLevels, m_stdVels.size()); // of the next row of a ball; nothing changes a shape, which stays at 0
+  Fill(m_stdEnds, n);                  // of a level: how many rows it has, then the place of its next one
+  m_stdPlaces.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    std::uint32_t& ball = m_stdLevels[m_stdRows[k].m_nBall];
+    std::uint32_t& other = m_stdLevels[m_stdRows[k].m_nOther];
+    const std::uint32_t level = std::max(ball, other);
+    ++m_stdEnds[level];
+    m_stdPlaces[k] = level;
+    ball = level + 1;
+    if (m_stdRows[k].m_nOther > g_nPushingShape) other = level + 1;
   }
-  return change;
+  std::uint32_t places = 0;
+  for (std::size_t level = 0; level < n && m_stdEnds[level] > 0; ++level) {
+    const std::uint32_t count = std::exchange(m_stdEnds[level], places);
+    places += count + count % 2;
+  }
+  Fill(m_stdPairs, places / 2);
+  for (std::size_t k = 0; k < n; ++k) {
+    m_stdPlaces[k] = m_stdEnds[m_stdPlaces[k]]++;
+    const std::uint32_t which = m_stdPlaces[k] % 2;
+    const CRow& row = m_stdRows[k];
+    CRowPair& pair = m_stdPairs[m_stdPlaces[k] / 2];
+    pair.m_vNormX[which] = row.m_vNorm.x();
+    pair.m_vNormY[which] = row.m_vNorm.y();
+    pair.m_vInverse[which] = row.m_fInverse;
+    pair.m_vOtherInverse[which] = row.m_fOtherInverse;
+    pair.m_vShare[which] = 1.0 / (row.m_fInverse + row.m_fOtherInverse);
+    pair.m_vLeast[which] = row.m_fLeast;
+    pair.m_vImpulse[which] = m_stdImpulses[k];
+    pair.m_nBall[which] = row.m_nBall;
+    pair.m_nOther[which] = row.m_nOther;
+  }
+}
+
+// On by this share of what the last round has changed: the velocities depend on the impulses linearly. Then a
+// round that gives each contact this part of what it lacks.
+CContactSolver::CChange CContactSolver::Relax(double share, double part) {
+  CTwo *const pVels = GetTwos(m_stdVels), *const pBefore = GetTwos(m_stdVelsBefore);
+  for (std::size_t k = 0, n = m_stdVels.size(); k < n; ++k) {
+    const CTwo more = share * (pVels[k] - pBefore[k]);
+    pBefore[k] = pVels[k];
+    pVels[k] += more;
+  }
+  CTwo most{}, least{}, back{};
+  for (CRowPair& pair : m_stdPairs) {
+    const CTwo last = pair.m_vImpulse, now = last + share * (last - pair.m_vBefore);
+    // No impulse pulls. Without a branch, as it cannot be foreseen which rows change.
+    const CTwo next = Max(now + part * pair.m_vShare * (pair.m_vLeast - pair.GetDifference(pVels)), CTwo{});
+    const CTwo more = next - now, change = more * (pair.m_vInverse + pair.m_vOtherInverse);
+    pair.m_vBefore = last;
+    pair.m_vImpulse = next;
+    pair.Push(more, pVels);
+    most = Max(most, change);
+    least = Min(least, change);
+    back -= change * (next - last);
+  }
+  most = Max(most, -least);
+  return {std::max(most[0], most[1]), back[0] + back[1]};
 }
 
 // Returns how much the last round has changed a velocity.
 double CContactSolver::Search(double accurate, std::size_t rounds) {
-  for (std::size_t k = 0; k < m_stdRows.size(); ++k)
-    Push(m_stdRows[k], GetImpulse(k), m_cVels.m_stdNow.data());
-  m_cImpulses.Begin();
-  m_cVels.Begin();
-  CChange change = Relax(1.0);
+  MakePairs();
+  for (const CRowPair& pair : m_stdPairs)
+    pair.Push(pair.m_vImpulse, GetTwos(m_stdVels));
+  m_stdVelsBefore.resize(m_stdVels.size());
+  std::copy(m_stdVels.begin(), m_stdVels.end(), m_stdVelsBefore.begin());
+  CChange change = Relax(0.0, 1.0);
   const double most = g_fMostGrowth * change.m_fMost;
   bool isGrowing = false;
   double momentum = 1.0;
@@ -74,36 +116,38 @@ double CContactSolver::Search(double accurate, std::size_t rounds) {
     isGrowing |= change.m_fMost > most;
     if (change.m_fBack > 0.0 || isGrowing) momentum = 1.0;
     const double next = 0.5 + std::sqrt(0.25 + momentum * momentum);
-    // The velocities depend on the impulses linearly.
-    m_cImpulses.GoOn((momentum - 1.0) / next);
-    m_cVels.GoOn((momentum - 1.0) / next);
-    change = Relax(momentum > 1.0 ? g_fRelaxation : 1.0);
+    change = Relax((momentum - 1.0) / next, momentum > 1.0 ? g_fRelaxation : 1.0);
     momentum = next;
   }
   return change.m_fMost;
 }
 
-// The other one does not give way.
-void CContactSolver::Stop(const CRow& row) {
-  const double now = GetDifference(row, m_cVels.m_stdNow.data());
-  if (now < row.m_fLeast) m_cVels.m_stdNow[row.m_nBall] += (row.m_fLeast - now) * row.m_vNorm;
+// The other one does not give way. Returns whether it changes anything.
+bool CContactSolver::Stop(const CRow& row) {
+  const double now = row.m_vNorm.dot(m_stdVels[row.m_nBall] - m_stdVels[row.m_nOther]);
+  if (!(now < row.m_fLeast)) return false;
+  m_stdVels[row.m_nBall] += (row.m_fLeast - now) * row.m_vNorm;
+  return true;
 }
 
-void CContactSolver::StopAt(std::uint32_t shape) {
+bool CContactSolver::StopAt(std::uint32_t shape) {
+  bool isAny = false;
   for (const CRow& row : m_stdRows)
-    if (row.m_nOther == shape) Stop(row);
+    if (row.m_nOther == shape && Stop(row)) isAny = true;
+  return isAny;
 }
 
 // Shapes last: no ball is pressed into one by others, nor into one that stays by one that comes upon it.
 void CContactSolver::StopAtShapes() {
-  const bool anyPushes = std::any_of(m_stdRows.begin(), m_stdRows.end(),
-                                     [](const CRow& row) { return row.m_nOther == g_nPushingShape; });
-  for (int round = 0; anyPushes && round < g_nWedgeRounds; ++round) {
-    StopAt(g_nPushingShape);
-    StopAt(g_nShape);
+  bool isChanging = std::any_of(m_stdRows.begin(), m_stdRows.end(),
+                                [](const CRow& row) { return row.m_nOther == g_nPushingShape; });
+  for (int round = 0; isChanging && round < g_nWedgeRounds; ++round) {
+    isChanging = StopAt(g_nPushingShape);
+    isChanging |= StopAt(g_nShape);
   }
-  for (int round = 0; round < g_nWedgeRounds; ++round)
-    StopAt(g_nShape);
+  isChanging = true;
+  for (int round = 0; isChanging && round < g_nWedgeRounds; ++round)
+    isChanging = StopAt(g_nShape);
 }
 
 double CContactSolver::GetFlowError(double fastest, double slow) {
@@ -112,7 +156,7 @@ double CContactSolver::GetFlowError(double fastest, double slow) {
 
 void CContactSolver::Solve(double slow, double surface) {
   double fastest = 0.0; // squared
-  for (const Vector2d& v : m_cVels.m_stdNow)
+  for (const Vector2d& v : m_stdVels)
     fastest = std::max(fastest, v.squaredNorm());
   const double accurate = std::max(g_fRestingError * slow, GetFlowError(std::sqrt(fastest), slow));
   // Each lower one as if it were the ground, as far as the rounds have not come to an end.
@@ -123,7 +167,7 @@ void CContactSolver::Solve(double slow, double surface) {
   // Between what comes upon it and what gives no way a ball would leave at the speed of that over the sine of
   // the angle between them, which is small for an instant only.
   const double limit = std::max(std::sqrt(fastest), g_fSqueezed * surface + slow);
-  for (Vector2d& v : m_cVels.m_stdNow)
+  for (Vector2d& v : m_stdVels)
     if (const double speed = Norm(v); speed > limit) v *= limit / speed;
   StopAtShapes();
 }

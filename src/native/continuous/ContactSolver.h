@@ -2,7 +2,7 @@
 // The impulses of contacts that last.
 #pragma once
 
-#include "../../geometry/Vector.h"
+#include "RowPair.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -22,8 +22,7 @@ public:
     Vector2d m_vNorm;                   ///< unit, to the ball
     std::uint32_t m_nBall, m_nOther;    ///< of AddBall; of two balls the upper one and the lower one
     double m_fInverse, m_fOtherInverse; ///< masses
-    double m_fLeast;       ///< that the difference of velocities along the normal may be at the end
-    double m_fShare = 0.0; ///< 1 / (sum of the inverse masses): set by Add
+    double m_fLeast; ///< that the difference of velocities along the normal may be at the end
   };
   /// A shape is a ball that nothing moves: one that does not come upon the ball, and one that does.
   static constexpr std::uint32_t g_nShape = 0, g_nPushingShape = 1;
@@ -47,51 +46,31 @@ public:
   /// @param rounds    at most, above 0
   void Separate(double accurate, std::size_t rounds);
 
-  const Vector2d& GetVel(std::uint32_t ball) const { return m_cVels.m_stdNow[ball]; }
-  double GetImpulse(std::size_t row) const { return m_cImpulses.m_stdNow[row]; }
+  const Vector2d& GetVel(std::uint32_t ball) const { return m_stdVels[ball]; }
+  double GetImpulse(std::size_t row) const {
+    return m_stdPairs[m_stdPlaces[row] / 2].m_vImpulse[m_stdPlaces[row] % 2];
+  }
 
 private:
-  // Unknowns, and what they were after the round before.
-  template <class T>
-  struct CUnknowns {
-    std::vector<T> m_stdNow, m_stdBefore;
-
-    void Clear() {
-      m_stdNow.clear();
-      m_stdBefore.clear();
-    }
-    // Both grow alike, as a copy would be allocated anew for each larger pile.
-    void Add(const T& x) {
-      m_stdNow.push_back(x);
-      m_stdBefore.push_back(x);
-    }
-    void Begin() { std::copy(m_stdNow.begin(), m_stdNow.end(), m_stdBefore.begin()); }
-    // On by this share of what the last round has changed.
-    void GoOn(double share) {
-      T *pNow = m_stdNow.data(), *pBefore = m_stdBefore.data();
-      for (std::size_t k = 0, n = m_stdNow.size(); k < n; ++k) {
-        const T more = share * (pNow[k] - pBefore[k]);
-        pBefore[k] = pNow[k];
-        pNow[k] += more;
-      }
-    }
-  };
   // By a round.
   struct CChange {
     double m_fMost; // of a velocity
     double m_fBack; // of all impulses, as energy, against the way on which they were
   };
-  static double GetDifference(const CRow& row, const Vector2d* pVels);
-  static void Push(const CRow& row, double impulse, Vector2d* pVels);
-  CChange Relax(double part);
+  void MakePairs();
+  CChange Relax(double share, double part);
   double Search(double accurate, std::size_t rounds);
-  void Stop(const CRow& row);
-  void StopAt(std::uint32_t shape);
+  bool Stop(const CRow& row);
+  bool StopAt(std::uint32_t shape);
   void StopAtShapes();
 
   std::vector<CRow> m_stdRows;
-  CUnknowns<double> m_cImpulses; // of each row
-  CUnknowns<Vector2d> m_cVels;   // of each ball, and of the shapes
+  std::vector<double> m_stdImpulses;                 // of rows, as the search begins
+  std::vector<CRowPair> m_stdPairs;                  // all rows, as they are solved
+  std::vector<std::uint32_t> m_stdPlaces;            // of rows: twice the pair, and which of its two
+  std::vector<std::uint32_t> m_stdLevels, m_stdEnds; // of MakePairs
+  std::vector<Vector2d> m_stdVels;                   // of each ball, and of the shapes
+  std::vector<Vector2d> m_stdVelsBefore;             // after the round before
 };
 
 } // namespace Shapes::Native
