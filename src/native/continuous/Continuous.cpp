@@ -210,11 +210,11 @@ double CContinuous::GetDepthInResting(const CMoving& ball, const Vector2d& p) co
 }
 
 // Nor is there room between shapes that rest, one of which a game may have put into the ball: it goes back to
-// where it was, unless it has got out of them a bit.
+// where it was, unless it is less deep in them than there.
 void CContinuous::StayInPlace(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   const Vector2d begin = GetFreeMotion(ball.m_nBall).m_vPos;
-  if (GetDepthInResting(ball, ball.m_vPos) < 0.9 * GetDepthInResting(ball, begin)) return;
+  if (GetDepthInResting(ball, ball.m_vPos) < GetDepthInResting(ball, begin)) return;
   ball.m_vPos = begin;
   m_stdTouching.clear(); // of where it was in between
   MoveDisc(i);
