@@ -39,8 +39,7 @@ namespace {
 // So many that none of them lost shows the rate to be below.
 double NeededFor(const CLimit& limit) { return 3.0 / limit.m_fMost; }
 
-// The share of balls that are lost where contact lasts is of other trials than those of impacts.
-bool IsOfBalls(const CLimit& limit) { return limit.m_sMetric == "lasting_lost"; }
+std::string_view GetRateOf(const CLimit& limit) { return FindFigure(limit.m_sMetric)->m_sRateOf; }
 
 bool AreFew(const CLimit& limit, std::size_t impacts) {
   return FindFigure(limit.m_sMetric)->m_pRate != nullptr && limit.m_fMost > 0.0 &&
@@ -50,10 +49,7 @@ bool AreFew(const CLimit& limit, std::size_t impacts) {
 std::string FewText(const CLimit& limit, std::size_t n) {
   const std::string& metric = limit.m_sMetric;
   return fmt::format("{}={:g}: even with none, {} {} show only that the rate is below {:.2g}; {} are needed",
-                     metric, limit.m_fMost, CountText(n),
-                     IsOfBalls(limit)    ? "balls"
-                     : metric == "ghost" ? "quiet steps"
-                                         : "impacts",
+                     metric, limit.m_fMost, CountText(n), GetRateOf(limit),
                      std::min(1.0, 3.0 / static_cast<double>(n)),
                      CountText(static_cast<std::size_t>(std::ceil(std::min(NeededFor(limit), 1e18)))));
 }
@@ -72,7 +68,9 @@ bool IsLacking(const CFigure& figure, const CSceneReport& scene, const CEngineRe
 } // namespace
 
 std::string WarnOfFew(const CLimit& limit, std::size_t contacts) {
-  return !IsOfBalls(limit) && AreFew(limit, contacts) ? FewText(limit, contacts) + " (--contacts)" : "";
+  // Where contact lasts balls are counted in other trials than those of impacts.
+  return AreFew(limit, contacts) && GetRateOf(limit) != "balls" ? FewText(limit, contacts) + " (--contacts)"
+                                                                : "";
 }
 
 std::vector<std::string> WarnOfFewFound(const CRunReport& report, std::span<const CLimit> limits) {

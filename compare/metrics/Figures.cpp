@@ -30,15 +30,16 @@ bool IsCompared(const C& c) { return c.m_bCompared; }
 
 CHits OfImpacts(const E& e, std::size_t hits) { return {hits, e.m_cTotals.m_nContacts}; }
 
-constexpr CFigure RateOf(const char* key, const char* group, const char* label,
+constexpr CFigure RateOf(const char* of, const char* key, const char* group, const char* label,
                          CHits (*pRate)(const S&, const E&)) {
   CFigure figure{key, group, label, "rate"};
   figure.m_pRate = pRate;
+  figure.m_sRateOf = of;
   return figure;
 }
 
 constexpr CFigure Rate(const char* key, const char* label, CHits (*pRate)(const S&, const E&)) {
-  return RateOf(key, g_sOutcomes, label, pRate);
+  return RateOf("impacts", key, g_sOutcomes, label, pRate);
 }
 
 constexpr CFigure OfImpact(const char* key, const char* group, const char* label, const char* unit,
@@ -62,6 +63,13 @@ constexpr CFigure OfRun(const char* key, const char* group, const char* label, c
   return figure;
 }
 
+constexpr CFigure CountOfRun(const char* key, const char* group, const char* label, const char* unit,
+                             std::optional<double> (*pOfRun)(const S&, const E&)) {
+  CFigure figure = OfRun(key, group, label, unit, false, pOfRun);
+  figure.m_bIsCount = true;
+  return figure;
+}
+
 constexpr CFigure g_stdFigures[] = {
     Rate("late", "late", [](const S&, const E& e) { return OfImpacts(e, e.m_cTotals.m_nLate); }),
     Rate("missed", "missed", [](const S&, const E& e) { return OfImpacts(e, e.m_cTotals.m_nMissed); }),
@@ -71,10 +79,10 @@ constexpr CFigure g_stdFigures[] = {
          [](const S&, const E& e) { return OfImpacts(e, e.m_cTotals.GetTunneled()); }),
     Rate("overlapped", "overlapped",
          [](const S&, const E& e) { return OfImpacts(e, e.m_cTotals.m_nOverlapped); }),
-    Rate("ghost", "ghost, of quiet steps",
-         [](const S& s, const E& e) {
-           return CHits{e.m_nGhosts, s.m_cImpactTrials.m_nQuietSteps};
-         }),
+    RateOf("quiet steps", "ghost", g_sOutcomes, "ghost, of quiet steps",
+           [](const S& s, const E& e) {
+             return CHits{e.m_nGhosts, s.m_cImpactTrials.m_nQuietSteps};
+           }),
 
     OfImpact("setback", g_sClaims, "setback", "radii", false, &C::m_fSetback, IsDetected),
     OfImpact("setback_error", g_sClaims, "setback error", "radii", false, &C::m_fSetbackError, IsDetected),
@@ -97,7 +105,7 @@ constexpr CFigure g_stdFigures[] = {
     OfRun("angular_momentum_drift", g_sLongRun, "angular momentum drift over these bounces", "change", true,
           [](const S&, const E& e) { return e.m_cLongRun.m_fAngularMomentumDrift; }),
 
-    RateOf("lasting_lost", g_sLasting, "balls lost",
+    RateOf("balls", "lasting_lost", g_sLasting, "balls lost",
            [](const S&, const E& e) {
              return CHits{e.m_cLasting.m_nLost, e.m_cLasting.m_nBalls};
            }),
@@ -121,10 +129,11 @@ constexpr CFigure g_stdFigures[] = {
           [](const S&, const E& e) { return std::optional(e.m_cCost.m_cNsPerBallStep.m_fMedian); }),
     OfRun("ns_per_contact", g_sCost, "time per contact", "ns", false,
           [](const S&, const E& e) { return e.m_cCost.GetNsPerContact(); }),
-    OfRun("escaped", g_sCost, "escaped while timed", "balls", false,
-          [](const S&, const E& e) { return std::optional(static_cast<double>(e.m_cCost.m_nEscaped)); }),
-    OfRun("not_finite", g_sCost, "not finite while timed", "balls", false,
-          [](const S&, const E& e) { return std::optional(static_cast<double>(e.m_cCost.m_nNotFinite)); }),
+    CountOfRun("escaped", g_sCost, "escaped while timed", "balls",
+               [](const S&, const E& e) { return std::optional(static_cast<double>(e.m_cCost.m_nEscaped)); }),
+    CountOfRun(
+        "not_finite", g_sCost, "not finite while timed", "balls",
+        [](const S&, const E& e) { return std::optional(static_cast<double>(e.m_cCost.m_nNotFinite)); }),
 };
 
 constexpr bool IsOfImpact(const CFigure& figure) { return figure.m_pOfImpact != nullptr; }
@@ -133,6 +142,7 @@ constexpr bool IsOfImpact(const CFigure& figure) { return figure.m_pOfImpact != 
 
 const char* GetKind(const CFigure& figure) {
   if (figure.m_pRate != nullptr) return "rate";
+  if (figure.m_bIsCount) return "count";
   return IsOfImpact(figure) ? "impact" : "run";
 }
 
@@ -141,7 +151,8 @@ std::span<const CFigure> GetFigures() { return g_stdFigures; }
 std::span<const CFigure> GetImpactFigures() {
   constexpr auto pFirst = std::find_if(std::begin(g_stdFigures), std::end(g_stdFigures), IsOfImpact);
   constexpr auto n = std::count_if(std::begin(g_stdFigures), std::end(g_stdFigures), IsOfImpact);
-  static_assert(IsOfImpact(pFirst[n - 1]), "one after the other");
+  static_assert(IsOfImpact(pFirst[n - 1]),
+                "rows of OfImpact have to stand one after the other in g_stdFigures");
   return {pFirst, static_cast<std::size_t>(n)};
 }
 

@@ -33,13 +33,16 @@ struct CFigure {
   float CEngineContact::*m_pOfImpact = nullptr;
   bool (*m_pIsMeasured)(const CEngineContact&) = nullptr;
   bool (*m_pIsSummarised)(const CEngineContact&) = nullptr; ///< of those that were measured; null for all
-  /// A rate.
+  /// A rate, and of what: "impacts", "quiet steps", "balls".
   CHits (*m_pRate)(const CSceneReport&, const CEngineReport&) = nullptr;
+  const char* m_sRateOf = nullptr;
   /// Of the whole run; absent where it was not measured.
   std::optional<double> (*m_pOfRun)(const CSceneReport&, const CEngineReport&) = nullptr;
+  bool m_bIsCount = false; ///< a whole number
 };
 
-/// The form of a figure in run.json: "rate", "impact" (a summary over impacts) or "run" (a number).
+/// The form of a figure in run.json: "rate", "impact" (a summary over impacts), "run" (a number) or "count"
+/// (a whole number).
 const char* GetKind(const CFigure& figure);
 
 /// All figures, in the order in which they are shown.

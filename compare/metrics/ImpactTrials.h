@@ -69,6 +69,8 @@ struct CEngineContact {
   /// A response to the right side: Correct or Late. Otherwise the ball tunneled.
   bool HasTurnedBack() const { return m_eOutcome == eOutcome::Correct || m_eOutcome == eOutcome::Late; }
   bool HasTunneled() const { return !HasTurnedBack(); }
+
+  bool operator==(const CEngineContact&) const = default;
 };
 
 /// One impact of the exact reference.

@@ -31,6 +31,12 @@ void Append(const CEngineContact& e, std::string& text) {
     Add(figure.m_pIsMeasured(e), e.*figure.m_pOfImpact, text);
 }
 
+// "units/s" as "units_per_s".
+std::string UnitName(std::string unit) {
+  if (const std::size_t slash = unit.find('/'); slash != unit.npos) unit.replace(slash, 1, "_per_");
+  return unit;
+}
+
 } // namespace
 
 std::string MakeCsv(const CRunReport& report) {
@@ -39,7 +45,7 @@ std::string MakeCsv(const CRunReport& report) {
   for (const CEngine& engine : report.m_stdEngines) {
     text += fmt::format(",{}_outcome", engine.m_sName);
     for (const CFigure& figure : GetImpactFigures())
-      text += fmt::format(",{}_{}_{}", engine.m_sName, figure.m_sKey, figure.m_sUnit);
+      text += fmt::format(",{}_{}_{}", engine.m_sName, figure.m_sKey, UnitName(figure.m_sUnit));
   }
   text += '\n';
   for (const CSceneReport& scene : report.m_stdScenes) {

@@ -115,8 +115,7 @@ ordered_json FigureToJson(const CFigure& figure, const CSceneReport& scene, cons
   }
   if (figure.m_pOfImpact != nullptr) return ToJson(report.m_cTotals[figure.m_sKey]);
   const auto value = figure.m_pOfRun(scene, report);
-  const bool isCount = std::string_view(figure.m_sUnit) == "balls";
-  return isCount ? ordered_json(static_cast<std::size_t>(*value)) : Number(value);
+  return figure.m_bIsCount && value ? ordered_json(static_cast<std::size_t>(*value)) : Number(value);
 }
 
 // The name of an engine, or null.

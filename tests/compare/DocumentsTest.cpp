@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Figures in documents come from a run: scripts/results.py puts them there, and docs/results.json keeps them.
 #include "CommandCalls.h"
+#include "metrics/Figures.h"
 
 #include <nlohmann/json.hpp>
 
@@ -27,6 +28,14 @@ TEST_F(DocumentsTest, EveryFigureOfARunIsThatOfTheRunThatIsKept) {
     const std::string changed = Write("page.md", text.insert(text.rfind("<!-- end -->"), "1"));
     EXPECT_EQ(Results("--check " + g_sKept + " " + changed).m_nExit, 1);
   }
+}
+
+TEST_F(DocumentsTest, EveryFigureHasADefinition) {
+  const std::string page = Read(SHAPES_SOURCE_DIR "/docs/accuracy.md");
+  for (const Shapes::Compare::CFigure& figure : Shapes::Compare::GetFigures())
+    EXPECT_TRUE(Shapes::Says(page, '`' + std::string(figure.m_sKey) + '`'))
+        << figure.m_sKey << ": define it in docs/accuracy.md";
+  EXPECT_FALSE(Shapes::Says(page, "`no_figure`"));
 }
 
 // The script that fills documents, from a run or from what is kept of it, quotes what the tool printed, and

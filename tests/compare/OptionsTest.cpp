@@ -76,29 +76,36 @@ TEST(FailAboveTest, EveryMetricIsTheRightOne) {
   }
   const auto expect = [&](std::size_t above, std::size_t belowIt, const std::string& limits) {
     std::istringstream in(limits);
-    std::size_t n = 0;
-    for (std::string text; in >> text; ++n) {
+    for (std::string text; in >> text;) {
       CLimit limit[] = {ParseLimit(text)};
       EXPECT_EQ(FindAbove(report, limit).size(), above) << text;
       limit[0].m_fMost *= 1 - 1e-12;
       EXPECT_EQ(FindAbove(report, limit).size(), belowIt) << text;
     }
-    return n;
   };
-  const std::size_t alike = expect(
-      0, 2,
-      "overlapped=0.02 ghost=0.0025 late=0.005 setback=0.9 setback_error=0.75 setback_error_normal=0.5 "
-      "poi_error=0.12 time_error=0.04 normal_error=0.15 speed_error=0.08 energy_error=0.22 "
-      "position_error=0.26 penetration=0.005 energy_drift=0.03 free_path_error=0.01 "
-      "angular_momentum_drift=0.02 escaped=3 not_finite=1 lasting_lost=0.015 lasting_overlap=0.06 "
-      "lasting_speed=0.7 lasting_energy_gained=0.05 rest_time=1.8 flow=2.5 lasting_ns_per_ball_step=654");
-  const std::size_t unlike = expect(0, 1,
-                                    "missed=0.101 wrong_side=0.102 tunneled=0.203 direction_error=0.04 "
-                                    "ns_per_ball_step=500 ns_per_contact=50000");
+  expect(0, 2,
+         "overlapped=0.02 ghost=0.0025 late=0.005 setback=0.9 setback_error=0.75 setback_error_normal=0.5 "
+         "poi_error=0.12 time_error=0.04 normal_error=0.15 speed_error=0.08 energy_error=0.22 "
+         "position_error=0.26 penetration=0.005 energy_drift=0.03 free_path_error=0.01 "
+         "angular_momentum_drift=0.02 escaped=3 not_finite=1 lasting_lost=0.015 lasting_overlap=0.06 "
+         "lasting_speed=0.7 lasting_energy_gained=0.05 rest_time=1.8 flow=2.5 lasting_ns_per_ball_step=654");
+  expect(0, 1,
+         "missed=0.101 wrong_side=0.102 tunneled=0.203 direction_error=0.04 "
+         "ns_per_ball_step=500 ns_per_contact=50000");
   expect(1, 2,
          "missed=0.003 wrong_side=0.003 tunneled=0.006 direction_error=0.02 ns_per_ball_step=50 "
          "ns_per_contact=5000");
-  EXPECT_EQ(alike + unlike, GetMetricNames().size());
+  // All figures, also those that are not named above.
+  const CSceneReport& scene = report.m_stdScenes[0];
+  for (const CFigure& figure : GetFigures()) {
+    double most = 0.0;
+    for (const CEngineReport& engine : scene.m_stdEngines)
+      most = std::max(most, GetLimited(figure, scene, engine).value_or(-1.0));
+    const CLimit at[] = {{figure.m_sKey, most}}, below[] = {{figure.m_sKey, most * (1 - 1e-12)}};
+    ASSERT_GT(most, 0.0) << figure.m_sKey << ": tests/compare/SampleReport.h has no value of it";
+    EXPECT_TRUE(FindAbove(report, at).empty()) << figure.m_sKey;
+    EXPECT_FALSE(FindAbove(report, below).empty()) << figure.m_sKey;
+  }
 }
 
 TEST(FailAboveTest, SaysWhichSceneEngineAndValueAndANaNIsAboveEveryLimit) {

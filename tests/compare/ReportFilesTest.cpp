@@ -15,23 +15,55 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+// Of a line in which no field is in quotes.
+static std::vector<std::string> Split(const std::string& line) {
+  std::istringstream in(line + ',');
+  std::vector<std::string> fields;
+  for (std::string field; std::getline(in, field, ',');)
+    fields.push_back(field);
+  return fields;
+}
+
 TEST(CsvTest, HasAColumnForEveryFieldAndLeavesEmptyWhatWasNotMeasured) {
   std::string names = "scene,trial,step,ball,pair,time_in_step,travel_radii,approach_speed_units_per_s,"
                       "incidence_rad,elasticity,apart_radii";
-  for (const CEngineRow& row : Tests::GetKnownRows())
-    for (const char* pField :
-         {"outcome", "setback_radii", "setback_error_radii", "setback_error_normal_radii", "time_error_steps",
-          "poi_error_radii", "normal_error_rad", "direction_error_rad", "speed_error_relative",
-          "energy_error_relative", "position_error_radii", "penetration_radii"})
-      names += std::string(",") + row.m_sName + "_" + pField;
-  const std::string sizes = ",0.5,0.03125,-0.015625,-0.0019531,0.0078125,0.0039062,",
-                    bounce = ",-0.0625,4,5,6";
-  const std::string late = ",late" + sizes + "0" + bounce, correct = ",correct" + sizes + "2" + bounce;
+  for (const CEngineRow& row : Tests::GetKnownRows()) {
+    const std::string engine = std::string(",") + row.m_sName + '_';
+    names += engine + "outcome";
+    for (const CFigure& figure : GetImpactFigures())
+      names += engine + figure.m_sKey + '_' +
+               (figure.m_sUnit == std::string("units/s") ? "units_per_s" : figure.m_sUnit);
+  }
   const std::vector<std::string> lines = Lines(MakeCsv(MakeSampleReport()));
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0], names);
-  EXPECT_EQ(lines[1], "spinner,3,14,0,segment end,0.25,1.5,8,0.125,0.5,0.0625" + late + correct +
-                          ",missed,,,,,,,,,,,7" + late);
+  EXPECT_TRUE(lines[1].starts_with("spinner,3,14,0,segment end,0.25,1.5,8,0.125,0.5,0.0625,late,"))
+      << lines[1];
+
+  const std::vector<std::string> columns = Split(lines[0]), fields = Split(lines[1]);
+  ASSERT_EQ(columns.size(), fields.size());
+  std::map<std::string, std::string> row;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    EXPECT_TRUE(row.emplace(columns[i], fields[i]).second) << columns[i];
+  const std::map<std::string, std::string> measured = {{"setback_radii", "0.5"},
+                                                       {"setback_error_radii", "0.03125"},
+                                                       {"poi_error_radii", "0.0078125"},
+                                                       {"setback_error_normal_radii", "-0.015625"},
+                                                       {"time_error_steps", "-0.0019531"},
+                                                       {"normal_error_rad", "0.0039062"},
+                                                       {"speed_error_relative", "-0.0625"},
+                                                       {"energy_error_relative", "4"},
+                                                       {"position_error_radii", "5"},
+                                                       {"penetration_radii", "6"}};
+  for (const auto& [name, value] : measured)
+    for (const char* pEngine : {"native_", "native-approximate_", "box2d-tuned_"})
+      EXPECT_EQ(row[pEngine + name], value) << pEngine << name;
+  EXPECT_EQ(row["native_direction_error_rad"], "0");
+  EXPECT_EQ(row["native-approximate_direction_error_rad"], "2");
+  EXPECT_EQ(row["native-approximate_outcome"], "correct");
+  EXPECT_EQ(row["box2d_outcome"], "missed");
+  for (const auto& [name, value] : measured)
+    EXPECT_EQ(row["box2d_" + name], name == "penetration_radii" ? "7" : "") << name;
 }
 
 TEST(CsvTest, QuotesNames) {

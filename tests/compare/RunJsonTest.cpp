@@ -16,10 +16,10 @@ json MakeStrictSchema() {
   json& engine = schema.at("/definitions/engine"_json_pointer);
   engine["additionalProperties"] = false;
   for (const CFigure& figure : GetFigures()) {
-    const char* pForm = figure.m_pRate != nullptr                     ? "rate"
-                        : figure.m_pOfImpact != nullptr               ? "summary"
-                        : std::string_view(figure.m_sUnit) == "balls" ? "count"
-                                                                      : "number_or_null";
+    const char* pForm = figure.m_pRate != nullptr       ? "rate"
+                        : figure.m_pOfImpact != nullptr ? "summary"
+                        : figure.m_bIsCount             ? "count"
+                                                        : "number_or_null";
     engine["properties"][figure.m_sKey] = {{"$ref", std::string("#/definitions/") + pForm}};
     engine["required"].push_back(figure.m_sKey);
   }
@@ -71,6 +71,13 @@ TEST(RunJsonTest, ARealRunMeasuresEverythingAndFitsTheSchema) {
       EXPECT_GT(engine.m_cCost.m_cNsPerBallStep.m_fMedian, 0.0);
       EXPECT_EQ(engine.m_cLongRun.m_nBounces > 0, scene.m_cScene.m_sName == "bowl"); // which keeps something
     }
+  }
+  for (const CFigure& figure : GetImpactFigures()) {
+    double most = 0.0;
+    for (const CSceneReport& scene : report.m_stdScenes)
+      for (const CEngineReport& engine : scene.m_stdEngines)
+        most = std::max(most, std::abs(engine.m_cTotals[figure.m_sKey].m_fMax));
+    EXPECT_GT(most, 0.0) << figure.m_sKey << ": nothing calculates it";
   }
   const json doc = json::parse(MakeJson(report));
   EXPECT_EQ(FindFault(doc), "");

@@ -59,6 +59,8 @@ inline CEngineReport MakeSampleEngine(std::size_t tunneled, double ns, double di
   t.m_nWrongSide = tunneled - tunneled / 2;
   t.m_nLate = 5;
   t.m_nOverlapped = 20;
+  for (CSummary& summary : t.m_stdSummaries) // of figures that are not named below
+    summary = {800, 1.0, 2.0, 3.0};
   t["setback"] = {900, 0.5, 0.9, 1.0};
   t["setback_error"] = {900, 0.25, 0.75, 1.5};
   t["setback_error_normal"] = {900, -0.125, 0.5, 1.0};

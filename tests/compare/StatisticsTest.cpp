@@ -80,12 +80,9 @@ CEngineContact RandomEngineContact(CRandom& random) {
   c.m_eOutcome = static_cast<eOutcome>(random.Below(4));
   c.m_bDetected = random.Coin();
   c.m_bCompared = c.HasTurnedBack() && random.Coin();
-  for (float* p : {&c.m_fSetback, &c.m_fSetbackError, &c.m_fPOIError, &c.m_fNormalError, &c.m_fDirectionError,
-                   &c.m_fPositionError, &c.m_fPenetration})
-    *p = random.Scale(-24, 6);
+  for (const CFigure& figure : GetImpactFigures())
+    c.*figure.m_pOfImpact = figure.m_bIsSigned ? random.SignedScale(-20, 2) : random.Scale(-24, 6);
   if (random.Below(8) == 0) c.m_fPenetration = 0;
-  for (float* p : {&c.m_fSetbackErrorNormal, &c.m_fTimeError, &c.m_fSpeedError, &c.m_fEnergyError})
-    *p = random.SignedScale(-20, 2);
   return c;
 }
 
@@ -159,6 +156,13 @@ void ExpectTotals(const CTotals& t, const std::vector<CContact>& contacts, std::
   ExpectSummary(t["energy_error"], contacts, engine, &C::m_fEnergyError, compared, true);
   ExpectSummary(t["position_error"], contacts, engine, &C::m_fPositionError, compared);
   ExpectSummary(t["penetration"], contacts, engine, &C::m_fPenetration, back);
+  for (const CFigure& figure : GetImpactFigures()) { // also those that are not named above
+    SCOPED_TRACE(figure.m_sKey);
+    const CFilter counts = [&](const C& c) {
+      return figure.m_pIsMeasured(c) && (figure.m_pIsSummarised == nullptr || figure.m_pIsSummarised(c));
+    };
+    ExpectSummary(t[figure.m_sKey], contacts, engine, figure.m_pOfImpact, counts, figure.m_bIsSigned);
+  }
 }
 
 TEST(TotalsTest, TotalsAreTheSumsOverTheContacts) {

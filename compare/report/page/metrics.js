@@ -30,7 +30,7 @@ const Metrics = (() => {
     if (kind === 'impact')
       return (e) => summaryText(e[key], unit === 'rad' ? bothAngles : num, isSigned ? signed : undefined);
     if (unit === 'change') return (e) => change(e[key]);
-    if (unit === 'balls') return asCount(key);
+    if (kind === 'count') return asCount(key);
     if (key === 'ns_per_ball_step')
       return (e) => withInterval(num(e.ns_per_ball_step), interval(e.ns_per_ball_step_interval));
     return (e) => num(e[key]);
