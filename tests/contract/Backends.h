@@ -27,9 +27,9 @@ protected:
   const CBackend& Backend() const { return *GetParam(); }
   bool IsNative() const { return Backend().GetName() == "native"; }
   bool IsBox2D() const { return Backend().GetName() == "box2d"; } // whose limits are narrower
-  /// How far a POI or a touching ball may be off: rounding on native; on Box2D its time of impact stops
+  /// How far a POI or a touching ball may be off: rounding; on Box2D its time of impact stops
   /// within 3 slops of .005, and its discrete contacts reach through a skin of .01.
-  float Skin() const { return IsNative() ? 1e-6f : 0.016f; }
+  float Skin() const { return IsBox2D() ? 0.016f : 1e-6f; }
   std::unique_ptr<CWorld> Make(const CEffectChoice& choice = g_cAutomatic,
                                eProfile profile = eProfile::Shipped, const Vector2& gravity = {0, 0}) const {
     return Backend().MakeWorld(Described(gravity, g_fDt, 1, choice, profile));

@@ -123,7 +123,7 @@ TEST_P(CPolylineContract, NoBallGetsIntoABoxPastItsCorners) {
         lost[guarded] += isIn;
       }
   EXPECT_EQ(lost[true], 0);
-  EXPECT_EQ(lost[false] > 0, IsNative()); // the control: Box2D's ends are round
+  EXPECT_EQ(lost[false] > 0, !IsBox2D()); // the control: Box2D's ends are round
 }
 
 // How deep p is in the capsule of these ends, in double: the least distance to what bounds it, negative

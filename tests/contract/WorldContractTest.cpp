@@ -73,7 +73,7 @@ TEST_P(CWorldContract, ContactsComeInTheConventionsOfTheLibrary) {
     EXPECT_NEAR(seen[0].m_vNorm.y(), 1.0f, 1e-5f);
     const bool isBall = pWorld->GetMotionType(seen[0].m_cShape) == eMotion::Dynamic;
     EXPECT_NEAR(seen[0].m_vPOI.y(), 0.0f,
-                isBall && !IsNative() ? 0.1f : Skin()); // Box2D may be a step late with two balls
+                isBall && IsBox2D() ? 0.1f : Skin()); // Box2D may be a step late with two balls
     EXPECT_NEAR(seen[0].m_fSpeed, 6.0f, 1e-4f);
     EXPECT_FALSE(seen[0].m_bIsSensor);
     EXPECT_EQ(seen[0].m_fSetback, 0.0f); // it is fast: nobody sets it back
