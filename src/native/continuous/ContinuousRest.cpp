@@ -27,12 +27,12 @@ void CContinuous::FindRestingContacts() {
     FindBalls(i);
     for (const std::uint32_t j : m_stdBallsFound) {
       CMoving &ball = m_stdBalls[i], &other = m_stdBalls[j];
+      if (j <= i || other.m_bIsAsleep) continue;
       CImpact impact;
       double gap;
       const double reach = m_cResting.GetReach(m_cResting.GetMeetingSpeed(ball, other),
                                                CRestingContacts::IsSqueezed(ball, other));
-      if (j <= i || other.m_bIsAsleep || !NearBallBall(GetMotion(other), GetMotion(ball), reach, impact, gap))
-        continue;
+      if (!NearBallBall(GetMotion(other), GetMotion(ball), reach, impact, gap)) continue;
       m_cResting.Add(i, j, true, GetId(ball), GetId(other), impact, gap);
       ball.m_bIsNearBall = other.m_bIsNearBall = true;
       ball.m_fNearRadius = std::max(ball.m_fNearRadius, other.m_fRadius);
