@@ -76,9 +76,9 @@ std::string MakeTable(const CRunReport& report) {
       Wrap("At each impact of an exact reference the engines take that one step anew, from the exact state. "
            "missed: no response. tunneled: missed, or pushed to the far side. late: turned back one or two "
            "steps later. setback: by how many ball radii CollisionDetected is off the exact place of the "
-           "impact; the same for all of native and both of Box2D. dir.: error of the direction after it, "
-           "radians. ghosts: "
-           "responses to what was not touched, of the steps in which a ball passes close by. ns: time for "
+           "impact; the same in every mode and profile of an engine. dir.: error of the direction after it, "
+           "radians. ghosts: responses to what was not touched, of the steps in which a ball passes close "
+           "by. ns: time for "
            "one step of one ball. p95: 95th percentile. +-: half the 95% interval; < 3/n where none was "
            "seen in n. " +
                Engines(report),
