@@ -161,6 +161,31 @@ TEST(LastingContact, MovingBallsApartGivesNoEnergy) {
 
 // Two that lie far from each other sleep, a ball that rolls past beyond their reach does not wake them, and a
 // wall that moves up to one does.
+// A ball that glides on a floor, or close above it, and bounces when a lighter one has hit it: in the first
+// worlds that gave 2 to 46% of the energy, as the floor went on holding what had left it.
+TEST(LastingContact, ABallThatIsHitWhereItGlidesGainsNoEnergy) {
+  std::vector<std::uint64_t> seeds = {22866, 24549, 46653, 52689, 65199, 121779, 124713};
+  for (std::uint64_t seed = 0; seed < 1000; ++seed)
+    seeds.push_back(seed);
+  for (const std::uint64_t seed : seeds) {
+    SCOPED_TRACE(seed);
+    CRandom random(seed);
+    const auto pWorld = MakeNative(g_cAutomatic, 10, seed % 2 ? 1.0f / 30.0f : 1.0f / 60.0f);
+    pWorld->Add(CLineSegDesc({-50, 0}, {50, 0}));
+    const float mass = seed % 3 == 0 ? std::pow(1000.0f, random.Uniform(-0.5f, 0.5f)) : 1.0f;
+    const float gap = seed % 4 == 0 ? 0.0f : 0.1f * std::pow(10.0f, -random.Uniform(1, 6));
+    const float speed = random.Uniform(-2, 2), sinking = seed % 5 ? random.Uniform(-0.2f, 0.2f) : 0.0f;
+    const float angle = random.Uniform(0.1f, 3.04f);
+    const float apart = 0.2f + 0.1f * std::pow(10.0f, -random.Uniform(0, 3));
+    const Vector2 p(0, 0.1f + gap), d(std::cos(angle), std::sin(angle));
+    const Vector2 v = Vector2(speed, 0) + random.InSquare(3);
+    pWorld->Add(CDynamicCircleDesc(p, 0.1f, {speed, sinking}));
+    pWorld->Add(CDynamicCircleDesc(p + apart * d, 0.1f, v, mass));
+    const double first = GetEnergy(*pWorld, 10, 0.1);
+    InEachStep(*pWorld, 40, [&](int) { ASSERT_LT(GetEnergy(*pWorld, 10, 0.1), first * (1 + 1e-5)); });
+  }
+}
+
 TEST(LastingContact, OnlyWhatComesNearWakesABall) {
   const auto pWorld = MakeFloor();
   const CShapeId left = pWorld->Add(CDynamicCircleDesc({-3, 0.1f}, 0.1f));

@@ -252,6 +252,7 @@ private:
   void ResolveWithBall(CMoving& ball, CMoving& other);
   void TakeBack(CMoving& ball) const;
   void GiveAgain(CMoving& ball) const;
+  void TakeSupport(CMoving& ball, const Vector2d& n, const Vector2d& surface) const;
   // Whether its velocity has all that gravity and its pile give in the substep.
   bool IsPushed(const CMoving& ball) const { return IsFalling() && ball.m_vFall.isZero(0.0); }
   void Collide(CMoving& ball, CMoving& other, const Vector2d& n, double setback, bool isSlow);

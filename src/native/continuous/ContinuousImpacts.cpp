@@ -246,6 +246,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
     StayOn(ball, hold, staysAlone);
   } else {
     RespondKinematic(n, 0.0, e, surface, ball.m_vPos, ball.m_vVel);
+    TakeSupport(ball, n, surface);
     GiveAgain(ball);
     // With that it comes into the shape no more than without.
     if (IsPushed(ball)) RespondKinematic(n, 0.0, 0.0, surface, ball.m_vPos, ball.m_vVel);
@@ -292,6 +293,15 @@ void CContinuous::ResolveWithBall(CMoving& ball, CMoving& other) {
 // The velocity of a ball in a pile at the moment: it bounces at that, without what gravity and the pile give
 // in the rest of the substep. With that it would bounce higher than it has come from.
 void CContinuous::TakeBack(CMoving& ball) const { ball.m_vVel -= (m_fStep - ball.m_fTime) * ball.m_vGiven; }
+
+// A ball of a pile that leaves a shape: what has held it out of that does so no more, and gravity slows it,
+// but does not turn it back.
+void CContinuous::TakeSupport(CMoving& ball, const Vector2d& n, const Vector2d& surface) const {
+  const double given = n.dot(ball.m_vGiven), falling = std::min(0.0, n.dot(m_vGravity));
+  const double left = m_fStep - ball.m_fTime, out = std::max(0.0, n.dot(ball.m_vVel - surface));
+  if (!IsPushed(ball) || given <= falling || !(left > 0.0)) return;
+  ball.m_vGiven += ((out + falling * left > 0.0 ? falling : -out / left) - given) * n;
+}
 
 // After the response. What that gives of energy CPileEnergy takes away.
 void CContinuous::GiveAgain(CMoving& ball) const {
