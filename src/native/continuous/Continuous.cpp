@@ -88,7 +88,8 @@ void CContinuous::FollowBalls() {
     FindRestingContacts();
   } else {
     // Balls that are deep in a shape would be set back from others through it.
-    for (std::uint32_t i = 0; m_bPairs && m_cResting.GetMemory().m_bIsAnyPut && i < m_stdBalls.size(); ++i)
+    const bool isPut = m_bPairs && (GetMemory().m_bIsAnyPut || GetMemory().m_bIsBallPut);
+    for (std::uint32_t i = 0; isPut && i < m_stdBalls.size(); ++i)
       SetBackFromAll(i);
     for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i)
       SetBackFromBalls(i);
@@ -296,9 +297,12 @@ double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const V
     const CShapeGeometry& o = m_pShapes->GetGeometry(order);
     if (!IsAmong(o, among) || (along != nullptr && o.MovesAs(*along))) continue;
     CImpact impact;
-    if (MeetsShape(ball, order) && m_pShapes->Get(order).m_pShape->GetCanCollide() &&
-        Sweep(o, motion, time, impact) != eSweep::None)
-      motion.m_fDuration = std::min(motion.m_fDuration, impact.m_fTime);
+    if (!MeetsShape(ball, order) || !m_pShapes->Get(order).m_pShape->GetCanCollide()) continue;
+    const eSweep sweep = Sweep(o, motion, time, impact);
+    if (sweep == eSweep::None) continue;
+    const double most = g_fAlong * Norm(motion.m_vVel);
+    if (sweep == eSweep::Impact && -impact.m_vNorm.dot(motion.m_vVel) <= most) continue;
+    motion.m_fDuration = std::min(motion.m_fDuration, impact.m_fTime);
   }
   return motion.m_fDuration / g_fInstant;
 }
