@@ -70,6 +70,7 @@ public:
 
   /// A game has put a shape somewhere else, perhaps into balls.
   void ShapeWasPut() { m_cResting.NoteShapePut(); }
+  /// A game has put a ball somewhere, perhaps into others and into shapes.
   void BallWasPut() { m_cResting.NoteBallPut(); }
 
   /// A ball was removed from this place in the arrays.
