@@ -13,7 +13,8 @@
 #include <stdexcept>
 
 namespace Shapes::Compare {
-std::vector<std::string> GetMetricNames() {
+
+static std::vector<std::string> GetMetricNames() {
   std::vector<std::string> names;
   for (const CFigure& figure : GetFigures())
     names.push_back(figure.m_sKey);

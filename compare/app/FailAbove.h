@@ -18,9 +18,6 @@ struct CLimit {
   double m_fMost = 0.0;
 };
 
-/// The names of all metrics that can be limited.
-std::vector<std::string> GetMetricNames();
-
 /// @param text "METRIC=VALUE"
 /// @throws std::invalid_argument if there is no such metric (with its near matches), or VALUE is not a finite
 /// number of at least 0

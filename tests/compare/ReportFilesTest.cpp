@@ -58,10 +58,14 @@ TEST(CsvTest, HasAColumnForEveryFieldAndLeavesEmptyWhatWasNotMeasured) {
   for (const auto& [name, value] : measured)
     for (const char* pEngine : {"native_", "native-approximate_", "box2d-tuned_"})
       EXPECT_EQ(row[pEngine + name], value) << pEngine << name;
-  EXPECT_EQ(row["native_direction_error_rad"], "0");
+  for (const char* pEngine : {"native_", "box2d-tuned_"}) {
+    EXPECT_EQ(row[std::string(pEngine) + "outcome"], "late");
+    EXPECT_EQ(row[std::string(pEngine) + "direction_error_rad"], "0");
+  }
   EXPECT_EQ(row["native-approximate_direction_error_rad"], "2");
   EXPECT_EQ(row["native-approximate_outcome"], "correct");
   EXPECT_EQ(row["box2d_outcome"], "missed");
+  EXPECT_EQ(row["box2d_direction_error_rad"], "");
   for (const auto& [name, value] : measured)
     EXPECT_EQ(row["box2d_" + name], name == "penetration_radii" ? "7" : "") << name;
 }

@@ -4,7 +4,6 @@
 
 #include "RowPair.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 

@@ -88,7 +88,7 @@ void CContinuous::FollowBalls() {
     FindRestingContacts();
   } else {
     // Balls that are deep in a shape would be set back from others through it.
-    const bool isPut = m_bPairs && (GetMemory().m_bIsAnyPut || GetMemory().m_bIsBallPut);
+    const bool isPut = m_bPairs && (GetMemory().m_bIsShapePut || GetMemory().m_bIsBallPut);
     for (std::uint32_t i = 0; isPut && i < m_stdBalls.size(); ++i)
       SetBackFromAll(i);
     for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i)
@@ -293,6 +293,7 @@ double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const V
   // Each is looked for in the time that those before have left.
   std::sort(orders.begin(), orders.end());
   CMotion motion{p, way / g_fInstant, radius, g_fInstant};
+  const double slow = g_fAlong * Norm(motion.m_vVel);
   for (const std::uint32_t order : orders) {
     const CShapeGeometry& o = m_pShapes->GetGeometry(order);
     if (!IsAmong(o, among) || (along != nullptr && o.MovesAs(*along))) continue;
@@ -300,8 +301,7 @@ double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const V
     if (!MeetsShape(ball, order) || !m_pShapes->Get(order).m_pShape->GetCanCollide()) continue;
     const eSweep sweep = Sweep(o, motion, time, impact);
     if (sweep == eSweep::None) continue;
-    const double most = g_fAlong * Norm(motion.m_vVel);
-    if (sweep == eSweep::Impact && -impact.m_vNorm.dot(motion.m_vVel) <= most) continue;
+    if (sweep == eSweep::Impact && -impact.m_vNorm.dot(motion.m_vVel) <= slow) continue;
     motion.m_fDuration = std::min(motion.m_fDuration, impact.m_fTime);
   }
   return motion.m_fDuration / g_fInstant;

@@ -73,12 +73,12 @@ public:
     std::vector<CLast> m_stdLast;  ///< of each ball, by the index in the arrays
     bool m_bIsAnySqueezed = false; ///< in the last substep
     std::uint32_t m_nSubstep = 0;  ///< the last one, modulo 2^32
-    bool m_bIsAnyPut = false;      ///< shape somewhere else, since the last substep in which balls met
-    bool m_bIsBallPut = false;     ///< the same of balls
+    bool m_bIsShapePut = false;    ///< a shape somewhere else, since the last substep in which balls met
+    bool m_bIsBallPut = false;     ///< the same of a ball
   };
   const CMemory& GetMemory() const { return m_cMemory; }
   void SetMemory(const CMemory& memory) { m_cMemory = memory; }
-  void NoteShapePut() { m_cMemory.m_bIsAnyPut = true; }
+  void NoteShapePut() { m_cMemory.m_bIsShapePut = true; }
   void NoteBallPut() { m_cMemory.m_bIsBallPut = true; }
 
   /// Begins a substep.

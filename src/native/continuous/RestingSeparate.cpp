@@ -87,7 +87,7 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   // make room for the one before it.
   double given = 0.0;
   for (const CContact& c : m_stdContacts)
-    if (m_cMemory.m_bIsAnyPut && !c.m_bIsBall) given = std::max(given, -g_fGivenWay * c.m_fGap);
+    if (m_cMemory.m_bIsShapePut && !c.m_bIsBall) given = std::max(given, -g_fGivenWay * c.m_fGap);
   const auto getWay = [&](std::uint32_t i) {
     if (m_stdSolved[i] == g_nNobody) return Vector2d(Vector2d::Zero());
     const Vector2d way = m_fStep * m_cSolver.GetVel(m_stdSolved[i]);

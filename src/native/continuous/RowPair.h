@@ -4,7 +4,6 @@
 
 #include "../../geometry/Vector.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
