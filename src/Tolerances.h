@@ -112,9 +112,6 @@ inline constexpr double g_fCrowdSlack = 2.0;
 /// and is swept. In a pile, where balls move each other, the shapes that near are looked at, in the largest
 /// radius of the ball and those that it touches.
 inline constexpr double g_fFarCorrection = 0.25;
-/// A correction that comes upon a shape by less than this share of its way goes along it: more than walls at
-/// right angles are off by the rounding of their corners.
-inline constexpr double g_fAlong = 1e-6;
 /// Farthest that a ball of a pile is moved out of others in a substep, in the same radius: less than
 /// g_fFarCorrection. In its own one small balls stay behind as large ones go: 10,000 of radii 1:10 that have
 /// come into each other in a fall of 30 units sink on, to half of their height.

@@ -25,10 +25,7 @@ CNativeEngine::CNativeEngine(CWorldCore& world)
 
 void CNativeEngine::Added(CShapeId id) {
   m_bBallsChanged = true;
-  const std::size_t k = m_cState.FindShape(id);
-  if (k == CWorldState::npos)
-    First().m_cContinuous.BallWasPut();
-  else if (!m_bShapesChanged)
+  if (const std::size_t k = m_cState.FindShape(id); k != CWorldState::npos && !m_bShapesChanged)
     m_bShapesChanged = !m_cBroadPhase.Add(m_cState.m_stdShapes[k]);
 }
 
@@ -47,10 +44,7 @@ void CNativeEngine::Changed(CShapeId id, eChange change) {
   // Balls are found where they are in each step; only solid shapes have boxes that are kept.
   const std::size_t k = m_cState.FindShape(id);
   if (change == eChange::Filter) m_bBallsChanged = true;
-  if (k == CWorldState::npos) {
-    if (change == eChange::Pose || change == eChange::CanCollide) First().m_cContinuous.BallWasPut();
-    return;
-  }
+  if (k == CWorldState::npos) return;
   const CShapeEntry& entry = m_cState.m_stdShapes[k];
   if ((change == eChange::Pose || change == eChange::Reset) && IsSolid(*entry.m_pShape))
     First().m_cContinuous.ShapeWasPut();

@@ -2,6 +2,9 @@
 // Shapes that a game puts somewhere else in each step, as a player drags them, into balls.
 #include "NativeTesting.h"
 
+#include <numbers>
+#include <vector>
+
 namespace Shapes {
 namespace {
 
@@ -77,6 +80,41 @@ TEST(PutShapes, ACupThatIsDraggedSpillsNone) {
       cup.m_pWorld->Step();
     }
     EXPECT_EQ(cup.CountOutside(3.2f), 0) << seed;
+  }
+}
+
+// Circles that go to and fro through a box in turns, and come upon balls between each other and the walls by
+// half of their radius a step.
+TEST(PutShapes, TwoCirclesPressNoneOutOfABox) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    CRandom random(seed);
+    const auto pWorld = MakeNative(g_cAutomatic, 10);
+    const float h = random.Uniform(0.4f, 1), r = random.Uniform(0.06f, 0.2f);
+    AddBox(*pWorld, {-1, -h}, {1, h}, 0.5f);
+    for (int ball = 0; ball < 3; ++ball)
+      pWorld->Add(CDynamicCircleDesc({r * (2.1f * static_cast<float>(ball) - 2.1f), r - h}, r,
+                                     random.InSquare(0.5f), 1, 0.5f));
+    struct CPress {
+      CShapeId m_cId;
+      Vector2 m_vWay;
+      float m_fSpeed; // radii of a ball per step
+    };
+    std::vector<CPress> presses;
+    for (const float angle : {0.0f, std::numbers::pi_v<float>}) {
+      const Vector2 way = AngleToVector(angle + random.Uniform(-0.5f, 0.5f));
+      presses.push_back({pWorld->Add(CCircleDesc(-1.7f * way, random.Uniform(0.1f, 0.5f), 0.5f)), way,
+                         random.Uniform(0.25f, 0.5f)});
+    }
+    for (int step = 0; step < 600; ++step) {
+      for (const CPress& press : presses) {
+        const float gone = std::fmod(press.m_fSpeed * r * static_cast<float>(step), 6.8f);
+        pWorld->SetPos(press.m_cId, ((gone < 3.4f ? gone : 6.8f - gone) - 1.7f) * press.m_vWay);
+      }
+      pWorld->Step();
+    }
+    EXPECT_TRUE(AllBalls(*pWorld, [&](const Vector2& p) {
+      return std::abs(p.x()) < 1 && std::abs(p.y()) < h;
+    })) << seed;
   }
 }
 

@@ -87,10 +87,6 @@ void CContinuous::FollowBalls() {
   if (m_cResting.IsCalledFor()) {
     FindRestingContacts();
   } else {
-    // Balls that are deep in a shape would be set back from others through it.
-    const bool isPut = m_bPairs && (GetMemory().m_bIsShapePut || GetMemory().m_bIsBallPut);
-    for (std::uint32_t i = 0; isPut && i < m_stdBalls.size(); ++i)
-      SetBackFromAll(i);
     for (std::uint32_t i = 0; i < m_stdBalls.size(); ++i)
       SetBackFromBalls(i);
   }
@@ -156,8 +152,8 @@ void CContinuous::SetBackFromBalls(std::uint32_t i) {
     if (j <= i || !OverlapBallBall(GetMotion(m_stdBalls[j]), GetMotion(m_stdBalls[i]), impact, depth))
       continue;
     const double m0 = m_stdBalls[i].m_fMass, m1 = m_stdBalls[j].m_fMass;
-    CorrectPosition(i, impact.m_vNorm, depth * (m1 / (m0 + m1)), eShapes::All);
-    CorrectPosition(j, -impact.m_vNorm, depth * (m0 / (m0 + m1)), eShapes::All);
+    SetBackFromBall(i, impact.m_vNorm, depth * (m1 / (m0 + m1)));
+    SetBackFromBall(j, -impact.m_vNorm, depth * (m0 / (m0 + m1)));
   }
 }
 
@@ -174,9 +170,9 @@ void CContinuous::FindShapes(std::uint32_t i, float reach) {
 }
 
 // Out of one shape may be into another: a ball in a wedge is set back in turns. Whether it is out of all.
-bool CContinuous::SetBackInTurns(std::uint32_t i, eShapes from) {
+bool CContinuous::SetBackInTurns(std::uint32_t i, eShapes from, eThrough through) {
   for (int turn = 0; turn < g_nSetBackRounds; ++turn) {
-    if (!SetBackFromShapes(i, from)) return true;
+    if (!SetBackFromShapes(i, from, through)) return true;
     FindShapes(i);
   }
   return false;
@@ -184,9 +180,14 @@ bool CContinuous::SetBackInTurns(std::uint32_t i, eShapes from) {
 
 void CContinuous::SetBackFromAll(std::uint32_t i) {
   FindShapes(i);
-  if (SetBackInTurns(i, eShapes::All)) return;
+  if (SetBackInTurns(i, eShapes::All, eThrough::None)) return;
   // There is no room: what moves goes over the ball.
-  if (!SetBackInTurns(i, eShapes::Resting)) StayInPlace(i);
+  if (SetBackInTurns(i, eShapes::Resting, eThrough::None)) return TellIfGoneOver(i);
+  // Where a ball was put deep into several it gets out of each only deeper into others. Where these are put
+  // into it again and again, one of them would press it through another bit by bit; in a pile it gives way to
+  // other balls bit by bit.
+  const bool mayPass = !GetMemory().m_bIsShapePut && !m_stdBalls[i].m_bIsNearBall;
+  if (!mayPass || !SetBackInTurns(i, eShapes::Resting, eThrough::Surfaces)) StayInPlace(i);
   TellIfGoneOver(i);
 }
 
@@ -249,7 +250,7 @@ bool CContinuous::ComesThrough(const CMoving& ball, std::uint32_t order) const {
 
 // By order, each from where those before it have put it. Whether any had to. Under gravity those that it
 // touches are kept: it is held on them, or put onto them where it meets them.
-bool CContinuous::SetBackFromShapes(std::uint32_t i, eShapes from) {
+bool CContinuous::SetBackFromShapes(std::uint32_t i, eShapes from, eThrough through) {
   bool had = false;
   m_stdTouching.clear();
   for (std::size_t k = 0; k < m_stdShapesFound.size(); ++k) {
@@ -270,7 +271,10 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i, eShapes from) {
       continue;
     }
     if (!isRounding && geometry.m_eSides != eSides::Both && ComesThrough(ball, order)) continue;
-    CorrectPosition(i, impact.m_vNorm, -gap, from);
+    if (isRounding)
+      CorrectPosition(i, -gap * impact.m_vNorm);
+    else
+      SetBackFromShape(i, order, impact.m_vNorm, -gap, from, through);
     had = true;
     m_stdTouching.clear();
     FindShapes(i);
@@ -280,10 +284,10 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i, eShapes from) {
   return had;
 }
 
-// The share of a push of a ball from p by `way`, all at once, that none of the shapes is in the way of, as
-// they are at `time`; those that move together with `along` are not.
+// The share of a push of a ball from p by `way`, all at once, that none of these shapes is in the way of, as
+// they are at `time`.
 double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const Vector2d& way, double time,
-                                 const CShapeGeometry* along, eShapes among) {
+                                 const CInTheWay& what) {
   const double radius = ball.m_fRadius;
   CAabb2D box(ToFloat(p), ToFloat(p));
   box += ToFloat(p + way);
@@ -293,31 +297,50 @@ double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const V
   // Each is looked for in the time that those before have left.
   std::sort(orders.begin(), orders.end());
   CMotion motion{p, way / g_fInstant, radius, g_fInstant};
-  const double slow = g_fAlong * Norm(motion.m_vVel);
   for (const std::uint32_t order : orders) {
     const CShapeGeometry& o = m_pShapes->GetGeometry(order);
-    if (!IsAmong(o, among) || (along != nullptr && o.MovesAs(*along))) continue;
+    if (order == what.m_nExcept || !IsAmong(o, what.m_eAmong)) continue;
+    if (what.m_pAlong != nullptr && o.MovesAs(*what.m_pAlong)) continue;
     CImpact impact;
     if (!MeetsShape(ball, order) || !m_pShapes->Get(order).m_pShape->GetCanCollide()) continue;
-    const eSweep sweep = Sweep(o, motion, time, impact);
-    if (sweep == eSweep::None) continue;
-    if (sweep == eSweep::Impact && -impact.m_vNorm.dot(motion.m_vVel) <= slow) continue;
-    motion.m_fDuration = std::min(motion.m_fDuration, impact.m_fTime);
+    if (Sweep(o, motion, time, impact) != eSweep::None)
+      motion.m_fDuration = std::min(motion.m_fDuration, impact.m_fTime);
   }
   return motion.m_fDuration / g_fInstant;
 }
 
-// Moves a ball along n; if it could get through something by that, or by the sum of such moves in the
-// substep, only up to what of these is in the way.
-void CContinuous::CorrectPosition(std::uint32_t i, const Vector2d& n, double depth, eShapes among) {
+// The share of a push of a ball along n that leads it through nothing, nor into what it is clear of.
+double CContinuous::GetClearShare(const CMoving& ball, const Vector2d& n, double depth, eShapes among) {
+  const Vector2d clear = ball.m_vPos + Clear(SizeOf(ball.m_vPos, ball.m_fRadius), depth) * n;
+  return GetFreeShare(ball, clear, depth * n, 0.0, {among});
+}
+
+// Along n, out of another ball, up to what shape is in the way.
+void CContinuous::SetBackFromBall(std::uint32_t i, const Vector2d& n, double depth) {
+  const CMoving& ball = m_stdBalls[i];
+  if (depth > Rounding(SizeOf(ball.m_vPos, ball.m_fRadius)))
+    depth *= GetClearShare(ball, n, depth, eShapes::All);
+  CorrectPosition(i, depth * n);
+}
+
+// Along n, out of a shape. By much, alone or with what it has been moved by before in the substep, only up to
+// what else is in the way. A game may have put it so deep into several that its centre is closer to others
+// than it is set back: it goes half of the way to the first of those.
+void CContinuous::SetBackFromShape(std::uint32_t i, std::uint32_t order, const Vector2d& n, double depth,
+                                   eShapes from, eThrough through) {
+  CMoving ball = m_stdBalls[i];
+  const Vector2d begin = m_pBalls->m_stdPos[ball.m_nBall].cast<double>();
+  const double way = std::max(depth, 0.5 * Norm(ball.m_vPos + depth * n - begin));
+  if (through == eThrough::None && way > g_fFarCorrection * ball.m_fRadius)
+    depth *= GetClearShare(ball, n, depth, from);
+  ball.m_fRadius = 0.0;
+  const double share = GetFreeShare(ball, ball.m_vPos, depth * n, 0.0, {from, order});
+  CorrectPosition(i, (share < 1.0 ? 0.5 * share : 1.0) * depth * n);
+}
+
+void CContinuous::CorrectPosition(std::uint32_t i, const Vector2d& way) {
   CMoving& ball = m_stdBalls[i];
-  const Vector2d from = m_pBalls->m_stdPos[ball.m_nBall].cast<double>();
-  const Vector2d way = ball.m_vPos + depth * n - from;
-  if (std::max(depth, 0.5 * Norm(way)) > g_fFarCorrection * ball.m_fRadius) {
-    const Vector2d clear = ball.m_vPos + Clear(SizeOf(ball.m_vPos, ball.m_fRadius), depth) * n;
-    depth *= GetFreeShare(ball, clear, depth * n, 0.0, nullptr, among);
-  }
-  ball.m_vPos += depth * n;
+  ball.m_vPos += way;
   ball.m_bIsMoved = true;
   MoveDisc(i);
 }

@@ -70,8 +70,6 @@ public:
 
   /// A game has put a shape somewhere else, perhaps into balls.
   void ShapeWasPut() { m_cResting.NoteShapePut(); }
-  /// A game has put a ball somewhere, perhaps into others and into shapes.
-  void BallWasPut() { m_cResting.NoteBallPut(); }
 
   /// A ball was removed from this place in the arrays.
   void ForgetBall(std::size_t ball) { m_cResting.ForgetBall(ball); }
@@ -158,22 +156,33 @@ private:
   static bool IsAmong(const CShapeGeometry& o, eShapes shapes) {
     return shapes == eShapes::All || !o.IsMoving();
   }
-  bool SetBackInTurns(std::uint32_t i, eShapes from);
+  struct CInTheWay {
+    eShapes m_eAmong = eShapes::All;
+    std::uint32_t m_nExcept = g_nNobody;
+    const CShapeGeometry* m_pAlong = nullptr; // those that move together with it are not
+  };
+  // What a ball may get deeper into as it is set back by much. Its centre goes through none.
+  enum class eThrough { None, Surfaces };
+  bool SetBackInTurns(std::uint32_t i, eShapes from, eThrough through);
   void SetBackFromAll(std::uint32_t i);
   double GetDepth(std::uint32_t order, const CMotion& motion) const;
   double GetDepthInResting(const CMoving& ball, const Vector2d& p) const;
   void StayInPlace(std::uint32_t i);
   void TellIfGoneOver(std::uint32_t i);
   void TellHalted(CMoving& ball);
-  bool SetBackFromShapes(std::uint32_t i, eShapes from);
+  bool SetBackFromShapes(std::uint32_t i, eShapes from, eThrough through);
+  void SetBackFromShape(std::uint32_t i, std::uint32_t order, const Vector2d& n, double depth, eShapes from,
+                        eThrough through);
+  void SetBackFromBall(std::uint32_t i, const Vector2d& n, double depth);
+  double GetClearShare(const CMoving& ball, const Vector2d& n, double depth, eShapes among);
   bool ComesThrough(const CMoving& ball, std::uint32_t order) const;
   void SetBackFromBalls(std::uint32_t i);
   double GetFreeShare(const CMoving& ball, const Vector2d& p, const Vector2d& way, double time,
-                      const CShapeGeometry* along, eShapes among);
+                      const CInTheWay& what);
   bool MeetsShape(const CMoving& ball, std::uint32_t order) const {
     return DoMeet(m_pBalls->m_stdFilter[ball.m_nBall], m_pShapes->Get(order).m_pShape->GetFilter());
   }
-  void CorrectPosition(std::uint32_t i, const Vector2d& n, double depth, eShapes among);
+  void CorrectPosition(std::uint32_t i, const Vector2d& way);
   void FindNext(std::uint32_t i);
   void FindNextShape(CMoving& ball);
   bool IsPassing(const CMoving& ball, std::uint32_t order, const CImpact& impact, double gap) const;

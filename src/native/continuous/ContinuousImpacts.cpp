@@ -206,7 +206,7 @@ void CContinuous::GoAlong(CMoving& ball, double time) {
   const CShapeGeometry& o = m_pShapes->GetGeometry(ball.m_nLastMoving);
   const Vector2d fromCenter = ball.m_vPos - o.m_vRotCenter - ball.m_fTime * o.m_vVel;
   const Vector2d way = time * o.m_vVel + Turned(fromCenter, o.m_fTurnSpeed * time) - fromCenter;
-  ball.m_vPos += GetFreeShare(ball, ball.m_vPos, way, ball.m_fTime, &o, eShapes::All) * way;
+  ball.m_vPos += GetFreeShare(ball, ball.m_vPos, way, ball.m_fTime, {.m_pAlong = &o}) * way;
 }
 
 void CContinuous::ResolveWithShape(CMoving& ball) {

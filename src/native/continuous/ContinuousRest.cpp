@@ -74,7 +74,7 @@ void CContinuous::StayInside(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   const Vector2d from = GetFreeMotion(ball.m_nBall).m_vPos, way = ball.m_vPos - from;
   if (Norm(way) <= g_fFarCorrection * ball.m_fNearRadius) return;
-  const double share = GetFreeShare(ball, from, way, 0.0, nullptr, eShapes::All);
+  const double share = GetFreeShare(ball, from, way, 0.0, {});
   ball.m_vPos = from + share * way;
   m_cResting.ShortenLift(i, share);
 }

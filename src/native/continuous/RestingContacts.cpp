@@ -175,7 +175,7 @@ void CRestingContacts::ForgetBall(std::size_t ball) {
 
 void CRestingContacts::Remember(const std::vector<CMoving>& balls, std::size_t size) {
   m_cMemory.m_stdLast.resize(size);
-  m_cMemory.m_bIsAnySqueezed = m_cMemory.m_bIsShapePut = m_cMemory.m_bIsBallPut = false;
+  m_cMemory.m_bIsAnySqueezed = m_cMemory.m_bIsShapePut = false;
   for (std::uint32_t i = 0; i < balls.size(); ++i) {
     const CMoving& ball = balls[i];
     // One that was taken late has no pile.

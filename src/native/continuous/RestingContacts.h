@@ -74,12 +74,10 @@ public:
     bool m_bIsAnySqueezed = false; ///< in the last substep
     std::uint32_t m_nSubstep = 0;  ///< the last one, modulo 2^32
     bool m_bIsShapePut = false;    ///< a shape somewhere else, since the last substep in which balls met
-    bool m_bIsBallPut = false;     ///< the same of a ball
   };
   const CMemory& GetMemory() const { return m_cMemory; }
   void SetMemory(const CMemory& memory) { m_cMemory = memory; }
   void NoteShapePut() { m_cMemory.m_bIsShapePut = true; }
-  void NoteBallPut() { m_cMemory.m_bIsBallPut = true; }
 
   /// Begins a substep.
   void Begin(const Vector2d& gravity, double dt);
