@@ -181,13 +181,11 @@ bool CContinuous::SetBackInTurns(std::uint32_t i, eShapes from, eThrough through
 void CContinuous::SetBackFromAll(std::uint32_t i) {
   FindShapes(i);
   if (SetBackInTurns(i, eShapes::All, eThrough::None)) return;
-  // There is no room: what moves goes over the ball.
-  if (SetBackInTurns(i, eShapes::Resting, eThrough::None)) return TellIfGoneOver(i);
-  // Where a ball was put deep into several it gets out of each only deeper into others. Where these are put
-  // into it again and again, one of them would press it through another bit by bit; in a pile it gives way to
-  // other balls bit by bit.
+  // There is no room: what moves goes over the ball. One that was put deep into several shapes gets out of
+  // each only deeper into others. Where shapes are put into it again and again, one of them would press it
+  // through another bit by bit; in a pile it gives way to other balls bit by bit.
   const bool mayPass = !GetMemory().m_bIsShapePut && !m_stdBalls[i].m_bIsNearBall;
-  if (!mayPass || !SetBackInTurns(i, eShapes::Resting, eThrough::Surfaces)) StayInPlace(i);
+  if (!SetBackInTurns(i, eShapes::Resting, mayPass ? eThrough::Surfaces : eThrough::None)) StayInPlace(i);
   TellIfGoneOver(i);
 }
 
@@ -323,15 +321,12 @@ void CContinuous::SetBackFromBall(std::uint32_t i, const Vector2d& n, double dep
   CorrectPosition(i, depth * n);
 }
 
-// Along n, out of a shape. By much, alone or with what it has been moved by before in the substep, only up to
-// what else is in the way. A game may have put it so deep into several that its centre is closer to others
-// than it is set back: it goes half of the way to the first of those.
+// Along n, out of a shape, by much only up to what else is in the way. A game may have put it so deep into
+// several that its centre is closer to others than it is set back: it goes half of the way to the first.
 void CContinuous::SetBackFromShape(std::uint32_t i, std::uint32_t order, const Vector2d& n, double depth,
                                    eShapes from, eThrough through) {
   CMoving ball = m_stdBalls[i];
-  const Vector2d begin = m_pBalls->m_stdPos[ball.m_nBall].cast<double>();
-  const double way = std::max(depth, 0.5 * Norm(ball.m_vPos + depth * n - begin));
-  if (through == eThrough::None && way > g_fFarCorrection * ball.m_fRadius)
+  if (through == eThrough::None && depth > g_fFarCorrection * ball.m_fRadius)
     depth *= GetClearShare(ball, n, depth, from);
   ball.m_fRadius = 0.0;
   const double share = GetFreeShare(ball, ball.m_vPos, depth * n, 0.0, {from, order});
