@@ -108,9 +108,9 @@ inline constexpr std::size_t g_nMostDeep = 32;
 /// are moved dozens of times among all others as they are parted. With 0 a step of 2,000 balls in one place
 /// takes ten times as long, with 4 they come apart later.
 inline constexpr double g_fCrowdSlack = 2.0;
-/// A correction of the place of a ball by more than this share of its radius might take it through a shape,
-/// and is swept. In a pile, where balls move each other, the shapes that near are looked at, in the largest
-/// radius of the ball and those that it touches.
+/// A correction of the place of a ball by more than this share of its radius, out of a shape or in a pile,
+/// might take it into another shape, and is swept. In a pile, where balls move each other, the shapes that
+/// near are looked at, in the largest radius of the ball and those that it touches.
 inline constexpr double g_fFarCorrection = 0.25;
 /// Farthest that a ball of a pile is moved out of others in a substep, in the same radius: less than
 /// g_fFarCorrection. In its own one small balls stay behind as large ones go: 10,000 of radii 1:10 that have

@@ -204,8 +204,7 @@ double CContinuous::GetDepthInResting(const CMoving& ball, const Vector2d& p) co
   motion.m_vPos = p;
   double depth = 0.0;
   for (const std::uint32_t order : m_stdShapesFound)
-    if (IsAmong(m_pShapes->GetGeometry(order), eShapes::Resting))
-      depth = std::max(depth, GetDepth(order, motion));
+    if (!m_pShapes->GetGeometry(order).IsMoving()) depth = std::max(depth, GetDepth(order, motion));
   return depth;
 }
 
@@ -254,7 +253,8 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i, eShapes from, eThrough thro
   for (std::size_t k = 0; k < m_stdShapesFound.size(); ++k) {
     const std::uint32_t order = m_stdShapesFound[k];
     const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
-    if (!m_pShapes->Get(order).m_pShape->GetCanCollide() || !IsAmong(geometry, from)) continue;
+    if (!m_pShapes->Get(order).m_pShape->GetCanCollide()) continue;
+    if (from == eShapes::Resting && geometry.IsMoving()) continue;
     const CMoving& ball = m_stdBalls[i];
     const double rounding = GetRounding(ball, order);
     const double reach = IsFalling() ? rounding : 0.0;
@@ -272,7 +272,7 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i, eShapes from, eThrough thro
     if (isRounding)
       CorrectPosition(i, -gap * impact.m_vNorm);
     else
-      SetBackFromShape(i, order, impact.m_vNorm, -gap, from, through);
+      SetBackFromShape(i, order, impact.m_vNorm, -gap, through);
     had = true;
     m_stdTouching.clear();
     FindShapes(i);
@@ -282,10 +282,10 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i, eShapes from, eThrough thro
   return had;
 }
 
-// The share of a push of a ball from p by `way`, all at once, that none of these shapes is in the way of, as
-// they are at `time`.
+// The share of a push of a ball from p by `way`, all at once, that no shape is in the way of, as they are at
+// `time`, but for these.
 double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const Vector2d& way, double time,
-                                 const CInTheWay& what) {
+                                 const CNotInTheWay& except) {
   const double radius = ball.m_fRadius;
   CAabb2D box(ToFloat(p), ToFloat(p));
   box += ToFloat(p + way);
@@ -297,8 +297,7 @@ double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const V
   CMotion motion{p, way / g_fInstant, radius, g_fInstant};
   for (const std::uint32_t order : orders) {
     const CShapeGeometry& o = m_pShapes->GetGeometry(order);
-    if (order == what.m_nExcept || !IsAmong(o, what.m_eAmong)) continue;
-    if (what.m_pAlong != nullptr && o.MovesAs(*what.m_pAlong)) continue;
+    if (order == except.m_nShape || (except.m_pAlong != nullptr && o.MovesAs(*except.m_pAlong))) continue;
     CImpact impact;
     if (!MeetsShape(ball, order) || !m_pShapes->Get(order).m_pShape->GetCanCollide()) continue;
     if (Sweep(o, motion, time, impact) != eSweep::None)
@@ -308,28 +307,27 @@ double CContinuous::GetFreeShare(const CMoving& ball, const Vector2d& p, const V
 }
 
 // The share of a push of a ball along n that leads it through nothing, nor into what it is clear of.
-double CContinuous::GetClearShare(const CMoving& ball, const Vector2d& n, double depth, eShapes among) {
+double CContinuous::GetClearShare(const CMoving& ball, const Vector2d& n, double depth) {
   const Vector2d clear = ball.m_vPos + Clear(SizeOf(ball.m_vPos, ball.m_fRadius), depth) * n;
-  return GetFreeShare(ball, clear, depth * n, 0.0, {among});
+  return GetFreeShare(ball, clear, depth * n, 0.0, {});
 }
 
 // Along n, out of another ball, up to what shape is in the way.
 void CContinuous::SetBackFromBall(std::uint32_t i, const Vector2d& n, double depth) {
   const CMoving& ball = m_stdBalls[i];
-  if (depth > Rounding(SizeOf(ball.m_vPos, ball.m_fRadius)))
-    depth *= GetClearShare(ball, n, depth, eShapes::All);
+  if (depth > Rounding(SizeOf(ball.m_vPos, ball.m_fRadius))) depth *= GetClearShare(ball, n, depth);
   CorrectPosition(i, depth * n);
 }
 
 // Along n, out of a shape, by much only up to what else is in the way. A game may have put it so deep into
 // several that its centre is closer to others than it is set back: it goes half of the way to the first.
 void CContinuous::SetBackFromShape(std::uint32_t i, std::uint32_t order, const Vector2d& n, double depth,
-                                   eShapes from, eThrough through) {
+                                   eThrough through) {
   CMoving ball = m_stdBalls[i];
   if (through == eThrough::None && depth > g_fFarCorrection * ball.m_fRadius)
-    depth *= GetClearShare(ball, n, depth, from);
+    depth *= GetClearShare(ball, n, depth);
   ball.m_fRadius = 0.0;
-  const double share = GetFreeShare(ball, ball.m_vPos, depth * n, 0.0, {from, order});
+  const double share = GetFreeShare(ball, ball.m_vPos, depth * n, 0.0, {.m_nShape = order});
   CorrectPosition(i, (share < 1.0 ? 0.5 * share : 1.0) * depth * n);
 }
 

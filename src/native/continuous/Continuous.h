@@ -151,15 +151,11 @@ private:
   float GetSlack() const { return static_cast<float>(0.5 * m_cResting.GetSlow() * m_fStep); }
   void FindShapes(std::uint32_t i, float reach = 0.0f);
   void FindFirst(std::uint32_t i);
-  // The shapes that a ball may be set back from, or that may be in its way.
+  // The shapes that a ball may be set back from.
   enum class eShapes { All, Resting };
-  static bool IsAmong(const CShapeGeometry& o, eShapes shapes) {
-    return shapes == eShapes::All || !o.IsMoving();
-  }
-  struct CInTheWay {
-    eShapes m_eAmong = eShapes::All;
-    std::uint32_t m_nExcept = g_nNobody;
-    const CShapeGeometry* m_pAlong = nullptr; // those that move together with it are not
+  struct CNotInTheWay {
+    std::uint32_t m_nShape = g_nNobody;
+    const CShapeGeometry* m_pAlong = nullptr; // and those that move together with it
   };
   // What a ball may get deeper into as it is set back by much. Its centre goes through none.
   enum class eThrough { None, Surfaces };
@@ -171,14 +167,14 @@ private:
   void TellIfGoneOver(std::uint32_t i);
   void TellHalted(CMoving& ball);
   bool SetBackFromShapes(std::uint32_t i, eShapes from, eThrough through);
-  void SetBackFromShape(std::uint32_t i, std::uint32_t order, const Vector2d& n, double depth, eShapes from,
+  void SetBackFromShape(std::uint32_t i, std::uint32_t order, const Vector2d& n, double depth,
                         eThrough through);
   void SetBackFromBall(std::uint32_t i, const Vector2d& n, double depth);
-  double GetClearShare(const CMoving& ball, const Vector2d& n, double depth, eShapes among);
+  double GetClearShare(const CMoving& ball, const Vector2d& n, double depth);
   bool ComesThrough(const CMoving& ball, std::uint32_t order) const;
   void SetBackFromBalls(std::uint32_t i);
   double GetFreeShare(const CMoving& ball, const Vector2d& p, const Vector2d& way, double time,
-                      const CInTheWay& what);
+                      const CNotInTheWay& except);
   bool MeetsShape(const CMoving& ball, std::uint32_t order) const {
     return DoMeet(m_pBalls->m_stdFilter[ball.m_nBall], m_pShapes->Get(order).m_pShape->GetFilter());
   }
