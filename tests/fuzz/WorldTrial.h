@@ -172,8 +172,10 @@ private:
   }
 
   // The contacts of sensors are those that touch, or touched in this step: each pair that does has one of
-  // each substep, or of each part of one that is cut at stops.
+  // each substep, or of each part of one that is cut at stops; none where the world may not report contacts.
   void RequireContactsOf(const CPairs& touching, bool isCut) const {
+    if (m_pWorld->GetDesc().m_cEffects.m_cForbidden.Has(eEffect::Events))
+      return Require(m_pWorld->GetContacts().empty(), "no contacts without Events");
     CPairs contacts;
     for (const CContactEvent& c : m_pWorld->GetContacts()) {
       if (!c.m_bIsSensor) continue;
