@@ -157,7 +157,8 @@ private:
     std::uint32_t m_nShape = g_nNobody;
     const CShapeGeometry* m_pAlong = nullptr; // and those that move together with it
   };
-  // What a ball may get deeper into as it is set back by much. Its centre goes through none.
+  // A ball that is set back by much gets deeper into no other shape, or into the surfaces of others. Its
+  // centre crosses none.
   enum class eThrough { None, Surfaces };
   bool SetBackInTurns(std::uint32_t i, eShapes from, eThrough through);
   void SetBackFromAll(std::uint32_t i);
