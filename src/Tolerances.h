@@ -76,6 +76,10 @@ inline constexpr float g_fPressedSleepTime = 30.0f;
 /// Two balls rest on each other if they approach or part by no more than gravity gives in so many substeps,
 /// and would touch within one. With 1 a pile of 200 does not come to rest.
 inline constexpr double g_fRestingSteps = 2.0;
+/// That is of elastic balls. Others may approach faster, up to what leaves them no faster bounce: by the
+/// square of the largest elasticity, or by this if that is less. With 1 a pile in an hourglass takes 1.14
+/// times as long.
+inline constexpr double g_fLeastBounce = 0.5;
 /// Two that rest on each other and are hit come into each other by less than this share of the smaller radius
 /// in the rest of a substep, or it is an impact; and two that slide along each other follow the curve by no
 /// more. In steps of .03 to .1 s that leaves overlaps of .1 radii and more to 1 of 70 piles, without the
@@ -108,6 +112,9 @@ inline constexpr std::size_t g_nMostDeep = 32;
 /// are moved dozens of times among all others as they are parted. With 0 a step of 2,000 balls in one place
 /// takes ten times as long, with 4 they come apart later.
 inline constexpr double g_fCrowdSlack = 2.0;
+/// By how much discs around balls, and their ways, are larger where near ones are looked for, as a share of
+/// their radius: so far a ball gets until it is looked for anew. With none piles take .04 more time.
+inline constexpr float g_fNearSlack = 0.1f;
 /// A correction of the place of a ball by more than this share of its radius, out of a shape or in a pile,
 /// might take it into another shape, and is swept. In a pile, where balls move each other, the shapes that
 /// near are looked at, in the largest radius of the ball and those that it touches.
@@ -178,6 +185,11 @@ inline constexpr int g_nShockRounds = 2;
 /// approach over the sine of the angle between them, which is small for an instant only.
 inline constexpr unsigned g_nSqueezed = 8;
 inline constexpr double g_fSqueezed = 2.0;
+/// Gap, in radii of the smaller one, up to which a ball that was squeezed in the last substep and what is
+/// near it are solved together, beyond what they move against each other now: so far others may push it. With
+/// 0 a paddle among 200 balls has twice as many impacts. What is near is found so far by g_fNearSlack of
+/// both.
+inline constexpr double g_fSqueezedReach = 0.2;
 /// Approach of two balls, as a share of what gravity gives in a substep, up to which they do not meet again
 /// in one in which one of them has had g_nSqueezed impacts: inelastic ones would ever more slowly, without
 /// end. They overlap by that in the next one, at 60 substeps a second by less than a thousandth of a radius

@@ -197,18 +197,17 @@ TEST(ContactSolver, ARoundGoesThroughItsRowsInTheirOrder) {
     }
     solver.Separate(0.0, 1);
 
-    const auto push = [&](const CContactSolver::CRow& row, double impulse) {
-      vels[row.m_nBall] += impulse * row.m_fInverse * row.m_vNorm;
-      vels[row.m_nOther] -= impulse * row.m_fOtherInverse * row.m_vNorm;
-    };
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      push(rows[k], impulses[k]);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      vels[rows[k].m_nBall] += impulses[k] * rows[k].m_fInverse * rows[k].m_vNorm;
+      vels[rows[k].m_nOther] -= impulses[k] * rows[k].m_fOtherInverse * rows[k].m_vNorm;
+    }
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const CContactSolver::CRow& row = rows[k];
-      const double lack = row.m_fLeast - row.m_vNorm.dot(vels[row.m_nBall] - vels[row.m_nOther]);
-      const double share = 1.0 / (row.m_fInverse + row.m_fOtherInverse);
-      const double next = std::max(0.0, impulses[k] + share * lack);
-      push(row, next - impulses[k]);
+      const double inverse = row.m_fInverse + row.m_fOtherInverse;
+      const double has = Vector2d(row.m_vNorm / inverse).dot(vels[row.m_nBall] - vels[row.m_nOther]);
+      const double more = std::max(row.m_fLeast / inverse - has, -impulses[k]), next = impulses[k] + more;
+      vels[row.m_nBall] += more * Vector2d(row.m_fInverse * row.m_vNorm);
+      vels[row.m_nOther] -= more * Vector2d(row.m_fOtherInverse * row.m_vNorm);
       ASSERT_EQ(solver.GetImpulse(k), next) << "row " << k;
     }
   }

@@ -7,9 +7,16 @@
 
 namespace Shapes::Native {
 
+CNearDiscs::CDisc CNearDiscs::GetWide(const CDisc& disc) const {
+  return {disc.m_vCenter, (1.0f + g_fNearSlack) * disc.m_fRadius + m_fSlack};
+}
+
 void CNearDiscs::Build(float slack) {
   m_fSlack = slack;
-  m_cGrid.Build(m_stdDiscs);
+  m_stdWide.clear();
+  for (const CDisc& disc : m_stdDiscs)
+    m_stdWide.push_back(GetWide(disc));
+  m_cGrid.Build(m_stdWide);
   m_stdLists.assign(m_stdDiscs.size(), {});
   m_stdNear.clear();
   m_stdCame.clear();
@@ -32,11 +39,10 @@ void CNearDiscs::Order(std::vector<std::uint32_t>& names, std::size_t begin) {
       names.push_back(64 * k + static_cast<std::uint32_t>(std::countr_zero(bits)));
 }
 
-// Both of a pair may come nearer by the slack without having moved.
 void CNearDiscs::MakeList(std::uint32_t disc) {
-  const CDisc& d = m_stdDiscs[disc];
+  const CDisc& d = m_stdWide[disc];
   const auto begin = static_cast<std::uint32_t>(m_stdNear.size());
-  m_cGrid.FindNear(d.m_vCenter, d.m_fRadius + 2.0f * m_fSlack, [&](std::uint32_t other) {
+  m_cGrid.FindNear(d.m_vCenter, d.m_fRadius, [&](std::uint32_t other) {
     if (other != disc) m_stdNear.push_back(other);
   });
   Order(m_stdNear, begin);
@@ -54,13 +60,13 @@ void CNearDiscs::Come(std::uint32_t disc, CList& list) {
 }
 
 void CNearDiscs::Move(std::uint32_t disc, const CDisc& to) {
-  if (to.IsWithin(m_stdDiscs[disc], m_fSlack)) return;
-  m_stdDiscs[disc] = to;
+  if (to.IsWithin(m_stdWide[disc])) return;
+  m_stdWide[disc] = GetWide(to);
   // Those of the ways that it does not take any more have to be forgotten now and then.
-  if (m_cGrid.Size() > g_nMostDiscs * m_stdDiscs.size())
-    m_cGrid.Build(m_stdDiscs);
+  if (m_cGrid.Size() > g_nMostDiscs * m_stdWide.size())
+    m_cGrid.Build(m_stdWide);
   else
-    m_cGrid.Move(disc, to);
+    m_cGrid.Move(disc, m_stdWide[disc]);
   MakeList(disc);
   for (const std::uint32_t other : GetNear(m_stdLists[disc]))
     if (CList& list = m_stdLists[other]; list.IsMade()) Come(disc, list);

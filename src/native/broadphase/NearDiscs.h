@@ -38,13 +38,15 @@ private:
   std::span<const std::uint32_t> GetNear(const CList& list) const {
     return std::span(m_stdNear).subspan(list.m_nBegin, list.m_nEnd - list.m_nBegin);
   }
+  CDisc GetWide(const CDisc& disc) const;
   void MakeList(std::uint32_t disc);
   void Order(std::vector<std::uint32_t>& names, std::size_t begin);
   void Come(std::uint32_t disc, CList& list);
 
   static constexpr std::uint32_t g_nNone = 0xFFFFFFFFu;
   float m_fSlack = 0.0f;
-  std::vector<CDisc> m_stdDiscs; // around all where each has been since it moved
+  std::vector<CDisc> m_stdDiscs; // as they were at Build
+  std::vector<CDisc> m_stdWide;  // in which each has stayed since it was looked for
   CDiscGrid m_cGrid;
   std::vector<CList> m_stdLists;
   std::vector<std::uint32_t> m_stdNear;

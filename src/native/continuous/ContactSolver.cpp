@@ -63,12 +63,14 @@ void CContactSolver::MakePairs() {
     const std::uint32_t which = m_stdPlaces[k] % 2;
     const CRow& row = m_stdRows[k];
     CRowPair& pair = m_stdPairs[m_stdPlaces[k] / 2];
-    pair.m_vNormX[which] = row.m_vNorm.x();
-    pair.m_vNormY[which] = row.m_vNorm.y();
-    pair.m_vInverse[which] = row.m_fInverse;
-    pair.m_vOtherInverse[which] = row.m_fOtherInverse;
-    pair.m_vShare[which] = 1.0 / (row.m_fInverse + row.m_fOtherInverse);
-    pair.m_vLeast[which] = row.m_fLeast;
+    const double inverse = row.m_fInverse + row.m_fOtherInverse;
+    const Vector2d lack = row.m_vNorm / inverse;
+    const Vector2d ball = row.m_fInverse * row.m_vNorm, other = row.m_fOtherInverse * row.m_vNorm;
+    pair.m_vLackX[which] = lack.x(), pair.m_vLackY[which] = lack.y();
+    pair.m_vLeast[which] = row.m_fLeast / inverse;
+    pair.m_vBallX[which] = ball.x(), pair.m_vBallY[which] = ball.y();
+    pair.m_vOtherX[which] = other.x(), pair.m_vOtherY[which] = other.y();
+    pair.m_vInverse[which] = inverse;
     pair.m_vImpulse[which] = m_stdImpulses[k];
     pair.m_nBall[which] = row.m_nBall;
     pair.m_nOther[which] = row.m_nOther;
@@ -87,12 +89,10 @@ CContactSolver::CChange CContactSolver::Relax(double share, double part) {
   CTwo most{}, least{}, back{};
   for (CRowPair& pair : m_stdPairs) {
     const CTwo last = pair.m_vImpulse, now = last + share * (last - pair.m_vBefore);
-    // No impulse pulls. Without a branch, as it cannot be foreseen which rows change.
-    const CTwo next = Max(now + part * pair.m_vShare * (pair.m_vLeast - pair.GetDifference(pVels)), CTwo{});
-    const CTwo more = next - now, change = more * (pair.m_vInverse + pair.m_vOtherInverse);
+    const CTwo more = pair.Relax(part, now, pVels);
+    const CTwo next = now + more, change = more * pair.m_vInverse;
     pair.m_vBefore = last;
     pair.m_vImpulse = next;
-    pair.Push(more, pVels);
     most = Max(most, change);
     least = Min(least, change);
     back -= change * (next - last);
@@ -104,8 +104,11 @@ CContactSolver::CChange CContactSolver::Relax(double share, double part) {
 // Returns how much the last round has changed a velocity.
 double CContactSolver::Search(double accurate, std::size_t rounds) {
   MakePairs();
-  for (const CRowPair& pair : m_stdPairs)
-    pair.Push(pair.m_vImpulse, GetTwos(m_stdVels));
+  for (std::size_t k = 0; k < m_stdRows.size(); ++k) {
+    const CRow& row = m_stdRows[k];
+    m_stdVels[row.m_nBall] += m_stdImpulses[k] * row.m_fInverse * row.m_vNorm;
+    m_stdVels[row.m_nOther] -= m_stdImpulses[k] * row.m_fOtherInverse * row.m_vNorm;
+  }
   m_stdVelsBefore.resize(m_stdVels.size());
   std::copy(m_stdVels.begin(), m_stdVels.end(), m_stdVelsBefore.begin());
   CChange change = Relax(0.0, 1.0);

@@ -49,7 +49,7 @@ bool CContinuous::Prepare() {
 }
 
 void CContinuous::MoveAlone(std::size_t begin, std::size_t end) {
-  m_cResting.Begin(m_vGravity, m_fStep);
+  m_cResting.Begin(m_vGravity, m_fStep, 1.0);
   for (std::size_t i = begin; i < end; ++i)
     MoveAlone(i);
   // They report theirs one after the other.
@@ -72,7 +72,9 @@ void CContinuous::Append(const CContinuous& next) {
 }
 
 void CContinuous::MoveTogether() {
-  m_cResting.Begin(m_vGravity, m_fStep);
+  const std::vector<float>& e = m_pBalls->m_stdElasticity;
+  m_cResting.Begin(m_vGravity, m_fStep,
+                   e.empty() ? 1.0 : static_cast<double>(*std::max_element(e.begin(), e.end())));
   TakeBalls();
   FindCrowds();
   FollowBalls();
@@ -157,16 +159,32 @@ void CContinuous::SetBackFromBalls(std::uint32_t i) {
   }
 }
 
-// The shapes on the way of the motion, or within reach of it, by order.
+// The shapes on the way of the motion, or within reach of it, and some that are near, by order.
 void CContinuous::FindShapes(std::uint32_t i, float reach) {
-  CDiscGrid::CDisc disc = m_stdBalls[i].m_cDisc;
+  CMoving& ball = m_stdBalls[i];
+  CDiscGrid::CDisc disc = ball.m_cDisc;
   disc.m_fRadius += reach;
-  if (m_nFoundOf == i && disc.IsWithin(m_cFoundIn)) return;
+  if (!disc.IsWithin(ball.m_cLooked)) {
+    disc.m_fRadius *= 1.0f + g_fNearSlack;
+    m_pShapes->FindNear(disc.m_vCenter, disc.m_fRadius, m_stdShapesFound);
+    if (m_bFilters)
+      std::erase_if(m_stdShapesFound, [&](std::uint32_t order) { return !MeetsShape(ball, order); });
+    KeepShapesFound(i, disc);
+  } else if (m_nFoundOf != i) {
+    m_nFoundOf = i;
+    m_stdShapesFound.assign(m_stdShapesOf.begin() + ball.m_nShapesBegin,
+                            m_stdShapesOf.begin() + ball.m_nShapesEnd);
+  }
+}
+
+// Those that were found in this disc are those of the ball.
+void CContinuous::KeepShapesFound(std::uint32_t i, const CDiscGrid::CDisc& in) {
+  CMoving& ball = m_stdBalls[i];
+  ball.m_cLooked = in;
+  ball.m_nShapesBegin = static_cast<std::uint32_t>(m_stdShapesOf.size());
+  m_stdShapesOf.insert(m_stdShapesOf.end(), m_stdShapesFound.begin(), m_stdShapesFound.end());
+  ball.m_nShapesEnd = static_cast<std::uint32_t>(m_stdShapesOf.size());
   m_nFoundOf = i;
-  m_cFoundIn = disc;
-  m_pShapes->FindNear(disc.m_vCenter, disc.m_fRadius, m_stdShapesFound);
-  if (m_bFilters)
-    std::erase_if(m_stdShapesFound, [&](std::uint32_t order) { return !MeetsShape(m_stdBalls[i], order); });
 }
 
 // Out of one shape may be into another: a ball in a wedge is set back in turns. Whether it is out of all.

@@ -150,6 +150,7 @@ private:
   // How far a ball may leave the disc by which it was found near others: they were looked for twice as far.
   float GetSlack() const { return static_cast<float>(0.5 * m_cResting.GetSlow() * m_fStep); }
   void FindShapes(std::uint32_t i, float reach = 0.0f);
+  void KeepShapesFound(std::uint32_t i, const CDiscGrid::CDisc& in);
   void FindFirst(std::uint32_t i);
   // The shapes that a ball may be set back from.
   enum class eShapes { All, Resting };
@@ -305,10 +306,9 @@ private:
   std::vector<std::uint8_t> m_stdIsInvolved; // by k
   std::vector<std::uint32_t> m_stdIndexOf;   // by k
   std::vector<CMoving> m_stdBalls;
-  std::vector<CEvent> m_stdQueue; // a heap
-  std::uint32_t m_nFoundOf =
-      g_nNobody; // ball whose shapes m_stdShapesFound are, and the disc that they are near
-  CDiscGrid::CDisc m_cFoundIn{Vector2::Zero(), 0.0f};
+  std::vector<CEvent> m_stdQueue;           // a heap
+  std::uint32_t m_nFoundOf = g_nNobody;     // ball whose shapes m_stdShapesFound are
+  std::vector<std::uint32_t> m_stdShapesOf; // of all balls
   std::vector<std::uint32_t> m_stdShapesFound, m_stdBallsFound, m_stdInTheWay;
   std::vector<CTouching> m_stdTouching;
   std::vector<CFarness> m_stdDeep;

@@ -20,6 +20,7 @@ void CContinuous::TakeBalls() {
   m_cNearDiscs.Build(GetSlack());
   FindInvolved();
   m_nFoundOf = g_nNobody;
+  m_stdShapesOf.clear();
 
   m_stdBalls.clear();
   m_stdIndexOf.assign(m_stdSolid.size(), g_nNobody);
@@ -258,8 +259,9 @@ void CContinuous::MoveAlone(std::size_t i) {
   }
   m_stdBalls.clear();
   Take(i, motion, disc);
-  m_nFoundOf = m_bFilters ? g_nNobody : 0;
-  m_cFoundIn = wide;
+  m_nFoundOf = g_nNobody;
+  m_stdShapesOf.clear();
+  if (!m_bFilters) KeepShapesFound(0, wide);
   FollowBalls();
   PutTaken();
 }

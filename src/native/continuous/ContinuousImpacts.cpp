@@ -170,7 +170,7 @@ void CContinuous::PassOn() {
       const double since = now - other.m_fTime;
       const Vector2d d = ball.m_vPos - motion.PosAt(since), n = Unit(d, Vector2d::UnitY());
       // A ball that rests on a squeezed one need not touch it yet.
-      if (Norm(d) > ball.m_fRadius + other.m_fRadius + m_cResting.GetReach(0.0, false)) continue;
+      if (Norm(d) > ball.m_fRadius + other.m_fRadius + m_cResting.GetReach()) continue;
       const double approach = ApproachSpeed(GetMotion(ball).m_vVel, motion.VelAt(since), n);
       const double deep = g_fPassedOverlap * std::min(ball.m_fRadius, other.m_fRadius);
       if (approach <= m_cResting.GetSlow() && approach * (m_fStep - now) <= deep) continue;
@@ -286,7 +286,9 @@ void CContinuous::ResolveWithBall(CMoving& ball, CMoving& other) {
   const double rounding = FloatRounding(ball.m_vPos) + FloatRounding(other.m_vPos);
   const double apart = std::max(ball.m_fRadius + other.m_fRadius, rounding + clear);
   double setback = apart - (ball.m_vPos - other.m_vPos).dot(n);
-  if (std::abs(setback) > Rounding(size)) setback = clear; // they began deep in each other
+  // They began deep in each other; or they are so small that a rounding would take one through a shape.
+  const double most = g_fFarCorrection * std::min(ball.m_fRadius, other.m_fRadius);
+  if (std::abs(setback) > std::min(Rounding(size), most)) setback = clear;
   Collide(ball, other, n, setback, IsSlow(ball, other, approach));
 }
 

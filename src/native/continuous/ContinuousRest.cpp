@@ -30,8 +30,9 @@ void CContinuous::FindRestingContacts() {
       if (j <= i || other.m_bIsAsleep) continue;
       CImpact impact;
       double gap;
-      const double reach = m_cResting.GetReach(m_cResting.GetMeetingSpeed(ball, other),
-                                               CRestingContacts::IsSqueezed(ball, other));
+      const double reach = m_cResting.GetReach(CRestingContacts::IsSqueezed(ball, other),
+                                               m_cResting.GetMeetingSpeed(ball, other),
+                                               std::min(ball.m_fRadius, other.m_fRadius));
       if (!NearBallBall(GetMotion(other), GetMotion(ball), reach, impact, gap)) continue;
       m_cResting.Add(i, j, true, GetId(ball), GetId(other), impact, gap);
       ball.m_bIsNearBall = other.m_bIsNearBall = true;
@@ -45,7 +46,8 @@ void CContinuous::FindRestingContacts() {
     if (!ball.m_bIsNearBall) continue;
     // Balls that overlap may be moved towards shapes.
     const auto getReach = [&](double speed) {
-      return m_cResting.GetReach(speed, ball.m_bWasSqueezed) + g_fFarCorrection * ball.m_fNearRadius;
+      return m_cResting.GetReach(ball.m_bWasSqueezed, speed, ball.m_fRadius) +
+             g_fFarCorrection * ball.m_fNearRadius;
     };
     FindShapes(i, static_cast<float>(getReach(Norm(ball.m_vVel))));
     for (const std::uint32_t order : m_stdShapesFound) {

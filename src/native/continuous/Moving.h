@@ -35,16 +35,18 @@ struct CNext {
 
 /// A solid ball, and the part of its path that begins at m_fTime.
 struct CMoving {
-  std::size_t m_nBall = 0;                         // index in the arrays
-  std::uint32_t m_nSolid = 0;                      // and among those that are solid
-  CDiscGrid::CDisc m_cDisc{Vector2::Zero(), 0.0f}; // around the motion
-  std::size_t m_nBallsSeen = 0;                    // near it in this substep, in all searches
-  CFarness m_cFarthestDeep = g_cFarthest;          // that it meets, in a crowd
-  Vector2d m_vPos = Vector2d::Zero();              // where the motion begins
-  Vector2d m_vVel = Vector2d::Zero();              // likewise
-  Vector2d m_vAcc = Vector2d::Zero();              // of the motion
-  Vector2d m_vBend = Vector2d::Zero();             // more of it, where it follows a curve
-  Vector2d m_vCarried = Vector2d::Zero();          // velocity with which it goes along where it is halted
+  std::size_t m_nBall = 0;                            // index in the arrays
+  std::uint32_t m_nSolid = 0;                         // and among those that are solid
+  CDiscGrid::CDisc m_cDisc{Vector2::Zero(), 0.0f};    // around the motion
+  CDiscGrid::CDisc m_cLooked{Vector2::Zero(), -1.0f}; // in which shapes near it are known, none below 0
+  std::uint32_t m_nShapesBegin = 0, m_nShapesEnd = 0; // these, in CContinuous
+  std::size_t m_nBallsSeen = 0;                       // near it in this substep, in all searches
+  CFarness m_cFarthestDeep = g_cFarthest;             // that it meets, in a crowd
+  Vector2d m_vPos = Vector2d::Zero();                 // where the motion begins
+  Vector2d m_vVel = Vector2d::Zero();                 // likewise
+  Vector2d m_vAcc = Vector2d::Zero();                 // of the motion
+  Vector2d m_vBend = Vector2d::Zero();                // more of it, where it follows a curve
+  Vector2d m_vCarried = Vector2d::Zero();             // velocity with which it goes along where it is halted
   Vector2d m_vFall = Vector2d::Zero();  // gravity, unless the velocity has what it gives in the substep
   Vector2d m_vGiven = Vector2d::Zero(); // acceleration in the substep, all of which the velocity has
   double m_fRadius = 0.0, m_fMass = 1.0, m_fElasticity = 0.0;

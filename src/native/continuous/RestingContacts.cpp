@@ -10,13 +10,14 @@
 
 namespace Shapes::Native {
 
-void CRestingContacts::Begin(const Vector2d& gravity, double dt) {
+void CRestingContacts::Begin(const Vector2d& gravity, double dt, double elasticity) {
   m_vGravity = gravity;
   m_vUp = -Unit(gravity, Vector2d::Zero());
   m_bIsFalling = !gravity.isZero(0.0);
   ++m_cMemory.m_nSubstep;
   m_fStep = dt;
-  m_fSlow = g_fRestingSteps * Norm(gravity) * dt;
+  const double bounce = std::clamp(elasticity * elasticity, g_fLeastBounce, 1.0);
+  m_fSlow = g_fRestingSteps / bounce * Norm(gravity) * dt;
   m_stdContacts.clear();
   m_stdFirst.clear();
   m_cPiles.Reset(0);
@@ -121,7 +122,7 @@ bool CRestingContacts::IsPair(const CContact& c, const std::vector<CMoving>& bal
   double speed = std::abs(GetSpeed(c, balls));
   FailIf(!isSqueezed && speed > m_fSlow);
   if (c.m_bIsBall && MayStop(ball, other)) speed = GetMeetingSpeed(ball, other);
-  return c.m_fGap <= GetReach(speed, isSqueezed);
+  return c.m_fGap <= GetReach(isSqueezed, speed, GetSmallerRadius(c, balls));
 }
 
 void CRestingContacts::NotePlaces(const std::vector<CMoving>& balls) {

@@ -80,8 +80,9 @@ public:
   void NoteShapePut() { m_cMemory.m_bIsShapePut = true; }
 
   /// Begins a substep.
-  void Begin(const Vector2d& gravity, double dt);
-  /// The speed that gravity gives in g_fRestingSteps substeps.
+  /// @param elasticity  the largest of all balls
+  void Begin(const Vector2d& gravity, double dt, double elasticity);
+  /// The fastest approach of two balls that rest on each other: g_fRestingSteps.
   double GetSlow() const { return m_fSlow; }
   /// Without gravity what is slow depends on the fastest of the balls that were squeezed.
   void SetSlow(const std::vector<CMoving>& balls);
@@ -111,9 +112,13 @@ public:
   static bool IsSqueezed(const CMoving& ball, const CMoving& other) {
     return ball.m_bWasSqueezed || other.m_bWasSqueezed;
   }
-  /// The gap up to which two are a pair here, who move at this speed against each other.
-  double GetReach(double speed, bool isSqueezed) const {
-    return (isSqueezed ? m_fSlow + speed : m_fSlow) * m_fStep;
+  /// The gap up to which two that gravity alone brings together are a pair here.
+  double GetReach() const { return m_fSlow * m_fStep; }
+  /// The same where either may have been squeezed.
+  /// @param speed   at which they move against each other
+  /// @param radius  of the smaller one
+  double GetReach(bool isSqueezed, double speed, double radius) const {
+    return isSqueezed ? GetReach() + speed * m_fStep + g_fSqueezedReach * radius : GetReach();
   }
   /// The speed at which two balls may come upon each other: where velocities are not of gravity, others may
   /// stop one of them.

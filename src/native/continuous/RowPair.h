@@ -22,26 +22,34 @@ inline CTwo Max(CTwo a, CTwo b) { return a > b ? a : b; }
 /// Two rows of CContactSolver that share no ball, so that neither sees what the other one changes. A row of
 /// zeros, of a shape and itself, does nothing.
 struct CRowPair {
-  CTwo m_vNormX{}, m_vNormY{};          ///< of each row, as all that follows
-  CTwo m_vInverse{}, m_vOtherInverse{}; ///< masses
-  CTwo m_vShare{};                      ///< 1 / (sum of the inverse masses)
-  CTwo m_vLeast{};                      ///< that the difference of velocities may be at the end
-  CTwo m_vImpulse{}, m_vBefore{};       ///< after the last round, and after the one before
+  CTwo m_vLackX{}, m_vLackY{};    ///< of each row, as all that follows: normal / sum of the inverse masses
+  CTwo m_vLeast{};                ///< that the difference of velocities may be at the end / the same sum
+  CTwo m_vBallX{}, m_vBallY{};    ///< normal * inverse mass of the ball
+  CTwo m_vOtherX{}, m_vOtherY{};  ///< and of the other one
+  CTwo m_vInverse{};              ///< the sum of the inverse masses
+  CTwo m_vImpulse{}, m_vBefore{}; ///< after the last round, and after the one before
   std::uint32_t m_nBall[2]{}, m_nOther[2]{};
 
+  /// Gives each row what it lacks. A row waits for those before it that change its balls: all that does not
+  /// depend on these is calculated meanwhile.
+  /// @param part   of what it lacks
+  /// @param now    the impulses, of which none may become negative: no contact pulls
   /// @param pVels  of all balls
-  /// @returns along the normal
-  CTwo GetDifference(const CTwo* pVels) const {
-    const CTwo a = pVels[m_nBall[0]] - pVels[m_nOther[0]], b = pVels[m_nBall[1]] - pVels[m_nOther[1]];
-    return m_vNormX * CTwo{a[0], b[0]} + m_vNormY * CTwo{a[1], b[1]};
-  }
-  void Push(CTwo impulse, CTwo* pVels) const {
-    const CTwo ball = impulse * m_vInverse, ballX = ball * m_vNormX, ballY = ball * m_vNormY;
-    const CTwo other = impulse * m_vOtherInverse, otherX = other * m_vNormX, otherY = other * m_vNormY;
-    for (int which = 0; which < 2; ++which) {
-      pVels[m_nBall[which]] += CTwo{ballX[which], ballY[which]};
-      pVels[m_nOther[which]] -= CTwo{otherX[which], otherY[which]};
-    }
+  /// @returns by how much the impulses change
+  CTwo Relax(double part, CTwo now, CTwo* pVels) const {
+    const CTwo ball0 = pVels[m_nBall[0]], ball1 = pVels[m_nBall[1]];
+    const CTwo other0 = pVels[m_nOther[0]], other1 = pVels[m_nOther[1]];
+    const CTwo d0 = ball0 - other0, d1 = ball1 - other1;
+    const CTwo has = part * m_vLackX * CTwo{d0[0], d1[0]} + part * m_vLackY * CTwo{d0[1], d1[1]};
+    // Without a branch, as it cannot be foreseen which rows change.
+    const CTwo more = Max(part * m_vLeast - has, -now);
+    const CTwo ballX = more * m_vBallX, ballY = more * m_vBallY;
+    const CTwo otherX = more * m_vOtherX, otherY = more * m_vOtherY;
+    pVels[m_nBall[0]] = ball0 + CTwo{ballX[0], ballY[0]};
+    pVels[m_nBall[1]] = ball1 + CTwo{ballX[1], ballY[1]};
+    pVels[m_nOther[0]] = other0 - CTwo{otherX[0], otherY[0]};
+    pVels[m_nOther[1]] = other1 - CTwo{otherX[1], otherY[1]};
+    return more;
   }
 };
 
