@@ -232,6 +232,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   else
     ball.m_vPos += clear * n;
   m_fFastest = std::max(m_fFastest, g_fSqueezed * Norm(surface));
+  const bool isPush = GetPush(n, surface) != 0.0;
   TakeBack(ball);
   const double approach = ApproachSpeed(ball.m_vVel, surface, n);
   const double e = ball.m_fElasticity * static_cast<double>(solid.m_pShape->GetElasticity());
@@ -250,12 +251,20 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
     GiveAgain(ball);
     // With that it comes into the shape no more than without.
     if (IsPushed(ball)) RespondKinematic(n, 0.0, 0.0, surface, ball.m_vPos, ball.m_vVel);
+    const CHolds held = ball.m_cHolds;
     Free(ball);
+    // A wall that pushes it along the floor neither lifts it from that nor presses it into it.
+    const auto isAlong = [&](const CHold& other) {
+      return n.dot(other.m_vNorm) >= -static_cast<double>(g_fTouchRounding) &&
+             !m_pShapes->GetGeometry(other.m_nOther).MovesAs(m_pShapes->GetGeometry(order));
+    };
+    if (isPush && !held.IsEmpty() && !ball.m_bIsInPile && std::ranges::all_of(held.Get(), isAlong))
+      HoldAllTouching(ball, held);
     if (ball.m_nLastOrder == order && impact.m_fTime * g_nHops < m_fStep) Slide(ball, impact);
   }
   m_pStats->m_nSpeedsCapped += CapSpeed(ball.m_vVel);
   ball.m_nLastOrder = order;
-  if (GetPush(n, surface) != 0.0) ball.m_nLastMoving = order;
+  if (isPush) ball.m_nLastMoving = order;
   ball.m_bIsDriven |= e > 1.0;
   Report(solid.m_cId, ball, impact.m_vPOI, n, approach, ImpulseOf(ball.m_fMass, stays ? 0.0 : e, approach));
   EndMotion(ball, n);
