@@ -22,14 +22,18 @@ TEST(NearDiscs, FindEachOnceThatOverlapsNow) {
     std::vector<CDisc>& discs = near.GetDiscs();
     for (std::uint32_t i = 0; i < n; ++i)
       discs.push_back({random.InSquare(half), least * std::pow(0.5f / least, random.Uniform(0, 1))});
-    std::vector<CDisc> now = discs;
+    std::vector<CDisc> now = discs, last = discs; // and where each went last
     near.Build(slack);
     std::size_t overlaps = 0;
     for (int turn = 0; turn < 4000; ++turn) {
       const std::uint32_t k = random.Below(n);
       if (random.Coin()) {
-        now[k].m_vCenter = near.Get(k).m_vCenter + random.VectorOfLength(0.0f, 0.99f * slack);
-        if (random.Coin()) now[k].m_vCenter = now[random.Below(n)].m_vCenter + random.InSquare(1.0f);
+        const float far = 0.99f * (slack + g_fNearSlack * now[k].m_fRadius);
+        now[k].m_vCenter = last[k].m_vCenter + random.VectorOfLength(0.0f, far);
+        if (random.Coin()) {
+          now[k].m_vCenter = now[random.Below(n)].m_vCenter + random.InSquare(1.0f);
+          last[k] = now[k];
+        }
         near.Move(k, now[k]);
         continue;
       }

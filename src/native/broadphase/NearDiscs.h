@@ -14,9 +14,11 @@ public:
 
   /// The discs by their names 0, 1, ..: to be set before Build.
   std::vector<CDisc>& GetDiscs() { return m_stdDiscs; }
+  /// As it was when they were set.
   const CDisc& Get(std::uint32_t disc) const { return m_stdDiscs[disc]; }
-  /// Forgets all lists.
-  /// @param slack  user units, not below 0: a disc that moves within one that is so much larger has not moved
+  /// Forgets all lists. A disc that moves within one that is larger by g_fNearSlack and `slack` has not
+  /// moved.
+  /// @param slack  user units, not below 0
   void Build(float slack);
   /// @param to  where it is, and its radius, from now on
   void Move(std::uint32_t disc, const CDisc& to);

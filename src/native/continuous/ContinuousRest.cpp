@@ -30,9 +30,9 @@ void CContinuous::FindRestingContacts() {
       if (j <= i || other.m_bIsAsleep) continue;
       CImpact impact;
       double gap;
-      const double reach = m_cResting.GetReach(CRestingContacts::IsSqueezed(ball, other),
-                                               m_cResting.GetMeetingSpeed(ball, other),
-                                               std::min(ball.m_fRadius, other.m_fRadius));
+      const double reach =
+          m_cResting.GetReach(CRestingContacts::IsSqueezed(ball, other), Norm(ball.m_vVel - other.m_vVel),
+                              std::min(ball.m_fRadius, other.m_fRadius));
       if (!NearBallBall(GetMotion(other), GetMotion(ball), reach, impact, gap)) continue;
       m_cResting.Add(i, j, true, GetId(ball), GetId(other), impact, gap);
       ball.m_bIsNearBall = other.m_bIsNearBall = true;

@@ -111,17 +111,12 @@ void CRestingContacts::FindKnown() {
   }
 }
 
-double CRestingContacts::GetMeetingSpeed(const CMoving& ball, const CMoving& other) const {
-  return MayStop(ball, other) ? Norm(ball.m_vVel) + Norm(other.m_vVel) : Norm(ball.m_vVel - other.m_vVel);
-}
-
 // Whether what is near each other rests on each other.
 bool CRestingContacts::IsPair(const CContact& c, const std::vector<CMoving>& balls) const {
   const CMoving &ball = balls[c.m_nBall], &other = c.m_bIsBall ? balls[c.m_nOther] : ball;
   const bool isSqueezed = IsSqueezed(ball, other);
-  double speed = std::abs(GetSpeed(c, balls));
+  const double speed = std::abs(GetSpeed(c, balls));
   FailIf(!isSqueezed && speed > m_fSlow);
-  if (c.m_bIsBall && MayStop(ball, other)) speed = GetMeetingSpeed(ball, other);
   return c.m_fGap <= GetReach(isSqueezed, speed, GetSmallerRadius(c, balls));
 }
 

@@ -21,10 +21,10 @@ namespace Shapes::Native {
 /// are inelastic.
 ///
 /// A ball is squeezed if it had g_nSqueezed impacts in the substep before, and stays so in a pile that a
-/// shape moves. It rests on all that it could meet, and those on it, at any speed: by impacts, one after the
-/// other, what does not give way would take hundreds of them to come to the same. It also stays so in a pile
-/// that a game steers: it gives balls another velocity in each substep, as to a swarm that it drives. Such a
-/// pile need not lie on a shape.
+/// shape moves. It rests on all that it could meet, or come near to, and those on it, at any speed: by
+/// impacts, one after the other, what does not give way would take hundreds of them to come to the same. It
+/// also stays so in a pile that a game steers: it gives balls another velocity in each substep, as to a swarm
+/// that it drives. Such a pile need not lie on a shape.
 ///
 /// An elastic ball that neither a shape nor a game presses is not squeezed. Without gravity balls rest on
 /// each other only in a pile in which one is, and it comes to that if it was halted, or hit as often in a
@@ -120,9 +120,6 @@ public:
   double GetReach(bool isSqueezed, double speed, double radius) const {
     return isSqueezed ? GetReach() + speed * m_fStep + g_fSqueezedReach * radius : GetReach();
   }
-  /// The speed at which two balls may come upon each other: where velocities are not of gravity, others may
-  /// stop one of them.
-  double GetMeetingSpeed(const CMoving& ball, const CMoving& other) const;
   /// Whether two balls are a pair here.
   bool Has(std::uint32_t ball, std::uint32_t other) const;
   /// The other balls of the pairs of a ball, by their indices.
@@ -159,9 +156,6 @@ private:
   bool WasThere(std::size_t ball) const {
     return ball < m_cMemory.m_stdLast.size() &&
            m_cMemory.m_stdLast[ball].m_nSubstep + 1 == m_cMemory.m_nSubstep;
-  }
-  bool MayStop(const CMoving& ball, const CMoving& other) const {
-    return !m_bIsFalling || ball.IsSteered() || other.IsSteered();
   }
   bool IsPair(const CContact& c, const std::vector<CMoving>& balls) const;
   double GetGap(const CContact& c, const std::vector<CMoving>& balls) const;
