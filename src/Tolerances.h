@@ -78,7 +78,7 @@ inline constexpr float g_fPressedSleepTime = 30.0f;
 inline constexpr double g_fRestingSteps = 2.0;
 /// That is of elastic balls. Others may approach faster, up to what leaves them no faster bounce: by the
 /// square of the largest elasticity, or by this if that is less. With 1 a pile in an hourglass takes 1.14
-/// times as long.
+/// times as long. The gap stays: else 60 falling balls take .07 more time.
 inline constexpr double g_fLeastBounce = 0.5;
 /// Two that rest on each other and are hit come into each other by less than this share of the smaller radius
 /// in the rest of a substep, or it is an impact; and two that slide along each other follow the curve by no
@@ -113,8 +113,9 @@ inline constexpr std::size_t g_nMostDeep = 32;
 /// takes ten times as long, with 4 they come apart later.
 inline constexpr double g_fCrowdSlack = 2.0;
 /// By how much discs around balls, and their ways, are larger where near ones are looked for, as a share of
-/// their radius: so far a ball gets until it is looked for anew. With none piles take .04 more time.
-inline constexpr float g_fNearSlack = 0.1f;
+/// their radius: so far a ball gets until it is looked for anew. With none piles take .04 more time, with
+/// twice as much 60 falling balls .015.
+inline constexpr float g_fNearSlack = 0.05f;
 /// A correction of the place of a ball by more than this share of its radius, out of a shape or in a pile,
 /// might take it into another shape, and is swept. In a pile, where balls move each other, the shapes that
 /// near are looked at, in the largest radius of the ball and those that it touches.
@@ -189,7 +190,7 @@ inline constexpr double g_fSqueezed = 2.0;
 /// near it are solved together, beyond what they move against each other now: so far others may push it. With
 /// 0 a paddle among 200 balls has twice as many impacts. What is near is found so far by g_fNearSlack of
 /// both.
-inline constexpr double g_fSqueezedReach = 0.2;
+inline constexpr double g_fSqueezedReach = 0.1;
 /// Approach of two balls, as a share of what gravity gives in a substep, up to which they do not meet again
 /// in one in which one of them has had g_nSqueezed impacts: inelastic ones would ever more slowly, without
 /// end. They overlap by that in the next one, at 60 substeps a second by less than a thousandth of a radius

@@ -13,9 +13,9 @@ CNearDiscs::CDisc CNearDiscs::GetWide(const CDisc& disc) const {
 
 void CNearDiscs::Build(float slack) {
   m_fSlack = slack;
-  m_stdWide.clear();
-  for (const CDisc& disc : m_stdDiscs)
-    m_stdWide.push_back(GetWide(disc));
+  m_stdWide.resize(m_stdDiscs.size());
+  for (std::size_t k = 0; k < m_stdDiscs.size(); ++k)
+    m_stdWide[k] = GetWide(m_stdDiscs[k]);
   m_cGrid.Build(m_stdWide);
   m_stdLists.assign(m_stdDiscs.size(), {});
   m_stdNear.clear();

@@ -148,7 +148,7 @@ private:
   static CDiscGrid::CDisc GetDisc(const CMotion& motion, double sagitta);
   void MoveDisc(std::uint32_t i);
   // How far a ball may leave the disc by which it was found near others: they were looked for twice as far.
-  float GetSlack() const { return static_cast<float>(0.5 * m_cResting.GetSlow() * m_fStep); }
+  float GetSlack() const { return static_cast<float>(0.5 * m_cResting.GetReach()); }
   void FindShapes(std::uint32_t i, float reach = 0.0f);
   void KeepShapesFound(std::uint32_t i, const CDiscGrid::CDisc& in);
   void FindFirst(std::uint32_t i);

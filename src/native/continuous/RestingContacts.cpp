@@ -18,6 +18,7 @@ void CRestingContacts::Begin(const Vector2d& gravity, double dt, double elastici
   m_fStep = dt;
   const double bounce = std::clamp(elasticity * elasticity, g_fLeastBounce, 1.0);
   m_fSlow = g_fRestingSteps / bounce * Norm(gravity) * dt;
+  m_fReach = g_fRestingSteps * Norm(gravity) * dt * dt;
   m_stdContacts.clear();
   m_stdFirst.clear();
   m_cPiles.Reset(0);
@@ -162,6 +163,7 @@ void CRestingContacts::SetSlow(const std::vector<CMoving>& balls) {
   for (const CMoving& ball : balls)
     if (ball.m_bWasSqueezed) fastest = std::max(fastest, ball.m_vVel.squaredNorm());
   m_fSlow = g_fFlowError * std::sqrt(fastest);
+  m_fReach = m_fSlow * m_fStep;
 }
 
 void CRestingContacts::ForgetBall(std::size_t ball) {

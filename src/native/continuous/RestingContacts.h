@@ -113,7 +113,7 @@ public:
     return ball.m_bWasSqueezed || other.m_bWasSqueezed;
   }
   /// The gap up to which two that gravity alone brings together are a pair here.
-  double GetReach() const { return m_fSlow * m_fStep; }
+  double GetReach() const { return m_fReach; }
   /// The same where either may have been squeezed.
   /// @param speed   at which they move against each other
   /// @param radius  of the smaller one
@@ -195,7 +195,7 @@ private:
   Vector2d m_vGravity = Vector2d::Zero();
   Vector2d m_vUp = Vector2d::Zero(); // unit
   bool m_bIsFalling = false;         // there is gravity
-  double m_fStep = 0.0, m_fSlow = 0.0;
+  double m_fStep = 0.0, m_fSlow = 0.0, m_fReach = 0.0;
 
   std::vector<CContact> m_stdContacts; // pile by pile, from the bottom up
   std::vector<CContact> m_stdUnsorted;
