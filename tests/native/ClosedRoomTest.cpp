@@ -5,6 +5,9 @@
 
 #include "Tolerances.h"
 
+#include <numeric>
+#include <vector>
+
 namespace Shapes {
 namespace {
 
@@ -24,10 +27,14 @@ TEST(ClosedRoom, AStoppedBallGathersNoSpeed) {
 
 // Points, and balls that are smaller than the roundings of their coordinates, which have nothing but these to
 // tell on which side of a wall they are. Of single points 164 of 200 fell through a level floor, of those
-// that lay on a slope all.
+// that lay on a slope all. In the last two a corner has no room for the roundings of many impacts.
 TEST(ClosedRoom, PointsThatLieInItStayInIt) {
   std::ptrdiff_t lost = 0;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  std::vector<std::uint64_t> seeds(60);
+  std::iota(seeds.begin(), seeds.end(), std::uint64_t{0});
+  for (const std::uint64_t seed : {725u, 1745u})
+    seeds.push_back(seed);
+  for (const std::uint64_t seed : seeds) {
     CRandom random(seed);
     const float radius = seed % 2 == 0 ? 0 : 1e-7f, low = random.Uniform(-1, 1), rise = random.Uniform(-1, 1);
     const auto pWorld = MakeNative(g_cAutomatic, 10);

@@ -75,6 +75,7 @@ void CContinuous::FallAsleep() {
       SetCalm(ball.m_nBall, GetCalm(ball));
     return;
   }
+  m_cResting.NotePressed(m_stdBalls);
   const auto n = static_cast<std::uint32_t>(m_stdBalls.size());
   m_stdLeastCalm.assign(n, std::numeric_limits<float>::infinity());
   for (std::uint32_t i = 0; i < n; ++i) {

@@ -129,6 +129,8 @@ public:
   /// ball and those near it, unless a shape may have been put into them. The solver finds the velocities at
   /// which they are apart after the substep, and none of these stays (split impulses).
   void Separate(std::vector<CMoving>& balls);
+  /// At the end of the substep: which balls overlap by more than those that fall asleep may.
+  void NotePressed(std::vector<CMoving>& balls) const;
   /// Notes where balls are, with the gaps as they are known: whatever moves a ball until Solve changes them.
   void NotePlaces(const std::vector<CMoving>& balls);
   /// A ball was moved only this share of what it was lifted by.

@@ -109,7 +109,12 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
     } else {
       c.m_fGap += c.m_vNorm.dot(getWay(c.m_nBall));
     }
-    if (!(c.m_fGap < -g_fSleepOverlap * GetSmallerRadius(c, balls))) continue;
+  }
+}
+
+void CRestingContacts::NotePressed(std::vector<CMoving>& balls) const {
+  for (const CContact& c : m_stdContacts) {
+    if (!(GetGap(c, balls) < -g_fSleepOverlap * GetSmallerRadius(c, balls))) continue;
     balls[c.m_nBall].m_bIsPressed = true;
     if (c.m_bIsBall) balls[c.m_nOther].m_bIsPressed = true;
   }
