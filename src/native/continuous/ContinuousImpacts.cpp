@@ -258,7 +258,8 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
       return n.dot(other.m_vNorm) >= -static_cast<double>(g_fTouchRounding) &&
              !m_pShapes->GetGeometry(other.m_nOther).MovesAs(m_pShapes->GetGeometry(order));
     };
-    if (isPush && !held.IsEmpty() && !ball.m_bIsInPile && std::ranges::all_of(held.Get(), isAlong))
+    if (isPush && !held.IsEmpty() && !ball.m_bIsInPile &&
+        std::all_of(held.Get().begin(), held.Get().end(), isAlong))
       HoldAllTouching(ball, held);
     if (ball.m_nLastOrder == order && impact.m_fTime * g_nHops < m_fStep) Slide(ball, impact);
   }
