@@ -39,7 +39,6 @@ struct CMoving {
   std::uint32_t m_nSolid = 0;                         // and among those that are solid
   CDiscGrid::CDisc m_cDisc{Vector2::Zero(), 0.0f};    // around the motion
   CDiscGrid::CDisc m_cLooked{Vector2::Zero(), -1.0f}; // in which shapes near it are known, none below 0
-  std::uint32_t m_nShapesBegin = 0, m_nShapesEnd = 0; // these, in CContinuous
   std::size_t m_nBallsSeen = 0;                       // near it in this substep, in all searches
   CFarness m_cFarthestDeep = g_cFarthest;             // that it meets, in a crowd
   Vector2d m_vPos = Vector2d::Zero();                 // where the motion begins
@@ -54,14 +53,16 @@ struct CMoving {
   CHolds m_cHolds;
   double m_fHoldTime = std::numeric_limits<double>::infinity(); // until they end, or its way is computed anew
   CNext m_cNext;
-  double m_fTime = 0.0;                    // when the motion begins, seconds in the substep
-  std::uint32_t m_nVersion = 0;            // changes with the motion
-  unsigned m_nImpacts = 0;                 // in this substep
+  double m_fTime = 0.0;                               // when the motion begins, seconds in the substep
+  std::uint32_t m_nVersion = 0;                       // changes with the motion
+  std::uint32_t m_nShapesBegin = 0, m_nShapesEnd = 0; // the shapes that are known, in CContinuous
+  unsigned m_nImpacts = 0;                            // in this substep
+  unsigned m_nOnLine = 0;                  // of those before the last one how many were along its line
   Vector2d m_vLastNorm = Vector2d::Zero(); // of the last one
-  unsigned m_nOnLine = 0;                  // how many before it were along its line
   double m_fOnLineSince = 0.0;             // when these were last a multiple of g_nStuckImpacts
   std::uint32_t m_nLastOrder = g_nNobody;  // of the shape that it has just left
   std::uint32_t m_nLastMoving = g_nNobody; // of the shape that it has met last and that pushed it
+  unsigned m_nSteered = 0;                 // substeps for which it counts as steered: CRestingContacts
   bool m_bIsAsleep = false;                // at rest, and nothing is near that is not
   bool m_bIsHalted = false;                // goes along with that one for the rest of the substep
   bool m_bIsStuck = false;                 // and has got nowhere in the substep, under gravity
@@ -71,7 +72,6 @@ struct CMoving {
   bool m_bIsInPile = false;                // rests on other balls, or they on it
   bool m_bIsDriven = false;                // gets energy: of what moves, or by an elasticity above 1
   bool m_bWasSqueezed = false;             // in the last substep: CRestingContacts
-  unsigned m_nSteered = 0;                 // substeps for which it counts as steered: CRestingContacts
   bool m_bPresses = false;                 // on others of a pile, without gravity
   bool m_bHasPressed = false;              // in the last substep, on what it still touches, or that on it
   bool m_bIsPressed = false;               // overlaps more than one that falls asleep may
