@@ -19,7 +19,6 @@ void CContinuous::TakeBalls() {
   FindDiscs();
   m_cNearDiscs.Build(GetSlack());
   FindInvolved();
-  m_nFoundOf = g_nNobody;
   m_stdShapesOf.clear();
 
   m_stdBalls.clear();
@@ -259,7 +258,6 @@ void CContinuous::MoveAlone(std::size_t i) {
   }
   m_stdBalls.clear();
   Take(i, motion, disc);
-  m_nFoundOf = g_nNobody;
   m_stdShapesOf.clear();
   if (!m_bFilters) KeepShapesFound(0, wide);
   FollowBalls();
