@@ -45,6 +45,8 @@ eSweep ImpactBallBall(const CMotion& other, const CMotion& ball, CImpact& impact
 }
 
 bool NearBallBall(const CMotion& other, const CMotion& ball, double reach, CImpact& impact, double& gap) {
+  const double far = (1.0 + g_fBoxPadding) * (other.m_fRadius + ball.m_fRadius + reach);
+  FailIf((ball.m_vPos - other.m_vPos).squaredNorm() > far * far); // most of those that are asked for
   const CRelativeMotion relative(other, ball);
   const CLinearMotion motion(relative.m_cMotion, relative.m_cRoundings);
   FailIf(KeepEarliest(other, CStandingMotion(motion), reach, impact) != eSweep::Impact);

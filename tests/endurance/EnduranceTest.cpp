@@ -177,7 +177,7 @@ TEST(AllocationTest, StepsOfAWarmWorldMakeNone) {
       CEffectChoice effects = mode;
       if (!pairs) effects.m_cForbidden.Set(eEffect::BallPairs);
       const auto pWorld = MakePegs(effects);
-      EXPECT_GT(CountAllocationsIn(*pWorld, 2000), 10u) << "it was warm before";
+      EXPECT_GT(CountAllocationsIn(*pWorld, 1000), 10u) << "it was warm before";
       EXPECT_LE(CountAllocationsIn(*pWorld, 1000), g_nVectorsOfContacts);
     }
 }

@@ -268,6 +268,7 @@ private:
   void GoAlong(CMoving& ball, double time);
   void HoldAnew(CMoving& ball);
   void StayOn(CMoving& ball, const CHold& hold, bool alone);
+  bool IsAlong(const CHolds& held, std::uint32_t wall, const Vector2d& n) const;
   void HoldAllTouching(CMoving& ball, const CHolds& before);
   void Slide(CMoving& ball, const CImpact& impact) const;
   void Report(CShapeId shape, const CMoving& ball, const Vector2d& poi, const Vector2d& n, double speed,

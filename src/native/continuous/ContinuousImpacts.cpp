@@ -209,6 +209,16 @@ void CContinuous::GoAlong(CMoving& ball, double time) {
   ball.m_vPos += GetFreeShare(ball, ball.m_vPos, way, ball.m_fTime, {.m_pAlong = &o}) * way;
 }
 
+// Whether a wall that pushes a ball along n leaves it on all that holds it: it neither lifts it from that nor
+// presses it into it.
+bool CContinuous::IsAlong(const CHolds& held, std::uint32_t wall, const Vector2d& n) const {
+  const auto isAlong = [&](const CHold& hold) {
+    return n.dot(hold.m_vNorm) >= -static_cast<double>(g_fTouchRounding) &&
+           !m_pShapes->GetGeometry(hold.m_nOther).MovesAs(m_pShapes->GetGeometry(wall));
+  };
+  return !held.IsEmpty() && std::all_of(held.Get().begin(), held.Get().end(), isAlong);
+}
+
 void CContinuous::ResolveWithShape(CMoving& ball) {
   CImpact impact = ball.m_cNext.m_cImpact;
   const std::uint32_t order = ball.m_cNext.m_nOther;
@@ -253,14 +263,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
     if (IsPushed(ball)) RespondKinematic(n, 0.0, 0.0, surface, ball.m_vPos, ball.m_vVel);
     const CHolds held = ball.m_cHolds;
     Free(ball);
-    // A wall that pushes it along the floor neither lifts it from that nor presses it into it.
-    const auto isAlong = [&](const CHold& other) {
-      return n.dot(other.m_vNorm) >= -static_cast<double>(g_fTouchRounding) &&
-             !m_pShapes->GetGeometry(other.m_nOther).MovesAs(m_pShapes->GetGeometry(order));
-    };
-    if (isPush && !held.IsEmpty() && !ball.m_bIsInPile &&
-        std::all_of(held.Get().begin(), held.Get().end(), isAlong))
-      HoldAllTouching(ball, held);
+    if (isPush && !ball.m_bIsInPile && IsAlong(held, order, n)) HoldAllTouching(ball, held);
     if (ball.m_nLastOrder == order && impact.m_fTime * g_nHops < m_fStep) Slide(ball, impact);
   }
   m_pStats->m_nSpeedsCapped += CapSpeed(ball.m_vVel);

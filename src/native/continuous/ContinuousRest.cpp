@@ -33,10 +33,7 @@ void CContinuous::FindRestingContacts() {
       const double reach =
           m_cResting.GetReach(CRestingContacts::IsSqueezed(ball, other), Norm(ball.m_vVel - other.m_vVel),
                               std::min(ball.m_fRadius, other.m_fRadius));
-      const double far = CDiscGrid::g_fRounded * (ball.m_fRadius + other.m_fRadius + reach);
-      if ((ball.m_vPos - other.m_vPos).squaredNorm() > far * far ||
-          !NearBallBall(GetMotion(other), GetMotion(ball), reach, impact, gap))
-        continue;
+      if (!NearBallBall(GetMotion(other), GetMotion(ball), reach, impact, gap)) continue;
       m_cResting.Add(i, j, true, GetId(ball), GetId(other), impact, gap);
       ball.m_bIsNearBall = other.m_bIsNearBall = true;
       ball.m_fNearRadius = std::max(ball.m_fNearRadius, other.m_fRadius);

@@ -17,8 +17,9 @@ void CRestingContacts::Begin(const Vector2d& gravity, double dt, double elastici
   ++m_cMemory.m_nSubstep;
   m_fStep = dt;
   const double bounce = std::clamp(elasticity * elasticity, g_fLeastBounce, 1.0);
-  m_fSlow = g_fRestingSteps / bounce * Norm(gravity) * dt;
-  m_fReach = g_fRestingSteps * Norm(gravity) * dt * dt;
+  const double speed = g_fRestingSteps * Norm(gravity) * dt;
+  m_fSlow = speed / bounce;
+  m_fReach = speed * dt;
   m_stdContacts.clear();
   m_stdFirst.clear();
   m_cPiles.Reset(0);
