@@ -162,6 +162,9 @@ inline constexpr double g_fLift = 0.25;
 /// balls in a box need some ten.
 inline constexpr std::size_t g_nRestingRounds = 300;
 inline constexpr double g_fRestingError = 1e-3;
+/// Rounds of that solver after which, and after each that doubles them, it is looked whether no velocities of
+/// use fulfil all contacts. With 8 or 32 a pile under a paddle takes .98 to 1.04 of the instructions.
+inline constexpr std::size_t g_nPossibleRounds = 16;
 /// The same change as a share of the speed of the fastest ball of the pile, above half of what is slow: a
 /// pile that flows need not be as exact as one that comes to rest. With .03 a pile of 200 in a V takes twice
 /// as long to come to rest, with 0 each step takes twice as long while it flows. Balls that overlap are moved

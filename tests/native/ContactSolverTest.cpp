@@ -5,8 +5,12 @@
 #include "../../src/Tolerances.h"
 #include "../Testing.h"
 
+#include <limits>
+
 namespace Shapes::Native {
 namespace {
+
+constexpr double g_fUnlimited = std::numeric_limits<double>::infinity();
 
 // n balls of mass 1 on each other on a floor, each with the speed that gravity has given it; the impulses
 // that stop them are the weights above them; the search begins with these times `known`. Returns the largest
@@ -22,7 +26,7 @@ double SolveTower(int n, double known, std::size_t rounds = g_nRestingRounds) {
     solver.Add({Vector2d::UnitY(), ball, below, 1.0, other, 0.0}, known * speed * (n - i));
     below = ball;
   }
-  solver.Separate(g_fRestingError * 2.0 * speed, rounds);
+  solver.Separate(g_fRestingError * 2.0 * speed, g_fUnlimited, rounds);
   double error = 0.0;
   for (int i = 0; i < n; ++i)
     error = std::max(error, std::abs(solver.GetImpulse(static_cast<std::size_t>(i)) - speed * (n - i)));
@@ -40,6 +44,52 @@ TEST(ContactSolver, ASmallTowerNeedsFewRounds) { EXPECT_LT(SolveTower(10, 0.0, 3
 TEST(ContactSolver, KnownImpulsesStay) { EXPECT_LT(SolveTower(400, 1.0), 1e-12); }
 
 TEST(ContactSolver, ImpulsesThatAreTooLargeAreTakenAway) { EXPECT_LT(SolveTower(10, 2.0), 1e-2); }
+
+// A wall comes at 3 upon a row of balls of mass 1 that touch; behind the last one is another wall, which it
+// may approach at `room`.
+struct CPushedRow {
+  static constexpr double g_fWall = 3.0;
+  std::vector<double> m_stdSpeeds, m_stdImpulses;
+
+  CPushedRow(int n, double room) {
+    CContactSolver solver;
+    solver.Begin();
+    std::vector<std::uint32_t> balls;
+    for (int i = 0; i < n; ++i) {
+      balls.push_back(solver.AddBall(Vector2d::Zero()));
+      if (i > 0) solver.Add({-Vector2d::UnitX(), balls[i - 1], balls[i], 1.0, 1.0, 0.0}, 0.0);
+    }
+    solver.Add({-Vector2d::UnitX(), balls.back(), CContactSolver::g_nShape, 1.0, 0.0, -room}, 0.0);
+    solver.Add({Vector2d::UnitX(), balls[0], CContactSolver::g_nPushingShape, 1.0, 0.0, g_fWall}, 0.0);
+    solver.Solve(0.1, g_fWall);
+    for (const std::uint32_t ball : balls)
+      m_stdSpeeds.push_back(solver.GetVel(ball).x());
+    for (std::size_t k = 0; k < balls.size() + 1; ++k)
+      m_stdImpulses.push_back(solver.GetImpulse(k));
+  }
+};
+
+// Impulses grow as long as it searches: after all rounds they would be 1,100 to 11,600.
+TEST(ContactSolver, ASearchEndsWhereThereIsNoRoom) {
+  for (const int n : {2, 10, 20}) {
+    SCOPED_TRACE(n);
+    const CPushedRow row(n, 0.0);
+    for (const double impulse : row.m_stdImpulses)
+      EXPECT_LT(impulse, 60.0);
+    for (const double speed : row.m_stdSpeeds)
+      EXPECT_LE(std::abs(speed), CPushedRow::g_fWall);
+  }
+}
+
+// It is not taken for impossible while the impulses still grow.
+TEST(ContactSolver, ASearchGoesOnWhereThereIsRoom) {
+  for (const int n : {2, 10, 40, 80}) {
+    SCOPED_TRACE(n);
+    const CPushedRow row(n, CPushedRow::g_fWall);
+    for (const double speed : row.m_stdSpeeds)
+      EXPECT_NEAR(speed, CPushedRow::g_fWall, 0.1);
+  }
+}
 
 // In a corner of 45 degrees, into which a third shape comes.
 TEST(ContactSolver, NoShapeThatComesPressesABallIntoThoseThatDoNot) {
@@ -195,7 +245,7 @@ TEST(ContactSolver, ARoundGoesThroughItsRowsInTheirOrder) {
       impulses.push_back(random.Uniform(0.0f, 0.1f));
       solver.Add(row, impulses.back());
     }
-    solver.Separate(0.0, 1);
+    solver.Separate(0.0, g_fUnlimited, 1);
 
     for (std::size_t k = 0; k < rows.size(); ++k) {
       vels[rows[k].m_nBall] += impulses[k] * rows[k].m_fInverse * rows[k].m_vNorm;
@@ -221,7 +271,7 @@ TEST(ContactSolver, WhatOverlapsPartsByMass) {
                       free = solver.AddBall({0, 0});
   solver.Add({Vector2d::UnitX(), heavy, light, 1.0 / 3.0, 1.0, 4.0}, 0.0);
   solver.Add({Vector2d::UnitX(), free, heavy, 1.0, 1.0 / 3.0, -2.0}, 0.0);
-  solver.Separate(1e-9, 100);
+  solver.Separate(1e-9, g_fUnlimited, 100);
   EXPECT_NEAR(solver.GetVel(light).x(), -3.0, 1e-8);
   EXPECT_NEAR(solver.GetVel(heavy).x(), 1.0, 1e-8);
   EXPECT_EQ(solver.GetVel(free).x(), 0.0); // it is 2 away

@@ -4,6 +4,7 @@
 #include "../../Tolerances.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -22,6 +23,7 @@ void CContactSolver::Begin() {
   m_stdRows.clear();
   m_stdImpulses.clear();
   m_stdVels.clear();
+  m_bIsPushed = false;
   for (std::uint32_t shape = g_nShape; shape <= g_nPushingShape; ++shape)
     AddBall(Vector2d::Zero());
 }
@@ -34,6 +36,7 @@ std::uint32_t CContactSolver::AddBall(const Vector2d& vel) {
 void CContactSolver::Add(const CRow& row, double impulse) {
   m_stdRows.push_back(row);
   m_stdImpulses.push_back(impulse);
+  m_bIsPushed |= row.m_nOther == g_nPushingShape;
 }
 
 // By level: a row comes after those before it that share a ball with it, so that a round has the same bits as
@@ -101,8 +104,29 @@ CContactSolver::CChange CContactSolver::Relax(double share, double part) {
   return {std::max(most[0], most[1]), back[0] + back[1]};
 }
 
+// Whether no velocities up to this speed fulfil all contacts. For those that do, and any impulses that push,
+// the sum of impulse * least over the contacts is at most that of |momentum| * speed over the balls (the
+// lemma of Farkas 1902). Where there are none impulses grow for ever, and what the last round has changed
+// tells it.
+bool CContactSolver::IsImpossible(double speed) {
+  m_stdMomenta.assign(m_stdVels.size(), Vector2d::Zero());
+  double least = 0.0, most = 0.0;
+  for (std::size_t k = 0; k < m_stdRows.size(); ++k) {
+    const CRow& row = m_stdRows[k];
+    const CRowPair& pair = m_stdPairs[m_stdPlaces[k] / 2];
+    const std::size_t which = m_stdPlaces[k] % 2;
+    const double impulse = std::max(0.0, pair.m_vImpulse[which] - pair.m_vBefore[which]);
+    least += impulse * row.m_fLeast;
+    m_stdMomenta[row.m_nBall] += impulse * row.m_vNorm;
+    m_stdMomenta[row.m_nOther] -= impulse * row.m_vNorm;
+  }
+  for (std::size_t ball = g_nPushingShape + 1; ball < m_stdMomenta.size(); ++ball)
+    most += speed * Norm(m_stdMomenta[ball]);
+  return least > most;
+}
+
 // Returns how much the last round has changed a velocity.
-double CContactSolver::Search(double accurate, std::size_t rounds) {
+double CContactSolver::Search(double accurate, double limit, std::size_t rounds) {
   MakePairs();
   for (std::size_t k = 0; k < m_stdRows.size(); ++k) {
     const CRow& row = m_stdRows[k];
@@ -121,6 +145,7 @@ double CContactSolver::Search(double accurate, std::size_t rounds) {
     const double next = 0.5 + std::sqrt(0.25 + momentum * momentum);
     change = Relax((momentum - 1.0) / next, momentum > 1.0 ? g_fRelaxation : 1.0);
     momentum = next;
+    if (m_bIsPushed && round >= g_nPossibleRounds && std::has_single_bit(round) && IsImpossible(limit)) break;
   }
   return change.m_fMost;
 }
@@ -142,8 +167,7 @@ bool CContactSolver::StopAt(std::uint32_t shape) {
 
 // Shapes last: no ball is pressed into one by others, nor into one that stays by one that comes upon it.
 void CContactSolver::StopAtShapes() {
-  bool isChanging = std::any_of(m_stdRows.begin(), m_stdRows.end(),
-                                [](const CRow& row) { return row.m_nOther == g_nPushingShape; });
+  bool isChanging = m_bIsPushed;
   for (int round = 0; isChanging && round < g_nWedgeRounds; ++round) {
     isChanging = StopAt(g_nPushingShape);
     isChanging |= StopAt(g_nShape);
@@ -162,21 +186,21 @@ void CContactSolver::Solve(double slow, double surface) {
   for (const Vector2d& v : m_stdVels)
     fastest = std::max(fastest, v.squaredNorm());
   const double accurate = std::max(g_fRestingError * slow, GetFlowError(std::sqrt(fastest), slow));
-  // Each lower one as if it were the ground, as far as the rounds have not come to an end.
-  if (Search(accurate, g_nRestingRounds) > g_fShock * accurate)
-    for (int round = 0; round < g_nShockRounds; ++round)
-      for (const CRow& row : m_stdRows)
-        Stop(row);
   // Between what comes upon it and what gives no way a ball would leave at the speed of that over the sine of
   // the angle between them, which is small for an instant only.
   const double limit = std::max(std::sqrt(fastest), g_fSqueezed * surface + slow);
+  // Each lower one as if it were the ground, as far as the rounds have not come to an end.
+  if (Search(accurate, limit, g_nRestingRounds) > g_fShock * accurate)
+    for (int round = 0; round < g_nShockRounds; ++round)
+      for (const CRow& row : m_stdRows)
+        Stop(row);
   for (Vector2d& v : m_stdVels)
     if (const double speed = Norm(v); speed > limit) v *= limit / speed;
   StopAtShapes();
 }
 
-void CContactSolver::Separate(double accurate, std::size_t rounds) {
-  Search(accurate, rounds);
+void CContactSolver::Separate(double accurate, double limit, std::size_t rounds) {
+  Search(accurate, limit, rounds);
   StopAtShapes();
 }
 

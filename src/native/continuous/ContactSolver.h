@@ -13,7 +13,8 @@ namespace Shapes::Native {
 /// change fulfil every contact: a linear complementarity problem. Projected Gauss-Seidel from the bottom up,
 /// and between two rounds on by a growing share of what the last one has changed: the momentum of Nesterov
 /// (1983), which begins anew where a round goes against it (O'Donoghue and Candes 2015), and ends where
-/// rounds change more and more: those without it do not.
+/// rounds change more and more: those without it do not. Where shapes leave balls no room there are no such
+/// velocities: then the search ends as soon as that is proven.
 class CContactSolver {
 public:
   /// A contact.
@@ -42,8 +43,10 @@ public:
   void Solve(double slow, double surface);
   /// Those that take balls which overlap apart.
   /// @param accurate  change of a velocity in a round, units per second, after which it has come to an end
+  /// @param limit     speed, units per second, up to which they are of use: the search also ends once it is
+  ///                  sure that those would not do
   /// @param rounds    at most, above 0
-  void Separate(double accurate, std::size_t rounds);
+  void Separate(double accurate, double limit, std::size_t rounds);
 
   const Vector2d& GetVel(std::uint32_t ball) const { return m_stdVels[ball]; }
   double GetImpulse(std::size_t row) const {
@@ -58,18 +61,21 @@ private:
   };
   void MakePairs();
   CChange Relax(double share, double part);
-  double Search(double accurate, std::size_t rounds);
+  bool IsImpossible(double speed);
+  double Search(double accurate, double limit, std::size_t rounds);
   bool Stop(const CRow& row);
   bool StopAt(std::uint32_t shape);
   void StopAtShapes();
 
   std::vector<CRow> m_stdRows;
+  bool m_bIsPushed = false;                          // by a shape
   std::vector<double> m_stdImpulses;                 // of rows, as the search begins
   std::vector<CRowPair> m_stdPairs;                  // all rows, as they are solved
   std::vector<std::uint32_t> m_stdPlaces;            // of rows: twice the pair, and which of its two
   std::vector<std::uint32_t> m_stdLevels, m_stdEnds; // of MakePairs
   std::vector<Vector2d> m_stdVels;                   // of each ball, and of the shapes
   std::vector<Vector2d> m_stdVelsBefore;             // after the round before
+  std::vector<Vector2d> m_stdMomenta;                // of IsImpossible
 };
 
 } // namespace Shapes::Native

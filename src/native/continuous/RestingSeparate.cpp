@@ -76,18 +76,21 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
     if (IsJammed(c, balls)) row.m_vNorm = Unit(c.m_vNorm + g_fLift * m_vUp, c.m_vNorm);
     m_cSolver.Add(row, 0.0);
   }
-  // Where many are in one place they need not come apart in one substep.
-  const auto near = static_cast<std::size_t>(
-      std::count_if(balls.begin(), balls.end(), [](const CMoving& ball) { return ball.m_bIsNearBall; }));
-  const std::size_t most = g_nManyContacts * near * g_nSeparateRounds;
-  m_cSolver.Separate(std::max(least / m_fStep, GetFlowError(balls)),
-                     std::min(g_nSeparateRounds, 1 + most / m_stdContacts.size()));
-
   // Where a game has put a shape into balls they give way as far as it has come, and more where each has to
   // make room for the one before it.
   double given = 0.0;
   for (const CContact& c : m_stdContacts)
     if (m_cMemory.m_bIsShapePut && !c.m_bIsBall) given = std::max(given, -g_fGivenWay * c.m_fGap);
+  double limit = given;
+  for (const CMoving& ball : balls)
+    if (ball.m_bIsNearBall) limit = std::max(limit, g_fMostSeparation * ball.m_fNearRadius);
+  // Where many are in one place they need not come apart in one substep.
+  const auto near = static_cast<std::size_t>(
+      std::count_if(balls.begin(), balls.end(), [](const CMoving& ball) { return ball.m_bIsNearBall; }));
+  const std::size_t most = g_nManyContacts * near * g_nSeparateRounds;
+  m_cSolver.Separate(std::max(least / m_fStep, GetFlowError(balls)), limit / m_fStep,
+                     std::min(g_nSeparateRounds, 1 + most / m_stdContacts.size()));
+
   const auto getWay = [&](std::uint32_t i) {
     if (m_stdSolved[i] == g_nNobody) return Vector2d(Vector2d::Zero());
     const Vector2d way = m_fStep * m_cSolver.GetVel(m_stdSolved[i]);
