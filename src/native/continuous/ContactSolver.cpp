@@ -185,12 +185,14 @@ void CContactSolver::Solve(double slow, double surface) {
   double fastest = 0.0; // squared
   for (const Vector2d& v : m_stdVels)
     fastest = std::max(fastest, v.squaredNorm());
-  const double accurate = std::max(g_fRestingError * slow, GetFlowError(std::sqrt(fastest), slow));
+  const double error = GetFlowError(std::sqrt(fastest), slow),
+               accurate = std::max(g_fRestingError * slow, error);
+  const std::size_t rounds = error > g_fRestingError * slow ? g_nFlowRounds : g_nRestingRounds;
   // Between what comes upon it and what gives no way a ball would leave at the speed of that over the sine of
   // the angle between them, which is small for an instant only.
   const double limit = std::max(std::sqrt(fastest), g_fSqueezed * surface + slow);
   // Each lower one as if it were the ground, as far as the rounds have not come to an end.
-  if (Search(accurate, limit, g_nRestingRounds) > g_fShock * accurate)
+  if (Search(accurate, limit, rounds) > g_fShock * accurate)
     for (int round = 0; round < g_nShockRounds; ++round)
       for (const CRow& row : m_stdRows)
         Stop(row);

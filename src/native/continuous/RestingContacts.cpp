@@ -109,7 +109,9 @@ void CRestingContacts::FindKnown() {
       ++known;
     CContact& c = m_stdContacts[near.m_nContact];
     c.m_nNear = k;
-    if (known != m_stdKnown.cend() && known->m_nPair == near.m_nPair) c.m_fImpulse = known->m_fImpulse;
+    if (known == m_stdKnown.cend() || known->m_nPair != near.m_nPair) continue;
+    c.m_fImpulse = known->m_fImpulse;
+    c.m_fApart = known->m_fApart;
   }
 }
 

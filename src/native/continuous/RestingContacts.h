@@ -47,16 +47,17 @@ private:
     Vector2d m_vNorm;
     double m_fGap, m_fSpeed, m_fRadius;
     double m_fBend; // second derivative of the gap, without the accelerations of the balls
-    double m_fImpulse = 0.0;
+    double m_fImpulse = 0.0, m_fApart = 0.0;
     std::uint64_t m_nPair;
     double m_fKey = 0.0;       // of sorting: the height against gravity, and then the pile
     std::uint32_t m_nNear = 0; // where m_stdNear has it
   };
-  // A pair that was within reach, and its impulse.
+  // A pair that was within reach, and its impulses.
   struct CKnown {
     std::uint64_t m_nPair;
     double m_fImpulse;
     std::uint32_t m_nContact; // of this pair
+    double m_fApart = 0.0;    // the impulse that has moved it apart
   };
   // A ball at the end of the last substep in which it was looked at.
   struct CLast {

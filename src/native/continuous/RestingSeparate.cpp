@@ -68,13 +68,16 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
       if (c.m_bIsBall) balls[c.m_nOther].m_bHasPressed = true;
     }
 
+  const double accurate = least / m_fStep, error = GetFlowError(balls);
+  // What flows is apart in other places each time.
+  const double known = error > accurate ? 0.0 : g_fKnownApart;
   m_stdSolved.assign(balls.size(), g_nNobody);
   m_cSolver.Begin();
   for (const CContact& c : m_stdContacts) {
     CContactSolver::CRow row = MakeRow(c, balls, [](std::uint32_t) { return Vector2d(Vector2d::Zero()); });
     row.m_fLeast = -c.m_fGap / m_fStep;
     if (IsJammed(c, balls)) row.m_vNorm = Unit(c.m_vNorm + g_fLift * m_vUp, c.m_vNorm);
-    m_cSolver.Add(row, 0.0);
+    m_cSolver.Add(row, known * c.m_fApart);
   }
   // Where a game has put a shape into balls they give way as far as it has come, and more where each has to
   // make room for the one before it.
@@ -88,8 +91,11 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   const auto near = static_cast<std::size_t>(
       std::count_if(balls.begin(), balls.end(), [](const CMoving& ball) { return ball.m_bIsNearBall; }));
   const std::size_t most = g_nManyContacts * near * g_nSeparateRounds;
-  m_cSolver.Separate(std::max(least / m_fStep, GetFlowError(balls)), limit / m_fStep,
+  m_cSolver.Separate(std::max(accurate, error), limit / m_fStep,
                      std::min(g_nSeparateRounds, 1 + most / m_stdContacts.size()));
+
+  for (std::size_t k = 0; k < m_stdContacts.size(); ++k)
+    m_cMemory.m_stdNear[m_stdContacts[k].m_nNear].m_fApart = m_cSolver.GetImpulse(k);
 
   const auto getWay = [&](std::uint32_t i) {
     if (m_stdSolved[i] == g_nNobody) return Vector2d(Vector2d::Zero());
