@@ -69,7 +69,7 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
     }
 
   const double accurate = least / m_fStep, error = GetFlowError(balls);
-  // What flows is apart in other places each time.
+  // Where balls flow others overlap each time.
   const double known = error > accurate ? 0.0 : g_fKnownApart;
   m_stdSolved.assign(balls.size(), g_nNobody);
   m_cSolver.Begin();
