@@ -88,7 +88,7 @@ TEST(Pile, APileComesToRestAndLosesNone) {
   EXPECT_LT(halted, 2100u);
   // 21 balls in a row are wider than this box by a thousandth: where none of a row is lifted these piles keep
   // overlaps of .004.
-  for (const std::uint64_t seed : {6u, 12u, 15u, 20u})
+  for (const std::uint64_t seed : {14u, 22u, 27u, 38u})
     play({.m_nBalls = 200, .m_fHalf = 4.195f}, seed);
   EXPECT_LT(gain, 4e-5 * piles); // what lifts balls that have no speed to lose
 }
