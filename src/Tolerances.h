@@ -146,9 +146,9 @@ inline constexpr double g_fLeastGiven = 0.05;
 /// 1,000 take half as long again.
 inline constexpr std::size_t g_nSeparateRounds = 64;
 inline constexpr double g_fSeparateError = 2e-4;
-/// Share of the impulses that have moved balls of a pile apart in the last substep with which the search for
-/// the next ones begins, unless it flows: what these rounds do not come to in one substep they do in several.
-/// With 0 1 of 60 piles of masses 1:1000 in a V sinks as fast as it is moved apart, up to .04 radii deep,
+/// Share of the impulses that have moved balls apart in the last substep with which the search for the next
+/// ones begins, unless any of them flows: what these rounds do not come to in one substep they do in several.
+/// With 0 1 of 60 piles of masses 1:1000 in a V sinks as fast as it is moved apart, up to .1 radii deep,
 /// without end; with 1 a step gives 3e-4 of the energy of some.
 inline constexpr double g_fKnownApart = 0.8;
 /// Contacts of a ball, in the mean, above which these rounds become fewer: the time of a step in which many
@@ -167,9 +167,6 @@ inline constexpr double g_fLift = 0.25;
 /// balls in a box need some ten.
 inline constexpr std::size_t g_nRestingRounds = 300;
 inline constexpr double g_fRestingError = 1e-3;
-/// Rounds of that solver after which, and after each that doubles them, it is looked whether no velocities of
-/// use fulfil all contacts. With 8 or 32 a pile under a paddle takes .98 to 1.04 of the instructions.
-inline constexpr std::size_t g_nPossibleRounds = 16;
 /// The same change as a share of the speed of the fastest ball of the pile, above half of what is slow: a
 /// pile that flows need not be as exact as one that comes to rest. With .03 a pile of 200 in a V takes twice
 /// as long to come to rest, with 0 each step takes twice as long while it flows. Balls that overlap are moved
@@ -178,6 +175,10 @@ inline constexpr double g_fFlowError = 0.01;
 /// Most rounds of the solver for such a pile. With 300, as for one that is slow, piles of masses 1:1000 take
 /// 1.1 to 1.3 times as long, and overlap as much; with 60 as long as with 100, and 1,000 in a box rest late.
 inline constexpr std::size_t g_nFlowRounds = 100;
+/// Rounds after which, and after each doubling of them, it is looked whether shapes that push leave no room:
+/// no velocities of use fulfil all contacts. The search for all overlaps ends where one pile proves it. With
+/// 8 or 32 a pile under a paddle takes .98 to 1.04 of the instructions.
+inline constexpr std::size_t g_nPossibleRounds = 16;
 /// Part of what a contact lacks that a round gives to it once there is momentum. With all of it both feed
 /// what alternates from ball to ball: crystals of 40 rows end in nonsense, with .9 those of 80; with .8 those
 /// of 120 do not yet. Less takes more rounds.

@@ -13,7 +13,7 @@ namespace {
 using namespace Compare;
 
 constexpr std::size_t g_nControlSteps = 20000;
-// Vectors that are used for the first time after the first tenth, such as the seven of the solver of piles.
+// Vectors that are used for the first time after the first tenth, such as the eight of the solver of piles.
 constexpr std::ptrdiff_t g_nLateVectors = 16;
 // Vectors of contacts, and of balls that touch, each of which grows where there are more than ever before.
 constexpr std::size_t g_nVectorsOfContacts = 48;

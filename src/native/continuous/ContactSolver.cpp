@@ -109,7 +109,8 @@ CContactSolver::CChange CContactSolver::Relax(double share, double part) {
 // lemma of Farkas 1902). Where there are none impulses grow for ever, and what the last round has changed
 // tells it.
 bool CContactSolver::IsImpossible(double speed) {
-  m_stdMomenta.assign(m_stdVels.size(), Vector2d::Zero());
+  m_stdMomenta.clear();
+  m_stdMomenta.resize(m_stdVels.size(), Vector2d::Zero());
   double least = 0.0, most = 0.0;
   for (std::size_t k = 0; k < m_stdRows.size(); ++k) {
     const CRow& row = m_stdRows[k];
