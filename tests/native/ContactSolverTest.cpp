@@ -54,10 +54,11 @@ struct CPushedRow {
   CPushedRow(int n, double room, double known = 0.0) {
     CContactSolver solver;
     solver.Begin();
-    std::vector<std::uint32_t> balls;
-    for (int i = 0; i < n; ++i) {
+    std::vector<std::uint32_t> balls = {solver.AddBall(Vector2d::Zero())};
+    while (std::ssize(balls) < n) {
+      const std::uint32_t last = balls.back();
       balls.push_back(solver.AddBall(Vector2d::Zero()));
-      if (i > 0) solver.Add({-Vector2d::UnitX(), balls[i - 1], balls[i], 1.0, 1.0, 0.0}, known);
+      solver.Add({-Vector2d::UnitX(), last, balls.back(), 1.0, 1.0, 0.0}, known);
     }
     solver.Add({-Vector2d::UnitX(), balls.back(), CContactSolver::g_nShape, 1.0, 0.0, -room}, known);
     solver.Add({Vector2d::UnitX(), balls[0], CContactSolver::g_nPushingShape, 1.0, 0.0, g_fWall}, known);
