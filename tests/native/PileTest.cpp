@@ -133,8 +133,8 @@ CPile MakeRandomPile(std::uint64_t seed, const CEffectChoice& effects) {
 TEST(RandomPiles, LoseNoBallGainNoEnergyAndComeToRest) {
   const std::uint64_t piles = HowMany("SHAPES_PILES", 15);
   // A step of the first five once gave up to 1.2e-2, the next ones slept with overlaps of up to .0058. In the
-  // last one balls gain 3.2e-4 unless the energies of two that meet are kept together.
-  std::vector<std::uint64_t> seeds = {356, 867, 1168, 1422, 1559, 26, 281, 1526, 774, 851, 3446, 129, 1724};
+  // last one balls gain 7.3e-4 unless the energies of two that meet are kept together.
+  std::vector<std::uint64_t> seeds = {356, 867, 1168, 1422, 1559, 26, 281, 1526, 774, 851, 3446, 129, 205};
   for (std::uint64_t seed = 0; seed < piles; ++seed)
     seeds.push_back(seed);
   // A row that a paddle has left too long may come apart late, and a ball that bounces with e = .9 may take
@@ -343,9 +343,9 @@ TEST(Pile, AFloorThatIsMovedUpIntoAPileLosesNone) {
 }
 
 // Squeezed balls are solved together. By impacts, one after the other, it took a ball 14 contacts a step,
-// 2,024 were halted, and the deepest overlap was .31 radii in the mean of all steps, instead of 1.8, 490 and
+// 2,024 were halted, and the deepest overlap was .31 radii in the mean of all steps, instead of 1.1, 160 and
 // .08. A paddle that does not turn gets past no ball that is halted, so they are after 64 impacts: after 256
-// the ball that had most contacts in a step would have 42 in the mean instead of 20.
+// the ball that had most contacts in a step would have 16 in the mean instead of 8.
 TEST(Pile, BallsUnderAPaddleAreNotHitHundredsOfTimes) {
   constexpr int balls = 40, steps = 300;
   std::uint64_t contacts = 0, halted = 0;
@@ -368,7 +368,7 @@ TEST(Pile, BallsUnderAPaddleAreNotHitHundredsOfTimes) {
   }
   EXPECT_LT(contacts, 3u * 3 * steps * balls);
   EXPECT_LT(halted, 900u);
-  EXPECT_LT(most, 30);
+  EXPECT_LT(most, 12);
   EXPECT_LT(overlap, 0.15);
 }
 
