@@ -349,6 +349,8 @@ TEST(SqueezedBalls, LeaveAPistonAtItsSpeedNotAtThatOverASine) {
   for (const auto seed : {0u,  1u,  2u,  3u,  4u,  5u,  6u,   7u,  11u, 19u,  26u, 34u,  38u,
                           39u, 42u, 43u, 17u, 47u, 80u, 233u, 33u, 74u, 268u, 45u, 368u, 381u})
     EXPECT_LT(PushHeap(10.0f, 0.3f, seed), 2.7f) << "seed " << seed;
+  for (const auto seed : {4u, 10u, 21u, 33u, 57u})
+    EXPECT_LT(PushHeap(2.0f, 0.0f, seed), 2.7f) << "seed " << seed;
   int over = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const float fastest = PushHeap(2.0f, 0.0f, seed);

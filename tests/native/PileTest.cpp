@@ -88,7 +88,7 @@ TEST(Pile, APileComesToRestAndLosesNone) {
   EXPECT_LT(halted, 2100u);
   // 21 balls in a row are wider than this box by a thousandth: where none of a row is lifted these piles keep
   // overlaps of .004.
-  for (const std::uint64_t seed : {14u, 22u, 27u, 38u})
+  for (const std::uint64_t seed : {6u, 12u, 15u, 20u, 14u, 22u, 27u, 38u})
     play({.m_nBalls = 200, .m_fHalf = 4.195f}, seed);
   EXPECT_LT(gain, 4e-5 * piles); // what lifts balls that have no speed to lose
 }
@@ -134,7 +134,8 @@ TEST(RandomPiles, LoseNoBallGainNoEnergyAndComeToRest) {
   const std::uint64_t piles = HowMany("SHAPES_PILES", 15);
   // A step of the first five once gave up to 1.2e-2, the next ones slept with overlaps of up to .0058. In the
   // last one balls gain 7.3e-4 unless the energies of two that meet are kept together.
-  std::vector<std::uint64_t> seeds = {356, 867, 1168, 1422, 1559, 26, 281, 1526, 774, 851, 3446, 129, 205};
+  std::vector<std::uint64_t> seeds = {356,  867, 1168, 1422, 1559, 26,   281,
+                                      1526, 774, 851,  3446, 129,  1724, 205};
   for (std::uint64_t seed = 0; seed < piles; ++seed)
     seeds.push_back(seed);
   // A row that a paddle has left too long may come apart late, and a ball that bounces with e = .9 may take

@@ -186,9 +186,9 @@ void CContactSolver::Solve(double slow, double surface) {
   double fastest = 0.0; // squared
   for (const Vector2d& v : m_stdVels)
     fastest = std::max(fastest, v.squaredNorm());
-  const double error = GetFlowError(std::sqrt(fastest), slow),
-               accurate = std::max(g_fRestingError * slow, error);
-  const std::size_t rounds = error > g_fRestingError * slow ? g_nFlowRounds : g_nRestingRounds;
+  const double resting = g_fRestingError * slow, error = GetFlowError(std::sqrt(fastest), slow);
+  const double accurate = std::max(resting, error);
+  const std::size_t rounds = error > resting ? g_nFlowRounds : g_nRestingRounds;
   // Between what comes upon it and what gives no way a ball would leave at the speed of that over the sine of
   // the angle between them, which is small for an instant only.
   const double limit = std::max(std::sqrt(fastest), g_fSqueezed * surface + slow);

@@ -14,8 +14,8 @@ namespace Shapes::Native {
 /// and between two rounds on by a growing share of what the last one has changed: the momentum of Nesterov
 /// (1983), which begins anew where a round goes against it (O'Donoghue and Candes 2015), and ends where
 /// rounds change more and more: those without it do not. Where shapes leave balls no room there are no such
-/// velocities: where one pushes, it is asked after 16, 32, 64 .. rounds whether that is proven, which ends
-/// it.
+/// velocities: where one pushes, it is asked after g_nPossibleRounds and each doubling of them whether that
+/// is proven, which ends it.
 class CContactSolver {
 public:
   /// A contact.

@@ -85,11 +85,13 @@ void CRestingContacts::Separate(std::vector<CMoving>& balls) {
   for (const CContact& c : m_stdContacts)
     if (m_cMemory.m_bIsShapePut && !c.m_bIsBall) given = std::max(given, -g_fGivenWay * c.m_fGap);
   double limit = given;
-  for (const CMoving& ball : balls)
-    if (ball.m_bIsNearBall) limit = std::max(limit, g_fMostSeparation * ball.m_fNearRadius);
+  std::size_t near = 0;
+  for (const CMoving& ball : balls) {
+    if (!ball.m_bIsNearBall) continue;
+    limit = std::max(limit, g_fMostSeparation * ball.m_fNearRadius);
+    ++near;
+  }
   // Where many are in one place they need not come apart in one substep.
-  const auto near = static_cast<std::size_t>(
-      std::count_if(balls.begin(), balls.end(), [](const CMoving& ball) { return ball.m_bIsNearBall; }));
   const std::size_t most = g_nManyContacts * near * g_nSeparateRounds;
   m_cSolver.Separate(std::max(accurate, error), limit / m_fStep,
                      std::min(g_nSeparateRounds, 1 + most / m_stdContacts.size()));
