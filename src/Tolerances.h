@@ -85,17 +85,15 @@ inline constexpr double g_fLeastBounce = 0.5;
 /// more. In steps of .03 to .1 s that leaves overlaps of .1 radii and more to 1 of 70 piles, without the
 /// latter to 1 of 10; .02 would take 10% more time in shorter ones.
 inline constexpr double g_fPassedOverlap = 0.05;
-/// Most impacts in a substep of a ball of a pile, or of one that loses speed and is near others, where no
-/// shape turns: for the rest of it it is halted. Bounds the time of a pile that falls together or is squeezed
-/// by a wall. Through a neck of four diameters 300 balls flow at .72 of the rate without this bound with 16,
+/// Most impacts in a substep of a ball of a pile, or of one that loses speed and is near others: for the rest
+/// of it it is halted. Bounds the time of a pile that falls together or is squeezed by a wall. Through a neck of four diameters 300 balls flow at .72 of the rate without this bound with 16,
 /// at .89 of it with 64, for up to an eighth more time.
 inline constexpr unsigned g_nCrowded = 64;
 /// A ball that is halted within this share of a substep has got nowhere in it: it is stuck, and has no
 /// velocity. In slots that are too narrow by a rounding they are halted within 6e-6 at most.
 inline constexpr double g_fStuckPart = 1e-4;
 /// Impacts in that share of a substep, all along one line, of a ball that a moving shape pushes, after which
-/// it is halted, where no shape turns: it is pressed on another one, and would bounce between them without
-/// end.
+/// it is halted: it is pressed on another one, and would bounce between them without end.
 inline constexpr unsigned g_nStuckImpacts = 16;
 /// By how much the cosine of the angle of two normals on one line may differ from 1 or -1: roundings of them.
 /// Between surfaces that are not parallel a ball gets out at a side.

@@ -147,10 +147,10 @@ void CStaticBroadPhase::BoxKinematic(float dt) {
   m_cKinematic.m_cTree.Refit(m_cKinematic.m_stdBoxes);
 }
 
-bool CStaticBroadPhase::IsAnyKinematic(bool (CShape::*is)() const) const {
+bool CStaticBroadPhase::IsAnyMoving() const {
   const auto& orders = m_cKinematic.m_stdOrder;
   return std::any_of(orders.begin(), orders.end(),
-                     [=, this](std::uint32_t order) { return (GetShape(order).*is)(); });
+                     [this](std::uint32_t order) { return GetShape(order).GetMoving(); });
 }
 
 bool CStaticBroadPhase::MovesNear(const CAabb2D& box) const {

@@ -39,10 +39,8 @@ public:
   void Update(const CShapeEntry& entry);
 
   std::size_t Size() const { return m_stdByOrder.size(); }
-  /// Whether any shape turns; whether any moves, and whether one may meet this box where it moves (after
-  /// BoxKinematic).
-  bool IsAnyTurning() const { return IsAnyKinematic(&CShape::GetRotating); }
-  bool IsAnyMoving() const { return IsAnyKinematic(&CShape::GetMoving); }
+  /// Whether any shape moves, and whether one may meet this box where it moves (after BoxKinematic).
+  bool IsAnyMoving() const;
   bool MovesNear(const CAabb2D& box) const;
   const CSolidShape& Get(std::uint32_t order) const { return m_stdByOrder[order]; }
 
@@ -104,7 +102,6 @@ private:
     bool IsTreeComplete() const { return m_cTree.Size() == m_stdBoxes.size(); }
   };
   const CShape& GetShape(std::uint32_t order) const { return *m_stdByOrder[order].m_pShape; }
-  bool IsAnyKinematic(bool (CShape::*is)() const) const;
   static void Query(const CGroup& group, const CAabb2D& box, std::vector<std::uint32_t>& orders);
   void FindOthers(const Vector2& p, float r, bool isInGrid, std::vector<std::uint32_t>& orders);
   void DropGrid();

@@ -403,9 +403,7 @@ void CContinuous::EndMotion(CMoving& ball, const Vector2d& n) {
   }
   const bool isCrowded =
       ball.m_nImpacts == g_nCrowded && (ball.m_bIsInPile || (ball.m_bIsNearBall && !mayKeep()));
-  const bool isJammed = GetsNowhere(ball, n) || isCrowded;
-  // Where shapes turn, they could get past a ball that is halted.
-  const bool isStopped = isJammed && !m_pShapes->IsAnyTurning();
+  const bool isStopped = GetsNowhere(ball, n) || isCrowded;
   if (isStopped || ball.m_nImpacts == g_nMaxImpacts || ball.m_nBallsSeen > g_nMostBallsSeen) Halt(ball);
 }
 
