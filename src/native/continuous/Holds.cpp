@@ -18,15 +18,20 @@ Vector2d GetCrossing(const Vector2d& n, double b, const Vector2d& m, double c) {
   return {b * m.y() - c * n.y(), c * n.x() - b * m.x()};
 }
 
+// By how much p, which was calculated from x, is on the wrong side of n . point = b, beyond rounding.
+double GetExcess(const Vector2d& n, double b, const Vector2d& p, const Vector2d& x) {
+  const double size = x.cwiseAbs().maxCoeff() + p.cwiseAbs().maxCoeff();
+  const double excess = b - n.dot(p);
+  return excess <= 16.0 * std::numeric_limits<double>::epsilon() * size ? 0.0 : excess;
+}
+
 // The point closest to x with n . point >= b for all: it is x, on one of the lines, or where two cross. What
 // rounding violates is no violation. If there is none, the one that goes into shapes that do not push least,
 // then into those that push, and then into balls.
 template <class F>
 Vector2d Closest(const Vector2d& x, std::span<const CHold> holds, const F& bound) {
   const auto getExcess = [&](const CHold& hold, const Vector2d& p) {
-    const double size = x.cwiseAbs().maxCoeff() + p.cwiseAbs().maxCoeff();
-    const double excess = bound(hold) - hold.m_vNorm.dot(p);
-    return excess <= 16.0 * std::numeric_limits<double>::epsilon() * size ? 0.0 : excess;
+    return GetExcess(hold.m_vNorm, bound(hold), p, x);
   };
   if (holds.size() == 1) return x + getExcess(holds[0], x) * holds[0].m_vNorm;
 
@@ -101,7 +106,12 @@ Vector2d CHolds::KeepVel(const Vector2d& v) const {
     const bool isNearby = Norm(crossing) <= (std::abs(b) + std::abs(c) + Norm(v)) * std::abs(det);
     if (std::abs(det) >= g_fParallel && isNearby) return crossing / det;
   }
-  return v + (b - n.dot(v)) * n;
+  // But not into another one, which leaves it no room there.
+  const Vector2d kept = v + (b - n.dot(v)) * n;
+  const auto isIn = [&](const CHold& other) {
+    return GetExcess(other.m_vNorm, other.m_fSpeed, kept, v) > 0.0;
+  };
+  return std::any_of(holds.begin() + 1, holds.end(), isIn) ? v : kept;
 }
 
 bool CHolds::DropPulling(const Vector2d& acc, const Vector2d& free) {
