@@ -195,7 +195,7 @@ private:
                    double& gap) const;
   bool IsFalling() const { return m_bIsFalling; }
   bool IsHop(double out, double closing, double speed) const;
-  bool CanFollow(const CMoving& ball, std::uint32_t order, const CImpact& impact) const;
+  bool CanFollow(const CMoving& ball, std::uint32_t order, double radius) const;
   void Hold(CMoving& ball, const CHold& hold);
   CHold MakeHold(const CMoving& ball, std::uint32_t order, const CImpact& impact, const Vector2d& acc) const;
   // What rounding explains of a gap between the two.

@@ -19,13 +19,14 @@ bool CContinuous::IsHop(double out, double closing, double speed) const {
   return closing > 0.0 && out <= most && 2.0 * g_nHops * out < closing * m_fStep;
 }
 
-// Whether the way along a surface can be followed: not where it turns too far within a substep.
-bool CContinuous::CanFollow(const CMoving& ball, std::uint32_t order, const CImpact& impact) const {
+// Whether the way along a surface, of this radius of curvature, can be followed: not where it turns too far
+// within a substep.
+bool CContinuous::CanFollow(const CMoving& ball, std::uint32_t order, double radius) const {
   const CShapeGeometry& o = m_pShapes->GetGeometry(order);
   const double way = (Norm(ball.m_vVel - o.m_vVel) + m_fFall) * m_fStep, turn = std::abs(o.m_fTurnSpeed);
   const double part = static_cast<double>(turn == 0.0 ? g_fSlideTurn : g_fHoldTurn) * g_nMaxHolds;
-  const double R = std::abs(impact.m_fRadius + ball.m_fRadius), left = part - turn * m_fStep;
-  return left > 0.0 && (!std::isfinite(R) || way < left * R);
+  const double left = part - turn * m_fStep;
+  return left > 0.0 && (!std::isfinite(radius) || way < left * std::abs(radius));
 }
 
 void CContinuous::Free(CMoving& ball) const {
@@ -137,7 +138,7 @@ bool CContinuous::HoldIfStaying(CMoving& ball, std::uint32_t order, const CImpac
   const double speed = Norm(ball.m_vVel) + Norm(impact.m_vSurface);
   const double e = ball.m_fElasticity * static_cast<double>(m_pShapes->Get(order).m_pShape->GetElasticity());
   const double out = std::max(apart, -apart * (mayMeet ? e : 1.0));
-  FailIf(!IsHop(out, impact.m_fClosing, speed) || !CanFollow(ball, order, impact));
+  FailIf(!IsHop(out, impact.m_fClosing, speed) || !CanFollow(ball, order, impact.m_fRadius + ball.m_fRadius));
   const CHold hold = MakeHold(ball, order, impact, GetMotion(ball).m_vAcc);
   if (!isHeld) ball.m_vPos -= gap * n;
   Hold(ball, hold);

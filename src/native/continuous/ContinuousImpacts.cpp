@@ -250,7 +250,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   const CHold hold = MakeHold(ball, order, impact, acc);
   // Where it leaves what has held it nothing but gravity accelerates it.
   const bool staysAlone = IsHop(e * approach, hold.m_fAcc - n.dot(ball.m_vFall), speed);
-  const bool stays = IsFalling() && CanFollow(ball, order, impact) &&
+  const bool stays = IsFalling() && CanFollow(ball, order, hold.m_fRadius) &&
                      (staysAlone || IsHop(e * approach, impact.m_fClosing, speed));
   if (stays) {
     GiveAgain(ball);

@@ -34,7 +34,7 @@ void CContinuous::FindRestingContacts() {
           m_cResting.GetReach(CRestingContacts::IsSqueezed(ball, other), Norm(ball.m_vVel - other.m_vVel),
                               std::min(ball.m_fRadius, other.m_fRadius));
       if (!NearBallBall(GetMotion(other), GetMotion(ball), reach, impact, gap)) continue;
-      m_cResting.Add(i, j, true, GetId(ball), GetId(other), impact, gap);
+      m_cResting.Add(i, j, true, GetId(ball), GetId(other), impact, gap, true);
       ball.m_bIsNearBall = other.m_bIsNearBall = true;
       ball.m_fNearRadius = std::max(ball.m_fNearRadius, other.m_fRadius);
       other.m_fNearRadius = std::max(other.m_fNearRadius, ball.m_fRadius);
@@ -56,9 +56,9 @@ void CContinuous::FindRestingContacts() {
       const Vector2d surface = m_pShapes->GetGeometry(order).GetSurfaceVelocity(ball.m_vPos, 0.0);
       const double far = getReach(Norm(ball.m_vVel - surface));
       if (m_pShapes->Get(order).m_pShape->GetCanCollide() &&
-          IsNearShape(order, GetMotion(ball), 0.0, far, impact, gap) && CanFollow(ball, order, impact) &&
-          !IsPassing(ball, order, impact, gap))
-        m_cResting.Add(i, order, false, GetId(ball), m_pShapes->Get(order).m_cId, impact, gap);
+          IsNearShape(order, GetMotion(ball), 0.0, far, impact, gap) && !IsPassing(ball, order, impact, gap))
+        m_cResting.Add(i, order, false, GetId(ball), m_pShapes->Get(order).m_cId, impact, gap,
+                       CanFollow(ball, order, impact.m_fRadius + ball.m_fRadius));
     }
   }
   m_cResting.Separate(m_stdBalls);
@@ -96,7 +96,10 @@ void CContinuous::SolveRestingContacts() {
   }
   for (std::uint32_t i = 0; i < n; ++i) {
     if (!m_stdBalls[i].m_bIsInPile) continue;
-    m_stdBalls[i].m_fHoldTime = GetHoldTime(m_stdBalls[i]);
+    CMoving& ball = m_stdBalls[i];
+    // At the velocity that it has now.
+    ball.m_cHolds.DropIf([&](const CHold& hold) { return !CanFollow(ball, hold.m_nOther, hold.m_fRadius); });
+    ball.m_fHoldTime = GetHoldTime(ball);
     MoveDisc(i);
     FindShapes(i);
     FindFirst(i);

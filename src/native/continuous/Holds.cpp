@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <utility>
 
 namespace Shapes::Native {
 namespace {
@@ -115,14 +114,10 @@ Vector2d CHolds::KeepVel(const Vector2d& v) const {
 }
 
 bool CHolds::DropPulling(const Vector2d& acc, const Vector2d& free) {
-  const auto end = m_stdHolds.begin() + static_cast<std::ptrdiff_t>(m_nSize);
-  const auto pulls = [&](const CHold& hold) {
+  return DropIf([&](const CHold& hold) {
     const double size = free.cwiseAbs().maxCoeff() + std::abs(hold.m_fAcc);
     return hold.m_vNorm.dot(acc) > hold.m_fAcc + 64.0 * std::numeric_limits<double>::epsilon() * size;
-  };
-  const auto left =
-      static_cast<std::size_t>(std::remove_if(m_stdHolds.begin(), end, pulls) - m_stdHolds.begin());
-  return std::exchange(m_nSize, left) != left;
+  });
 }
 
 } // namespace Shapes::Native

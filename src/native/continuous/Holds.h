@@ -4,9 +4,11 @@
 
 #include "../../geometry/Vector.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 namespace Shapes::Native {
 
@@ -43,6 +45,14 @@ public:
   /// The velocity of a ball that none of the shapes lets go, of which there is at least one: it neither goes
   /// into the first nor leaves it, nor another one that crosses that.
   Vector2d KeepVel(const Vector2d& v) const;
+  /// Takes out those for which isOut(hold) is true.
+  /// @returns whether there are any
+  template <class F>
+  bool DropIf(const F& isOut) {
+    const auto end = m_stdHolds.begin() + static_cast<std::ptrdiff_t>(m_nSize);
+    const auto left = std::remove_if(m_stdHolds.begin(), end, isOut) - m_stdHolds.begin();
+    return std::exchange(m_nSize, static_cast<std::size_t>(left)) != m_nSize;
+  }
   /// Takes out those that would have to pull a ball that is accelerated by `acc` instead of by `free`.
   /// @returns whether there are any
   bool DropPulling(const Vector2d& acc, const Vector2d& free);

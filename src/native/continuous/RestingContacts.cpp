@@ -29,7 +29,7 @@ void CRestingContacts::Begin(const Vector2d& gravity, double dt, double elastici
 }
 
 void CRestingContacts::Add(std::uint32_t ball, std::uint32_t other, bool isBall, CShapeId id,
-                           CShapeId otherId, const CImpact& impact, double gap) {
+                           CShapeId otherId, const CImpact& impact, double gap, bool mayHold) {
   CContact c;
   // Whichever of two balls comes first.
   const auto [first, second] = std::minmax(id.m_nValue, otherId.m_nValue);
@@ -37,6 +37,7 @@ void CRestingContacts::Add(std::uint32_t ball, std::uint32_t other, bool isBall,
   c.m_nBall = ball;
   c.m_nOther = other;
   c.m_bIsBall = isBall;
+  c.m_bMayHold = mayHold;
   c.m_vNorm = impact.m_vNorm;
   c.m_fGap = gap;
   c.m_fSpeed = isBall ? 0.0 : GetPush(impact.m_vNorm, impact.m_vSurface);
@@ -120,7 +121,10 @@ bool CRestingContacts::IsPair(const CContact& c, const std::vector<CMoving>& bal
   const CMoving &ball = balls[c.m_nBall], &other = c.m_bIsBall ? balls[c.m_nOther] : ball;
   const bool isSqueezed = IsSqueezed(ball, other);
   const double speed = std::abs(GetSpeed(c, balls));
-  FailIf(!isSqueezed && speed > m_fSlow);
+  FailIf(!c.m_bMayHold || (!isSqueezed && speed > m_fSlow));
+  // Balls of piles move straight: along a surface that curves towards one this turns it.
+  const double inward = -0.5 * c.m_fBend * m_fStep * m_fStep, R = std::abs(c.m_fRadius + ball.m_fRadius);
+  FailIf(!c.m_bIsBall && inward > g_fMostInward * R);
   return c.m_fGap <= GetReach(isSqueezed, speed, GetSmallerRadius(c, balls));
 }
 

@@ -43,7 +43,7 @@ class CRestingContacts {
 private:
   struct CContact {
     std::uint32_t m_nBall, m_nOther;
-    bool m_bIsBall;
+    bool m_bIsBall, m_bMayHold;
     Vector2d m_vNorm;
     double m_fGap, m_fSpeed, m_fRadius;
     double m_fBend; // second derivative of the gap, without the accelerations of the balls
@@ -90,8 +90,9 @@ public:
   /// Takes up a pair of balls, or a ball and the shape of this order (`isBall` false).
   /// @param id, otherId  by which the pair is known in the next substep
   /// @param impact  as of Near, for balls that are accelerated by gravity
+  /// @param mayHold  whether they can rest on each other: if not, the ball is only not moved into the shape
   void Add(std::uint32_t ball, std::uint32_t other, bool isBall, CShapeId id, CShapeId otherId,
-           const CImpact& impact, double gap);
+           const CImpact& impact, double gap, bool mayHold);
   bool IsEmpty() const { return m_stdContacts.empty(); }
   /// The ball by which its pile is known, itself if it is in none.
   std::uint32_t GetPile(std::uint32_t ball) { return ball < m_cPiles.Size() ? m_cPiles.Find(ball) : ball; }
