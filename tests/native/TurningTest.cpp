@@ -107,7 +107,7 @@ TEST(Turning, RoomsThatTurnKeepTheirBalls) {
 // A pile that was moved apart took balls through a ring that they were too fast to slide along, and led
 // others straight on where the ring turns them round: 23 of 60 such rings lost balls, up to 23 each.
 TEST(Turning, RingsKeepTheirBallsInLongSteps) {
-  for (const std::uint64_t seed : {2u, 4u, 5u, 7u, 10u, 18u, 19u, 28u, 29u, 37u, 43u, 56u})
+  for (const std::uint64_t seed : {2u, 4u, 5u, 7u, 10u, 18u, 19u, 28u, 29u, 37u, 43u, 56u, 91u, 219u})
     EXPECT_EQ(PlayRing(seed, g_cAutomatic), 0) << "seed " << seed;
 }
 

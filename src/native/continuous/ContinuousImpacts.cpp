@@ -243,6 +243,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
     ball.m_vPos += clear * n;
   m_fFastest = std::max(m_fFastest, g_fSqueezed * Norm(surface));
   const bool isPush = GetPush(n, surface) != 0.0;
+  const bool canFollow = IsFalling() && CanFollow(ball, order, impact.m_fRadius + ball.m_fRadius);
   TakeBack(ball);
   const double approach = ApproachSpeed(ball.m_vVel, surface, n);
   const double e = ball.m_fElasticity * static_cast<double>(solid.m_pShape->GetElasticity());
@@ -250,8 +251,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
   const CHold hold = MakeHold(ball, order, impact, acc);
   // Where it leaves what has held it nothing but gravity accelerates it.
   const bool staysAlone = IsHop(e * approach, hold.m_fAcc - n.dot(ball.m_vFall), speed);
-  const bool stays = IsFalling() && CanFollow(ball, order, hold.m_fRadius) &&
-                     (staysAlone || IsHop(e * approach, impact.m_fClosing, speed));
+  const bool stays = canFollow && (staysAlone || IsHop(e * approach, impact.m_fClosing, speed));
   if (stays) {
     GiveAgain(ball);
     StayOn(ball, hold, staysAlone);
