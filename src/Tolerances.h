@@ -90,8 +90,9 @@ inline constexpr double g_fPassedOverlap = 0.05;
 /// faster one has impacts with it. Without that what lies on the other side of the ball is gone through.
 inline constexpr double g_fMostInward = 0.125;
 /// Most impacts in a substep of a ball of a pile, or of one that loses speed and is near others: for the rest
-/// of it it is halted. Bounds the time of a pile that falls together or is squeezed by a wall. Through a neck of four diameters 300 balls flow at .72 of the rate without this bound with 16,
-/// at .89 of it with 64, for up to an eighth more time.
+/// of it it is halted. Bounds the time of a pile that falls together or is squeezed by a wall. Through a neck
+/// of four diameters 300 balls flow at .72 of the rate without this bound with 16, at .89 of it with 64, for
+/// up to an eighth more time.
 inline constexpr unsigned g_nCrowded = 64;
 /// A ball that is halted within this share of a substep has got nowhere in it: it is stuck, and has no
 /// velocity. In slots that are too narrow by a rounding they are halted within 6e-6 at most.

@@ -176,6 +176,18 @@ void CContactSolver::StopAtShapes() {
   isChanging = true;
   for (int round = 0; isChanging && round < g_nWedgeRounds; ++round)
     isChanging = StopAt(g_nShape);
+  if (isChanging) StopInWedges();
+}
+
+// Between shapes that rest, to whose crossing those rounds come slowly where it is narrow: a ball that may
+// stay in its place goes no farther than each of them lets it.
+void CContactSolver::StopInWedges() {
+  for (const CRow& row : m_stdRows) {
+    if (row.m_nOther != g_nShape || row.m_fLeast > 0.0) continue;
+    Vector2d& v = m_stdVels[row.m_nBall];
+    const double now = row.m_vNorm.dot(v);
+    if (row.m_fLeast - now > static_cast<double>(g_fTouchRounding) * Norm(v)) v *= row.m_fLeast / now;
+  }
 }
 
 double CContactSolver::GetFlowError(double fastest, double slow) {

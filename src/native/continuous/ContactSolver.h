@@ -67,6 +67,7 @@ private:
   bool Stop(const CRow& row);
   bool StopAt(std::uint32_t shape);
   void StopAtShapes();
+  void StopInWedges();
 
   std::vector<CRow> m_stdRows;
   bool m_bIsPushed = false;                          // by a shape
