@@ -86,8 +86,9 @@ inline constexpr double g_fLeastBounce = 0.5;
 /// latter to 1 of 10; .02 would take 10% more time in shorter ones.
 inline constexpr double g_fPassedOverlap = 0.05;
 /// How far a ball of a pile, which moves straight, is led in a substep from its way by a surface that curves
-/// towards it, as a share of the radius of that curve: half of the square of the angle by which it turns. A
-/// faster one has impacts with it. Without that what lies on the other side of the ball is gone through.
+/// towards it, as a share of the radius of that curve: half of the square of the angle by which it turns,
+/// here half a radian. By more than that the ball has impacts with it instead: else it is led through what
+/// lies on its other side. Without this 4 of 880 rings in which bars turn lose one.
 inline constexpr double g_fMostInward = 0.125;
 /// Most impacts in a substep of a ball of a pile, or of one that loses speed and is near others: for the rest
 /// of it it is halted. Bounds the time of a pile that falls together or is squeezed by a wall. Through a neck

@@ -40,9 +40,8 @@ inline constexpr unsigned g_nMaxThreads = 256;
 
 /// Most impacts of a ball in a substep where Continuous runs: bounds time. After as many a ball stays for the
 /// rest of the substep, or goes along with the moving shape that it touched last, and
-/// CWorldStats::m_nBallsHalted counts it. Unless a shape turns, the limit is a quarter of this in a pile, and
-/// a sixteenth for one that a moving shape presses straight on something; where hundreds lie in one place it
-/// is less.
+/// CWorldStats::m_nBallsHalted counts it. The limit is a quarter of this among other balls, and a sixteenth
+/// for one that a moving shape presses straight on something; where hundreds lie in one place it is less.
 inline constexpr unsigned g_nMaxImpacts = 256;
 
 /// A ball and what it has touched touch on as long as they are no farther apart than this, in radii of the

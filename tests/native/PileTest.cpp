@@ -345,8 +345,8 @@ TEST(Pile, AFloorThatIsMovedUpIntoAPileLosesNone) {
 
 // Squeezed balls are solved together. By impacts, one after the other, it took a ball 14 contacts a step,
 // 2,024 were halted, and the deepest overlap was .31 radii in the mean of all steps, instead of 1.1, 160 and
-// .08. A paddle that does not turn gets past no ball that is halted, so they are after 64 impacts: after 256
-// the ball that had most contacts in a step would have 16 in the mean instead of 8.
+// .08. Balls of a pile are halted after 64 impacts: after 256 the ball that had most contacts in a step would
+// have 16 in the mean instead of 8.
 TEST(Pile, BallsUnderAPaddleAreNotHitHundredsOfTimes) {
   constexpr int balls = 40, steps = 300;
   std::uint64_t contacts = 0, halted = 0;

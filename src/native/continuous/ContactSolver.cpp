@@ -179,14 +179,19 @@ void CContactSolver::StopAtShapes() {
   if (isChanging) StopInWedges();
 }
 
-// Between shapes that rest, to whose crossing those rounds come slowly where it is narrow: a ball that may
-// stay in its place goes no farther than each of them lets it.
+// Between shapes that do not come upon the ball, to whose crossing those rounds come slowly where it is
+// narrow: a ball that may stay in its place goes no farther than each of them lets it.
 void CContactSolver::StopInWedges() {
+  const auto mayStay = [this](std::uint32_t ball) {
+    return std::none_of(m_stdRows.begin(), m_stdRows.end(), [=](const CRow& row) {
+      return row.m_nBall == ball && row.m_nOther == g_nShape && row.m_fLeast > 0.0;
+    });
+  };
   for (const CRow& row : m_stdRows) {
-    if (row.m_nOther != g_nShape || row.m_fLeast > 0.0) continue;
     Vector2d& v = m_stdVels[row.m_nBall];
-    const double now = row.m_vNorm.dot(v);
-    if (row.m_fLeast - now > static_cast<double>(g_fTouchRounding) * Norm(v)) v *= row.m_fLeast / now;
+    const double now = row.m_vNorm.dot(v), rounding = static_cast<double>(g_fTouchRounding) * Norm(v);
+    if (row.m_nOther == g_nShape && row.m_fLeast - now > rounding && mayStay(row.m_nBall))
+      v *= row.m_fLeast / now;
   }
 }
 

@@ -243,6 +243,7 @@ void CContinuous::ResolveWithShape(CMoving& ball) {
     ball.m_vPos += clear * n;
   m_fFastest = std::max(m_fFastest, g_fSqueezed * Norm(surface));
   const bool isPush = GetPush(n, surface) != 0.0;
+  // As fast as it is with what its pile gives it.
   const bool canFollow = IsFalling() && CanFollow(ball, order, impact.m_fRadius + ball.m_fRadius);
   TakeBack(ball);
   const double approach = ApproachSpeed(ball.m_vVel, surface, n);

@@ -97,7 +97,7 @@ void CContinuous::SolveRestingContacts() {
   for (std::uint32_t i = 0; i < n; ++i) {
     if (!m_stdBalls[i].m_bIsInPile) continue;
     CMoving& ball = m_stdBalls[i];
-    // At the velocity that it has now.
+    // The pile may have made it too fast to follow what holds it.
     ball.m_cHolds.DropIf([&](const CHold& hold) { return !CanFollow(ball, hold.m_nOther, hold.m_fRadius); });
     ball.m_fHoldTime = GetHoldTime(ball);
     MoveDisc(i);

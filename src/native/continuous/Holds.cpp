@@ -105,7 +105,7 @@ Vector2d CHolds::KeepVel(const Vector2d& v) const {
     const bool isNearby = Norm(crossing) <= (std::abs(b) + std::abs(c) + Norm(v)) * std::abs(det);
     if (std::abs(det) >= g_fParallel && isNearby) return crossing / det;
   }
-  // But not into another one, which leaves it no room there.
+  // Where another one leaves it no room there, the ball leaves the first.
   const Vector2d kept = v + (b - n.dot(v)) * n;
   const auto isIn = [&](const CHold& other) {
     return GetExcess(other.m_vNorm, other.m_fSpeed, kept, v) > 0.0;

@@ -43,7 +43,8 @@ public:
   Vector2d ConstrainVel(const Vector2d& v) const;
   Vector2d ConstrainAcc(const Vector2d& a) const;
   /// The velocity of a ball that none of the shapes lets go, of which there is at least one: it neither goes
-  /// into the first nor leaves it, nor another one that crosses that.
+  /// into the first nor leaves it, nor another one that crosses that. Where that would lead it into another
+  /// one it stays as it is.
   Vector2d KeepVel(const Vector2d& v) const;
   /// Takes out those for which isOut(hold) is true.
   /// @returns whether there are any

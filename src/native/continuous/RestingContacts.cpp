@@ -122,7 +122,7 @@ bool CRestingContacts::IsPair(const CContact& c, const std::vector<CMoving>& bal
   const bool isSqueezed = IsSqueezed(ball, other);
   const double speed = std::abs(GetSpeed(c, balls));
   FailIf(!c.m_bMayHold || (!isSqueezed && speed > m_fSlow));
-  // Balls of piles move straight: along a surface that curves towards one this turns it.
+  // A ball of a pile moves straight: a surface that curves towards it turns its velocity.
   const double inward = -0.5 * c.m_fBend * m_fStep * m_fStep, R = std::abs(c.m_fRadius + ball.m_fRadius);
   FailIf(!c.m_bIsBall && inward > g_fMostInward * R);
   return c.m_fGap <= GetReach(isSqueezed, speed, GetSmallerRadius(c, balls));

@@ -18,7 +18,8 @@ namespace Shapes::Native {
 /// The slow contacts of balls with each other and with shapes at the beginning of a substep: pairs that touch
 /// or would touch within it, and approach no faster than gravity makes them, in piles: balls that hang
 /// together by such pairs, and lie on a shape. (Those that fall together do not press on each other.) They
-/// are inelastic.
+/// are inelastic. A surface that a ball is too fast to follow, or that would turn it by more than
+/// g_fMostInward says, is no pair of it.
 ///
 /// A ball is squeezed if it had g_nSqueezed impacts in the substep before, and stays so in a pile that a
 /// shape moves. It rests on all that it could meet, or come near to, and those on it, at any speed: by
@@ -90,7 +91,8 @@ public:
   /// Takes up a pair of balls, or a ball and the shape of this order (`isBall` false).
   /// @param id, otherId  by which the pair is known in the next substep
   /// @param impact  as of Near, for balls that are accelerated by gravity
-  /// @param mayHold  whether they can rest on each other: if not, the ball is only not moved into the shape
+  /// @param mayHold  whether they can rest on each other: if not, the ball is moved out of the shape, and not
+  ///                 into it, as balls that overlap are moved apart, and no more
   void Add(std::uint32_t ball, std::uint32_t other, bool isBall, CShapeId id, CShapeId otherId,
            const CImpact& impact, double gap, bool mayHold);
   bool IsEmpty() const { return m_stdContacts.empty(); }
