@@ -176,11 +176,11 @@ void CContactSolver::StopAtShapes() {
   isChanging = true;
   for (int round = 0; isChanging && round < g_nWedgeRounds; ++round)
     isChanging = StopAt(g_nShape);
-  if (isChanging) StopInWedges();
+  if (isChanging && m_bIsPushed) StopInWedges();
 }
 
-// Between shapes that do not come upon the ball, to whose crossing those rounds come slowly where it is
-// narrow: a ball that may stay in its place goes no farther than each of them lets it.
+// Where a shape pushes a ball between others that do not, to whose crossing those rounds come slowly where it
+// is narrow: a ball that may stay in its place goes no farther than each of them lets it.
 void CContactSolver::StopInWedges() {
   const auto mayStay = [this](std::uint32_t ball) {
     return std::none_of(m_stdRows.begin(), m_stdRows.end(), [=](const CRow& row) {
