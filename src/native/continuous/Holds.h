@@ -52,7 +52,8 @@ public:
   bool DropIf(const F& isOut) {
     const auto end = m_stdHolds.begin() + static_cast<std::ptrdiff_t>(m_nSize);
     const auto left = std::remove_if(m_stdHolds.begin(), end, isOut) - m_stdHolds.begin();
-    return std::exchange(m_nSize, static_cast<std::size_t>(left)) != m_nSize;
+    const auto size = static_cast<std::size_t>(left);
+    return std::exchange(m_nSize, size) != size;
   }
   /// Takes out those that would have to pull a ball that is accelerated by `acc` instead of by `free`.
   /// @returns whether there are any
