@@ -115,7 +115,7 @@ TEST(ContactSolver, NoShapeThatComesPressesABallIntoThoseThatDoNot) {
     }
 }
 
-// What has to get out of one side of a narrow wedge is not kept in its place by the other.
+// A ball that has to get out of one side of a narrow wedge is not kept in its place by the other.
 TEST(ContactSolver, ABallThatIsInOneSideOfAWedgeDoesNotStay) {
   const Vector2d left(1, 0), right = Vector2d(-1, 0.1).normalized(), above(0.1, -1);
   for (const bool leftIsFirst : {true, false}) {

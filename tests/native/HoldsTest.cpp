@@ -34,7 +34,7 @@ TEST(Holds, ASqueezedBallGoesIntoAShapeThatPushesSoonerThanIntoOneThatDoesNot) {
   }
 }
 
-// What leaves it no room does not take it along, whichever of the two has come first.
+// A shape that leaves a ball no room does not take it along, whichever of the two has come first.
 TEST(Holds, ABallThatIsLetGoByNoneKeepsOutOfTheOneThatRests) {
   const Vector2d rests = -Vector2d(0.01, 1).normalized();
   for (const bool pushingIsFirst : {true, false}) {

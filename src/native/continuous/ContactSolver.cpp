@@ -188,10 +188,10 @@ void CContactSolver::StopInWedges() {
     });
   };
   for (const CRow& row : m_stdRows) {
+    if (row.m_nOther != g_nShape) continue;
     Vector2d& v = m_stdVels[row.m_nBall];
     const double now = row.m_vNorm.dot(v), rounding = static_cast<double>(g_fTouchRounding) * Norm(v);
-    if (row.m_nOther == g_nShape && row.m_fLeast - now > rounding && mayStay(row.m_nBall))
-      v *= row.m_fLeast / now;
+    if (row.m_fLeast - now > rounding && mayStay(row.m_nBall)) v *= row.m_fLeast / now;
   }
 }
 

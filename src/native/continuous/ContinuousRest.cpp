@@ -95,8 +95,8 @@ void CContinuous::SolveRestingContacts() {
            ball.m_vPos - ball.m_fRadius * c.m_vNorm, c.m_vNorm, 0.0, ImpulseOf(1.0, 0.0, c.m_fImpulse));
   }
   for (std::uint32_t i = 0; i < n; ++i) {
-    if (!m_stdBalls[i].m_bIsInPile) continue;
     CMoving& ball = m_stdBalls[i];
+    if (!ball.m_bIsInPile) continue;
     // The pile may have made it too fast to follow what holds it.
     ball.m_cHolds.DropIf([&](const CHold& hold) { return !CanFollow(ball, hold.m_nOther, hold.m_fRadius); });
     ball.m_fHoldTime = GetHoldTime(ball);
