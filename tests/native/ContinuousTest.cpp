@@ -245,6 +245,30 @@ TEST_F(ContinuousTest, TwoBallsThatMoveIntoEachOtherAtOnePlacePart) {
   EXPECT_NEAR(m_pWorld->GetPos(second).x() - m_pWorld->GetPos(first).x(), 0.5f + g_fDt, 4 * g_fUlp);
 }
 
+// Its centre has come through the platform when it turns round, but not all of it; one whose centre has not
+// falls back.
+TEST_F(ContinuousTest, ABallThatTurnsRoundInAOneSidedPlatformLiesOnIt) {
+  constexpr double r = 0.1, g = 10.0, below = 0.5;
+  for (const double highest : {-0.02, 0.02, 0.05, 0.09}) {
+    SCOPED_TRACE(testing::Message() << "turns round at " << highest);
+    const auto pWorld = MakeNative(g_cAutomatic, static_cast<float>(g));
+    pWorld->Add(Sided(CLineSegDesc({-1, 0}, {1, 0}), eSides::Front));
+    const double speed = std::sqrt(2 * g * (highest + below));
+    const CDynamicCircleDesc desc({0, -static_cast<float>(below)}, static_cast<float>(r),
+                                  {0, static_cast<float>(speed)}, 1, 0.5f);
+    const CShapeId ball = pWorld->Add(desc);
+    const int rising = static_cast<int>(speed / (g * Wide(g_fDt))) - 1;
+    Steps(*pWorld, rising);
+    const double t = rising * Wide(g_fDt);
+    EXPECT_NEAR(Wide(pWorld->GetPos(ball).y()), -below + speed * t - g * t * t / 2, 1e-6); // on its parabola
+    Steps(*pWorld, 60);
+    if (highest > 0)
+      EXPECT_NEAR(Wide(pWorld->GetPos(ball).y()), r, 1e-6);
+    else
+      EXPECT_LT(pWorld->GetPos(ball).y(), -1);
+  }
+}
+
 // Wherever in a step it is met, also at its end, and wherever the wall is.
 TEST_F(ContinuousTest, ABallWithoutRadiusStaysOnItsSide) {
   for (const float y : {0.0f, 1.0f, 0.1f, -700.3f})

@@ -202,8 +202,12 @@ void CContinuous::SetBackFromAll(std::uint32_t i) {
   // There is no room: what moves goes over the ball. One that was put deep into several shapes gets out of
   // each only deeper into others. Where shapes are put into it again and again, one of them would press it
   // through another bit by bit; in a pile it gives way to other balls bit by bit.
-  const bool mayPass = !GetMemory().m_bIsShapePut && !m_stdBalls[i].m_bIsNearBall;
-  if (!SetBackInTurns(i, eShapes::Resting, mayPass ? eThrough::Surfaces : eThrough::None)) StayInPlace(i);
+  const bool isPut = GetMemory().m_bIsShapePut, isAlone = !m_stdBalls[i].m_bIsNearBall;
+  const eThrough through = isAlone && !isPut ? eThrough::Surfaces : eThrough::None;
+  // What a game has put or stopped there rests, too, but may go over the ball.
+  if (!SetBackInTurns(i, eShapes::Resting, through) &&
+      !((isAlone || isPut) && SetBackInTurns(i, eShapes::Static, through)))
+    StayInPlace(i);
   TellIfGoneOver(i);
 }
 
@@ -242,7 +246,7 @@ void CContinuous::TellIfGoneOver(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   const auto goesOver = [&](std::uint32_t order) {
     const CShapeGeometry& o = m_pShapes->GetGeometry(order);
-    return o.IsMoving() && o.m_eSides == eSides::Both &&
+    return !IsStatic(order) && o.m_eSides == eSides::Both &&
            GetDepth(order, GetMotion(ball)) > g_fSettleReach * ball.m_fRadius;
   };
   if (std::any_of(m_stdShapesFound.begin(), m_stdShapesFound.end(), goesOver)) TellHalted(ball);
@@ -252,15 +256,14 @@ void CContinuous::TellHalted(CMoving& ball) {
   if (!std::exchange(ball.m_bIsTold, true)) m_stdHalted.push_back(GetId(ball));
 }
 
-// Whether a ball that is deep in a one-sided shape comes through it from behind. If not, balls, or what it is
-// set back from, have pressed it into that, in this substep or before.
-bool CContinuous::ComesThrough(const CMoving& ball, std::uint32_t order) const {
-  const CMotion begin = GetFreeMotion(ball.m_nBall);
-  if (ball.m_vPos == begin.m_vPos) return true;
-  CImpact impact;
-  double gap;
-  FailIf(!IsNearShape(order, begin, 0.0, 0.0, impact, gap) || gap >= -g_fSettleReach * ball.m_fRadius);
-  return gap < -ball.m_fRadius || IsPassing(ball, order, impact, gap);
+// Whether a ball that is deep in a one-sided shape comes through it from behind: it moves out of it, and
+// neither others nor what it is set back from have pressed it deeper into it in this substep.
+bool CContinuous::ComesThrough(const CMoving& ball, std::uint32_t order, const CImpact& impact,
+                               double gap) const {
+  FailIf(!IsPassing(ball, order, impact, gap));
+  CImpact before;
+  double gapBefore;
+  return IsNearShape(order, GetFreeMotion(ball.m_nBall), 0.0, 0.0, before, gapBefore) && gap >= gapBefore;
 }
 
 // By order, each from where those before it have put it. Whether any had to. Under gravity those that it
@@ -273,6 +276,7 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i, eShapes from, eThrough thro
     const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
     if (!m_pShapes->Get(order).m_pShape->GetCanCollide()) continue;
     if (from == eShapes::Resting && geometry.IsMoving()) continue;
+    if (from == eShapes::Static && !IsStatic(order)) continue;
     const CMoving& ball = m_stdBalls[i];
     const double rounding = GetRounding(ball, order);
     const double reach = IsFalling() ? rounding : 0.0;
@@ -286,7 +290,7 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i, eShapes from, eThrough thro
       m_stdTouching.push_back({order, gap, impact});
       continue;
     }
-    if (!isRounding && geometry.m_eSides != eSides::Both && ComesThrough(ball, order)) continue;
+    if (ComesThrough(ball, order, impact, gap)) continue;
     if (isRounding)
       CorrectPosition(i, -gap * impact.m_vNorm);
     else

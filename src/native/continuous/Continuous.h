@@ -25,7 +25,7 @@ namespace Shapes::Native {
 ///
 /// - Without gravity an unobstructed ball moves bit-identically to the approximate mode.
 /// - Initial overlaps are pushed out along the normal, of two balls by their shares of the mass, but never
-///   through another shape. An overlap of a one-sided shape by more than rounding stays.
+///   through another shape. A ball that comes through a one-sided shape from behind is left alone.
 /// - Impacts at the same time are answered one after the other: shapes before balls, by order and by id.
 /// - Under gravity, a ball that would be back at a shape within 1/g_nHops of the substep after it has left it
 ///   does not leave it: it lies on it or slides along it, without friction, until it would have to be pulled.
@@ -153,7 +153,7 @@ private:
   void KeepShapesFound(std::uint32_t i, const CDiscGrid::CDisc& in);
   void FindFirst(std::uint32_t i);
   // The shapes that a ball may be set back from.
-  enum class eShapes { All, Resting };
+  enum class eShapes { All, Resting, Static };
   struct CNotInTheWay {
     std::uint32_t m_nShape = g_nNobody;
     const CShapeGeometry* m_pAlong = nullptr; // and those that move together with it
@@ -173,10 +173,13 @@ private:
                         eThrough through);
   void SetBackFromBall(std::uint32_t i, const Vector2d& n, double depth);
   double GetClearShare(const CMoving& ball, const Vector2d& n, double depth);
-  bool ComesThrough(const CMoving& ball, std::uint32_t order) const;
+  bool ComesThrough(const CMoving& ball, std::uint32_t order, const CImpact& impact, double gap) const;
   void SetBackFromBalls(std::uint32_t i);
   double GetFreeShare(const CMoving& ball, const Vector2d& p, const Vector2d& way, double time,
                       const CNotInTheWay& except);
+  bool IsStatic(std::uint32_t order) const {
+    return m_pShapes->Get(order).m_pShape->GetMotionType() == eMotion::Static;
+  }
   bool MeetsShape(const CMoving& ball, std::uint32_t order) const {
     return DoMeet(m_pBalls->m_stdFilter[ball.m_nBall], m_pShapes->Get(order).m_pShape->GetFilter());
   }

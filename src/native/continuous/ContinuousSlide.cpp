@@ -68,7 +68,8 @@ bool CContinuous::SlideOnto(CMoving& ball, std::uint32_t order, const CMotion& b
     CImpact met;
     double gap;
     if (!Near(m_pShapes->GetGeometry(order), GetMotion(at), ball.m_fTime, g_fSettleReach * ball.m_fRadius,
-              met, gap))
+              met, gap) ||
+        gap < -g_fSettleReach * ball.m_fRadius)
       break;
     FailIf(!(met.m_vNorm.dot(at.m_vVel - met.m_vSurface) < 0.0)); // of another part of the shape
     const bool isThere = std::abs(gap) <= g_fSlideGap * GetRounding(ball, order);
