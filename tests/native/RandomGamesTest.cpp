@@ -198,9 +198,9 @@ std::size_t PlayGame(std::uint64_t seed, const CEffectChoice& effects) {
 TEST(RandomGames, LoseNoBall) {
   const std::uint64_t games = HowMany("SHAPES_GAMES", 200);
   // Balls came out of one-sided walls as others pressed them deeper into these, in the first two; out of a
-  // shape along a curve through the next wall, in the next two; and through a wall as a game put a shape
-  // there.
-  std::vector<std::uint64_t> seeds = {1120, 1619, 5999, 9692, 8700};
+  // shape along a curve through the next wall, in the next two; and through walls as a game put a shape
+  // there, or stopped one.
+  std::vector<std::uint64_t> seeds = {1120, 1619, 5999, 9692, 8700, 1041, 2702, 3541};
   for (std::uint64_t seed = 0; seed < games; ++seed)
     seeds.push_back(seed);
   for (const std::uint64_t seed : seeds)

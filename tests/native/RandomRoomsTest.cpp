@@ -170,8 +170,7 @@ bool LosesABallInAPress(std::uint64_t seed, const CEffectChoice& effects) {
   return room.LosesABall();
 }
 
-// SHAPES_PRESSES says how many, 300 by default. Of 10,000 eight lose a ball: seven through one-sided walls,
-// one of a third of the room in steps of a tenth of a second.
+// SHAPES_PRESSES says how many, 300 by default. None of 10,000 loses a ball.
 TEST(RandomRooms, LoseNoBallWhereAShapeLeavesNoRoom) {
   const std::uint64_t worlds = HowMany("SHAPES_PRESSES", 300), first = 300;
   // Balls that were pressed into a one-sided wall came through it; a ball was set back from what moves, too,
@@ -179,11 +178,8 @@ TEST(RandomRooms, LoseNoBallWhereAShapeLeavesNoRoom) {
   std::vector<std::uint64_t> seeds = {89, 3456, 9774, 3384, 10685};
   for (std::uint64_t seed = first; seed < first + worlds; ++seed)
     seeds.push_back(seed);
-  std::size_t losing = 0;
-  std::string which;
   for (const std::uint64_t seed : seeds)
-    if (LosesABallInAPress(seed, g_cAutomatic)) ++losing, which += std::to_string(seed) + ' ';
-  EXPECT_LE(losing, worlds / 500) << "seeds " << which;
+    EXPECT_FALSE(LosesABallInAPress(seed, g_cAutomatic)) << "seed " << seed;
 }
 
 TEST(RandomRooms, LoseBallsWhereAShapeLeavesNoRoomInTheApproximateMode) { // the control

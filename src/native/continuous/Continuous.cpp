@@ -199,14 +199,13 @@ bool CContinuous::SetBackInTurns(std::uint32_t i, eShapes from, eThrough through
 void CContinuous::SetBackFromAll(std::uint32_t i) {
   FindShapes(i);
   if (SetBackInTurns(i, eShapes::All, eThrough::None)) return;
-  // There is no room: what moves goes over the ball. One that was put deep into several shapes gets out of
-  // each only deeper into others. Where shapes are put into it again and again, one of them would press it
-  // through another bit by bit; in a pile it gives way to other balls bit by bit.
-  const bool isPut = GetMemory().m_bIsShapePut, isAlone = !m_stdBalls[i].m_bIsNearBall;
-  const eThrough through = isAlone && !isPut ? eThrough::Surfaces : eThrough::None;
-  // What a game has put or stopped there rests, too, but may go over the ball.
+  // There is no room: what moves goes over the ball, or what a game has put or stopped there. One that was
+  // put deep into several shapes gets out of each only deeper into others; in a pile it gives way to other
+  // balls bit by bit.
+  const bool isAlone = !m_stdBalls[i].m_bIsNearBall;
+  const eThrough through = isAlone ? eThrough::Surfaces : eThrough::None;
   if (!SetBackInTurns(i, eShapes::Resting, through) &&
-      !((isAlone || isPut) && SetBackInTurns(i, eShapes::Static, through)))
+      !(isAlone && SetBackInTurns(i, eShapes::Static, through)))
     StayInPlace(i);
   TellIfGoneOver(i);
 }
