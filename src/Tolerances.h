@@ -373,8 +373,8 @@ inline constexpr std::size_t g_nMostLoose = 64;
 /// One of so many static shapes may be a removed one that is kept until all boxes are made anew: with 4,000
 /// that takes 1 ms.
 inline constexpr std::size_t g_nLeastKeptShare = 4;
-/// Rounds in which a ball that overlaps several shapes is set back from all of them: it stays in the last one
-/// if that is not enough.
+/// Rounds in which a ball that overlaps several shapes is set back from all of them. If that is not enough,
+/// there is no room.
 inline constexpr int g_nSetBackRounds = 8;
 /// Most discs in the grid of balls for each of them, before it is made anew of those that count.
 inline constexpr std::size_t g_nMostDiscs = 2;

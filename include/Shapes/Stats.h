@@ -25,7 +25,8 @@ struct CWorldStats {
   std::uint64_t m_nBallsSwept = 0; ///< Native: balls with an obstacle on their path, once for each substep.
   /// Native: balls that had too many impacts in a substep (g_nMaxImpacts, among others fewer), or met a shape
   /// that turns too often in it: they stayed there for the rest of it, or went along with a moving shape. And
-  /// those that a moving shape left no room, and went over.
+  /// those that a kinematic shape leaves no room and goes over, also one that a game has put or stopped
+  /// there.
   std::uint64_t m_nBallsHalted = 0;
   /// Native, where Continuous does not run: times that a ball with a velocity stayed where it was, because
   /// its move was below half an ulp of its place.

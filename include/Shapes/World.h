@@ -71,7 +71,8 @@ public:
   /// by ball and then by shape. Empty unless the description forces eEffect::Touches.
   std::span<const CTouchEvent> GetTouchEvents() const;
   /// The balls that CWorldStats::m_nBallsHalted counted in the last Step, each once, by id: they had too many
-  /// impacts and stayed where they were for a part of it, or a moving shape went over them. Empty on Box2D.
+  /// impacts and stayed where they were for a part of it, or a kinematic shape went over them. Empty on
+  /// Box2D.
   std::span<const CShapeId> GetHaltedBalls() const;
   const CWorldStats& GetStats() const;
 

@@ -257,7 +257,7 @@ TEST_F(ContinuousTest, ABallThatTurnsRoundInAOneSidedPlatformLiesOnIt) {
     const CDynamicCircleDesc desc({0, -static_cast<float>(below)}, static_cast<float>(r),
                                   {0, static_cast<float>(speed)}, 1, 0.5f);
     const CShapeId ball = pWorld->Add(desc);
-    const int rising = static_cast<int>(speed / (g * Wide(g_fDt))) - 1;
+    const int rising = static_cast<int>(speed / (g * Wide(g_fDt)));
     Steps(*pWorld, rising);
     const double t = rising * Wide(g_fDt);
     EXPECT_NEAR(Wide(pWorld->GetPos(ball).y()), -below + speed * t - g * t * t / 2, 1e-6); // on its parabola
@@ -267,6 +267,24 @@ TEST_F(ContinuousTest, ABallThatTurnsRoundInAOneSidedPlatformLiesOnIt) {
     else
       EXPECT_LT(pWorld->GetPos(ball).y(), -1);
   }
+}
+
+TEST_F(ContinuousTest, ABallThatRestsIsNotTakenUpByAOneSidedPlatformThatSinksPastIt) {
+  const auto pWorld = MakeNative(g_cAutomatic, 10);
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  pWorld->Add(Sided(Moving(CLineSegDesc({-1, 0.5f}, {1, 0.5f}), {0, -0.1f}), eSides::Front));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.1f}, 0.1f, {0, 0}, 1, 0.5f));
+  InEachStep(*pWorld, 360, [&](int) { EXPECT_NEAR(Wide(pWorld->GetPos(ball).y()), 0.1, 1e-6); });
+}
+
+// The upper one is in the gate; they overlap by a rounding.
+TEST_F(ContinuousTest, TwoBallsThatTouchComeThroughAOneSidedGate) {
+  m_pWorld->Add(Sided(CLineSegDesc({-1, 0}, {1, 0}), eSides::Front));
+  const CShapeId lower = m_pWorld->Add(CDynamicCircleDesc({0, 0.02f}, 0.1f, {0, 1}));
+  const CShapeId upper = m_pWorld->Add(CDynamicCircleDesc({0, 0.22f}, 0.1f, {0, 1}));
+  m_pWorld->Step();
+  EXPECT_NEAR(m_pWorld->GetPos(lower).y(), 0.02f + g_fDt, 4 * g_fUlp);
+  EXPECT_NEAR(m_pWorld->GetPos(upper).y(), 0.22f + g_fDt, 4 * g_fUlp);
 }
 
 // Wherever in a step it is met, also at its end, and wherever the wall is.

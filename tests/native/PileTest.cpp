@@ -133,9 +133,10 @@ CPile MakeRandomPile(std::uint64_t seed, const CEffectChoice& effects) {
 TEST(RandomPiles, LoseNoBallGainNoEnergyAndComeToRest) {
   const std::uint64_t piles = HowMany("SHAPES_PILES", 15);
   // A step of the first five once gave up to 1.2e-2, the next ones slept with overlaps of up to .0058. In the
-  // last one balls gain 7.3e-4 unless the energies of two that meet are kept together.
-  std::vector<std::uint64_t> seeds = {356,  867, 1168, 1422, 1559, 26,   281,
-                                      1526, 774, 851,  3446, 129,  1724, 205};
+  // last but one balls gain 7.3e-4 unless the energies of two that meet are kept together. In the last one
+  // balls kept overlaps of .002 where a paddle that stood still went over them.
+  std::vector<std::uint64_t> seeds = {356, 867, 1168, 1422, 1559, 26,  281, 1526,
+                                      774, 851, 3446, 129,  1724, 205, 249};
   for (std::uint64_t seed = 0; seed < piles; ++seed)
     seeds.push_back(seed);
   // A row that a paddle has left too long may come apart late, and a ball that bounces with e = .9 may take

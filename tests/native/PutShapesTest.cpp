@@ -132,5 +132,20 @@ TEST(PutShapes, AnotherWorldThatIsLoadedBeforeTheStepTakesTheSameOne) {
   }
 }
 
+// It leaves no room between it and the floor. The ball falls asleep there later.
+TEST(PutShapes, OneThatIsPutOntoABallGoesOverItAndTellsThat) {
+  const auto pWorld = MakeNative(g_cAutomatic, 10);
+  pWorld->Add(CLineSegDesc({-1, 0}, {1, 0}));
+  const CShapeId lid = pWorld->Add(Turning(CLineSegDesc({-1, 1}, {1, 1})));
+  const CShapeId ball = pWorld->Add(CDynamicCircleDesc({0, 0.2f}, 0.2f, {0, 0}, 1, 0));
+  pWorld->Step();
+  EXPECT_TRUE(Halted(*pWorld).empty());
+  pWorld->SetPos(lid, pWorld->GetPos(lid) - Vector2(0, 0.7f));
+  InEachStep(*pWorld, 20, [&](int) {
+    EXPECT_EQ(Halted(*pWorld), std::vector<CShapeId>{ball});
+    EXPECT_NEAR(Wide(pWorld->GetPos(ball).y()), 0.2, 1e-6);
+  });
+}
+
 } // namespace
 } // namespace Shapes

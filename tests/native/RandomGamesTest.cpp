@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Random closed rooms full of balls, in which shapes of every kind rest, move, turn, are dragged and dropped,
-// and a game steers, blows up, teleports, adds and removes: none loses a ball. SHAPES_GAMES says how many,
-// 200 by default. Of 22,000 none did; Box2D loses balls in 66 of the first 400, 338 in all.
+// and a game steers, blows up, teleports, adds and removes: none loses a ball.
+// SHAPES_GAMES says how many,
+// 200 by default. Of 18,000 one lost one: 8210, where a shape goes by 25 radii a step. Box2D loses balls in
+// 66 of the first 400, 338 in all.
 #include "NativeTesting.h"
 
 namespace Shapes {
@@ -39,14 +41,11 @@ public:
   }
 
   /// The balls that are outside.
-  std::vector<CShapeId> GetLost() const {
-    std::vector<CShapeId> lost;
-    for (const CShapeId ball : m_pWorld->GetBallIds())
-      if (!(GetDepthInside(m_pWorld->GetPos(ball)) >= -2e-6f)) lost.push_back(ball);
-    return lost;
+  std::size_t CountLost() const {
+    return static_cast<std::size_t>(
+        Shapes::CountBalls(*m_pWorld, [&](const Vector2& p) { return !(GetDepthInside(p) >= -2e-6f); }));
   }
   std::size_t CountBalls() const { return m_pWorld->GetBallIds().size(); }
-  CWorld& GetWorld() { return *m_pWorld; }
 
 private:
   enum eMove { Steer, BlowUp, Teleport, Change, Drag, TurnGravity, Filter, Toggle, eMove_N };
@@ -170,7 +169,7 @@ private:
     for (std::size_t i = 0; i < m_stdCorners.size(); ++i) {
       const Vector2d a = Wide(m_stdCorners[i]), d = Wide(p) - a;
       const Vector2d way = Wide(m_stdCorners[(i + 1) % m_stdCorners.size()]) - a;
-      depth = std::min(depth, (way.x() * d.y() - way.y() * d.x()) / way.norm());
+      depth = std::min((way.x() * d.y() - way.y() * d.x()) / way.norm(), depth); // what is no number stays
     }
     return static_cast<float>(depth);
   }
@@ -186,13 +185,16 @@ private:
 
 constexpr int g_nSteps = 120;
 
-/// Balls that are out in the end.
+/// The most balls that are out after a step: a game may bring back or remove one.
 std::size_t PlayGame(std::uint64_t seed, const CEffectChoice& effects) {
   CRandom random(seed);
   CRandomGame game(random, effects);
-  for (int step = 0; step < g_nSteps; ++step)
+  std::size_t lost = 0;
+  for (int step = 0; step < g_nSteps; ++step) {
     game.Step();
-  return game.GetLost().size();
+    lost = std::max(lost, game.CountLost());
+  }
+  return lost;
 }
 
 TEST(RandomGames, LoseNoBall) {

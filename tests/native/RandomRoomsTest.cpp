@@ -74,7 +74,7 @@ struct CRandomRoom {
     for (std::size_t i = 0; i < m_stdCorners.size(); ++i) {
       const Vector2d a = Wide(m_stdCorners[i]), d = Wide(p) - a;
       const Vector2d way = Wide(m_stdCorners[(i + 1) % m_stdCorners.size()]) - a;
-      depth = std::min(depth, (way.x() * d.y() - way.y() * d.x()) / way.norm());
+      depth = std::min((way.x() * d.y() - way.y() * d.x()) / way.norm(), depth); // what is no number stays
     }
     return depth;
   }

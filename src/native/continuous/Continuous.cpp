@@ -200,12 +200,14 @@ void CContinuous::SetBackFromAll(std::uint32_t i) {
   FindShapes(i);
   if (SetBackInTurns(i, eShapes::All, eThrough::None)) return;
   // There is no room: what moves goes over the ball, or what a game has put or stopped there. One that was
-  // put deep into several shapes gets out of each only deeper into others; in a pile it gives way to other
-  // balls bit by bit.
-  const bool isAlone = !m_stdBalls[i].m_bIsNearBall;
+  // put deep into several shapes gets out of each only deeper into others; among others it gives way to them
+  // bit by bit.
+  const CMoving& ball = m_stdBalls[i];
+  const bool isAlone = !ball.m_bIsNearBall;
   const eThrough through = isAlone ? eThrough::Surfaces : eThrough::None;
   if (!SetBackInTurns(i, eShapes::Resting, through) &&
-      !(isAlone && SetBackInTurns(i, eShapes::Static, through)))
+      !(isAlone && GetDepthIn(eShapes::Static, ball, ball.m_vPos) > 0.0 &&
+        SetBackInTurns(i, eShapes::Static, through)))
     StayInPlace(i);
   TellIfGoneOver(i);
 }
@@ -219,22 +221,30 @@ double CContinuous::GetDepth(std::uint32_t order, const CMotion& motion) const {
   return isIn ? -gap : 0.0;
 }
 
-// The deepest overlap of a ball at p with shapes that rest, of those that were found.
-double CContinuous::GetDepthInResting(const CMoving& ball, const Vector2d& p) const {
+bool CContinuous::IsAmong(eShapes shapes, std::uint32_t order) const {
+  switch (shapes) {
+  case eShapes::Resting: return !m_pShapes->GetGeometry(order).IsMoving();
+  case eShapes::Static: return m_pShapes->Get(order).m_pShape->GetMotionType() == eMotion::Static;
+  default: return true;
+  }
+}
+
+// The deepest overlap of a ball at p with such shapes, of those that were found.
+double CContinuous::GetDepthIn(eShapes shapes, const CMoving& ball, const Vector2d& p) const {
   CMotion motion = GetMotion(ball);
   motion.m_vPos = p;
   double depth = 0.0;
   for (const std::uint32_t order : m_stdShapesFound)
-    if (!m_pShapes->GetGeometry(order).IsMoving()) depth = std::max(depth, GetDepth(order, motion));
+    if (IsAmong(shapes, order)) depth = std::max(depth, GetDepth(order, motion));
   return depth;
 }
 
-// Nor is there room between shapes that rest, one of which a game may have put into the ball: it goes back to
-// where it was, unless it is less deep in them than there.
+// Nor is there room between shapes that rest: it goes back to where it was, unless it is less deep in them
+// than there.
 void CContinuous::StayInPlace(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   const Vector2d begin = GetFreeMotion(ball.m_nBall).m_vPos;
-  if (GetDepthInResting(ball, ball.m_vPos) < GetDepthInResting(ball, begin)) return;
+  if (GetDepthIn(eShapes::Resting, ball, ball.m_vPos) < GetDepthIn(eShapes::Resting, ball, begin)) return;
   ball.m_vPos = begin;
   m_stdTouching.clear(); // of where it was in between
   MoveDisc(i);
@@ -245,7 +255,7 @@ void CContinuous::TellIfGoneOver(std::uint32_t i) {
   CMoving& ball = m_stdBalls[i];
   const auto goesOver = [&](std::uint32_t order) {
     const CShapeGeometry& o = m_pShapes->GetGeometry(order);
-    return !IsStatic(order) && o.m_eSides == eSides::Both &&
+    return !IsAmong(eShapes::Static, order) && o.m_eSides == eSides::Both &&
            GetDepth(order, GetMotion(ball)) > g_fSettleReach * ball.m_fRadius;
   };
   if (std::any_of(m_stdShapesFound.begin(), m_stdShapesFound.end(), goesOver)) TellHalted(ball);
@@ -259,10 +269,11 @@ void CContinuous::TellHalted(CMoving& ball) {
 // neither others nor what it is set back from have pressed it deeper into it in this substep.
 bool CContinuous::ComesThrough(const CMoving& ball, std::uint32_t order, const CImpact& impact,
                                double gap) const {
-  FailIf(!IsPassing(ball, order, impact, gap));
+  FailIf(!(impact.m_vNorm.dot(ball.m_vVel - impact.m_vSurface) > 0.0));
   CImpact before;
   double gapBefore;
-  return IsNearShape(order, GetFreeMotion(ball.m_nBall), 0.0, 0.0, before, gapBefore) && gap >= gapBefore;
+  return IsNearShape(order, GetFreeMotion(ball.m_nBall), 0.0, 0.0, before, gapBefore) &&
+         gap >= gapBefore - GetRounding(ball, order);
 }
 
 // By order, each from where those before it have put it. Whether any had to. Under gravity those that it
@@ -274,8 +285,7 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i, eShapes from, eThrough thro
     const std::uint32_t order = m_stdShapesFound[k];
     const CShapeGeometry& geometry = m_pShapes->GetGeometry(order);
     if (!m_pShapes->Get(order).m_pShape->GetCanCollide()) continue;
-    if (from == eShapes::Resting && geometry.IsMoving()) continue;
-    if (from == eShapes::Static && !IsStatic(order)) continue;
+    if (!IsAmong(from, order)) continue;
     const CMoving& ball = m_stdBalls[i];
     const double rounding = GetRounding(ball, order);
     const double reach = IsFalling() ? rounding : 0.0;
@@ -289,7 +299,7 @@ bool CContinuous::SetBackFromShapes(std::uint32_t i, eShapes from, eThrough thro
       m_stdTouching.push_back({order, gap, impact});
       continue;
     }
-    if (ComesThrough(ball, order, impact, gap)) continue;
+    if (!isRounding && geometry.m_eSides != eSides::Both && ComesThrough(ball, order, impact, gap)) continue;
     if (isRounding)
       CorrectPosition(i, -gap * impact.m_vNorm);
     else

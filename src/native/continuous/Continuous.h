@@ -25,7 +25,8 @@ namespace Shapes::Native {
 ///
 /// - Without gravity an unobstructed ball moves bit-identically to the approximate mode.
 /// - Initial overlaps are pushed out along the normal, of two balls by their shares of the mass, but never
-///   through another shape. A ball that comes through a one-sided shape from behind is left alone.
+///   through another shape. A ball that comes through a one-sided shape from behind is left alone as long as
+///   it moves out; then it is put onto that.
 /// - Impacts at the same time are answered one after the other: shapes before balls, by order and by id.
 /// - Under gravity, a ball that would be back at a shape within 1/g_nHops of the substep after it has left it
 ///   does not leave it: it lies on it or slides along it, without friction, until it would have to be pulled.
@@ -152,7 +153,7 @@ private:
   void FindShapes(std::uint32_t i, float reach = 0.0f);
   void KeepShapesFound(std::uint32_t i, const CDiscGrid::CDisc& in);
   void FindFirst(std::uint32_t i);
-  // The shapes that a ball may be set back from.
+  // The shapes that a ball may be set back from: those that do not move now, or that never do.
   enum class eShapes { All, Resting, Static };
   struct CNotInTheWay {
     std::uint32_t m_nShape = g_nNobody;
@@ -164,7 +165,8 @@ private:
   bool SetBackInTurns(std::uint32_t i, eShapes from, eThrough through);
   void SetBackFromAll(std::uint32_t i);
   double GetDepth(std::uint32_t order, const CMotion& motion) const;
-  double GetDepthInResting(const CMoving& ball, const Vector2d& p) const;
+  bool IsAmong(eShapes shapes, std::uint32_t order) const;
+  double GetDepthIn(eShapes shapes, const CMoving& ball, const Vector2d& p) const;
   void StayInPlace(std::uint32_t i);
   void TellIfGoneOver(std::uint32_t i);
   void TellHalted(CMoving& ball);
@@ -177,9 +179,6 @@ private:
   void SetBackFromBalls(std::uint32_t i);
   double GetFreeShare(const CMoving& ball, const Vector2d& p, const Vector2d& way, double time,
                       const CNotInTheWay& except);
-  bool IsStatic(std::uint32_t order) const {
-    return m_pShapes->Get(order).m_pShape->GetMotionType() == eMotion::Static;
-  }
   bool MeetsShape(const CMoving& ball, std::uint32_t order) const {
     return DoMeet(m_pBalls->m_stdFilter[ball.m_nBall], m_pShapes->Get(order).m_pShape->GetFilter());
   }

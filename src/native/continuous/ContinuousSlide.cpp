@@ -52,8 +52,8 @@ void CContinuous::SettleOnCurve(CMoving& ball, const CHold& curve, const CMotion
 }
 
 // A ball that has slid along a curve up to an impact: along that on to exactly where it touches the shape, as
-// its parabola has been off the curve. Where it meets the shape all but along the curve, it stays where it
-// is. Whether the impact is that of its place now.
+// its parabola has been off the curve. Where it meets the shape all but along the curve, or is deep in it, it
+// stays where it is. Whether the impact is that of its place now.
 bool CContinuous::SlideOnto(CMoving& ball, std::uint32_t order, const CMotion& before,
                             CImpact& impact) const {
   const CHold* pCurve = GetCurve(ball);
@@ -69,7 +69,7 @@ bool CContinuous::SlideOnto(CMoving& ball, std::uint32_t order, const CMotion& b
     double gap;
     if (!Near(m_pShapes->GetGeometry(order), GetMotion(at), ball.m_fTime, g_fSettleReach * ball.m_fRadius,
               met, gap) ||
-        gap < -g_fSettleReach * ball.m_fRadius)
+        (round == 0 && gap < -g_fSettleReach * ball.m_fRadius))
       break;
     FailIf(!(met.m_vNorm.dot(at.m_vVel - met.m_vSurface) < 0.0)); // of another part of the shape
     const bool isThere = std::abs(gap) <= g_fSlideGap * GetRounding(ball, order);
