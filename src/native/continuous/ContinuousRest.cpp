@@ -97,8 +97,12 @@ void CContinuous::SolveRestingContacts() {
   for (std::uint32_t i = 0; i < n; ++i) {
     CMoving& ball = m_stdBalls[i];
     if (!ball.m_bIsInPile) continue;
-    // The pile may have made it too fast to follow what holds it.
-    ball.m_cHolds.DropIf([&](const CHold& hold) { return !CanFollow(ball, hold.m_nOther, hold.m_fRadius); });
+    // The pile may have made it too fast to follow what holds it, or take it through that.
+    ball.m_cHolds.DropIf([&](const CHold& hold) {
+      const Vector2d surface = m_pShapes->GetGeometry(hold.m_nOther).GetSurfaceVelocity(ball.m_vPos, 0.0);
+      const double into = ApproachSpeed(ball.m_vVel, surface, hold.m_vNorm) * m_fStep;
+      return into > ball.m_fRadius || !CanFollow(ball, hold.m_nOther, hold.m_fRadius);
+    });
     ball.m_fHoldTime = GetHoldTime(ball);
     MoveDisc(i);
     FindShapes(i);
