@@ -2,13 +2,13 @@
 // Random closed rooms full of balls, in which shapes of every kind rest, move, turn, are dragged and dropped,
 // and a game steers, blows up, teleports, adds and removes: none loses a ball. SHAPES_GAMES says how many,
 // 200 by default. Box2D loses balls in 66 of the first 400, 338 in all.
-#include "NativeTesting.h"
+#include "RoomOutline.h"
 
 namespace Shapes {
 namespace {
 
 /// A polygon about the origin, or a ring, with pegs, moving shapes and balls in it.
-class CRandomGame {
+class CRandomGame : CRoomOutline {
 public:
   CRandomGame(CRandom& random, const CEffectChoice& effects) : m_cRandom(random) {
     m_fSize = random.Uniform(1.5f, 3.0f);
@@ -41,9 +41,8 @@ public:
   /// The balls that are outside.
   std::size_t CountLost() const {
     return static_cast<std::size_t>(
-        Shapes::CountBalls(*m_pWorld, [&](const Vector2& p) { return !(GetDepthInside(p) >= -2e-6f); }));
+        CountBalls(*m_pWorld, [&](const Vector2& p) { return !(GetDepthInside(p) >= -2e-6); }));
   }
-  std::size_t CountBalls() const { return m_pWorld->GetBallIds().size(); }
 
 private:
   enum eMove { Steer, BlowUp, Teleport, Change, Drag, TurnGravity, Filter, Toggle, eMove_N };
@@ -51,22 +50,19 @@ private:
   void AddWalls() {
     const float e = m_cRandom.Uniform(0, 1);
     const bool isOneSided = m_cRandom.Below(3) == 0, isKinematic = m_cRandom.Below(5) == 0;
-    const auto add = [&](auto wall, eSides inside) {
+    if (m_cRandom.Below(7) != 0) AddCorners();
+    ForEachWall(e, [&](auto wall, eSides inside) {
       if (isOneSided) wall.m_eSides = inside;
       m_pWorld->Add(isKinematic ? Turning(wall) : wall);
-    };
-    if (m_cRandom.Below(7) == 0) return add(CArcDesc({0, 0}, m_fSize, 0, 0, e), eSides::Back);
+    });
+  }
+
+  void AddCorners() {
     const std::uint32_t corners = 3 + m_cRandom.Below(6);
     for (std::uint32_t i = 0; i < corners; ++i) {
       const float turn =
           (static_cast<float>(i) + m_cRandom.Uniform(-0.25f, 0.25f)) / static_cast<float>(corners);
       m_stdCorners.push_back(m_fSize * AngleToVector(2 * g_fPi * turn));
-    }
-    for (std::uint32_t i = 0; i < corners; ++i) {
-      const Vector2 &a = m_stdCorners[i], &b = m_stdCorners[(i + 1) % corners];
-      // The front is where the normal points to, which is never down; the room is to the left of a wall.
-      const bool isFrontInside = b.x() > a.x() || (b.x() == a.x() && b.y() > a.y());
-      add(CLineSegDesc(a, b, e), isFrontInside ? eSides::Front : eSides::Back);
     }
   }
 
@@ -121,7 +117,7 @@ private:
 
   void Play() {
     CWorld& world = *m_pWorld;
-    if (CountBalls() == 0) return;
+    if (world.GetBallIds().empty()) return;
     if (Does(Steer)) {
       const CShapeId ball = AnyBall();
       world.SetVel(ball, m_cRandom.Vector(-2, 6));
@@ -146,7 +142,7 @@ private:
       world.SetPos(mover, world.GetPos(mover) * 0.9f + m_cRandom.InSquare(0.2f));
     }
     if (Does(TurnGravity)) world.SetGravity(m_cRandom.VectorOfLength(0, 20));
-    if (Does(Filter) && CountBalls() > 0) {
+    if (Does(Filter) && !world.GetBallIds().empty()) {
       const CFilter ghost{0x0002, 0x0001}; // meets everything but its like
       const CShapeId ball = AnyBall();
       world.SetFilter(ball, m_cRandom.Coin() ? ghost : CFilter());
@@ -160,23 +156,10 @@ private:
     }
   }
 
-  /// Distance from the nearest wall, negative outside.
-  float GetDepthInside(const Vector2& p) const {
-    if (m_stdCorners.empty()) return m_fSize - p.norm();
-    double depth = Wide(m_fSize);
-    for (std::size_t i = 0; i < m_stdCorners.size(); ++i) {
-      const Vector2d a = Wide(m_stdCorners[i]), d = Wide(p) - a;
-      const Vector2d way = Wide(m_stdCorners[(i + 1) % m_stdCorners.size()]) - a;
-      depth = std::min((way.x() * d.y() - way.y() * d.x()) / way.norm(), depth); // what is no number stays
-    }
-    return static_cast<float>(depth);
-  }
-
   CRandom& m_cRandom;
   std::unique_ptr<CWorld> m_pWorld;
-  std::vector<Vector2> m_stdCorners; // counterclockwise; none of a ring
   std::vector<CShapeId> m_stdPegs, m_stdMovers;
-  float m_fSize, m_fSmallest, m_fLargest, m_fBallElasticity;
+  float m_fSmallest, m_fLargest, m_fBallElasticity;
   int m_nHeaviest;
   std::uint32_t m_nMoves; // those that this game makes, a bit for each
 };
@@ -199,8 +182,8 @@ TEST(RandomGames, LoseNoBall) {
   const std::uint64_t games = HowMany("SHAPES_GAMES", 200);
   // Balls came out of one-sided walls as others pressed them deeper into these, in the first two; out of a
   // shape along a curve through the next wall, in the next two; and through walls as a game put a shape
-  // there, or stopped one.
-  std::vector<std::uint64_t> seeds = {1120, 1619, 5999, 9692, 8700, 1041, 2702, 3541};
+  // there, or stopped one. In the last one a pile took a ball through the wall that held it.
+  std::vector<std::uint64_t> seeds = {1120, 1619, 5999, 9692, 8700, 1041, 2702, 3541, 8210};
   for (std::uint64_t seed = 0; seed < games; ++seed)
     seeds.push_back(seed);
   for (const std::uint64_t seed : seeds)

@@ -2,18 +2,15 @@
 // Random closed rooms, near and far from the origin, in metres and in pixels, stepped by any step: none loses
 // a ball, and no energy comes from nothing. SHAPES_WORLDS says how many, 1,000 by default.
 // 100,000 did neither.
-#include "NativeTesting.h"
+#include "RoomOutline.h"
 
 namespace Shapes {
 namespace {
 
 /// An irregular polygon about the origin of a random place, or a ring, and up to six balls apart from each
 /// other.
-struct CRandomRoom {
+struct CRandomRoom : CRoomOutline {
   std::unique_ptr<CWorld> m_pWorld;
-  std::vector<Vector2> m_stdCorners; // counterclockwise; none of a ring
-  Vector2 m_vMiddle;
-  float m_fSize; // radius of the ring, distance of the corners
   float m_fGravity;
   float m_fElasticity; // of the walls, 1 of the balls
 
@@ -27,28 +24,24 @@ struct CRandomRoom {
     m_fElasticity = kind == 0 ? 0.0f : kind == 1 ? 1.0f : random.Uniform(0, 1);
     const unsigned substeps = random.Below(3) > 0 ? 1 : 1u << random.Below(13);
     m_pWorld = MakeNative(effects, m_fGravity, std::min(random.Scale(-17, -3), 0.1f), substeps);
-    if (isRing)
-      m_pWorld->Add(CArcDesc(m_vMiddle, m_fSize, 0, 0, m_fElasticity));
-    else
-      AddWalls(random);
+    bool isOneSided = false;
+    if (!isRing) {
+      AddCorners(random);
+      isOneSided = random.Below(3) == 0;
+    }
+    ForEachWall(m_fElasticity, [&](auto wall, eSides inside) {
+      if (isOneSided) wall.m_eSides = inside;
+      m_pWorld->Add(wall);
+    });
     AddBalls(random, random.Scale(-7, 9) * unit);
   }
 
-  void AddWalls(CRandom& random) {
+  void AddCorners(CRandom& random) {
     const std::uint32_t corners = 3 + random.Below(6);
     const float part = 2.0f * g_fPi / static_cast<float>(corners);
     for (std::uint32_t i = 0; i < corners; ++i) {
       const float angle = part * (static_cast<float>(i) + random.Uniform(-0.25f, 0.25f));
       m_stdCorners.push_back(m_vMiddle + m_fSize * AngleToVector(angle));
-    }
-    const bool isOneSided = random.Below(3) == 0;
-    for (std::uint32_t i = 0; i < corners; ++i) {
-      const Vector2 &a = m_stdCorners[i], &b = m_stdCorners[(i + 1) % corners];
-      CLineSegDesc wall(a, b, m_fElasticity);
-      // The front is where the normal points to, which is never down; the room is to the left of a wall.
-      const bool isFrontInside = b.x() > a.x() || (b.x() == a.x() && b.y() > a.y());
-      if (isOneSided) wall.m_eSides = isFrontInside ? eSides::Front : eSides::Back;
-      m_pWorld->Add(wall);
     }
   }
 
@@ -67,17 +60,6 @@ struct CRandomRoom {
   }
 
   float GetUlp() const { return 0x1p-23f * (std::abs(m_vMiddle.x()) + m_fSize); }
-  /// Distance of a point from the nearest wall, negative outside.
-  double GetDepthInside(const Vector2& p) const {
-    if (m_stdCorners.empty()) return static_cast<double>(m_fSize - (p - m_vMiddle).norm());
-    double depth = m_fSize;
-    for (std::size_t i = 0; i < m_stdCorners.size(); ++i) {
-      const Vector2d a = Wide(m_stdCorners[i]), d = Wide(p) - a;
-      const Vector2d way = Wide(m_stdCorners[(i + 1) % m_stdCorners.size()]) - a;
-      depth = std::min((way.x() * d.y() - way.y() * d.x()) / way.norm(), depth); // what is no number stays
-    }
-    return depth;
-  }
   /// Above the deepest place of the room.
   double GetEnergy() const { return Shapes::GetEnergy(*m_pWorld, m_fGravity, -m_fSize); }
   double GetMass() const {

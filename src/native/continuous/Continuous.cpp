@@ -222,11 +222,8 @@ double CContinuous::GetDepth(std::uint32_t order, const CMotion& motion) const {
 }
 
 bool CContinuous::IsAmong(eShapes shapes, std::uint32_t order) const {
-  switch (shapes) {
-  case eShapes::Resting: return !m_pShapes->GetGeometry(order).IsMoving();
-  case eShapes::Static: return m_pShapes->Get(order).m_pShape->GetMotionType() == eMotion::Static;
-  default: return true;
-  }
+  if (shapes == eShapes::Resting) return !m_pShapes->GetGeometry(order).IsMoving();
+  return shapes == eShapes::All || m_pShapes->Get(order).m_pShape->GetMotionType() == eMotion::Static;
 }
 
 // The deepest overlap of a ball at p with such shapes, of those that were found.
